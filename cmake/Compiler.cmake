@@ -1,0 +1,24 @@
+# Warnings, sanitizers and the compiler cache, for every target of the project.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(etendue_options INTERFACE)
+target_compile_options(etendue_options INTERFACE
+  -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor
+  -fno-math-errno -fno-trapping-math)
+# Contraction would make an image depend on the compiler's choice of fused operations.
+target_compile_options(etendue_options INTERFACE -ffp-contract=off)
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O0 -g")
+
+if(ETENDUE_SANITIZE)
+  target_compile_options(etendue_options INTERFACE -fsanitize=${ETENDUE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(etendue_options INTERFACE -fsanitize=${ETENDUE_SANITIZE})
+endif()

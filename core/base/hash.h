@@ -1,0 +1,51 @@
+// Integer hashes: the seeds of everything random, so that a sample depends on its name (pixel, index, dimension) and
+// never on the order in which threads ask for it.
+#pragma once
+#include <bit>
+#include <cstdint>
+
+namespace etendue {
+
+// Finaliser with good avalanche in both directions (C. Wellons, "Prospecting for hash functions", 2018: lowbias32).
+constexpr uint32_t mix_bits(uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x7feb352dU;
+  x ^= x >> 15;
+  x *= 0x846ca68bU;
+  x ^= x >> 16;
+  return x;
+}
+
+// splitmix64's finaliser (D. Stafford's variant 13).
+constexpr uint64_t mix_bits(uint64_t x) {
+  x ^= x >> 30;
+  x *= 0xbf58476d1ce4e5b9ULL;
+  x ^= x >> 27;
+  x *= 0x94d049bb133111ebULL;
+  x ^= x >> 31;
+  return x;
+}
+
+constexpr uint32_t hash_combine(uint32_t seed, uint32_t value) {
+  return mix_bits(seed ^ (value + 0x9e3779b9U + (seed << 6) + (seed >> 2)));
+}
+
+constexpr uint64_t hash_bytes(const char* data, size_t size, uint64_t seed = 0x243f6a8885a308d3ULL) {
+  uint64_t h = seed ^ (size * 0x9e3779b97f4a7c15ULL);
+  for (size_t i = 0; i < size; ++i) h = mix_bits(h ^ (static_cast<unsigned char>(data[i]) + 0x9e3779b97f4a7c15ULL));
+  return h;
+}
+
+// [0, 1) from the upper 24 bits: every float of that grid is equally likely, one is never returned.
+constexpr float to_unit_float(uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+
+constexpr uint32_t reverse_bits(uint32_t x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & 0xff00ff00U) >> 8) | ((x & 0x00ff00ffU) << 8);
+  x = ((x & 0xf0f0f0f0U) >> 4) | ((x & 0x0f0f0f0fU) << 4);
+  x = ((x & 0xccccccccU) >> 2) | ((x & 0x33333333U) << 2);
+  x = ((x & 0xaaaaaaaaU) >> 1) | ((x & 0x55555555U) << 1);
+  return x;
+}
+
+}  // namespace etendue
