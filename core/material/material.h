@@ -1,0 +1,54 @@
+// What a user edits: the parameters of a surface, as glTF 2.0 and its extensions name them.
+//
+// The meaning is that of the Khronos specification, appendix B: mix(dielectric, metal, metallic), with
+// dielectric = fresnel_mix(ior, diffuse or transmitted base, specular layer). `compile` of the scene turns it into what
+// shading reads; at a hit it becomes a Bsdf.
+#pragma once
+#include <string>
+
+#include "base/vec.h"
+#include "material/texture.h"
+#include "spectrum/rgb.h"
+
+namespace etendue {
+
+enum class AlphaMode : uint8_t { opaque, mask, blend };
+
+struct Material {
+  std::string name;
+
+  Rgb base_color{1};
+  float alpha = 1;
+  TextureUse base_color_texture;  // sRGB, alpha in A
+  float metallic = 1, roughness = 1;
+  TextureUse metallic_roughness_texture;  // linear: G roughness, B metallic
+  TextureUse normal_texture;              // linear, tangent space
+  float normal_scale = 1;
+
+  Rgb emission{0};  // emissiveFactor * emissiveStrength: radiance W/(m^2 sr)
+  TextureUse emission_texture;  // sRGB
+
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha_cutoff = 0.5f;
+  bool double_sided = false;
+  bool unlit = false;  // KHR_materials_unlit: shows base colour, whatever the light
+
+  float ior = 1.5f;                // KHR_materials_ior; 0 means a Fresnel term of one
+  float specular = 1;              // KHR_materials_specular
+  Rgb specular_color{1};
+  TextureUse specular_texture;        // linear, A
+  TextureUse specular_color_texture;  // sRGB
+  float transmission = 0;             // KHR_materials_transmission
+  TextureUse transmission_texture;    // linear, R
+  float thickness = 0;                // KHR_materials_volume: 0 is a thin wall, anything else a solid
+  Rgb attenuation_color{1};
+  float attenuation_distance = kInfinity;  // metres of world space
+  float anisotropy = 0, anisotropy_rotation = 0;  // [0, 1]; radians from the tangent
+
+  bool solid() const { return transmission > 0 && thickness > 0; }
+  bool emits() const { return !is_black(emission); }
+
+  friend bool operator==(const Material&, const Material&) = default;
+};
+
+}  // namespace etendue

@@ -1,0 +1,91 @@
+// Where the random numbers of a path come from.
+//
+// A sampler is a function of (pixel, sample index, dimension). Dimensions come in blocks of eight with a fixed layout, one
+// block for the camera and one for each path vertex, so that dimension k means the same decision in every path and the
+// structure of a low-discrepancy sequence survives. A Markov chain in primary sample space fits the same interface.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parameter.h"
+#include "base/vec.h"
+
+namespace etendue {
+
+inline constexpr int kBlockSize = 8;
+using SampleBlock = std::array<float, kBlockSize>;
+
+// The layout of block 0.
+namespace camera_dimension {
+inline constexpr int kPixel = 0;  // 2: position under the pixel filter
+inline constexpr int kLens = 2;   // 2
+inline constexpr int kTime = 4;   // 1
+}  // namespace camera_dimension
+
+// The layout of block 1 + k, path vertex k (0 is the first hit).
+namespace vertex_dimension {
+inline constexpr int kBsdfDirection = 0;  // 2
+inline constexpr int kLightPoint = 2;     // 2
+inline constexpr int kLightChoice = 4;    // 1
+inline constexpr int kBsdfLobe = 5;       // 1
+inline constexpr int kRoulette = 6;       // 1
+inline constexpr int kSpare = 7;          // 1: lobe of the light sample's own decisions
+}  // namespace vertex_dimension
+
+// What a sampler is and what it is bad at; shown by `list samplers`, the viewer and the documentation.
+struct SamplerInfo {
+  std::string name, label, doc;
+  std::vector<ParameterInfo> parameters;
+};
+
+class Sampler {
+ public:
+  virtual ~Sampler() = default;
+
+  // Called from one thread before samples [first, first + count) of every pixel are drawn: the place for tables that all
+  // pixels share. Blocks of these samples may then be asked for from any thread.
+  virtual void prepare(uint32_t first, uint32_t count) { (void)first, (void)count; }
+
+  // Eight values in [0, 1) for `sample` of the pixel with this seed. The seed is a hash of pixel, replicate and the
+  // user's seed: pixels with different seeds are independent replicates of each other.
+  virtual void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const = 0;
+};
+
+struct Setting {
+  std::string name;
+  Value value;
+};
+
+// The registry: every sampler there is, in the order they are listed; sobol is the default.
+const std::vector<SamplerInfo>& sampler_infos();
+const SamplerInfo* find_sampler(std::string_view name);
+
+// `settings` must have been checked against the parameters of the sampler; names it does not have are ignored.
+std::unique_ptr<Sampler> make_sampler(std::string_view name, const std::vector<Setting>& settings = {});
+
+// The stream of one path: block by block, vertex by vertex.
+class PathSampler {
+ public:
+  PathSampler(const Sampler& sampler, uint32_t pixel_seed, uint32_t sample)
+      : sampler_(&sampler), pixel_seed_(pixel_seed), sample_(sample) {}
+
+  void start_camera() { sampler_->block(pixel_seed_, sample_, 0, values_); }
+  void start_vertex(uint32_t vertex) { sampler_->block(pixel_seed_, sample_, 1 + vertex, values_); }
+
+  float get(int dimension) const { return values_[static_cast<size_t>(dimension)]; }
+  Vec2 get_2d(int dimension) const { return Vec2(get(dimension), get(dimension + 1)); }
+
+  // A seed for decisions that are no dimension of the integral's layout (stochastic opacity along a ray).
+  uint32_t seed() const { return pixel_seed_ ^ (sample_ * 0x9e3779b9U); }
+
+ private:
+  const Sampler* sampler_;
+  uint32_t pixel_seed_, sample_;
+  SampleBlock values_{};
+};
+
+}  // namespace etendue
