@@ -32,7 +32,10 @@ constexpr uint32_t hash_combine(uint32_t seed, uint32_t value) {
 
 constexpr uint64_t hash_bytes(const char* data, size_t size, uint64_t seed = 0x243f6a8885a308d3ULL) {
   uint64_t h = seed ^ (size * 0x9e3779b97f4a7c15ULL);
-  for (size_t i = 0; i < size; ++i) h = mix_bits(h ^ (static_cast<unsigned char>(data[i]) + 0x9e3779b97f4a7c15ULL));
+  for (size_t i = 0; i < size; ++i) {
+    const uint64_t byte = static_cast<unsigned char>(data[i]);
+    h = mix_bits(h ^ (byte + uint64_t{0x9e3779b97f4a7c15}));
+  }
   return h;
 }
 

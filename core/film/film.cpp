@@ -1,0 +1,78 @@
+#include "film/film.h"
+
+namespace etendue::film {
+
+Film::Film(int width, int height)
+    : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+
+void Film::add(int x, int y, uint32_t replicate, const Rgb& radiance) {
+  Pixel& pixel = at(x, y);
+  // A rejected sample counts as one of value zero: leaving it out of the count would favour what cannot be computed.
+  ++pixel.count[replicate];
+  if (!is_finite(radiance)) [[unlikely]] {
+    const bool nan = std::isnan(radiance.r) || std::isnan(radiance.g) || std::isnan(radiance.b);
+    (nan ? rejected_.nan : rejected_.infinite).fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  if (radiance.r < 0 || radiance.g < 0 || radiance.b < 0) [[unlikely]] {
+    rejected_.negative.fetch_add(1, std::memory_order_relaxed);
+    return;
+  }
+  auto& sum = pixel.sum[replicate];
+  sum[0] += radiance.r, sum[1] += radiance.g, sum[2] += radiance.b;
+}
+
+uint32_t Film::samples(int x, int y) const {
+  const Pixel& p = at(x, y);
+  return p.count[0] + p.count[1];
+}
+
+Rgb Film::mean(int x, int y) const {
+  const Pixel& p = at(x, y);
+  const uint32_t n = p.count[0] + p.count[1];
+  if (n == 0) return Rgb(0);
+  const double scale = 1.0 / n;
+  const auto channel = [&](size_t c) { return static_cast<float>((p.sum[0][c] + p.sum[1][c]) * scale); };
+  return {channel(0), channel(1), channel(2)};
+}
+
+Rgb Film::variance_of_mean(int x, int y) const {
+  const Pixel& p = at(x, y);
+  if (p.count[0] == 0 || p.count[1] == 0) return Rgb(0);
+  const double n = p.count[0] + p.count[1];
+  // The mean is w A + (1-w) B with w = nA/n. With variances that fall as 1/n each, (A - B)^2 has the expectation
+  // s^2 (1/nA + 1/nB), and the mean has the variance s^2 / n.
+  const double scale = p.count[0] * (p.count[1] / (n * n));
+  const auto channel = [&](size_t c) {
+    const double d = p.sum[0][c] / p.count[0] - p.sum[1][c] / p.count[1];
+    return static_cast<float>(d * d * scale);
+  };
+  return {channel(0), channel(1), channel(2)};
+}
+
+ErrorEstimate Film::error() const {
+  ErrorEstimate e;
+  double squares = 0, relative = 0;
+  for (int y = 0; y < height_; ++y)
+    for (int x = 0; x < width_; ++x) {
+      const Pixel& p = at(x, y);
+      if (p.count[0] == 0 || p.count[1] == 0) return {};
+      const Rgb v = variance_of_mean(x, y), m = mean(x, y);
+      for (int c = 0; c < 3; ++c) {
+        squares += v[c];
+        relative += v[c] / (sqr(double{m[c]}) + 0.01);
+      }
+    }
+  const double n = 3.0 * width_ * height_;
+  e.rmse = std::sqrt(squares / n), e.relmse = relative / n;
+  e.known = n > 0;
+  return e;
+}
+
+Rejected Film::rejected() const { return {rejected_.nan.load(), rejected_.infinite.load(), rejected_.negative.load()}; }
+
+void Film::set_rejected(const Rejected& r) {
+  rejected_.nan = r.nan, rejected_.infinite = r.infinite, rejected_.negative = r.negative;
+}
+
+}  // namespace etendue::film

@@ -1,0 +1,75 @@
+// Where samples are gathered: sums in double, in two independent halves.
+//
+// Samples alternate between the halves, and each half has its own random numbers. The mean of both is the image; their
+// difference is its error, also for quasi-Monte Carlo points, whose spread inside one sequence says nothing:
+// Var(mean) = (A - B)^2 / 4 per pixel, in expectation. What is not a finite, non-negative radiance is counted and left out.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec.h"
+#include "spectrum/rgb.h"
+
+namespace etendue::film {
+
+inline constexpr uint32_t kReplicates = 2;
+
+struct Rejected {
+  uint64_t nan = 0, infinite = 0, negative = 0;
+  uint64_t total() const { return nan + infinite + negative; }
+};
+
+struct ErrorEstimate {
+  double rmse = 0, relmse = 0;  // of the mean image, over pixels and channels
+  bool known = false;           // false until every pixel has a sample in both halves
+};
+
+class Film {
+ public:
+  Film() = default;
+  Film(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Adds one sample to a pixel. Different pixels may be added to from different threads.
+  void add(int x, int y, uint32_t replicate, const Rgb& radiance);
+
+  uint32_t samples(int x, int y) const;
+  Rgb mean(int x, int y) const;
+  // The standard error of `mean`, squared, per channel; zero while a half is empty.
+  Rgb variance_of_mean(int x, int y) const;
+
+  ErrorEstimate error() const;
+  Rejected rejected() const;
+
+  // Everything the film knows, for checkpoints.
+  struct Pixel {
+    std::array<std::array<double, 3>, kReplicates> sum{};
+    std::array<uint32_t, kReplicates> count{};
+  };
+  std::span<const Pixel> pixels() const { return pixels_; }
+  std::span<Pixel> pixels() { return pixels_; }
+  void set_rejected(const Rejected& rejected);
+
+ private:
+  const Pixel& at(int x, int y) const { return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)]; }
+  Pixel& at(int x, int y) { return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)]; }
+
+  int width_ = 0, height_ = 0;
+  std::vector<Pixel> pixels_;
+  struct Counters {
+    std::atomic<uint64_t> nan{0}, infinite{0}, negative{0};
+    Counters() = default;
+    Counters(const Counters& o) : nan(o.nan.load()), infinite(o.infinite.load()), negative(o.negative.load()) {}
+    Counters& operator=(const Counters& o) {
+      nan = o.nan.load(), infinite = o.infinite.load(), negative = o.negative.load();
+      return *this;
+    }
+  } rejected_;
+};
+
+}  // namespace etendue::film

@@ -1,0 +1,187 @@
+#include "geometry/accel.h"
+
+#include <immintrin.h>
+
+#include <atomic>
+#include <bit>
+
+#include "base/hash.h"
+
+namespace etendue {
+namespace {
+
+std::atomic<int64_t>& memory_counter() {
+  static std::atomic<int64_t> bytes{0};
+  return bytes;
+}
+
+bool count_memory(void*, ssize_t bytes, bool) {
+  memory_counter().fetch_add(bytes, std::memory_order_relaxed);
+  return true;
+}
+
+// One device for the process: Embree keeps its threads and its memory pools there.
+RTCDevice device() {
+  static const RTCDevice the_device = [] {
+    const RTCDevice d = rtcNewDevice("set_affinity=0");
+    rtcSetDeviceMemoryMonitorFunction(d, count_memory, nullptr);
+    return d;
+  }();
+  return the_device;
+}
+
+RTCGeometry triangle_geometry(const Mesh& mesh) {
+  const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
+                             sizeof(Vec3), mesh.positions.size());
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
+                             sizeof(Triangle), mesh.triangles.size());
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+RTCGeometry instance_geometry(const AccelInstance& instance) {
+  const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, instance.accel->scene());
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.to_world[0][0]);
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+// What a ray carries into Embree: the context must come first.
+struct TraceContext {
+  RTCIntersectContext embree;
+  const OpacityTest* opacity;
+  const uint32_t* seeds;
+};
+
+// Top-level geometry ids are instance numbers, whether the hit lies in an instance or in the top level itself.
+uint32_t instance_of(uint32_t inst_id, uint32_t geom_id) { return inst_id != RTC_INVALID_GEOMETRY_ID ? inst_id : geom_id; }
+
+void test_opacity(const RTCFilterFunctionNArguments* args) {
+  const auto* context = reinterpret_cast<const TraceContext*>(args->context);
+  const unsigned n = args->N;
+  for (unsigned i = 0; i < n; ++i) {
+    if (args->valid[i] == 0) continue;
+    const uint32_t instance = instance_of(RTCHitN_instID(args->hit, n, i, 0), RTCHitN_geomID(args->hit, n, i));
+    const uint32_t ray = n == 1 ? 0 : RTCRayN_id(args->ray, n, i);
+    if (!context->opacity->stops(instance, RTCHitN_primID(args->hit, n, i), RTCHitN_u(args->hit, n, i),
+                                 RTCHitN_v(args->hit, n, i), context->seeds[ray]))
+      args->valid[i] = 0;
+  }
+}
+
+TraceContext make_context(const OpacityTest* opacity, const uint32_t* seeds, bool coherent) {
+  TraceContext context{};
+  rtcInitIntersectContext(&context.embree);
+  if (coherent) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  if (opacity) context.embree.filter = test_opacity;
+  context.opacity = opacity;
+  context.seeds = seeds;
+  return context;
+}
+
+RTCRay to_embree(const Ray& ray) {
+  RTCRay r{};
+  r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+  r.tnear = ray.tnear, r.tfar = ray.tfar;
+  r.mask = 0xffffffffU;
+  return r;
+}
+
+}  // namespace
+
+MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), scene_(rtcNewScene(device())) {
+  const RTCGeometry geometry = triangle_geometry(*mesh_);
+  rtcAttachGeometryByID(scene_, geometry, 0);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene_);
+}
+
+MeshAccel::~MeshAccel() { rtcReleaseScene(scene_); }
+
+Accel::Accel(std::span<const AccelInstance> instances)
+    : scene_(rtcNewScene(device())), kept_(instances.begin(), instances.end()) {
+  for (uint32_t i = 0; i < kept_.size(); ++i) {
+    const AccelInstance& instance = kept_[i];
+    if (instance.mesh->triangles.empty()) continue;
+    const RTCGeometry geometry = instance.accel ? instance_geometry(instance) : triangle_geometry(*instance.mesh);
+    rtcAttachGeometryByID(scene_, geometry, i);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(scene_);
+}
+
+Accel::~Accel() { rtcReleaseScene(scene_); }
+
+Hit Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const {
+  TraceContext context = make_context(opacity, &ray_seed, false);
+  RTCRayHit query;
+  query.ray = to_embree(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_, &context.embree, &query);
+  Hit hit;
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
+  hit.instance = instance_of(query.hit.instID[0], query.hit.geomID);
+  hit.triangle = query.hit.primID;
+  hit.u = query.hit.u, hit.v = query.hit.v, hit.t = query.ray.tfar;
+  hit.normal = Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+  return hit;
+}
+
+bool Accel::occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const {
+  TraceContext context = make_context(opacity, &ray_seed, false);
+  RTCRay query = to_embree(ray);
+  rtcOccluded1(scene_, &context.embree, &query);
+  return query.tfar < 0;
+}
+
+void Accel::intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds, const OpacityTest* opacity,
+                      std::span<Hit> hits) const {
+  alignas(64) int valid[kPacket];
+  alignas(64) RTCRayHit16 query{};
+  for (unsigned i = 0; i < kPacket; ++i) {
+    valid[i] = i < rays.size() ? -1 : 0;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    query.ray.id[i] = i;
+    if (i >= rays.size()) continue;
+    const Ray& r = rays[i];
+    query.ray.org_x[i] = r.origin.x, query.ray.org_y[i] = r.origin.y, query.ray.org_z[i] = r.origin.z;
+    query.ray.dir_x[i] = r.direction.x, query.ray.dir_y[i] = r.direction.y, query.ray.dir_z[i] = r.direction.z;
+    query.ray.tnear[i] = r.tnear, query.ray.tfar[i] = r.tfar;
+    query.ray.mask[i] = 0xffffffffU;
+  }
+  TraceContext context = make_context(opacity, seeds.data(), true);
+  rtcIntersect16(valid, scene_, &context.embree, &query);
+  for (size_t i = 0; i < rays.size(); ++i) {
+    Hit& hit = hits[i];
+    hit = Hit{};
+    if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+    hit.instance = instance_of(query.hit.instID[0][i], query.hit.geomID[i]);
+    hit.triangle = query.hit.primID[i];
+    hit.u = query.hit.u[i], hit.v = query.hit.v[i], hit.t = query.ray.tfar[i];
+    hit.normal = Vec3(query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]);
+  }
+}
+
+Bounds Accel::bounds() const {
+  RTCBounds b;
+  rtcGetSceneBounds(scene_, &b);
+  Bounds result;
+  if (b.lower_x <= b.upper_x) {
+    result.min = Vec3(b.lower_x, b.lower_y, b.lower_z);
+    result.max = Vec3(b.upper_x, b.upper_y, b.upper_z);
+  }
+  return result;
+}
+
+size_t embree_memory() {
+  return static_cast<size_t>(std::max<int64_t>(0, memory_counter().load(std::memory_order_relaxed)));
+}
+
+void prepare_thread_for_rays() { _mm_setcsr(_mm_getcsr() | 0x8040U); }
+
+}  // namespace etendue

@@ -1,0 +1,14 @@
+// A ray: origin, unit direction and the part of it that counts.
+#pragma once
+#include "base/vec.h"
+
+namespace etendue {
+
+struct Ray {
+  Vec3 origin{0};
+  float tnear = 0;
+  Vec3 direction{0, 0, 1};
+  float tfar = kInfinity;
+};
+
+}  // namespace etendue

@@ -1,0 +1,62 @@
+// What an integrator is to the rest of the program: a description, parameters, and a way to sample a run of pixels.
+//
+// It is chosen once per pass through a virtual call; inside, the hot loop is a template over the transport model.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parameter.h"
+#include "camera/camera_ray.h"
+#include "film/filter.h"
+#include "sampling/sampler.h"
+#include "scene/compiled.h"
+#include "transport/model.h"
+
+namespace etendue::integrator {
+
+enum class Bias { unbiased, consistent, biased };
+std::string_view bias_name(Bias bias);
+
+struct IntegratorInfo {
+  std::string name, label, doc;
+  std::string paths;  // the light paths it finds, in Heckbert's notation as the thesis extends it (8.1)
+  Bias bias = Bias::unbiased;
+  std::string cost, fails;
+  std::vector<ParameterInfo> parameters;
+};
+
+// Everything of a pass that does not change from pixel to pixel.
+struct Pass {
+  const scene::CompiledScene* scene;
+  const transport::Model* model;
+  const Sampler* sampler;
+  const CameraRays* camera;
+  const film::Filter* filter;
+  uint64_t seed;  // the user's
+};
+
+// One sample of up to Accel::kPacket neighbouring pixels of a row.
+struct PixelRun {
+  int x, y, count;
+  uint32_t sample;  // counts all samples of a pixel: it alternates between the film's halves
+};
+
+class Integrator {
+ public:
+  virtual ~Integrator() = default;
+  virtual std::vector<ParameterInfo> parameters() const = 0;
+  virtual bool set(std::string_view name, const Value& value) = 0;
+  // Fills `radiance`, one per pixel of the run; returns the number of rays traced.
+  virtual uint64_t sample(const Pass& pass, const PixelRun& run, std::span<Rgb> radiance) const = 0;
+};
+
+const std::vector<IntegratorInfo>& integrator_infos();
+const IntegratorInfo* find_integrator(std::string_view name);
+
+// `settings` must have been checked; names the integrator does not have are ignored.
+std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::vector<Setting>& settings = {});
+
+}  // namespace etendue::integrator

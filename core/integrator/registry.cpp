@@ -1,0 +1,62 @@
+// Every integrator, in the order of the thesis; one line each.
+#include <functional>
+
+#include "integrator/path.h"
+#include "integrator/path_pure.h"
+#include "integrator/raycast.h"
+
+namespace etendue::integrator {
+namespace {
+
+struct Entry {
+  IntegratorInfo info;
+  std::function<std::unique_ptr<Integrator>()> make;
+};
+
+template <class T>
+Entry entry() {
+  const Description& d = T::kDescription;
+  return {{d.name, d.label, d.doc, d.paths, d.bias, d.cost, d.fails, T().parameters()}, [] { return std::make_unique<T>(); }};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all{
+      entry<Raycast>(),
+      entry<PathPure>(),
+      entry<Path>(),
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string_view bias_name(Bias bias) {
+  return bias == Bias::unbiased ? "unbiased" : bias == Bias::consistent ? "consistent" : "biased";
+}
+
+const std::vector<IntegratorInfo>& integrator_infos() {
+  static const auto infos = [] {
+    std::vector<IntegratorInfo> list;
+    for (const auto& e : entries()) list.push_back(e.info);
+    return list;
+  }();
+  return infos;
+}
+
+const IntegratorInfo* find_integrator(std::string_view name) {
+  for (const auto& info : integrator_infos())
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::vector<Setting>& settings) {
+  for (const auto& e : entries()) {
+    if (e.info.name != name) continue;
+    auto integrator = e.make();
+    for (const auto& s : settings) integrator->set(s.name, s.value);
+    return integrator;
+  }
+  return nullptr;
+}
+
+}  // namespace etendue::integrator

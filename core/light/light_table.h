@@ -1,0 +1,101 @@
+// All lights of a compiled scene, and choosing among them by power.           thesis 6.4, 9.1.2; (9.21)-(9.23)
+//
+// A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density with
+// its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/distribution.h"
+#include "geometry/mesh.h"
+#include "light/light.h"
+#include "spectrum/rgb.h"
+
+namespace etendue {
+
+// An emissive triangle in world space. Radiance is the emission of its material, the mean of it over a texture: only for
+// choosing; what is shaded comes from the material itself.
+struct EmissiveTriangle {
+  Vec3 p0, e1, e2;
+  uint32_t instance = 0, triangle = 0;
+  Rgb radiance{0};
+  bool double_sided = false;
+  bool turned = false;  // the front is where the cross product of the edges does not point: a mirrored instance
+
+  float area() const { return 0.5f * glm::length(glm::cross(e1, e2)); }
+};
+
+struct PlacedLight {
+  Light light;
+  Vec3 position{0}, direction{0, 0, -1};
+};
+
+// The environment ready for sampling.
+class EnvironmentMap {
+ public:
+  EnvironmentMap() = default;
+  explicit EnvironmentMap(const Environment& environment);
+
+  bool black() const { return environment_.black(); }
+  bool visible() const { return environment_.visible; }
+  Rgb radiance(const Vec3& direction) const;
+  struct Sample {
+    Vec3 direction;
+    float pdf_solid_angle;
+  };
+  Sample sample(Vec2 u) const;
+  float pdf_solid_angle(const Vec3& direction) const;
+  Rgb mean_radiance() const { return mean_; }
+
+ private:
+  Vec2 uv_of(const Vec3& direction) const;
+  Environment environment_;
+  Piecewise2D density_;  // of the map; empty for a constant environment
+  Rgb mean_{0};
+};
+
+enum class LightKind : uint8_t { triangle, placed, environment };
+
+// A point on a light as a receiver sees it.
+struct LightSample {
+  LightKind kind = LightKind::triangle;
+  Vec3 wi{0};                 // towards the light
+  float distance = kInfinity;
+  float pdf = 0;              // of this sample, choice of the light included: per solid angle, or discrete where `delta`
+  bool delta = false;
+  Rgb radiance{0};            // what arrives, without visibility; for a delta light, irradiance on a facing surface
+  uint32_t light = 0;
+  Vec2 barycentric{0};        // on a triangle
+};
+
+class LightTable {
+ public:
+  LightTable() = default;
+  LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
+             const Bounds& scene_bounds);
+
+  bool empty() const { return choice_.empty(); }
+  size_t size() const { return choice_.size(); }
+  const std::vector<EmissiveTriangle>& triangles() const { return triangles_; }
+  const std::vector<PlacedLight>& placed() const { return placed_; }
+  const EnvironmentMap& environment() const { return environment_; }
+
+  // False if the light cannot send anything to `from` (a triangle seen edge-on, a spot that looks away).
+  bool sample(const Vec3& from, float u_choice, Vec2 u, LightSample& sample) const;
+
+  // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const;
+  float pdf_environment(const Vec3& direction) const;
+
+ private:
+  bool sample_triangle(uint32_t light, const Vec3& from, Vec2 u, LightSample& sample) const;
+  bool sample_placed(const PlacedLight& light, const Vec3& from, LightSample& sample) const;
+
+  std::vector<EmissiveTriangle> triangles_;
+  std::vector<PlacedLight> placed_;
+  EnvironmentMap environment_;
+  AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
+};
+
+}  // namespace etendue

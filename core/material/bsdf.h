@@ -1,0 +1,158 @@
+// The scattering function at one surface point: a mix of at most kMaxLobes lobes in a fixed value on the stack.
+//
+// Directions are in world space, point away from the surface, and are unit. `eval` leaves the cosine out; densities are per
+// solid angle of wi. Which side a direction is on is decided by the geometric normal, the shape of the lobes by the
+// shading normal (Veach 1997, section 5.3), so that light never leaks through a surface.
+#pragma once
+#include <array>
+#include <variant>
+
+#include "base/frame.h"
+#include "material/dielectric.h"
+#include "material/lambert.h"
+#include "material/layered.h"
+#include "material/lobe.h"
+#include "material/thin_sheet.h"
+
+namespace etendue {
+
+// The whole set of surfaces, for models that need them all.
+template <class Color>
+using AnyLobe = std::variant<Lambert<Color>, Layered<Color>, Dielectric<Color>, ThinSheet<Color>>;
+
+template <class Color>
+class LobeMix {
+ public:
+  static constexpr int kMaxLobes = 2;
+
+  void add(const AnyLobe<Color>& lobe) { lobes_[static_cast<size_t>(count_++)] = lobe; }
+  bool empty() const { return count_ == 0; }
+
+  // True if there is a lobe that a light sample can be combined with.
+  bool has_non_delta() const {
+    for (int i = 0; i < count_; ++i)
+      if (!visit(i, [](const auto& l) { return l.is_delta(); })) return true;
+    return false;
+  }
+
+  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+    Color f(0);
+    for (int i = 0; i < count_; ++i) f += visit(i, [&](const auto& l) { return l.eval(wo, wi, mode); });
+    return f;
+  }
+
+  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const {
+    const Shares shares = lobe_shares(wo);
+    float p = 0;
+    for (int i = 0; i < count_; ++i)
+      p += shares[static_cast<size_t>(i)] * visit(i, [&](const auto& l) { return l.pdf(wo, wi, mode); });
+    return p;
+  }
+
+  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+    if (count_ == 0) return false;
+    const Shares shares = lobe_shares(wo);
+    int chosen = 0;
+    if (count_ == 2 && u_lobe >= shares[0]) chosen = 1;
+    const float share = shares[static_cast<size_t>(chosen)];
+    if (count_ == 2) u_lobe = std::min((chosen ? u_lobe - shares[0] : u_lobe) / share, kOneMinusEpsilon);
+    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, u_lobe, u, mode, s); })) return false;
+    if (count_ == 1) return true;
+    if (s.delta) return s.weight /= share, true;
+    s.pdf_solid_angle = pdf(wo, s.wi, mode);
+    s.weight = eval(wo, s.wi, mode) * (std::abs(s.wi.z) / s.pdf_solid_angle);
+    return true;
+  }
+
+ private:
+  using Shares = std::array<float, kMaxLobes>;
+
+  template <class F>
+  auto visit(int i, F&& f) const {
+    return std::visit(f, lobes_[static_cast<size_t>(i)]);
+  }
+
+  Shares lobe_shares(const Vec3& wo) const {
+    if (count_ < 2) return {1, 0};
+    const float a = visit(0, [&](const auto& l) { return l.weight(wo); });
+    const float b = visit(1, [&](const auto& l) { return l.weight(wo); });
+    const float first = a + b > 0 ? a / (a + b) : 0.5f;
+    return {first, 1 - first};
+  }
+
+  std::array<AnyLobe<Color>, kMaxLobes> lobes_;
+  int count_ = 0;
+};
+
+// A model whose surfaces are all Lambertian pays for nothing else.
+template <class Color>
+class DiffuseOnly {
+ public:
+  void add(const Lambert<Color>& lobe) { lobe_ = lobe; }
+  bool empty() const { return is_black(lobe_.albedo); }
+  bool has_non_delta() const { return !empty(); }
+  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
+  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.pdf(wo, wi, mode); }
+  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+    return lobe_.sample(wo, u_lobe, u, mode, s);
+  }
+
+ private:
+  Lambert<Color> lobe_;
+};
+
+// M is a transport model: it names Color and Lobes.
+template <class M>
+class Bsdf {
+ public:
+  using Color = typename M::Color;
+
+  // `geometric_normal` and the frame's z point to the front of the surface.
+  Bsdf(const Frame& shading, const Vec3& geometric_normal) : frame_(shading), ng_(geometric_normal) {}
+
+  typename M::Lobes lobes;
+
+  bool has_non_delta() const { return lobes.has_non_delta(); }
+  const Frame& frame() const { return frame_; }
+
+  Color eval(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+    const Vec3 o = frame_.to_local(wo), i = frame_.to_local(wi);
+    return consistent(wo, wi, o, i) ? lobes.eval(o, i, mode) * adjoint_factor(wo, wi, o, i, mode) : Color(0);
+  }
+
+  float pdf(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+    const Vec3 o = frame_.to_local(wo), i = frame_.to_local(wi);
+    return consistent(wo, wi, o, i) ? lobes.pdf(o, i, mode) : 0;
+  }
+
+  // s.weight is f cos / pdf with the cosine to the shading normal; s.wi is in world space. False: the path ends here.
+  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+    const Vec3 o = frame_.to_local(wo);
+    if (o.z == 0 || !lobes.sample(o, u_lobe, u, mode, s)) return false;
+    const Vec3 i = s.wi;
+    s.wi = glm::normalize(frame_.to_world(i));
+    if (!consistent(wo, s.wi, o, i)) return false;
+    s.weight *= adjoint_factor(wo, s.wi, o, i, mode);
+    return !is_black(s.weight);
+  }
+
+  // |cos| to the shading normal: what an integral over solid angle multiplies f by.
+  float cosine(const Vec3& wi) const { return std::abs(glm::dot(frame_.z, wi)); }
+
+ private:
+  // Both normals must agree on whether the pair is a reflection or a transmission.
+  bool consistent(const Vec3& wo, const Vec3& wi, const Vec3& o, const Vec3& i) const {
+    return glm::dot(ng_, wo) * o.z > 0 && glm::dot(ng_, wi) * i.z > 0;
+  }
+
+  // Shading normals make scattering asymmetric: the adjoint carries the ratio of cosines (Veach 1997, (5.19)).
+  float adjoint_factor(const Vec3& wo, const Vec3& wi, const Vec3& o, const Vec3& i, Transport mode) const {
+    if (mode == Transport::radiance) return 1;
+    return std::abs(o.z * glm::dot(ng_, wi) / (i.z * glm::dot(ng_, wo)));
+  }
+
+  Frame frame_;
+  Vec3 ng_;
+};
+
+}  // namespace etendue

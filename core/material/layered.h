@@ -1,0 +1,98 @@
+// The opaque part of glTF's metallic-roughness surface: a specular layer over a diffuse base.
+//
+//   f = base/pi (1 - max F_d(wo.h)) + F(wo.h) D G2 / (4 cos_o cos_i)               glTF 2.0, appendix B
+//
+// F is Schlick's with f0 and f90 mixed between dielectric and metal, F_d the dielectric's alone, by which the base is
+// attenuated. Reciprocal (h is symmetric in wo and wi). Conserves energy up to the approximation of the specification; the
+// specular part loses what is scattered more than once between facets. Below kSmoothAlpha the layer is a mirror.
+// Sampling: cosine for the base, visible normals for the layer, chosen by their estimated albedo.
+#pragma once
+#include "base/warp.h"
+#include "material/fresnel.h"
+#include "material/lobe.h"
+#include "material/microfacet.h"
+
+namespace etendue {
+
+// Facet slopes under this width are treated as none at all: the lobe would be narrower than float directions resolve.
+inline constexpr float kSmoothAlpha = 1e-4f;
+
+template <class Color>
+struct Layered {
+  Color base{0};          // diffuse albedo under the layer, zero for a metal
+  Color f0{0}, f90{0};    // of the specular layer
+  float dielectric_f0 = 0, dielectric_f90 = 0;  // what the base does not get
+  Ggx facets;
+
+  bool is_delta() const { return false; }
+  bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
+
+  Color fresnel(float cosine) const { return f0 + (f90 - f0) * schlick_weight(cosine); }
+  Color under(float cosine) const {
+    return base * (1 - (dielectric_f0 + (dielectric_f90 - dielectric_f0) * schlick_weight(cosine)));
+  }
+
+  float weight(const Vec3& wo) const {
+    const float c = std::abs(wo.z);
+    return average(under(c)) + average(fresnel(c));
+  }
+
+  float specular_share(const Vec3& wo) const {
+    const float c = std::abs(wo.z);
+    const float layer = average(fresnel(c)), diffuse = average(under(c));
+    return layer > 0 ? (diffuse > 0 ? std::clamp(layer / (layer + diffuse), 0.1f, 0.95f) : 1.0f) : 0.0f;
+  }
+
+  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
+    if (wo.z * wi.z <= 0) return Color(0);
+    const Vec3 h = glm::normalize(wo + wi);
+    const float c = std::abs(glm::dot(wo, h));
+    Color f = under(c) * kInvPi;
+    if (!smooth()) f += fresnel(c) * (facets.d(h) * facets.g2(wo, wi) / (4 * wo.z * wi.z));
+    return f;
+  }
+
+  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+    if (wo.z * wi.z <= 0) return 0;
+    const float share = specular_share(wo);
+    float p = (1 - share) * cosine_hemisphere_pdf(std::abs(wi.z));
+    if (share > 0 && !smooth()) p += share * layer_pdf(wo, wi);
+    return p;
+  }
+
+  bool sample(const Vec3& wo_any, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+    const float side = wo_any.z < 0 ? -1.0f : 1.0f;
+    const Vec3 wo = Vec3(wo_any.x, wo_any.y, side * wo_any.z);
+    const float share = specular_share(wo);
+    if (u_lobe < share && smooth()) {
+      s.wi = Vec3(-wo.x, -wo.y, side * wo.z);
+      s.weight = fresnel(wo.z) / share;
+      s.pdf_solid_angle = 0;
+      s.delta = true;
+      s.scatter = Scatter::specular;
+      return true;
+    }
+    if (u_lobe < share) {
+      s.wi = reflect(wo, facets.sample_visible(wo, u));
+      s.scatter = Scatter::glossy;
+    } else {
+      s.wi = square_to_cosine_hemisphere(u);
+      s.scatter = Scatter::diffuse;
+    }
+    if (s.wi.z <= 0) return false;
+    s.pdf_solid_angle = pdf(wo, s.wi, mode);
+    if (!(s.pdf_solid_angle > 0)) return false;
+    s.weight = eval(wo, s.wi, mode) * (s.wi.z / s.pdf_solid_angle);
+    s.wi.z *= side;
+    return true;
+  }
+
+ private:
+  float layer_pdf(Vec3 wo, Vec3 wi) const {
+    if (wo.z < 0) wo.z = -wo.z, wi.z = -wi.z;
+    const Vec3 h = glm::normalize(wo + wi);
+    return facets.visible_pdf(wo, h) / (4 * std::abs(glm::dot(wo, h)));
+  }
+};
+
+}  // namespace etendue

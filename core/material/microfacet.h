@@ -1,0 +1,52 @@
+// The GGX distribution of microfacet normals with Smith's height-correlated masking and shadowing, anisotropic.
+//
+// Walter et al. 2007; Heitz, "Understanding the Masking-Shadowing Function", 2014; visible normals are sampled as in Heitz,
+// "Sampling the GGX Distribution of Visible Normals", 2018. All directions are local, z is the macroscopic normal.
+#pragma once
+#include "base/vec.h"
+
+namespace etendue {
+
+struct Ggx {
+  float alpha_x = 1, alpha_y = 1;
+
+  // Density of facet normals per solid angle, times nothing: the integral of D(h) cos(theta_h) is one.
+  float d(const Vec3& h) const {
+    const float e = sqr(h.x / alpha_x) + sqr(h.y / alpha_y) + sqr(h.z);
+    return 1 / (kPi * alpha_x * alpha_y * sqr(e));
+  }
+
+  // Smith's auxiliary function for a direction on either side.
+  float lambda(const Vec3& w) const {
+    const float slope2 = (sqr(alpha_x * w.x) + sqr(alpha_y * w.y)) / sqr(w.z);
+    return 0.5f * (std::sqrt(1 + slope2) - 1);
+  }
+
+  float g1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
+
+  // Height-correlated masking-shadowing of two directions, on one side of the surface or on both.
+  float g2(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
+
+  // Density, per solid angle of h, of the normals that wo sees (wo.z > 0).
+  float visible_pdf(const Vec3& wo, const Vec3& h) const {
+    return g1(wo) * std::max(0.0f, glm::dot(wo, h)) * d(h) / wo.z;
+  }
+
+  Vec3 sample_visible(const Vec3& wo, Vec2 u) const {
+    const Vec3 v = glm::normalize(Vec3(alpha_x * wo.x, alpha_y * wo.y, wo.z));
+    const float planar = v.x * v.x + v.y * v.y;
+    const Vec3 t1 = planar > 0 ? Vec3(-v.y, v.x, 0) / std::sqrt(planar) : Vec3(1, 0, 0);
+    const Vec3 t2 = glm::cross(v, t1);
+    const float r = std::sqrt(u.x);
+    const float phi = 2 * kPi * u.y;
+    const float p1 = r * std::cos(phi);
+    const float s = 0.5f * (1 + v.z);
+    const float p2 = (1 - s) * safe_sqrt(1 - p1 * p1) + s * r * std::sin(phi);
+    const Vec3 n = p1 * t1 + p2 * t2 + safe_sqrt(1 - p1 * p1 - p2 * p2) * v;
+    return glm::normalize(Vec3(alpha_x * n.x, alpha_y * n.y, std::max(1e-7f, n.z)));
+  }
+};
+
+inline Vec3 reflect(const Vec3& wo, const Vec3& h) { return 2 * glm::dot(wo, h) * h - wo; }
+
+}  // namespace etendue

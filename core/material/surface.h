@@ -1,0 +1,59 @@
+// From a Material to what shading reads: textures looked up at a hit, numbers brought into their ranges, lobes chosen.
+#pragma once
+#include <vector>
+
+#include "base/frame.h"
+#include "material/bsdf.h"
+#include "material/material.h"
+
+namespace etendue {
+
+// Where on a mesh the material is looked at.
+struct TexturePoint {
+  Vec2 uv[2]{};
+  Vec4 color{1};  // the vertex colour
+};
+
+// A material as the sampling loop sees it: textures resolved to pointers, what is constant known to be so.
+struct SurfaceMaterial {
+  Material description;
+  struct Map {
+    const Texture* texture = nullptr;
+    TextureUse use;
+    bool identity = true;  // no texture transform
+    explicit operator bool() const { return texture != nullptr; }
+    Vec4 at(const TexturePoint& point, Encoding encoding) const {
+      const Vec2 uv = point.uv[use.uv_set];
+      return lookup(*texture, encoding, identity ? uv : transformed(use, uv));
+    }
+  };
+  Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission;
+  bool diffuse = false;      // never anything but a Lambertian lobe
+  bool transparent = false;  // its opacity is not one everywhere
+  bool textured = false;     // looks at texture coordinates or vertex colours
+
+  SurfaceMaterial() = default;
+  SurfaceMaterial(const Material& material, const std::vector<Texture>& textures);
+
+  // Base colour and opacity, vertex colour included.
+  Vec4 base_at(const TexturePoint& point) const;
+  // The probability that a ray stops here: 0 or 1 for a mask, alpha for blending.
+  float opacity_at(const TexturePoint& point) const;
+  Rgb emission_at(const TexturePoint& point) const;
+  // The shading normal in the tangent frame of the mesh; (0, 0, 1) without a normal map.
+  Vec3 normal_at(const TexturePoint& point) const;
+};
+
+// The two axes of GGX: alpha = roughness^2, stretched along the tangent as KHR_materials_anisotropy says.
+Ggx facets_of(float roughness, float anisotropy);
+
+// The lobes of glTF's material at a point (see layered.h, dielectric.h, thin_sheet.h for what they are).
+template <class Color>
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, DiffuseOnly<Color>& lobes) {
+  const Vec4 base = material.base_at(point);
+  lobes.add(Lambert<Color>{Color(base.x, base.y, base.z)});
+}
+
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes);
+
+}  // namespace etendue

@@ -1,0 +1,373 @@
+#include "scene/compiled.h"
+
+#include <chrono>
+#include <unordered_map>
+
+#include "base/hash.h"
+
+namespace etendue::scene {
+namespace {
+
+// Meshes that are used once stand in the top level while there is room: this many triangles are rebuilt within a frame.
+constexpr size_t kTopLevelBudget = 200'000;
+
+Vec3 barycentric(const std::vector<Vec3>& values, const Triangle& t, float u, float v) {
+  return values[t[0]] * (1 - u - v) + values[t[1]] * u + values[t[2]] * v;
+}
+
+// How far float arithmetic may move a point off its triangle: intersection works with coordinates relative to the
+// vertices, so the error grows with where the triangle is and with how large it is.
+float offset_bound(const Vec3& position, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 far = glm::max(glm::abs(position), glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c))));
+  const float size = max_component(glm::abs(b - a)) + max_component(glm::abs(c - a));
+  return 16 * 0x1p-24f * (max_component(far) + size);
+}
+
+TexturePoint texture_point(const Mesh& mesh, uint32_t triangle, float u, float v) {
+  const Triangle& t = mesh.triangles[triangle];
+  const float w = 1 - u - v;
+  TexturePoint point;
+  for (size_t set = 0; set < 2; ++set)
+    if (const auto& uvs = mesh.uvs[set]; !uvs.empty()) point.uv[set] = uvs[t[0]] * w + uvs[t[1]] * u + uvs[t[2]] * v;
+  if (!mesh.colors.empty()) point.color = mesh.colors[t[0]] * w + mesh.colors[t[1]] * u + mesh.colors[t[2]] * v;
+  return point;
+}
+
+}  // namespace
+
+SurfacePoint CompiledScene::surface(const Ray& ray, const Hit& hit) const {
+  const InstanceData& instance = (*instances_)[hit.instance];
+  const Mesh& mesh = *instance.mesh;
+  const Triangle& t = mesh.triangles[hit.triangle];
+  const float w = 1 - hit.u - hit.v;
+
+  SurfacePoint point;
+  point.instance = &instance;
+  point.material = &(*materials_)[instance.material];
+  point.triangle = hit.triangle;
+
+  Vec3 p0 = mesh.positions[t[0]], p1 = mesh.positions[t[1]], p2 = mesh.positions[t[2]];
+  if (!instance.identity) {
+    const Mat4& m = instance.to_world;
+    p0 = Vec3(m * Vec4(p0, 1)), p1 = Vec3(m * Vec4(p1, 1)), p2 = Vec3(m * Vec4(p2, 1));
+  }
+  point.position = p0 * w + p1 * hit.u + p2 * hit.v;
+  point.offset = offset_bound(point.position, p0, p1, p2);
+  point.ng = glm::normalize(glm::cross(p1 - p0, p2 - p0));
+  // World-space triangles of a mirrored instance are turned; glTF wants the winding as it was.
+  if (instance.mirrored) point.ng = -point.ng;
+  point.front = glm::dot(point.ng, ray.direction) < 0;
+  point.texture = texture_point(mesh, hit.triangle, hit.u, hit.v);
+
+  if (mesh.normals.empty() && !point.material->normal) {
+    point.shading = Frame(point.ng);
+    return point;
+  }
+  Vec3 ns = point.ng;
+  if (!mesh.normals.empty())
+    ns = normalize_or(instance.normal_to_world * barycentric(mesh.normals, t, hit.u, hit.v), point.ng);
+  if (glm::dot(ns, point.ng) < 0) ns = -ns;
+  if (!mesh.tangents.empty()) {
+    const Vec4 tangent = mesh.tangents[t[0]] * w + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
+    const Vec3 in_world = instance.identity ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
+    point.shading = Frame(ns, in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
+  } else {
+    point.shading = Frame(ns);
+  }
+  if (point.material->normal) {
+    Vec3 bent = point.shading.to_world(point.material->normal_at(point.texture));
+    bent = normalize_or(bent, ns);
+    point.shading = Frame(bent, point.shading.x, glm::dot(glm::cross(point.shading.z, point.shading.x), point.shading.y));
+  }
+  // A shading normal that looks away from the viewer would make the surface black: bend it until it is barely seen.
+  const Vec3 wo = -ray.direction;
+  const float side = point.front ? 1.0f : -1.0f;
+  const float seen = glm::dot(point.shading.z, wo) * side;
+  constexpr float kBarely = 1e-3f;
+  if (seen < kBarely)
+    point.shading = Frame(glm::normalize(point.shading.z + wo * (side * (kBarely - seen))), point.shading.x, 1);
+  return point;
+}
+
+Rgb CompiledScene::emitted(const SurfacePoint& point) const {
+  const Material& m = point.material->description;
+  if (!m.emits() && !m.unlit) return Rgb(0);
+  if (!point.front && !m.double_sided) return Rgb(0);
+  return point.material->emission_at(point.texture);
+}
+
+Rgb CompiledScene::radiance_of(const LightSample& sample) const {
+  if (sample.kind != LightKind::triangle) return sample.radiance;
+  const EmissiveTriangle& t = lights_->triangles()[sample.light];
+  const InstanceData& instance = (*instances_)[t.instance];
+  const SurfaceMaterial& material = (*materials_)[instance.material];
+  if (!material.emission) return material.description.emission;
+  return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
+}
+
+bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
+  const InstanceData& data = (*instances_)[instance];
+  const SurfaceMaterial& material = (*materials_)[data.material];
+  if (!material.transparent) return true;
+  const float opacity = material.opacity_at(texture_point(*data.mesh, triangle, u, v));
+  if (opacity >= 1) return true;
+  return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
+}
+
+size_t CompiledScene::memory() const {
+  size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
+                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 12);
+  std::unordered_map<const void*, size_t> seen;
+  for (const auto& instance : *instances_) seen[instance.mesh.get()] = instance.mesh->memory();
+  for (const auto& texture : *textures_)
+    if (texture.image) seen[texture.image.get()] = texture.image->memory();
+  for (const auto& [_, size] : seen) bytes += size;
+  return bytes;
+}
+
+// One compilation: what stays, what is built.
+class Compiler {
+ public:
+  Compiler(std::shared_ptr<const Scene> scene, const Camera& camera, const CompiledScene* previous)
+      : scene_(std::move(scene)), previous_(previous), result_(std::make_shared<CompiledScene>()) {
+    result_->description_ = scene_;
+    result_->camera_ = camera;
+  }
+
+  std::shared_ptr<const CompiledScene> run() {
+    const auto start = std::chrono::steady_clock::now();
+    geometry();
+    materials();
+    lights();
+    result_->report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result_;
+  }
+
+ private:
+  struct Placed {  // one primitive of one node
+    std::shared_ptr<const Mesh> mesh;
+    Mat4 to_world{1};
+    uint32_t material, node;
+  };
+
+  bool same_geometry() const {
+    if (!previous_) return false;
+    const Scene& old = previous_->description();
+    if (scene_->time != old.time || scene_->roots != old.roots || scene_->skins != old.skins ||
+        scene_->animations != old.animations || scene_->meshes.size() != old.meshes.size() ||
+        scene_->nodes.size() != old.nodes.size())
+      return false;
+    for (size_t i = 0; i < scene_->nodes.size(); ++i)
+      if (!(scene_->nodes[i] == old.nodes[i])) return false;
+    for (size_t i = 0; i < scene_->meshes.size(); ++i)
+      if (!(scene_->meshes[i] == old.meshes[i])) return false;
+    return true;
+  }
+
+  void geometry() {
+    if (same_geometry()) {
+      result_->accel_ = previous_->accel_;
+      result_->instances_ = previous_->instances_;
+      result_->mesh_accels_ = previous_->mesh_accels_;
+      result_->bounds_ = previous_->bounds_;
+      result_->triangles_ = previous_->triangles_;
+      return;
+    }
+    const std::vector<Placed> placed = place();
+    build(placed);
+    result_->report_.top_level_built = true;
+  }
+
+  std::vector<Placed> place() const {
+    std::vector<Placed> placed;
+    const std::vector<Mat4> world = world_matrices(*scene_);
+    for (const uint32_t node : reached_nodes()) {
+      const Node& n = scene_->nodes[node];
+      if (n.mesh < 0) continue;
+      for (const Primitive& primitive : scene_->meshes[static_cast<size_t>(n.mesh)].primitives) {
+        const PosedMesh posed = posed_mesh(*scene_, static_cast<int>(node), primitive, world);
+        if (posed.mesh->triangles.empty()) continue;
+        placed.push_back({posed.mesh, posed.in_world ? Mat4(1) : world[node], static_cast<uint32_t>(primitive.material), node});
+      }
+    }
+    return placed;
+  }
+
+  std::vector<uint32_t> reached_nodes() const {
+    std::vector<uint32_t> order;
+    std::vector<int> stack(scene_->roots.rbegin(), scene_->roots.rend());
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      const Node& n = scene_->nodes[static_cast<size_t>(node)];
+      if (!n.visible) continue;
+      order.push_back(static_cast<uint32_t>(node));
+      stack.insert(stack.end(), n.children.rbegin(), n.children.rend());
+    }
+    return order;
+  }
+
+  // The bottom levels that the previous scene built for the same meshes.
+  std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> previous_accels() const {
+    std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> accels;
+    if (previous_)
+      for (const auto& accel : previous_->mesh_accels_)
+        if (accel) accels[accel->mesh().get()] = accel;
+    return accels;
+  }
+
+  void build(const std::vector<Placed>& placed) {
+    std::unordered_map<const Mesh*, int> uses;
+    for (const auto& p : placed) ++uses[p.mesh.get()];
+    auto accels = previous_accels();
+    const auto kept = accels;
+
+    auto instances = std::make_shared<std::vector<InstanceData>>();
+    std::vector<AccelInstance> accel_instances;
+    size_t budget = kTopLevelBudget;
+    for (const auto& p : placed) {
+      InstanceData data;
+      AccelInstance in_accel;
+      const size_t triangles = p.mesh->triangles.size();
+      result_->triangles_ += triangles;
+      const bool flat = uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
+      data.mesh = p.mesh;
+      data.mirrored = glm::determinant(Mat3(p.to_world)) < 0;
+      data.material = p.material, data.node = p.node;
+      if (flat) {
+        budget -= triangles;
+        data.mesh = in_world(p.mesh, p.to_world);
+      } else {
+        data.identity = p.to_world == Mat4(1);
+        data.to_world = p.to_world;
+        data.normal_to_world = glm::transpose(glm::inverse(Mat3(p.to_world)));
+        auto& accel = accels[p.mesh.get()];
+        if (accel && kept.contains(p.mesh.get())) {
+          ++result_->report_.meshes_reused;
+        } else if (!accel) {
+          accel = std::make_shared<MeshAccel>(p.mesh);
+          ++result_->report_.meshes_built;
+        }
+        in_accel.accel = accel;
+        in_accel.to_world = p.to_world;
+      }
+      in_accel.mesh = data.mesh;
+      result_->mesh_accels_.push_back(in_accel.accel);
+      instances->push_back(std::move(data));
+      accel_instances.push_back(std::move(in_accel));
+    }
+    result_->accel_ = std::make_shared<Accel>(accel_instances);
+    result_->bounds_ = result_->accel_->bounds();
+    result_->instances_ = std::move(instances);
+  }
+
+  static std::shared_ptr<const Mesh> in_world(const std::shared_ptr<const Mesh>& mesh, const Mat4& to_world) {
+    if (to_world == Mat4(1)) return mesh;
+    auto moved = std::make_shared<Mesh>(*mesh);
+    const Mat3 linear(to_world), normals = glm::transpose(glm::inverse(linear));
+    moved->positions.reserve(mesh->positions.size() + 1);
+    for (auto& p : moved->positions) p = Vec3(to_world * Vec4(p, 1));
+    for (auto& n : moved->normals) n = normalize_or(normals * n, n);
+    for (auto& t : moved->tangents) t = Vec4(linear * Vec3(t), t.w);
+    return moved;
+  }
+
+  void materials() {
+    CompiledScene& r = *result_;
+    if (previous_ && previous_->description().materials == scene_->materials &&
+        previous_->description().textures == scene_->textures) {
+      r.textures_ = previous_->textures_;
+      r.materials_ = previous_->materials_;
+      r.transparency_ = previous_->transparency_;
+      return;
+    }
+    r.textures_ = previous_ && previous_->description().textures == scene_->textures
+                      ? previous_->textures_
+                      : std::make_shared<const std::vector<Texture>>(scene_->textures);
+    auto compiled = std::make_shared<std::vector<SurfaceMaterial>>();
+    for (const Material& m : scene_->materials) {
+      compiled->emplace_back(m, *r.textures_);
+      r.transparency_ = r.transparency_ || compiled->back().transparent;
+    }
+    r.materials_ = std::move(compiled);
+    r.report_.materials_built = true;
+  }
+
+  // The light tables depend on where emitters are, on what they emit, and on the lights and the environment.
+  bool same_lights() const {
+    if (!previous_ || result_->report_.top_level_built) return false;
+    const Scene& old = previous_->description();
+    if (!(scene_->lights == old.lights) || !(scene_->environment == old.environment)) return false;
+    if (!result_->report_.materials_built) return true;
+    if (scene_->materials.size() != old.materials.size()) return false;
+    for (size_t i = 0; i < scene_->materials.size(); ++i) {
+      const Material &a = scene_->materials[i], &b = old.materials[i];
+      if (!(a.emission == b.emission) || !(a.emission_texture == b.emission_texture) || a.unlit != b.unlit ||
+          a.double_sided != b.double_sided)
+        return false;
+    }
+    return true;
+  }
+
+  void lights() {
+    if (same_lights()) {
+      result_->lights_ = previous_->lights_;
+      return;
+    }
+    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    std::vector<EmissiveTriangle> triangles;
+    for (uint32_t i = 0; i < instances->size(); ++i) {
+      InstanceData& instance = (*instances)[i];
+      const SurfaceMaterial& material = (*result_->materials_)[instance.material];
+      instance.first_light = InstanceData::kNotALight;
+      if (!material.description.emits() || material.description.unlit) continue;
+      instance.first_light = static_cast<uint32_t>(triangles.size());
+      for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t) triangles.push_back(emissive(instance, material, i, t));
+    }
+    result_->instances_ = std::move(instances);
+    result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment, result_->bounds_);
+    result_->report_.lights_built = true;
+  }
+
+  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i, uint32_t t) {
+    const Mesh& mesh = *instance.mesh;
+    const Triangle& corner = mesh.triangles[t];
+    Vec3 p[3];
+    for (size_t k = 0; k < 3; ++k) {
+      p[k] = mesh.positions[corner[k]];
+      if (!instance.identity) p[k] = Vec3(instance.to_world * Vec4(p[k], 1));
+    }
+    EmissiveTriangle e{p[0], p[1] - p[0], p[2] - p[0], i, t, material.description.emission, material.description.double_sided};
+    e.turned = instance.mirrored;
+    if (material.emission) {
+      Rgb sum(0);
+      constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f}, {.1f, .8f}, {.1f, .1f}, {.45f, .45f}, {.45f, .1f}, {.1f, .45f}};
+      for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
+      e.radiance = sum / 7;
+    }
+    return e;
+  }
+
+  std::vector<PlacedLight> placed_lights() const {
+    std::vector<PlacedLight> placed;
+    const std::vector<Mat4> world = world_matrices(*scene_);
+    for (const uint32_t node : reached_nodes()) {
+      const Node& n = scene_->nodes[node];
+      if (n.light < 0) continue;
+      const Mat4& m = world[node];
+      placed.push_back({scene_->lights[static_cast<size_t>(n.light)], Vec3(m[3]), normalize_or(-Vec3(m[2]), Vec3(0, 0, -1))});
+    }
+    return placed;
+  }
+
+  std::shared_ptr<const Scene> scene_;
+  const CompiledScene* previous_;
+  std::shared_ptr<CompiledScene> result_;
+};
+
+std::shared_ptr<const CompiledScene> compile(std::shared_ptr<const Scene> scene, const Camera& camera,
+                                             const std::shared_ptr<const CompiledScene>& previous) {
+  return Compiler(std::move(scene), camera, previous.get()).run();
+}
+
+}  // namespace etendue::scene

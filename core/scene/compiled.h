@@ -1,0 +1,117 @@
+// The scene that threads read: immutable, shared, compiled from a scene::Scene.
+//
+// Compiling reuses everything of the previous CompiledScene that an edit did not touch; `BuildReport` says what was built,
+// and tests hold it to that: a camera or a material rebuilds no acceleration structure, a transform only the top level.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "base/distribution.h"
+#include "camera/camera_ray.h"
+#include "geometry/accel.h"
+#include "light/light_table.h"
+#include "material/surface.h"
+#include "scene/scene.h"
+
+namespace etendue::scene {
+
+struct InstanceData {
+  std::shared_ptr<const Mesh> mesh;  // positions in world space where `to_world` is the identity
+  Mat4 to_world{1};
+  Mat3 normal_to_world{1};  // inverse transpose
+  bool identity = true;
+  bool mirrored = false;    // negative determinant: winding is turned, glTF 2.0, 3.7.4
+  uint32_t material = 0;
+  uint32_t node = 0;        // the object that a user picks
+  uint32_t first_light = kNotALight;  // light number of its first triangle
+  static constexpr uint32_t kNotALight = 0xffffffffU;
+};
+
+// A point on a surface, ready for shading.
+struct SurfacePoint {
+  Vec3 position{0};
+  Vec3 ng{0, 0, 1};  // geometric normal, unit, on the front side
+  Frame shading;     // z is the shading normal, on the front side
+  TexturePoint texture;
+  const InstanceData* instance = nullptr;
+  const SurfaceMaterial* material = nullptr;
+  uint32_t triangle = 0;
+  float offset = 0;    // how far rounding may have put `position` off the surface, metres
+  bool front = true;   // the side the ray came from
+
+  // A ray that leaves towards `direction` and does not hit the surface it starts on.
+  Ray spawn(const Vec3& direction, float distance = kInfinity) const {
+    const float side = glm::dot(direction, ng) >= 0 ? offset : -offset;
+    return {position + ng * side, 0, direction, distance};
+  }
+};
+
+struct BuildReport {
+  int meshes_built = 0, meshes_reused = 0;
+  bool top_level_built = false, lights_built = false, materials_built = false;
+  double seconds = 0;
+};
+
+class CompiledScene final : public OpacityTest {
+ public:
+  Hit intersect(const Ray& ray, uint32_t ray_seed) const { return accel_->intersect(ray, opacity(), ray_seed); }
+  bool occluded(const Ray& ray, uint32_t ray_seed) const { return accel_->occluded(ray, opacity(), ray_seed); }
+  void intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds, std::span<Hit> hits) const {
+    accel_->intersect(rays, seeds, opacity(), hits);
+  }
+
+  SurfacePoint surface(const Ray& ray, const Hit& hit) const;
+
+  template <class M>
+  Bsdf<M> bsdf(const SurfacePoint& point) const {
+    Bsdf<M> result(point.shading, point.ng);
+    add_lobes(*point.material, point.texture, result.lobes);
+    return result;
+  }
+
+  // Radiance that the surface sends to the side the ray came from; single-sided materials shine from their front only.
+  Rgb emitted(const SurfacePoint& point) const;
+  // What a sampled light sends to its receiver, textures included.
+  Rgb radiance_of(const LightSample& sample) const;
+  // The number of the light that this point lies on, or InstanceData::kNotALight.
+  uint32_t light_at(const SurfacePoint& point) const {
+    const uint32_t first = point.instance->first_light;
+    return first == InstanceData::kNotALight ? first : first + point.triangle;
+  }
+
+  const LightTable& lights() const { return *lights_; }
+  const Camera& camera() const { return camera_; }
+  const std::vector<InstanceData>& instances() const { return *instances_; }
+  const std::vector<SurfaceMaterial>& materials() const { return *materials_; }
+  const Scene& description() const { return *description_; }
+  const BuildReport& report() const { return report_; }
+  const Bounds& bounds() const { return bounds_; }
+  size_t triangle_count() const { return triangles_; }
+  bool has_transparency() const { return transparency_; }
+  size_t memory() const;  // bytes of arrays, without Embree's
+
+  bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override;
+
+ private:
+  friend class Compiler;
+  const OpacityTest* opacity() const { return transparency_ ? this : nullptr; }
+
+  std::shared_ptr<const Scene> description_;
+  std::shared_ptr<const Accel> accel_;
+  std::shared_ptr<const std::vector<InstanceData>> instances_;
+  std::shared_ptr<const std::vector<SurfaceMaterial>> materials_;
+  std::shared_ptr<const std::vector<Texture>> textures_;
+  std::shared_ptr<const LightTable> lights_;
+  std::vector<std::shared_ptr<const MeshAccel>> mesh_accels_;  // one per instance, null where it stands in the top level
+  Camera camera_;
+  Bounds bounds_;
+  BuildReport report_;
+  size_t triangles_ = 0;
+  bool transparency_ = false;
+};
+
+// `previous` may be null. The camera is given apart because it moves apart.
+std::shared_ptr<const CompiledScene> compile(std::shared_ptr<const Scene> scene, const Camera& camera,
+                                             const std::shared_ptr<const CompiledScene>& previous);
+
+}  // namespace etendue::scene

@@ -1,0 +1,75 @@
+#include "transport/model.h"
+
+#include <algorithm>
+
+namespace etendue::transport {
+namespace {
+
+using scene::CompiledScene;
+
+// The first material in use for which `test` holds, or null.
+template <class Test>
+const SurfaceMaterial* find_used(const CompiledScene& scene, Test&& test) {
+  for (const auto& instance : scene.instances()) {
+    const SurfaceMaterial& material = scene.materials()[instance.material];
+    if (test(material)) return &material;
+  }
+  return nullptr;
+}
+
+std::string named(const SurfaceMaterial& material) {
+  return material.description.name.empty() ? "an unnamed material" : "material '" + material.description.name + "'";
+}
+
+bool absorbs(const SurfaceMaterial& m) {
+  const Material& d = m.description;
+  return d.solid() && std::isfinite(d.attenuation_distance) && !(d.attenuation_color == Rgb(1));
+}
+
+Decision decide(const char* flag, bool larger, const char* small, const char* large, std::string reason, bool forced) {
+  Decision d{flag, larger || forced ? large : small, larger ? large : small, std::move(reason)};
+  if (forced && !larger) d.reason += "; forced on";
+  return d;
+}
+
+}  // namespace
+
+std::vector<std::string> model_flags() {
+  return {"surfaces", "media"};
+}
+
+std::string Model::summary() const {
+  std::string text;
+  for (const auto& d : decisions) text += (text.empty() ? "" : ", ") + d.value;
+  return text;
+}
+
+Model model_for(const CompiledScene& scene, std::span<const std::string> forced) {
+  const auto is_forced = [&](const char* flag) { return std::find(forced.begin(), forced.end(), flag) != forced.end(); };
+  Model model;
+  auto& out = model.decisions;
+  out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
+
+  const auto* shiny = find_used(scene, [](const auto& m) { return !m.diffuse; });
+  out.push_back(decide("surfaces", shiny, "diffuse", "any",
+                       shiny ? named(*shiny) + " is not Lambertian" : "every surface is Lambertian", is_forced("surfaces")));
+  const auto* solid = find_used(scene, absorbs);
+  out.push_back(decide("media", solid, "vacuum", "absorbing",
+                       solid ? named(*solid) + " absorbs inside" : "nothing absorbs between surfaces", is_forced("media")));
+  const auto* clear = find_used(scene, [](const auto& m) { return m.transparent; });
+  out.push_back({"transparency", clear ? "stochastic" : "opaque", clear ? "stochastic" : "opaque",
+                 clear ? named(*clear) + " has an alpha mode" : "no material has an alpha mode"});
+  const auto* textured = find_used(scene, [](const auto& m) { return m.textured; });
+  out.push_back({"textures", textured ? "textured" : "constant", textured ? "textured" : "constant",
+                 textured ? named(*textured) + " has a texture" : "no material has a texture"});
+  out.push_back({"motion", "static", "static", "the shutter is closed at one instant"});
+  const bool lens = scene.camera().lens_radius > 0;
+  out.push_back({"lens", lens ? "thin lens" : "pinhole", lens ? "thin lens" : "pinhole",
+                 lens ? "the camera's lens has a radius" : "the camera's lens radius is 0"});
+
+  model.absorbing = out[2].value == "absorbing";
+  model.diffuse = out[1].value == "diffuse" && !model.absorbing;
+  return model;
+}
+
+}  // namespace etendue::transport
