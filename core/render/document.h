@@ -56,6 +56,7 @@ struct Document {
   uint64_t seed = 0;
   Limits limits;
   Display display;
+  std::shared_ptr<const Document> origin;  // as it was when the scene was opened: what a state is told apart from
 };
 
 // One setting of a document: its description and how to read and write it.
@@ -80,7 +81,7 @@ Result<Document> with(const Document& document, std::string_view name, const Val
 // A new document for a scene: its first camera (or `camera`), default settings.
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera = "");
 
-// What differs from new_document(scene): the JSON text that a snapshot carries, and its way back.
+// What differs from the document's origin: the JSON text that a snapshot carries, and its way back.
 std::string state_json(const Document& document, uint32_t samples);
 Result<Document> document_from_state(const std::string& json, const std::string& source, uint32_t* samples = nullptr);
 

@@ -1,0 +1,69 @@
+// etendue inspect: what is in a scene, what the loader gave up, and the transport model it needs.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "render/document.h"
+#include "scene/compiled.h"
+#include "transport/model.h"
+
+namespace etendue::cli {
+namespace {
+
+using nlohmann::json;
+
+json description_of(const render::Document& d, const scene::CompiledScene& compiled, const transport::Model& model) {
+  json cameras = json::array(), flags = json::object();
+  for (const auto& camera : scene::placed_cameras(*d.scene)) cameras.push_back(camera.name);
+  for (const auto& decision : model.decisions) flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
+  return {{"scene", d.scene_name}, {"triangles", compiled.triangle_count()}, {"instances", compiled.instances().size()},
+          {"materials", d.scene->materials.size()}, {"textures", d.scene->textures.size()}, {"lights", compiled.lights().size()},
+          {"emissive_triangles", compiled.lights().triangles().size()}, {"animations", d.scene->animations.size()},
+          {"scenes", d.scene->scene_names}, {"cameras", cameras}, {"unsupported", d.scene->unsupported},
+          {"warnings", d.scene->warnings}, {"memory_bytes", compiled.memory()}, {"model", flags}};
+}
+
+void print_list(const char* title, const json& items) {
+  if (items.empty()) return;
+  std::printf("%s\n", title);
+  for (const auto& item : items) std::printf("  %s\n", item.get<std::string>().c_str());
+}
+
+void print(const json& j) {
+  const auto number = [&](const char* key) { return j[key].get<unsigned long long>(); };
+  std::printf("%s\n  %llu triangles, %llu instances, %llu materials, %llu textures, %llu lights\n", j["scene"].get<std::string>().c_str(),
+              number("triangles"), number("instances"), number("materials"), number("textures"), number("lights"));
+  print_list("cameras", j["cameras"]);
+  print_list("extensions that are ignored", j["unsupported"]);
+  print_list("warnings", j["warnings"]);
+  std::printf("transport model\n");
+  for (const auto& [flag, decision] : j["model"].items())
+    std::printf("  %-13s %-11s %s\n", flag.c_str(), decision["value"].get<std::string>().c_str(), decision["reason"].get<std::string>().c_str());
+}
+
+}  // namespace
+
+Command add_inspect(CLI::App& app) {
+  struct Options {
+    std::string scene;
+    bool json = false;
+  };
+  auto o = std::make_shared<Options>();
+  app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'")->required();
+  app.add_flag("--json", o->json, "Print JSON");
+  return [o] {
+    const auto document = render::new_document(o->scene);
+    if (!document) return fail(document.error());
+    const auto compiled = scene::compile(document->scene, document->camera, nullptr);
+    const json description = description_of(*document, *compiled, transport::model_for(*compiled));
+    if (o->json)
+      std::printf("%s\n", description.dump(2).c_str());
+    else
+      print(description);
+    return 0;
+  };
+}
+
+}  // namespace etendue::cli

@@ -1,0 +1,53 @@
+// etendue: the command line. `etendue [SCENE]` opens the viewer; everything else is a subcommand.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "command.h"
+
+namespace etendue::cli {
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "etendue: %s\n", error.message.c_str());
+  return static_cast<int>(error.fault);
+}
+
+namespace {
+
+struct Subcommand {
+  const char* name;
+  const char* doc;
+  Command (*add)(CLI::App&);
+};
+
+constexpr Subcommand kSubcommands[] = {
+    {"render", "Render a scene to a file", add_render},
+    {"compare", "Measure how far an image is from a reference", add_compare},
+    {"inspect", "Say what is in a scene and what model it needs", add_inspect},
+    {"list", "List integrators, samplers and what else there is", add_list},
+};
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  CLI::App app{"Étendue: a workbench for light transport", "etendue"};
+  app.require_subcommand(1);
+  int code = 0;
+  for (const auto& subcommand : kSubcommands) {
+    CLI::App* parser = app.add_subcommand(subcommand.name, subcommand.doc);
+    parser->callback([&code, command = subcommand.add(*parser)] { code = command(); });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForAllHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(usage_error(std::string(error.what()) + "; see etendue --help"));
+  }
+  return code;
+}
+
+}  // namespace etendue::cli
+
+int main(int argc, char** argv) { return etendue::cli::run(argc, argv); }

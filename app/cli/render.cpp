@@ -1,0 +1,262 @@
+// etendue render: a scene to a file, until enough samples, time or accuracy.
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/file.h"
+#include "command.h"
+#include "memory.h"
+#include "output.h"
+#include "progress.h"
+#include "render/aov.h"
+#include "render/checkpoint.h"
+#include "render/session.h"
+
+namespace etendue::cli {
+namespace {
+
+struct Options {
+  std::string scene, out, integrator, sampler, size, camera, paths, aov, env, json, resume, like;
+  std::vector<std::string> sets;
+  std::string filter;
+  uint32_t spp = 0;
+  double time = 0, error = 0, checkpoint = 0;
+  int threads = 0, max_depth = -1;
+  int64_t seed = -1;
+  double exposure = NAN;
+};
+
+// The first Ctrl-C asks to stop and save; a second one is left to the system.
+std::atomic<bool> interrupted{false};
+void on_interrupt(int) {
+  interrupted = true;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+struct Start {
+  render::Document document;
+  std::optional<film::Film> film;
+  double seconds = 0;
+};
+
+Result<void> set(render::Document& document, const std::string& name, const std::string& value) {
+  auto changed = render::with(document, name, value);
+  if (!changed) return changed.error();
+  document = std::move(*changed);
+  return {};
+}
+
+// Where a rendering starts: a checkpoint, a snapshot, or a scene with defaults.
+Result<Start> starting_point(const Options& o) {
+  Start start;
+  if (!o.resume.empty()) {
+    auto checkpoint = render::read_checkpoint(o.resume);
+    if (!checkpoint) return checkpoint.error();
+    auto document = render::document_from_state(checkpoint->state, o.resume);
+    if (!document) return document.error();
+    start = {std::move(*document), std::move(checkpoint->film), checkpoint->seconds};
+    return start;
+  }
+  if (!o.like.empty()) {
+    auto snapshot = image::read_exr(o.like);
+    if (!snapshot) return snapshot.error();
+    const auto state = snapshot->attributes.find(kStateAttribute);
+    if (state == snapshot->attributes.end())
+      return input_error(o.like + ": carries no settings; give an .exr that this program wrote");
+    auto document = render::document_from_state(state->second, o.like, nullptr);
+    if (!document) return document.error();
+    start.document = std::move(*document);
+    return start;
+  }
+  if (o.scene.empty()) return usage_error("render: no scene; give a .gltf or .glb file, or 'cornell'");
+  auto document = render::new_document(o.scene, o.camera);
+  if (!document) return document.error();
+  start.document = std::move(*document);
+  return start;
+}
+
+Result<void> parse_size(const std::string& size, render::Document& d) {
+  int w = 0, h = 0;
+  char rest = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%c", &w, &h, &rest) != 2) return usage_error("--size: '" + size + "' is no size; give WIDTHxHEIGHT, as 1280x720");
+  if (auto r = set(d, "film.width", std::to_string(w)); !r) return r;
+  return set(d, "film.height", std::to_string(h));
+}
+
+Result<void> apply(const Options& o, render::Document& d) {
+  const auto give = [&](const std::string& name, const std::string& value) { return set(d, name, value); };
+  if (!o.size.empty())
+    if (auto r = parse_size(o.size, d); !r) return r;
+  if (!o.integrator.empty())
+    if (auto r = give("render.integrator", o.integrator); !r) return r;
+  if (!o.sampler.empty())
+    if (auto r = give("render.sampler", o.sampler); !r) return r;
+  if (!o.env.empty()) {
+    auto lit = render::with_environment(d, o.env);
+    if (!lit) return lit.error();
+    d = std::move(*lit);
+  }
+  for (const auto& assignment : o.sets) {
+    const size_t equals = assignment.find('=');
+    if (equals == std::string::npos) return usage_error("--set: '" + assignment + "' has no '='; give NAME=VALUE");
+    if (auto r = give(assignment.substr(0, equals), assignment.substr(equals + 1)); !r) return r;
+  }
+  if (o.max_depth >= 0)
+    if (auto r = give("max-depth", std::to_string(o.max_depth)); !r) return r;
+  if (o.seed >= 0)
+    if (auto r = give("render.seed", std::to_string(o.seed)); !r) return r;
+  if (!std::isnan(o.exposure))
+    if (auto r = give("camera.exposure", std::to_string(o.exposure)); !r) return r;
+  return {};
+}
+
+// What a resumed rendering may not change: everything that the film depends on.
+bool changes_light(const Options& o) {
+  return !o.size.empty() || !o.integrator.empty() || !o.sampler.empty() || !o.env.empty() || !o.sets.empty() ||
+         o.max_depth >= 0 || o.seed >= 0 || !o.camera.empty();
+}
+
+void set_limits(const Options& o, bool inherits, render::Document& d) {
+  if (o.spp > 0 || o.time > 0 || o.error > 0 || !inherits) d.limits = {o.spp, o.time, o.error};
+  if (d.limits == render::Limits{}) d.limits.samples = 64;
+}
+
+Result<std::vector<std::string>> aov_list(const std::string& text) {
+  std::vector<std::string> names;
+  const auto& known = render::aov_names();
+  for (const auto& name : CLI::detail::split(text, ',')) {
+    if (name == "all") return known;
+    if (!name.empty() && name != "sample-count" && std::find(known.begin(), known.end(), name) == known.end()) {
+      std::string all = "sample-count";
+      for (const auto& k : known) all += ", " + k;
+      return usage_error("--aov: there is no '" + name + "'; there are " + all);
+    }
+    if (!name.empty()) names.push_back(name);
+  }
+  return names;
+}
+
+std::string progress_text(const render::Status& s) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%u spp  %.2f Ms/s  %.2f Mrays/s%s", s.samples, s.paths_per_second * 1e-6, s.rays_per_second * 1e-6, "");
+  std::string line = text;
+  if (s.error.known) {
+    std::snprintf(text, sizeof text, "  rmse %.2g", s.error.rmse);
+    line += text;
+  }
+  return line;
+}
+
+nlohmann::json stats(const render::Document& d, const render::Status& s, const transport::Model& model, int threads) {
+  nlohmann::json flags = nlohmann::json::object();
+  for (const auto& decision : model.decisions) flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
+  return {{"integrator", d.method.integrator}, {"sampler", d.method.sampler}, {"spp", s.samples}, {"seconds", s.seconds},
+          {"rays", s.rays}, {"width", d.width}, {"height", d.height}, {"threads", threads}, {"seed", d.seed},
+          {"rmse_estimate", s.error.known ? nlohmann::json(s.error.rmse) : nlohmann::json()},
+          {"rejected", {{"nan", s.rejected.nan}, {"infinite", s.rejected.infinite}, {"negative", s.rejected.negative}}},
+          {"khat", nullptr}, {"peak_rss_bytes", peak_memory()}, {"model", flags}};
+}
+
+int run(const Options& o) {
+  if (o.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
+  if (!o.paths.empty()) return fail(usage_error("--paths: filtering by path class is not available in this version"));
+  if (auto ok = check_output_name(o.out); !ok) return fail(ok.error());
+  if (!o.resume.empty() && changes_light(o))
+    return fail(usage_error("--resume: a checkpoint goes on with its own settings; leave out what changes the image"));
+  auto aovs = aov_list(o.aov);
+  if (!aovs) return fail(aovs.error());
+  auto start = starting_point(o);
+  if (!start) return fail(start.error());
+  render::Document& d = start->document;
+  if (auto ok = apply(o, d); !ok) return fail(ok.error());
+  set_limits(o, !o.like.empty() || !o.resume.empty(), d);
+  for (const auto& warning : d.scene->warnings) std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
+
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  render::SessionOptions session_options;
+  session_options.threads = o.threads;
+  render::Session session(session_options);
+  if (start->film)
+    session.submit(d, std::move(*start->film));
+  else
+    session.submit(d);
+
+  Progress progress;
+  auto last_checkpoint = std::chrono::steady_clock::now();
+  const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
+  const auto save_checkpoint = [&]() -> Result<void> {
+    const auto status = session.status();
+    return render::write_checkpoint(checkpoint_file, {render::state_json(d, status.samples), session.film_copy(), status.seconds + start->seconds});
+  };
+  while (!session.status().finished && !interrupted) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const auto status = session.status();
+    progress.show(status.progress, progress_text(status));
+    const double since = std::chrono::duration<double>(std::chrono::steady_clock::now() - last_checkpoint).count();
+    if (o.checkpoint > 0 && since >= o.checkpoint) {
+      if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
+      last_checkpoint = std::chrono::steady_clock::now();
+    }
+  }
+  session.stop();
+  progress.finish();
+
+  const auto status = session.status();
+  const film::Film film = session.film_copy();
+  if (interrupted && o.checkpoint > 0)
+    if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
+  std::vector<image::Layer> layers;
+  const auto compiled = session.scene();
+  if (compiled && !aovs->empty()) layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
+  const bool counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
+  if (auto ok = write_image(o.out, d, film, std::move(layers), counts, status.samples); !ok) return fail(ok.error());
+  if (!o.json.empty()) {
+    const std::string text = stats(d, status, session.model(), o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency())).dump(2) + "\n";
+    if (o.json == "-")
+      std::fputs(text.c_str(), stdout);
+    else if (auto ok = write_file(o.json, text.data(), text.size()); !ok)
+      return fail(ok.error());
+  }
+  if (interrupted) {
+    std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds what there is\n", status.samples, o.out.c_str());
+    return static_cast<int>(Fault::interrupted);
+  }
+  std::error_code code;
+  if (o.checkpoint > 0 || !o.resume.empty()) std::filesystem::remove(checkpoint_file, code);
+  return 0;
+}
+
+}  // namespace
+
+Command add_render(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'");
+  app.add_option("-o,--out", o->out, "What to write: .exr (linear, with all settings), .hdr or .png (as displayed)");
+  app.add_option("--spp", o->spp, "Samples per pixel (64 if no limit is given)")->check(CLI::Range(1u, 1000000u));
+  app.add_option("--time", o->time, "Seconds of rendering")->check(CLI::PositiveNumber);
+  app.add_option("--error", o->error, "Stop at this estimated RMSE")->check(CLI::PositiveNumber);
+  app.add_option("--integrator", o->integrator, "See 'etendue list integrators'");
+  app.add_option("--sampler", o->sampler, "See 'etendue list samplers'");
+  app.add_option("--set", o->sets, "NAME=VALUE: any setting by name; repeatable")->take_all();
+  app.add_option("--size", o->size, "WIDTHxHEIGHT");
+  app.add_option("--camera", o->camera, "A camera of the scene by name or index");
+  app.add_option("--seed", o->seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
+  app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
+  app.add_option("--max-depth", o->max_depth, "Path segments from camera to light; 0 is no limit")->check(CLI::Range(0, 1000));
+  app.add_option("--paths", o->paths, "Only paths that match this expression");
+  app.add_option("--aov", o->aov, "Layers to add, comma separated, or 'all'");
+  app.add_option("--env", o->env, "Environment map, .hdr or .exr");
+  app.add_option("--exposure", o->exposure, "EV, for .png")->check(CLI::Range(-30.0, 30.0));
+  app.add_option("--json", o->json, "Statistics as JSON; '-' is standard output");
+  app.add_option("--checkpoint", o->checkpoint, "Seconds between checkpoints, written to OUT.checkpoint")->check(CLI::PositiveNumber);
+  app.add_option("--resume", o->resume, "Go on from a checkpoint");
+  app.add_option("--like", o->like, "Take all settings from an .exr of this program");
+  return [o] { return run(*o); };
+}
+
+}  // namespace etendue::cli

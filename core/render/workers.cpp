@@ -1,0 +1,47 @@
+#include "render/workers.h"
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <thread>
+
+#include "geometry/accel.h"
+
+namespace etendue::render {
+
+struct Workers::Arena {
+  explicit Arena(int n)
+      : threads(n), control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(n)), arena(n, 1) {}
+  int threads;
+  tbb::global_control control;  // allows more threads than the machine has, where a user asks for them
+  tbb::task_arena arena;
+};
+
+Workers::Workers(int threads)
+    : arena_(std::make_unique<Arena>(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))) {}
+
+Workers::~Workers() = default;
+
+int Workers::count() const { return arena_->threads; }
+
+int Workers::run(int first, int count, const std::function<void(int)>& task, const std::function<bool()>& keep_going) {
+  std::atomic<int> next{first};
+  const auto work = [&] {
+    prepare_thread_for_rays();
+    while (keep_going()) {
+      const int i = next.fetch_add(1, std::memory_order_relaxed);
+      if (i >= count) return;
+      task(i);
+    }
+  };
+  arena_->arena.execute([&] {
+    tbb::task_group group;
+    for (int i = 1; i < arena_->threads; ++i) group.run(work);
+    work();
+    group.wait();
+  });
+  return std::min(next.load(), count);
+}
+
+}  // namespace etendue::render

@@ -1,0 +1,113 @@
+// Scenes whose radiance is known in closed form.                      digest 4-5: 3.1 d, 3.3 D; digest 8-10: O1, O3, O6, O7
+#include <gtest/gtest.h>
+
+#include "integrator/integrator.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+using test::Mean;
+
+std::vector<std::string> unbiased_integrators() {
+  std::vector<std::string> names;
+  for (const auto& info : integrator::integrator_infos())
+    if (info.bias == integrator::Bias::unbiased) names.push_back(info.name);
+  return names;
+}
+
+// Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo).
+TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
+  for (const float albedo : {0.5f, 0.9f})
+    for (const auto& method : unbiased_integrators())
+      for (const auto& sampler : sampler_infos()) {
+        auto d = test::document(test::furnace(albedo), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), 64, 64);
+        d.method.integrator = method;
+        d.method.sampler = sampler.name;
+        const Mean mean = test::mean_of(test::rendered(d, 128));
+        const double expected = 1 / (1 - albedo);
+        EXPECT_NEAR(mean.value, expected, 1e-3 * expected) << method << ' ' << sampler.name << ' ' << albedo << " +- " << mean.standard_error;
+      }
+}
+
+// The partial sum of depth k: (1 - albedo^k) / (1 - albedo).
+TEST(Furnace, DepthLimitLosesWhatTheoryPredicts) {
+  for (const auto& method : unbiased_integrators())
+    for (const int depth : {1, 2, 3, 5}) {
+      auto d = test::document(test::furnace(0.5f), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
+      d.method.integrator = method;
+      d = *render::with(d, "max-depth", std::to_string(depth));
+      const double expected = (1 - std::pow(0.5, depth)) / 0.5;
+      EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, expected, 2e-3 * expected) << method << " depth " << depth;
+    }
+}
+
+// A diffuse sphere that emits C: L = C / (1 - rho), whatever its radius (erratum E37).
+TEST(EmittingSphere, SeenFromInside) {
+  for (const float radius : {1e-3f, 1.0f, 1e5f}) {
+    scene::Scene scene;
+    test::add(scene, test::sphere(radius, 32, true), test::diffuse(Rgb(0.5f), Rgb(1)));
+    for (const auto& method : unbiased_integrators()) {
+      auto d = test::document(scene, look_at(radius * Vec3(0.2f, 0.1f, 0), radius * Vec3(0, 0, 1), {0, 1, 0}, 1), 32, 32);
+      d.method.integrator = method;
+      EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, 2, 4e-3) << method << " radius " << radius;
+    }
+  }
+}
+
+// A disk light of radius r at height h over a Lambertian floor: L = rho L_e r^2 / (r^2 + h^2) below its centre.
+TEST(DiskLight, DirectLightBelowItsCentre) {
+  constexpr float kCases[][2] = {{1, 1}, {0.5f, 1}, {2, 1}, {0.1f, 1}};
+  for (const auto& [r, h] : kCases) {
+    scene::Scene scene;
+    test::add(scene, test::quad(10), test::diffuse(Rgb(0.5f)));
+    Material light = test::diffuse(Rgb(0), Rgb(3));
+    light.double_sided = false;
+    Mat4 place(1);
+    place[1][1] = -1, place[2][2] = -1;  // turned to face down
+    place[3] = Vec4(0, h, 0, 1);
+    test::add(scene, test::disk(r, 128), light, place);
+    // A telescope at the point below the centre, beside the light.
+    const Vec3 eye(3 * std::max(r, h), 0.8f * h, 0);
+    auto d = test::document(scene, look_at(eye, {0, 0, 0}, {0, 1, 0}, 1e-3f), 16, 16);
+    const double expected = 0.5 * 3 * r * r / (r * r + h * h);
+    EXPECT_NEAR(test::mean_of(test::rendered(d, 1024)).value, expected, 2e-3 * expected) << r << ' ' << h;
+  }
+}
+
+// A point light of 100 W at 2 m over a Lambertian floor of albedo 0.5: 0.31662870 W/(m^2 sr).
+TEST(PointLight, InverseSquareLaw) {
+  scene::Scene scene;
+  test::add(scene, test::quad(10), test::diffuse(Rgb(0.5f)));
+  Light light;
+  light.intensity = 100 / (4 * kPi);
+  scene.lights.push_back(light);
+  scene::Node node;
+  node.light = 0;
+  node.transform.translation = {0, 2, 0};
+  scene.nodes.push_back(node);
+  scene.roots.push_back(1);
+  auto d = test::document(scene, look_at({1, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1e-4f), 4, 4);
+  EXPECT_NEAR(test::mean_of(test::rendered(d, 4)).value, 0.31662870, 1e-5);
+  // What only hits lights never finds a point.
+  d.method.integrator = "path-pure";
+  EXPECT_EQ(test::mean_of(test::rendered(d, 4)).value, 0);
+}
+
+// A constant environment around a sphere that loses nothing: every pixel is the environment.
+TEST(WhiteFurnace, SmoothGlassDisappears) {
+  scene::Scene scene;
+  Material glass;
+  glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1;
+  test::add(scene, test::sphere(1, 24, false), glass);
+  scene.environment.tint = Rgb(1);
+  for (const auto& method : unbiased_integrators()) {
+    auto d = test::document(scene, look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f), 32, 32);
+    d.method.integrator = method;
+    const Mean mean = test::mean_of(test::rendered(d, 128));
+    EXPECT_NEAR(mean.value, 1, std::max(2e-3, 4 * mean.standard_error)) << method;
+  }
+}
+
+}  // namespace
+}  // namespace etendue
