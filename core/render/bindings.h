@@ -11,7 +11,7 @@ namespace etendue::render {
 // Makes one binding: the knob describes it (a Number, Toggle or Choice whose value is the value now), `store` puts the value
 // of a knob back into a document.
 template <class Knob, class Store>
-Binding bind(const std::string& section, const Knob& knob, Store store) {
+Binding binding(const std::string& section, const Knob& knob, Store store) {
   Binding b;
   b.info = describe(knob);
   b.info.name = section + "." + b.info.name;

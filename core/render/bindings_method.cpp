@@ -32,34 +32,34 @@ std::vector<Binding> render_bindings(const Document& d) {
   list.push_back(registry_choice("render.sampler", "Sampler", "Where random numbers come from", sampler_infos(),
                                  d.method.sampler, &Method::sampler));
   constexpr int kMost = 2'000'000'000;
-  list.push_back(bind("render", Number<int>{"seed", "Seed", static_cast<int>(d.seed), {0, kMost}, "Another seed is another, independent noise"},
+  list.push_back(binding("render", Number<int>{"seed", "Seed", static_cast<int>(d.seed), {0, kMost}, "Another seed is another, independent noise"},
                       [](Document& doc, int v) { doc.seed = static_cast<uint64_t>(v); }));
-  list.push_back(bind("render", Number<int>{"samples", "Samples", static_cast<int>(d.limits.samples), {0, 1'000'000}, "Stop at this many samples per pixel; 0 goes on", "spp", Scale::logarithmic},
+  list.push_back(binding("render", Number<int>{"samples", "Samples", static_cast<int>(d.limits.samples), {0, 1'000'000}, "Stop at this many samples per pixel; 0 goes on", "spp", Scale::logarithmic},
                       [](Document& doc, int v) { doc.limits.samples = static_cast<uint32_t>(v); }));
-  list.push_back(bind("render", Number<float>{"seconds", "Time", static_cast<float>(d.limits.seconds), {0, 1e6f}, "Stop after this time; 0 goes on", "s", Scale::logarithmic},
+  list.push_back(binding("render", Number<float>{"seconds", "Time", static_cast<float>(d.limits.seconds), {0, 1e6f}, "Stop after this time; 0 goes on", "s", Scale::logarithmic},
                       [](Document& doc, float v) { doc.limits.seconds = static_cast<double>(v); }));
-  list.push_back(bind("render", Number<float>{"error", "Error", static_cast<float>(d.limits.rmse), {0, 1e6f}, "Stop when the estimated root mean square error of the image is below this; 0 goes on", "", Scale::logarithmic},
+  list.push_back(binding("render", Number<float>{"error", "Error", static_cast<float>(d.limits.rmse), {0, 1e6f}, "Stop when the estimated root mean square error of the image is below this; 0 goes on", "", Scale::logarithmic},
                       [](Document& doc, float v) { doc.limits.rmse = static_cast<double>(v); }));
   return list;
 }
 
 std::vector<Binding> film_bindings(const Document& d) {
   constexpr int kMost = 16384;
-  return {bind("film", Number<int>{"width", "Width", d.width, {1, kMost}, "Width of the picture", "px"}, [](Document& doc, int v) { doc.width = v; }),
-          bind("film", Number<int>{"height", "Height", d.height, {1, kMost}, "Height of the picture", "px"}, [](Document& doc, int v) { doc.height = v; }),
-          bind("film", Choice<film::FilterKind>{"filter", "Pixel filter", d.filter, "How samples are weighted around a pixel's centre"},
+  return {binding("film", Number<int>{"width", "Width", d.width, {1, kMost}, "Width of the picture", "px"}, [](Document& doc, int v) { doc.width = v; }),
+          binding("film", Number<int>{"height", "Height", d.height, {1, kMost}, "Height of the picture", "px"}, [](Document& doc, int v) { doc.height = v; }),
+          binding("film", Choice<film::FilterKind>{"filter", "Pixel filter", d.filter, "How samples are weighted around a pixel's centre"},
                [](Document& doc, film::FilterKind v) { doc.filter = v; })};
 }
 
 std::vector<Binding> display_bindings(const Document& d) {
-  return {bind("display", Choice<image::ToneCurve>{"curve", "Tone curve", d.display.curve, "How radiance becomes what a screen can show"},
+  return {binding("display", Choice<image::ToneCurve>{"curve", "Tone curve", d.display.curve, "How radiance becomes what a screen can show"},
                [](Document& doc, image::ToneCurve v) { doc.display.curve = v; })};
 }
 
 std::vector<Binding> scene_bindings(const Document& d) {
   float longest = 0;
   for (const auto& animation : d.scene->animations) longest = std::max(longest, animation->duration);
-  return {bind("scene", Number<float>{"time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
+  return {binding("scene", Number<float>{"time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
                [](Document& doc, float v) { edit_scene(doc, [v](scene::Scene& s) { s.time = v; }); })};
 }
 
@@ -111,7 +111,7 @@ std::vector<Binding> model_bindings(const Document& d) {
   std::vector<Binding> list;
   for (const std::string& flag : transport::model_flags()) {
     const bool on = std::find(d.forced_flags.begin(), d.forced_flags.end(), flag) != d.forced_flags.end();
-    Binding b = bind("model", Choice<Force>{flag.c_str(), flag.c_str(), on ? Force::on : Force::automatic, "Runs the larger model even if the scene does not need it; the image stays the same"},
+    Binding b = binding("model", Choice<Force>{flag.c_str(), flag.c_str(), on ? Force::on : Force::automatic, "Runs the larger model even if the scene does not need it; the image stays the same"},
                      [](Document&, Force) {});
     b.assign = [flag](Document& doc, const Value& value) {
       std::erase(doc.forced_flags, flag);

@@ -11,7 +11,7 @@ template <class Store>
 void add_color(std::vector<Binding>& list, const std::string& section, const char* const (&names)[3], const char* label,
                const Rgb& now, float most, const char* doc, Store store) {
   for (int c = 0; c < 3; ++c)
-    list.push_back(bind(section, Number<float>{names[c], label, now[c], {0, most}, doc},
+    list.push_back(binding(section, Number<float>{names[c], label, now[c], {0, most}, doc},
                         [store, c](Document& document, float v) { store(document, c, v); }));
 }
 
@@ -19,21 +19,21 @@ template <class Store>
 void add_vector(std::vector<Binding>& list, const std::string& section, const char* const (&names)[3], const char* label,
                 const Vec3& now, float most, const char* doc, const char* unit, Store store) {
   for (int c = 0; c < 3; ++c)
-    list.push_back(bind(section, Number<float>{names[c], label, now[c], {-most, most}, doc, unit},
+    list.push_back(binding(section, Number<float>{names[c], label, now[c], {-most, most}, doc, unit},
                         [store, c](Document& document, float v) { store(document, c, v); }));
 }
 
 // A binding of one member of a material.
 template <class Knob, class Member>
 Binding of_material(const std::string& section, size_t index, const Knob& knob, Member Material::*member) {
-  return bind(section, knob, [index, member](Document& document, const auto& v) {
+  return binding(section, knob, [index, member](Document& document, const auto& v) {
     edit_scene(document, [&](scene::Scene& s) { s.materials[index].*member = v; });
   });
 }
 
 template <class Knob, class Member>
 Binding of_light(const std::string& section, size_t index, const Knob& knob, Member Light::*member) {
-  return bind(section, knob, [index, member](Document& document, const auto& v) {
+  return binding(section, knob, [index, member](Document& document, const auto& v) {
     edit_scene(document, [&](scene::Scene& s) { s.lights[index].*member = v; });
   });
 }
@@ -102,7 +102,7 @@ std::vector<Binding> light_bindings(const Document& document, size_t index, cons
 std::vector<Binding> node_bindings(const Document& document, size_t index, const std::string& section) {
   const scene::Node& n = document.scene->nodes[index];
   std::vector<Binding> list;
-  list.push_back(bind(section, Toggle{"visible", "Visible", n.visible, "Hidden objects are not in the scene at all"}, [index](Document& d, bool v) {
+  list.push_back(binding(section, Toggle{"visible", "Visible", n.visible, "Hidden objects are not in the scene at all"}, [index](Document& d, bool v) {
     edit_scene(d, [&](scene::Scene& s) { s.nodes[index].visible = v; });
   }));
   const Vec3 translation = n.transform.matrix ? Vec3((*n.transform.matrix)[3]) : n.transform.translation;
@@ -124,9 +124,9 @@ std::vector<Binding> environment_bindings(const Document& document, const std::s
   std::vector<Binding> list;
   add_color(list, section, {"tint.r", "tint.g", "tint.b"}, "Radiance", e.tint, 1e6f, "Constant radiance from infinity, or a factor on the map",
             [](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.environment.tint[c] = v; }); });
-  list.push_back(bind(section, Number<float>{"rotation", "Rotation", e.rotation, {-2 * kPi, 2 * kPi}, "Turns the map about the vertical axis", "rad"},
+  list.push_back(binding(section, Number<float>{"rotation", "Rotation", e.rotation, {-2 * kPi, 2 * kPi}, "Turns the map about the vertical axis", "rad"},
                       [](Document& d, float v) { edit_scene(d, [v](scene::Scene& s) { s.environment.rotation = v; }); }));
-  list.push_back(bind(section, Toggle{"visible", "Visible", e.visible, "Whether the camera sees it; it lights the scene either way"},
+  list.push_back(binding(section, Toggle{"visible", "Visible", e.visible, "Whether the camera sees it; it lights the scene either way"},
                       [](Document& d, bool v) { edit_scene(d, [v](scene::Scene& s) { s.environment.visible = v; }); }));
   return list;
 }
@@ -134,17 +134,17 @@ std::vector<Binding> environment_bindings(const Document& document, const std::s
 std::vector<Binding> camera_bindings(const Document& document, const std::string& section) {
   const Camera& c = document.camera;
   std::vector<Binding> list;
-  list.push_back(bind(section, Number<float>{"exposure", "Exposure", document.display.exposure, {-30, 30}, "The picture is multiplied by two to this power; the light stays", "EV"},
+  list.push_back(binding(section, Number<float>{"exposure", "Exposure", document.display.exposure, {-30, 30}, "The picture is multiplied by two to this power; the light stays", "EV"},
                       [](Document& d, float v) { d.display.exposure = v; }));
-  list.push_back(bind(section, Choice<Projection>{"projection", "Projection", c.projection, "Perspective or parallel"},
+  list.push_back(binding(section, Choice<Projection>{"projection", "Projection", c.projection, "Perspective or parallel"},
                       [](Document& d, Projection v) { d.camera.projection = v; }));
-  list.push_back(bind(section, Number<float>{"yfov", "Field of view", c.yfov, {1e-3f, 3.1f}, "Vertical opening angle of a perspective camera", "rad"},
+  list.push_back(binding(section, Number<float>{"yfov", "Field of view", c.yfov, {1e-3f, 3.1f}, "Vertical opening angle of a perspective camera", "rad"},
                       [](Document& d, float v) { d.camera.yfov = v; }));
-  list.push_back(bind(section, Number<float>{"ymag", "Half height", c.ymag, {1e-9f, kFar}, "Half the height of the picture of an orthographic camera", "m", Scale::logarithmic},
+  list.push_back(binding(section, Number<float>{"ymag", "Half height", c.ymag, {1e-9f, kFar}, "Half the height of the picture of an orthographic camera", "m", Scale::logarithmic},
                       [](Document& d, float v) { d.camera.ymag = v; }));
-  list.push_back(bind(section, Number<float>{"lens-radius", "Lens radius", c.lens_radius, {0, 1e6f}, "0 is a pinhole: everything is sharp", "m", Scale::logarithmic},
+  list.push_back(binding(section, Number<float>{"lens-radius", "Lens radius", c.lens_radius, {0, 1e6f}, "0 is a pinhole: everything is sharp", "m", Scale::logarithmic},
                       [](Document& d, float v) { d.camera.lens_radius = v; }));
-  list.push_back(bind(section, Number<float>{"focus-distance", "Focus distance", c.focus_distance, {1e-6f, kFar}, "What lies at this distance along the axis is sharp", "m", Scale::logarithmic},
+  list.push_back(binding(section, Number<float>{"focus-distance", "Focus distance", c.focus_distance, {1e-6f, kFar}, "What lies at this distance along the axis is sharp", "m", Scale::logarithmic},
                       [](Document& d, float v) { d.camera.focus_distance = v; }));
   // The columns of the matrix: x right, y up, z backwards, w where the camera is.
   static constexpr const char* kMatrix[4][3] = {{"right.x", "right.y", "right.z"}, {"up.x", "up.y", "up.z"}, {"back.x", "back.y", "back.z"}, {"eye.x", "eye.y", "eye.z"}};
