@@ -44,7 +44,7 @@ struct Start {
 };
 
 Result<void> set(render::Document& document, const std::string& name, const std::string& value) {
-  auto changed = render::with(document, name, value);
+  auto changed = render::with_text(document, name, value);
   if (!changed) return changed.error();
   document = std::move(*changed);
   return {};

@@ -26,6 +26,9 @@ constexpr uint64_t mix_bits(uint64_t x) {
   return x;
 }
 
+// Literals with a ULL suffix are of this type, which is none of the two above.
+constexpr uint64_t mix_bits(unsigned long long x) { return mix_bits(static_cast<uint64_t>(x)); }
+
 constexpr uint32_t hash_combine(uint32_t seed, uint32_t value) {
   return mix_bits(seed ^ (value + 0x9e3779b9U + (seed << 6) + (seed >> 2)));
 }

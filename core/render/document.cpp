@@ -77,7 +77,7 @@ Result<Document> with(const Document& document, std::string_view name, const Val
   return changed;
 }
 
-Result<Document> with(const Document& document, std::string_view name, std::string_view text) {
+Result<Document> with_text(const Document& document, std::string_view name, std::string_view text) {
   auto binding = find_binding(document, name);
   if (!binding) return binding.error();
   auto value = parse_value(binding->info, text);

@@ -75,8 +75,9 @@ std::vector<std::string> sections(const Document& document);
 Result<Value> get(const Document& document, std::string_view name);
 
 // The document with a setting changed. A bare name ("max-depth") belongs to the current integrator or sampler.
-Result<Document> with(const Document& document, std::string_view name, std::string_view text);
 Result<Document> with(const Document& document, std::string_view name, const Value& value);
+// The same with the value as a user writes it.
+Result<Document> with_text(const Document& document, std::string_view name, std::string_view text);
 
 // A new document for a scene: its first camera (or `camera`), default settings.
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera = "");

@@ -36,7 +36,7 @@ TEST(Furnace, DepthLimitLosesWhatTheoryPredicts) {
     for (const int depth : {1, 2, 3, 5}) {
       auto d = test::document(test::furnace(0.5f), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
       d.method.integrator = method;
-      d = *render::with(d, "max-depth", std::to_string(depth));
+      d = *render::with_text(d, "max-depth", std::to_string(depth));
       const double expected = (1 - std::pow(0.5, depth)) / 0.5;
       EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, expected, 2e-3 * expected) << method << " depth " << depth;
     }

@@ -1,0 +1,30 @@
+// How far an image is from a reference, on linear pixels.                             design: accuracy
+//
+//   mse     mean of (x - r)^2                 relmse  mean of (x - r)^2 / (r^2 + 0.01)
+//   rmse    its root                          mae     mean of |x - r|
+//   smape   mean of |x - r| / ((|x| + |r|) / 2), zero where both are zero
+//   psnr    10 log10(peak^2 / mse) in dB, peak the largest reference value; infinite for equal images
+//   bias    mean of x - r
+// All means are over pixels and channels, in double.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "image/image.h"
+
+namespace etendue::measure {
+
+struct Metrics {
+  double mse = 0, rmse = 0, relmse = 0, mae = 0, smape = 0, psnr = 0, bias = 0;
+};
+
+// Two beauty layers of equal size; anything else is an input error. A pixel that is not finite in either is an input error too:
+// a mean over the rest would hide it.
+Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference);
+
+// The absolute difference, relative to the reference's mean, through viridis: 8-bit RGB, one is yellow.
+std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference);
+
+}  // namespace etendue::measure
