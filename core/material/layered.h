@@ -3,8 +3,9 @@
 //   f = base/pi (1 - max F_d(wo.h)) + F(wo.h) D G2 / (4 cos_o cos_i)               glTF 2.0, appendix B
 //
 // F is Schlick's with f0 and f90 mixed between dielectric and metal, F_d the dielectric's alone, by which the base is
-// attenuated. Reciprocal (h is symmetric in wo and wi). Conserves energy up to the approximation of the specification; the
-// specular part loses what is scattered more than once between facets. Below kSmoothAlpha the layer is a mirror.
+// attenuated. Reciprocal (h is symmetric in wo and wi). Energy is the specification's: the layer alone loses what is scattered
+// more than once between facets; over a bright base the sum gains at grazing angles (albedo up to 1.5 at 88 degrees), because
+// 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is a mirror.
 // Sampling: cosine for the base, visible normals for the layer, chosen by their estimated albedo.
 #pragma once
 #include "base/warp.h"

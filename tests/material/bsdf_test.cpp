@@ -1,0 +1,178 @@
+// What every surface must keep: samples follow the density, nothing negative, reciprocity, no energy out of nothing.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "base/hash.h"
+#include "material/surface.h"
+#include "support/chi_square.h"
+
+namespace etendue {
+namespace {
+
+struct Case {
+  std::string name;
+  Material material;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> list;
+  for (const float roughness : {0.2f, 0.5f, 1.0f})
+    for (const float metallic : {0.0f, 0.5f, 1.0f})
+      for (const float transmission : {0.0f, 0.6f, 1.0f})
+        for (const float thickness : {0.0f, 1.0f}) {
+          if (thickness > 0 && transmission == 0) continue;
+          Material m;
+          m.base_color = {0.8f, 0.6f, 0.4f};
+          m.roughness = roughness, m.metallic = metallic, m.transmission = transmission, m.thickness = thickness;
+          list.push_back({"roughness " + std::to_string(roughness) + " metallic " + std::to_string(metallic) + " transmission " +
+                              std::to_string(transmission) + " thickness " + std::to_string(thickness), m});
+        }
+  Material stretched;
+  stretched.metallic = 1, stretched.roughness = 0.4f, stretched.anisotropy = 0.7f;
+  list.push_back({"anisotropic", stretched});
+  Material matte;
+  matte.metallic = 0, matte.specular = 0;
+  list.push_back({"Lambert", matte});
+  return list;
+}
+
+LobeMix<Rgb> lobes_of(const Material& material) {
+  LobeMix<Rgb> lobes;
+  add_lobes(SurfaceMaterial(material, {}), {}, lobes);
+  return lobes;
+}
+
+Vec3 direction(float theta_degrees, float phi = 0.3f) {
+  const float t = theta_degrees * kPi / 180;
+  return {std::sin(t) * std::cos(phi), std::sin(t) * std::sin(phi), std::cos(t)};
+}
+
+struct Draw {
+  std::mt19937 engine;
+  explicit Draw(unsigned seed) : engine(seed) {}
+  float one() { return to_unit_float(static_cast<uint32_t>(engine())); }
+  Vec2 two() { return {one(), one()}; }
+};
+
+bool has_delta(const LobeMix<Rgb>& lobes, const Vec3& wo) {
+  Draw draw(1);
+  for (int i = 0; i < 256; ++i) {
+    LobeSample<Rgb> s;
+    if (lobes.sample(wo, draw.one(), draw.two(), Transport::radiance, s) && s.delta) return true;
+  }
+  return false;
+}
+
+// Chi-square of sampled directions against the integrated density: 1 % false alarms over all cases together.
+TEST(Bsdf, SamplesFollowTheirDensity) {
+  const auto all = cases();
+  const std::vector<Vec3> outs{direction(5), direction(45), direction(80), -direction(30)};
+  const double significance = 1 - std::pow(0.99, 1.0 / static_cast<double>(all.size() * outs.size()));
+  unsigned seed = 7;
+  for (const auto& c : all)
+    for (const Vec3& wo : outs) {
+      const auto lobes = lobes_of(c.material);
+      if (has_delta(lobes, wo)) continue;
+      Draw draw(++seed);
+      const auto result = test::chi_square_on_sphere(
+          [&](Vec3& wi) {
+            LobeSample<Rgb> s;
+            const bool ok = lobes.sample(wo, draw.one(), draw.two(), Transport::radiance, s);
+            wi = s.wi;
+            return ok;
+          },
+          [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 100'000);
+      EXPECT_GT(result.p_value, significance) << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
+    }
+}
+
+// weight = f cos / pdf for what was sampled.
+TEST(Bsdf, SampleWeightIsEvalOverPdf) {
+  for (const auto& c : cases())
+    for (const auto mode : {Transport::radiance, Transport::importance}) {
+      const auto lobes = lobes_of(c.material);
+      Draw draw(3);
+      for (int i = 0; i < 500; ++i) {
+        const Vec3 wo = direction(80 * draw.one(), 6 * draw.one()) * (draw.one() < 0.5f ? 1.0f : -1.0f);
+        LobeSample<Rgb> s;
+        if (!lobes.sample(wo, draw.one(), draw.two(), mode, s) || s.delta) continue;
+        const Rgb expected = lobes.eval(wo, s.wi, mode) * (std::abs(s.wi.z) / lobes.pdf(wo, s.wi, mode));
+        for (int k = 0; k < 3; ++k) ASSERT_NEAR(s.weight[k], expected[k], 1e-3f * (1 + expected[k])) << c.name;
+      }
+    }
+}
+
+// f(wo, wi) = f(wi, wo) where both are on one side; across a boundary f / eta^2 of the side that is looked into.
+TEST(Bsdf, ReciprocalUpToTheSquaredIndexLaw) {
+  for (const auto& c : cases()) {
+    const auto lobes = lobes_of(c.material);
+    const float eta2 = c.material.thickness > 0 ? sqr(c.material.ior) : 1;
+    Draw draw(5);
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 a = direction(89 * draw.one(), 6 * draw.one()), up = direction(89 * draw.one(), 6 * draw.one());
+      const Vec3 b = draw.one() < 0.5f ? up : -up;
+      const Rgb forth = lobes.eval(a, b, Transport::radiance), back = lobes.eval(b, a, Transport::radiance);
+      // f(wi -> wo) / eta_o^2 = f(wo -> wi) / eta_i^2                                            thesis (4.137), E8
+      const float scale = b.z < 0 ? eta2 : 1;
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_GE(forth[k], 0);
+        ASSERT_NEAR(forth[k] * scale, back[k], 1e-3f * std::max(1e-3f, std::max(forth[k] * scale, back[k]))) << c.name << " " << a.z << ' ' << b.z;
+      }
+      const Rgb adjoint = lobes.eval(b, a, Transport::importance), forward = lobes.eval(a, b, Transport::radiance);
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(adjoint[k], forward[k], 1e-3f * std::max(1e-3f, forward[k])) << c.name;
+    }
+  }
+}
+
+double albedo(const LobeMix<Rgb>& lobes, const Vec3& wo, double& error) {
+  Draw draw(11);
+  double sum = 0, squares = 0;
+  constexpr int kN = 20'000;
+  for (int i = 0; i < kN; ++i) {
+    LobeSample<Rgb> s;
+    if (!lobes.sample(wo, draw.one(), draw.two(), Transport::importance, s)) continue;
+    sum += s.weight.g, squares += sqr(double{s.weight.g});
+  }
+  error = std::sqrt((squares / kN - sqr(sum / kN)) / kN);
+  return sum / kN;
+}
+
+// The directional albedo of power never exceeds one, but for what the specification says of a diffuse base: it is attenuated
+// by 1 - F(wo.h), which at grazing angles is more than the layer above leaves of the light.
+TEST(Bsdf, ConservesEnergyWhereTheSpecificationDoes) {
+  for (const auto& c : cases()) {
+    Material white = c.material;
+    white.base_color = Rgb(1);
+    const bool has_base = white.metallic < 1 && white.transmission < 1 && white.specular > 0;
+    for (const float theta : {0.0f, 45.0f, 75.0f, 88.0f}) {
+      double error = 0;
+      const double a = albedo(lobes_of(white), direction(theta), error);
+      EXPECT_LE(a, (has_base ? 1.55 : 1 + 1e-4) + 4 * error) << c.name << " theta " << theta;
+      if (theta == 0) EXPECT_LE(a, 1.001 + 4 * error) << c.name;
+    }
+  }
+}
+
+// A slab of smooth glass at normal incidence, all inter-reflections: T = (1 - R) / (1 + R) = 0.923077 for eta 1.5.
+TEST(Dielectric, SlabTransmittance) {
+  float cos_t;
+  const float r = fresnel_dielectric(1, 1.5f, cos_t);
+  EXPECT_NEAR(r, 0.04f, 1e-6f);
+  EXPECT_NEAR((1 - r) / (1 + r), 0.923077f, 1e-6f);
+}
+
+// Thesis 4.1.3: Brewster's angle, total reflection, the square relation at 45 degrees.
+TEST(Fresnel, KnownAngles) {
+  float cos_t;
+  const float brewster = std::atan(1.5f);
+  const float c = std::cos(brewster);
+  const float perpendicular = sqr((c - 1.5f * std::sqrt(1 - (1 - c * c) / 2.25f)) / (c + 1.5f * std::sqrt(1 - (1 - c * c) / 2.25f)));
+  EXPECT_NEAR(fresnel_dielectric(c, 1.5f, cos_t), 0.5f * perpendicular, 1e-6f);
+  EXPECT_NEAR(fresnel_dielectric(std::sqrt(0.5f), 1.5f, cos_t), 0.5f * (0.008466f + 0.092013f), 1e-5f);
+  EXPECT_EQ(fresnel_dielectric(std::cos(0.7298f), 1 / 1.5f, cos_t), 1);
+  EXPECT_LT(fresnel_dielectric(std::cos(0.7296f), 1 / 1.5f, cos_t), 1);
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,155 @@
+// Sessions: the same bits whatever the threads, edits that rebuild only what they touch, checkpoints, limits.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+#include "render/checkpoint.h"
+#include "render/session.h"
+#include "scene/compiled.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+render::Document cornell(int size) {
+  auto d = *render::new_document("cornell");
+  d.width = d.height = size;
+  return d;
+}
+
+bool same_bits(const film::Film& a, const film::Film& b) {
+  return a.pixels().size() == b.pixels().size() && std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+TEST(Session, SameImageBitForBitWithOneTwoAndSevenThreads) {
+  for (const char* sampler : {"sobol", "halton", "stratified", "random"}) {
+    auto d = cornell(53);
+    d.method.sampler = sampler;
+    const auto one = test::rendered(d, 5, 1);
+    EXPECT_TRUE(same_bits(one, test::rendered(d, 5, 2))) << sampler;
+    EXPECT_TRUE(same_bits(one, test::rendered(d, 5, 7))) << sampler;
+  }
+}
+
+TEST(Session, AnotherSeedIsAnotherImage) {
+  auto d = cornell(32);
+  const auto a = test::rendered(d, 4);
+  d.seed = 1;
+  EXPECT_FALSE(same_bits(a, test::rendered(d, 4)));
+}
+
+TEST(Session, LargerModelsGiveTheSameImage) {
+  auto d = cornell(48);
+  const auto small = test::rendered(d, 16);
+  for (const char* flag : {"model.surfaces", "model.media"}) {
+    const auto forced = *render::with_text(d, flag, "on");
+    EXPECT_TRUE(same_bits(small, test::rendered(forced, 16))) << flag;
+  }
+}
+
+TEST(Checkpoint, ARenderingThatWasCutGoesOnToTheSameBits) {
+  const auto path = std::filesystem::temp_directory_path() / "etendue-test.checkpoint";
+  auto d = cornell(64);
+  const auto whole = test::rendered(d, 12);
+
+  render::Session first({.threads = 2, .interactive = false});
+  d.limits = {100'000, 0, 0};
+  first.submit(d);
+  while (first.status().samples < 3) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  first.stop();
+  auto cut = first.film_copy();
+  // What lies beyond twelve samples cannot be taken back: only a shorter film is of use here.
+  if (cut.samples(0, 0) > 12) cut = test::rendered(d, 5);
+  ASSERT_TRUE(render::write_checkpoint(path, {render::state_json(d, 3), cut, 1.5}));
+
+  auto read = render::read_checkpoint(path);
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_TRUE(same_bits(read->film, cut));
+  auto document = render::document_from_state(read->state, "checkpoint");
+  ASSERT_TRUE(document) << document.error().message;
+  document->limits = {12, 0, 0};
+  render::Session second({.threads = 1, .interactive = false});
+  second.submit(*document, std::move(read->film));
+  second.finish();
+  EXPECT_TRUE(same_bits(second.film_copy(), whole));
+  std::filesystem::remove(path);
+}
+
+TEST(Checkpoint, DamagedFilesAreRefused) {
+  const auto path = std::filesystem::temp_directory_path() / "etendue-damaged.checkpoint";
+  ASSERT_TRUE(render::write_checkpoint(path, {"{}", film::Film(8, 8), 0}));
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  const auto read = render::read_checkpoint(path);
+  ASSERT_FALSE(read);
+  EXPECT_NE(read.error().message.find("truncated"), std::string::npos) << read.error().message;
+  std::filesystem::remove(path);
+}
+
+TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
+  auto d = cornell(16);
+  // An object that is used twice is an instance with a level of its own.
+  test::add(const_cast<scene::Scene&>(*d.scene), test::sphere(0.3f, 8, false), test::diffuse(Rgb(0.5f)));
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  scene::Node twin = scene->nodes.back();
+  twin.transform.matrix = Mat4(1);
+  (*twin.transform.matrix)[3] = Vec4(2, 2, 2, 1);
+  scene->nodes.push_back(twin);
+  scene->roots.push_back(static_cast<int>(scene->nodes.size()) - 1);
+  d.scene = scene;
+  const auto first = scene::compile(d.scene, d.camera, nullptr);
+  EXPECT_EQ(first->report().meshes_built, 1);
+
+  Camera moved = d.camera;
+  moved.to_world[3].x += 1;
+  const auto camera = scene::compile(d.scene, moved, first);
+  EXPECT_FALSE(camera->report().top_level_built || camera->report().lights_built || camera->report().materials_built);
+
+  const auto painted = *render::with_text(d, "material.0.base-color.r", "0.1");
+  const auto material = scene::compile(painted.scene, d.camera, first);
+  EXPECT_FALSE(material->report().top_level_built || material->report().lights_built);
+  EXPECT_TRUE(material->report().materials_built);
+
+  const auto brighter = *render::with_text(d, "material.3.emission.r", "40");
+  const auto light = scene::compile(brighter.scene, d.camera, first);
+  EXPECT_FALSE(light->report().top_level_built);
+  EXPECT_TRUE(light->report().lights_built);
+
+  const auto shifted = *render::with_text(d, "node.7.translation.x", "0.2");
+  const auto transform = scene::compile(shifted.scene, d.camera, first);
+  EXPECT_TRUE(transform->report().top_level_built);
+  EXPECT_EQ(transform->report().meshes_built, 0);
+  EXPECT_GE(transform->report().meshes_reused, 1);
+}
+
+TEST(State, EverySettingComesBack) {
+  auto d = cornell(40);
+  const std::pair<const char*, const char*> edits[] = {{"render.integrator", "path-pure"}, {"path.roulette-start", "7"}, {"stratified.side", "5"},
+                                                       {"film.filter", "tent"}, {"camera.exposure", "1.25"}, {"camera.eye.x", "0.3"},
+                                                       {"material.5.roughness", "0.31"}, {"model.media", "on"}, {"node.6.visible", "false"}};
+  for (const auto& [name, value] : edits) {
+    auto edited = render::with_text(d, name, value);
+    ASSERT_TRUE(edited) << edited.error().message;
+    d = *edited;
+  }
+  const auto back = render::document_from_state(render::state_json(d, 17), "state");
+  ASSERT_TRUE(back) << back.error().message;
+  for (const auto& [name, value] : edits) EXPECT_EQ(*render::get(*back, name), *render::get(d, name)) << name;
+  EXPECT_EQ(back->width, 40);
+}
+
+TEST(Settings, WrongNamesAndValuesSayWhatWouldBeRight) {
+  const auto d = cornell(16);
+  const auto name = render::with_text(d, "render.integrater", "path");
+  ASSERT_FALSE(name);
+  EXPECT_NE(name.error().message.find("'render.integrator'"), std::string::npos) << name.error().message;
+  const auto value = render::with_text(d, "render.sampler", "sobel");
+  ASSERT_FALSE(value);
+  EXPECT_NE(value.error().message.find("halton"), std::string::npos) << value.error().message;
+  EXPECT_FALSE(render::with_text(d, "film.width", "-3"));
+  EXPECT_FALSE(render::with_text(d, "camera.exposure", "nan"));
+}
+
+}  // namespace
+}  // namespace etendue
