@@ -1,62 +1,43 @@
+// Recognises a picture by its first bytes and hands it to the decoder of its format.
 #include <cstring>
 
-#include "base/file.h"
 #include "image/codecs.h"
 
 namespace etendue::image {
-namespace {
 
-bool starts(Bytes bytes, std::string_view magic, size_t at = 0) {
-  return bytes.size() >= at + magic.size() && std::memcmp(bytes.data() + at, magic.data(), magic.size()) == 0;
+bool starts_with(Bytes bytes, std::string_view prefix) {
+  return bytes.size() >= prefix.size() && std::memcmp(bytes.data(), prefix.data(), prefix.size()) == 0;
 }
 
-// Any decoded picture as RGB floats in Rec. 709.
-LayeredImage linear_of(const Image& image) {
-  LayeredImage out;
-  out.width = image.width, out.height = image.height;
-  Layer layer{"", {"R", "G", "B"}, {}};
-  const auto channels = static_cast<size_t>(image.channels);
-  const size_t pixels = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
-  layer.pixels.reserve(pixels * 3);
-  for (size_t i = 0; i < pixels; ++i)
-    for (size_t c = 0; c < 3; ++c) {
-      const size_t at = i * channels + (channels < 3 ? 0 : c);
-      layer.pixels.push_back(image.type == PixelType::float32 ? image.floats[at]
-                                                               : srgb_to_linear(static_cast<float>(image.bytes[at]) / 255.0f));
-    }
-  out.layers.push_back(std::move(layer));
-  return out;
+Result<void> check_size(uint64_t width, uint64_t height, const std::string& name) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height);
+  if (width == 0 || height == 0) return input_error(name + ": the picture is empty (" + size + " pixels)");
+  if (width > kMaxPixels || height > kMaxPixels / width)
+    return input_error(name + ": the picture claims " + size + " pixels; at most 2^28 can be read");
+  return {};
 }
 
-}  // namespace
-
-bool is_png(Bytes b) { return starts(b, "\x89PNG\r\n\x1a\n"); }
-bool is_jpeg(Bytes b) { return starts(b, "\xff\xd8\xff"); }
-bool is_webp(Bytes b) { return starts(b, "RIFF") && starts(b, "WEBP", 8); }
-bool is_hdr(Bytes b) { return starts(b, "#?RADIANCE") || starts(b, "#?RGBE"); }
-bool is_exr(Bytes b) { return starts(b, "\x76\x2f\x31\x01"); }
-
-const Layer* LayeredImage::find(const std::string& name) const {
-  for (const auto& layer : layers)
-    if (layer.name == name) return &layer;
-  return nullptr;
+Result<void> check_length(uint64_t needed, Bytes bytes, const std::string& name) {
+  if (bytes.size() >= needed) return {};
+  return input_error(name + ": " + std::to_string(bytes.size()) +
+                     " bytes are too few for the picture that the header claims; the file is cut off or damaged");
 }
 
-Result<Image> decode_image(Bytes bytes, const std::string& name) {
+Image make_byte_image(int width, int height, int channels) {
+  Image image;
+  image.width = width, image.height = height, image.channels = channels;
+  image.bytes.resize(static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(channels));
+  return image;
+}
+
+Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& name) {
   if (is_png(bytes)) return decode_png(bytes, name);
   if (is_jpeg(bytes)) return decode_jpeg(bytes, name);
   if (is_webp(bytes)) return decode_webp(bytes, name);
   if (is_hdr(bytes)) return decode_hdr(bytes, name);
-  return input_error(name + ": this is no picture that can be read; give PNG, JPEG, WebP or Radiance HDR");
-}
-
-Result<LayeredImage> read_linear(const std::filesystem::path& path) {
-  auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  if (is_exr(*bytes)) return read_exr(path);
-  auto image = decode_image(*bytes, path.string());
-  if (!image) return image.error();
-  return linear_of(*image);
+  if (bytes.empty()) return input_error(name + ": the file is empty");
+  if (is_exr(bytes)) return input_error(name + ": OpenEXR cannot be used here; give PNG, JPEG, WebP or Radiance HDR");
+  return input_error(name + ": the format is not known; PNG, JPEG, WebP and Radiance HDR can be read");
 }
 
 }  // namespace etendue::image

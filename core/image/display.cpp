@@ -6,7 +6,8 @@ namespace {
 using Matrix = std::array<float, 9>;  // rows
 
 Rgb times(const Matrix& m, const Rgb& c) {
-  return {m[0] * c.r + m[1] * c.g + m[2] * c.b, m[3] * c.r + m[4] * c.g + m[5] * c.b, m[6] * c.r + m[7] * c.g + m[8] * c.b};
+  return {m[0] * c.r + m[1] * c.g + m[2] * c.b, m[3] * c.r + m[4] * c.g + m[5] * c.b,
+          m[6] * c.r + m[7] * c.g + m[8] * c.b};
 }
 
 template <class F>
@@ -15,6 +16,9 @@ Rgb each(const Rgb& c, F&& f) {
 }
 
 float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
+
+// NaN and negative values count as zero. Far below the upper bound every curve is white already; its square is finite.
+float usable(float x) { return x > 0 ? std::min(x, 1e12f) : 0.0f; }
 
 Rgb neutral(Rgb c) {
   constexpr float kStart = 0.8f - 0.04f, kDesaturation = 0.15f;
@@ -32,17 +36,22 @@ Rgb neutral(Rgb c) {
 Rgb aces(const Rgb& c) {
   constexpr Matrix kIn{0.59719f, 0.35458f, 0.04823f, 0.07600f, 0.90834f, 0.01566f, 0.02840f, 0.13383f, 0.83777f};
   constexpr Matrix kOut{1.60475f, -0.53108f, -0.07367f, -0.10208f, 1.10813f, -0.00605f, -0.00327f, -0.07276f, 1.07602f};
-  const Rgb fitted = each(times(kIn, c * (1 / 0.6f)), [](float v) { return (v * (v + 0.0245786f) - 0.000090537f) / (v * (0.983729f * v + 0.4329510f) + 0.238081f); });
+  const Rgb fitted = each(times(kIn, c * (1 / 0.6f)), [](float v) {
+    return (v * (v + 0.0245786f) - 0.000090537f) / (v * (0.983729f * v + 0.4329510f) + 0.238081f);
+  });
   return times(kOut, fitted);
 }
 
 Rgb agx(const Rgb& c) {
-  constexpr Matrix kIn{0.842479062253094f, 0.0784335999999992f, 0.0792237451477643f, 0.0423282422610123f, 0.878468636469772f,
-                       0.0791661274605434f, 0.0423756549057051f, 0.0784336f, 0.879142973793104f};
-  constexpr Matrix kOut{1.19687900512017f, -0.0980208811401368f, -0.0990297440797205f, -0.0528968517574562f, 1.15190312990417f,
-                        -0.0989611768448433f, -0.0529716355144438f, -0.0980434501171241f, 1.15107367264116f};
+  constexpr Matrix kIn{0.842479062253094f,  0.0784335999999992f, 0.0792237451477643f,
+                       0.0423282422610123f, 0.878468636469772f,  0.0791661274605434f,
+                       0.0423756549057051f, 0.0784336f,          0.879142973793104f};
+  constexpr Matrix kOut{1.19687900512017f,    -0.0980208811401368f, -0.0990297440797205f,
+                        -0.0528968517574562f, 1.15190312990417f,    -0.0989611768448433f,
+                        -0.0529716355144438f, -0.0980434501171241f, 1.15107367264116f};
   constexpr float kMinEv = -12.47393f, kMaxEv = 4.026069f;
-  const Rgb logarithmic = each(times(kIn, c), [](float v) { return unit((std::log2(std::max(v, 1e-10f)) - kMinEv) / (kMaxEv - kMinEv)); });
+  const Rgb logarithmic =
+      each(times(kIn, c), [](float v) { return unit((std::log2(std::max(v, 1e-10f)) - kMinEv) / (kMaxEv - kMinEv)); });
   const Rgb curved = each(logarithmic, [](float x) {
     const float x2 = x * x, x4 = x2 * x2;
     return 15.5f * x4 * x2 - 40.14f * x4 * x + 31.96f * x4 - 6.868f * x2 * x + 0.4298f * x2 + 0.1191f * x - 0.00232f;
@@ -54,12 +63,19 @@ Rgb agx(const Rgb& c) {
 }  // namespace
 
 Rgb tone_mapped(const Rgb& radiance, ToneCurve curve) {
-  Rgb c = each(radiance, [](float v) { return std::max(v, 0.0f); });
+  Rgb c = each(radiance, usable);
   switch (curve) {
-    case ToneCurve::none: break;
-    case ToneCurve::neutral: c = neutral(c); break;
-    case ToneCurve::aces: c = aces(c); break;
-    case ToneCurve::agx: c = agx(c); break;
+    case ToneCurve::none:
+      break;
+    case ToneCurve::neutral:
+      c = neutral(c);
+      break;
+    case ToneCurve::aces:
+      c = aces(c);
+      break;
+    case ToneCurve::agx:
+      c = agx(c);
+      break;
   }
   return each(c, unit);
 }
@@ -69,7 +85,8 @@ std::vector<uint8_t> display_pixels(std::span<const float> rgb, float exposure, 
   const float scale = std::exp2(exposure);
   for (size_t i = 0; i + 2 < rgb.size(); i += 3) {
     const Rgb shown = tone_mapped(Rgb(rgb[i], rgb[i + 1], rgb[i + 2]) * scale, curve);
-    for (size_t c = 0; c < 3; ++c) bytes[i + c] = static_cast<uint8_t>(linear_to_srgb(shown[static_cast<int>(c)]) * 255 + 0.5f);
+    for (size_t c = 0; c < 3; ++c)
+      bytes[i + c] = static_cast<uint8_t>(linear_to_srgb(shown[static_cast<int>(c)]) * 255 + 0.5f);
   }
   return bytes;
 }

@@ -1,0 +1,101 @@
+// Any picture as linear RGB: what metrics, environments and comparisons work on.
+#include <algorithm>
+#include <array>
+
+#include "base/file.h"
+#include "image/codecs.h"
+
+namespace etendue::image {
+namespace {
+
+const std::vector<std::string> kRgb{"R", "G", "B"};
+
+size_t channel_index(const Layer& layer, std::string_view channel) {
+  return static_cast<size_t>(std::ranges::find(layer.channels, channel) - layer.channels.begin());
+}
+
+bool has_channel(const Layer& layer, std::string_view channel) {
+  return channel_index(layer, channel) < layer.channels.size();
+}
+
+bool has_rgb(const Layer& layer) {
+  return has_channel(layer, "R") && has_channel(layer, "G") && has_channel(layer, "B");
+}
+
+// The picture among the layers: the nameless one, else Blender's "*.Combined", else the first that has R, G and B.
+Layer* find_beauty(LayeredImage& image) {
+  Layer* best = nullptr;
+  for (Layer& layer : image.layers) {
+    if (layer.name.empty() && (has_rgb(layer) || has_channel(layer, "Y"))) return &layer;
+    const bool combined = layer.name.ends_with("Combined");
+    if (has_rgb(layer) && (combined || !best)) best = &layer;
+  }
+  return best;
+}
+
+std::array<size_t, 3> rgb_indices(const Layer& layer) {
+  if (has_rgb(layer)) return {channel_index(layer, "R"), channel_index(layer, "G"), channel_index(layer, "B")};
+  const size_t grey = channel_index(layer, "Y");
+  return {grey, grey, grey};
+}
+
+Layer as_rgb(const Layer& layer) {
+  const auto source = rgb_indices(layer);
+  const size_t stride = layer.channels.size(), count = layer.pixels.size() / stride;
+  Layer rgb{"", kRgb, std::vector<float>(count * 3)};
+  for (size_t i = 0; i < count; ++i)
+    for (size_t c = 0; c < 3; ++c) rgb.pixels[i * 3 + c] = layer.pixels[i * stride + source[c]];
+  return rgb;
+}
+
+Result<LayeredImage> linear_exr(Bytes bytes, const std::string& name) {
+  auto image = decode_exr(bytes, name);
+  if (!image) return image;
+  Layer* beauty = find_beauty(*image);
+  if (!beauty) return input_error(name + ": there is no layer with the channels R, G and B, nor one of luminance Y");
+  *beauty = as_rgb(*beauty);
+  std::iter_swap(beauty, image->layers.begin());
+  return image;
+}
+
+std::array<float, 256> make_srgb_table() {
+  std::array<float, 256> table;
+  for (size_t i = 0; i < table.size(); ++i) table[i] = srgb_to_linear(static_cast<float>(i) / 255.0f);
+  return table;
+}
+
+Layer linearise(const Image& image) {
+  static const std::array<float, 256> to_linear = make_srgb_table();
+  const size_t stride = static_cast<size_t>(image.channels), step = image.channels >= 3 ? 1 : 0;
+  const size_t count = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+  const bool encoded = image.type == PixelType::byte8;
+  Layer rgb{"", kRgb, std::vector<float>(count * 3)};
+  for (size_t i = 0; i < count; ++i)
+    for (size_t c = 0; c < 3; ++c) {
+      const size_t at = i * stride + c * step;
+      rgb.pixels[i * 3 + c] = encoded ? to_linear[image.bytes[at]] : image.floats[at];
+    }
+  return rgb;
+}
+
+}  // namespace
+
+const Layer* LayeredImage::find(const std::string& name) const {
+  for (const Layer& layer : layers)
+    if (layer.name == name) return &layer;
+  return nullptr;
+}
+
+Result<LayeredImage> read_linear(const std::filesystem::path& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  if (is_exr(*bytes)) return linear_exr(*bytes, path.string());
+  const auto image = decode_image(*bytes, path.string());
+  if (!image) return image.error();
+  LayeredImage linear;
+  linear.width = image->width, linear.height = image->height;
+  linear.layers.push_back(linearise(*image));
+  return linear;
+}
+
+}  // namespace etendue::image
