@@ -2,6 +2,7 @@
 // never on the order in which threads ask for it.
 #pragma once
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace etendue {
@@ -33,9 +34,9 @@ constexpr uint32_t hash_combine(uint32_t seed, uint32_t value) {
   return mix_bits(seed ^ (value + 0x9e3779b9U + (seed << 6) + (seed >> 2)));
 }
 
-constexpr uint64_t hash_bytes(const char* data, size_t size, uint64_t seed = 0x243f6a8885a308d3ULL) {
+constexpr uint64_t hash_bytes(const char* data, std::size_t size, uint64_t seed = 0x243f6a8885a308d3ULL) {
   uint64_t h = seed ^ (size * 0x9e3779b97f4a7c15ULL);
-  for (size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size; ++i) {
     const uint64_t byte = static_cast<unsigned char>(data[i]);
     h = mix_bits(h ^ (byte + uint64_t{0x9e3779b97f4a7c15}));
   }
