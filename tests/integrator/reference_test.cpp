@@ -1,0 +1,78 @@
+// Real scenes against pictures that other renderers made of them.                                  data README, scenes/
+#include <gtest/gtest.h>
+
+#include "image/image.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+constexpr int kBlocks = 8;
+using Blocks = std::array<double, kBlocks * kBlocks>;
+
+template <class Pixel>
+Blocks block_means(int width, int height, Pixel&& pixel) {
+  Blocks sums{}, counts{};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto block = static_cast<size_t>(y * kBlocks / height * kBlocks + x * kBlocks / width);
+      sums[block] += pixel(x, y), ++counts[block];
+    }
+  for (size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+  return sums;
+}
+
+double mean_of(const Blocks& blocks) {
+  double sum = 0;
+  for (const double b : blocks) sum += b;
+  return sum / static_cast<double>(blocks.size());
+}
+
+struct Comparison {
+  double mean_ratio, worst_block;
+};
+
+Comparison compare_with_reference(const std::string& name, uint32_t samples) {
+  const std::string folder = test::data_folder() + "/scenes/" + name + "/";
+  auto d = *render::new_document(folder + name + ".glb");
+  d.width = d.height = 256;
+  d.filter = film::FilterKind::box;
+  const auto film = test::rendered(d, samples);
+  const Blocks ours = block_means(256, 256, [&](int x, int y) { return double{average(film.mean(x, y))}; });
+  const auto reference = image::read_exr(folder + "reference.exr");
+  const auto& layer = *reference->find("");
+  const size_t stride = layer.channels.size();
+  const Blocks theirs = block_means(reference->width, reference->height, [&](int x, int y) {
+    const size_t at = (static_cast<size_t>(y) * static_cast<size_t>(reference->width) + static_cast<size_t>(x)) * stride;
+    return (double{layer.pixels[at]} + layer.pixels[at + 1] + layer.pixels[at + 2]) / 3;
+  });
+  Comparison c{mean_of(ours) / mean_of(theirs), 0};
+  for (size_t i = 0; i < ours.size(); ++i) c.worst_block = std::max(c.worst_block, std::abs(ours[i] / theirs[i] - 1));
+  return c;
+}
+
+TEST(Reference, CornellBox) {
+  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  const auto c = compare_with_reference("cornell-box", 256);
+  EXPECT_NEAR(c.mean_ratio, 1, 0.003);
+  EXPECT_LT(c.worst_block, 0.03);
+  RecordProperty("mean", std::to_string(c.mean_ratio));
+  RecordProperty("worst", std::to_string(c.worst_block));
+}
+
+// The layers of plastic in the source are none of glTF's: floor and steps are 5 to 20 % brighter.
+TEST(Reference, Staircase2) {
+  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  const auto c = compare_with_reference("staircase2", 64);
+  EXPECT_GT(c.mean_ratio, 0.97);
+  EXPECT_LT(c.mean_ratio, 1.15);
+}
+
+TEST(Reference, VeachBidir) {
+  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  const auto c = compare_with_reference("veach-bidir", 64);
+  EXPECT_NEAR(c.mean_ratio, 1.02, 0.06);
+}
+
+}  // namespace
+}  // namespace etendue
