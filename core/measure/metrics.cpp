@@ -43,7 +43,7 @@ Result<Metrics> compare(const image::LayeredImage& picture, const image::Layered
   const auto n = static_cast<double>(x.size());
   m.mse /= n, m.relmse /= n, m.mae /= n, m.smape /= n, m.bias /= n;
   m.rmse = std::sqrt(m.mse);
-  m.psnr = 10 * std::log10(peak * peak / m.mse);
+  m.psnr = m.mse > 0 ? 10 * std::log10(peak * peak / m.mse) : INFINITY;
   return m;
 }
 

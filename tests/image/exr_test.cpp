@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/file.h"
+#include "image/codecs.h"
 #include "image/crafted.h"
 #include "image/image.h"
 
@@ -32,11 +33,7 @@ LayeredImage layered() {
   return image;
 }
 
-Result<LayeredImage> read_bytes(const FileBytes& bytes) {
-  const TemporaryFile file("a.exr");
-  if (auto written = write_file(file.path(), bytes.data(), bytes.size()); !written) return written.error();
-  return read_exr(file.path());
-}
+Result<LayeredImage> read_bytes(const FileBytes& bytes) { return image::decode_exr(view(bytes), "a.exr"); }
 
 std::vector<FileBytes> float_samples(std::initializer_list<float> values) {
   std::vector<FileBytes> samples;

@@ -57,6 +57,14 @@ TEST(Metrics, EqualImagesHaveNoError) {
   EXPECT_TRUE(std::isinf(m->psnr) && m->psnr > 0);
 }
 
+TEST(Metrics, EqualBlackImagesHaveNoError) {
+  const auto m = compare(constant(2, 2, 0), constant(2, 2, 0));
+  ASSERT_TRUE(m) << m.error().message;
+  EXPECT_EQ(m->relmse, 0);
+  EXPECT_EQ(m->smape, 0);
+  EXPECT_TRUE(std::isinf(m->psnr) && m->psnr > 0);
+}
+
 TEST(Metrics, SmallErrorsOfManyPixelsAreNotLost) {
   // Each squared difference is far below the resolution of a float sum.
   const int side = 1000;
