@@ -1,6 +1,7 @@
 #include "scene/gltf.h"
 
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "scene/gltf_document.h"
@@ -54,6 +55,18 @@ uint32_t word_at(const std::vector<std::byte>& bytes, size_t at) {
 
 bool is_glb(const std::vector<std::byte>& bytes) { return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0; }
 
+// What the library stumbles over is often an extension that the file declares to need: that is what people have to be told.
+void check_required_extensions(const std::vector<std::byte>& bytes) {
+  const char* text = reinterpret_cast<const char*>(bytes.data());
+  size_t size = bytes.size();
+  if (is_glb(bytes)) text += 20, size = word_at(bytes, 12);
+  const auto json = nlohmann::json::parse(text, text + size, nullptr, false);
+  if (!json.is_object() || !json.contains("extensionsRequired") || !json["extensionsRequired"].is_array()) return;
+  for (const auto& extension : json["extensionsRequired"])
+    if (extension.is_string() && !gltf::is_supported(extension.get<std::string>()))
+      throw Unusable{"requires the extension " + extension.get<std::string>() + ", which is not supported"};
+}
+
 // The header and the chunk lengths of a GLB have to agree with the file.                               section 4.4
 void check_glb(const std::vector<std::byte>& bytes) {
   if (bytes.size() < 20) throw Unusable{"is a GLB of " + std::to_string(bytes.size()) + " bytes; a header and a chunk need 20"};
@@ -93,6 +106,7 @@ void parse(const std::filesystem::path& path, Document& document) {
   if (ok && (version.empty() || version[0] != '2')) throw Unusable{"is glTF version '" + version + "'; version 2 can be read"};
   if (ok && !document.model.asset.minVersion.empty() && document.model.asset.minVersion > "2.0")
     throw Unusable{"needs glTF " + document.model.asset.minVersion + "; version 2.0 can be read"};
+  if (!ok) check_required_extensions(*bytes);
   if (!ok) throw Unusable{one_line(error)};
 }
 
