@@ -55,16 +55,24 @@ uint32_t word_at(const std::vector<std::byte>& bytes, size_t at) {
 
 bool is_glb(const std::vector<std::byte>& bytes) { return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0; }
 
-// What the library stumbles over is often an extension that the file declares to need: that is what people have to be told.
+// Whether the strings under `key` name an extension for which `unusable` holds; throws it.
+template <class Test>
+void check_extensions(const nlohmann::json& json, const char* key, Test&& unusable) {
+  if (!json.is_object() || !json.contains(key) || !json[key].is_array()) return;
+  for (const auto& extension : json[key])
+    if (extension.is_string() && unusable(extension.template get<std::string>()))
+      throw Unusable{"requires the extension " + extension.template get<std::string>() + ", which is not supported"};
+}
+
+// What the library stumbles over is often an extension that the file needs: that is what people have to be told. Compressed
+// geometry is needed even where a file only says that it is used.
 void check_required_extensions(const std::vector<std::byte>& bytes) {
   const char* text = reinterpret_cast<const char*>(bytes.data());
   size_t size = bytes.size();
   if (is_glb(bytes)) text += 20, size = word_at(bytes, 12);
   const auto json = nlohmann::json::parse(text, text + size, nullptr, false);
-  if (!json.is_object() || !json.contains("extensionsRequired") || !json["extensionsRequired"].is_array()) return;
-  for (const auto& extension : json["extensionsRequired"])
-    if (extension.is_string() && !gltf::is_supported(extension.get<std::string>()))
-      throw Unusable{"requires the extension " + extension.get<std::string>() + ", which is not supported"};
+  check_extensions(json, "extensionsRequired", [](const std::string& name) { return !gltf::is_supported(name); });
+  check_extensions(json, "extensionsUsed", [](const std::string& name) { return name.ends_with("_compression"); });
 }
 
 // The header and the chunk lengths of a GLB have to agree with the file.                               section 4.4

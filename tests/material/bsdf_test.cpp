@@ -17,7 +17,7 @@ struct Case {
 
 std::vector<Case> cases() {
   std::vector<Case> list;
-  for (const float roughness : {0.2f, 0.5f, 1.0f})
+  for (const float roughness : {0.3f, 0.6f, 1.0f})
     for (const float metallic : {0.0f, 0.5f, 1.0f})
       for (const float transmission : {0.0f, 0.6f, 1.0f})
         for (const float thickness : {0.0f, 1.0f}) {

@@ -46,7 +46,7 @@ double midpoint(const std::function<double(const Vec3&)>& pdf, int row, int colu
 // Refined until it stands still to a tenth of what the samples can tell: narrow lobes need thousands of points.
 double expected_share(const std::function<double(const Vec3&)>& pdf, int row, int column, int samples) {
   double value = midpoint(pdf, row, column, 16);
-  for (int n = 32; n <= 256; n *= 2) {
+  for (int n = 32; n <= 512; n *= 2) {
     const double finer = midpoint(pdf, row, column, n);
     const bool settled = std::abs(finer - value) < 0.1 * std::sqrt(std::max(finer, 1e-9) / samples) && (finer > 0 || n > 64);
     value = finer;
