@@ -1,0 +1,155 @@
+// The command line as scripts use it: exit codes, one-line errors, results on standard output, nothing half-written.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+std::string slurp(const fs::path& path) {
+  std::string text;
+  if (std::FILE* f = std::fopen(path.c_str(), "rb")) {
+    std::array<char, 4096> buffer;
+    while (const size_t n = std::fread(buffer.data(), 1, buffer.size(), f)) text.append(buffer.data(), n);
+    std::fclose(f);
+  }
+  return text;
+}
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("etendue-cli-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& arguments) const {
+    const fs::path out = folder_ / "out.txt", err = folder_ / "err.txt";
+    const std::string command = "cd " + folder_.string() + " && " + ETENDUE_BINARY + " " + arguments + " >" + out.string() + " 2>" + err.string();
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
+  }
+
+  // Exit code and a single line on standard error that begins with the program's name and holds `part`.
+  void expect_error(const std::string& arguments, int code, const std::string& part) const {
+    const Outcome r = run(arguments);
+    EXPECT_EQ(r.code, code) << arguments << "\n" << r.err;
+    EXPECT_TRUE(r.err.starts_with("etendue: ")) << r.err;
+    EXPECT_NE(r.err.find(part), std::string::npos) << r.err;
+    EXPECT_EQ(r.err.find('\n'), r.err.size() - 1) << r.err;
+    EXPECT_TRUE(r.out.empty()) << r.out;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
+  const Outcome r = run("render cornell --size 24x24 --spp 4 --seed 3 -o a.exr --json -");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto j = nlohmann::json::parse(r.out);
+  for (const char* key : {"integrator", "sampler", "spp", "seconds", "rays", "width", "height", "threads", "seed", "rmse_estimate", "rejected", "khat", "peak_rss_bytes", "model"})
+    EXPECT_TRUE(j.contains(key)) << key;
+  EXPECT_EQ(j["spp"], 4);
+  EXPECT_EQ(j["seed"], 3);
+  EXPECT_EQ(j["rejected"]["nan"], 0);
+  EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
+}
+
+TEST_F(Cli, LikeMakesTheSameImageAgain) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --seed 3 --set material.5.metallic=1 --set film.filter=tent --exposure 1 -o a.exr").code, 0);
+  ASSERT_EQ(run("render --like a.exr --spp 4 -o b.exr").code, 0);
+  const Outcome r = run("compare a.exr b.exr --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(r.out)["mse"], 0);
+}
+
+TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
+  EXPECT_EQ(run("compare a.exr b.exr --max-rmse 1e-9").code, 1);
+  EXPECT_EQ(run("compare a.exr b.exr --max-rmse 1e9 --heatmap h.png").code, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "h.png"));
+}
+
+TEST_F(Cli, WrongUsageIsTwo) {
+  expect_error("render cornell", 2, "no output");
+  expect_error("render cornell -o a.tiff", 2, ".exr, .hdr or .png");
+  expect_error("render cornell -o a.exr --spp -4", 2, "spp");
+  expect_error("render cornell -o a.exr --spp many", 2, "spp");
+  expect_error("render cornell -o a.exr --size 10", 2, "WIDTHxHEIGHT");
+  expect_error("render cornell -o a.exr --size 10x99999999", 2, "film.height");
+  expect_error("render cornell -o a.exr --integrator pth", 2, "path-pure");
+  expect_error("render cornell -o a.exr --sampler dice", 2, "sobol");
+  expect_error("render cornell -o a.exr --set nothing=1", 2, "nearest");
+  expect_error("render cornell -o a.exr --set roulette-start=0", 2, "from 1 to 64");
+  expect_error("render cornell -o a.exr --set roulette-start", 2, "NAME=VALUE");
+  expect_error("render cornell -o a.exr --camera 7", 2, "there is no camera '7'");
+  expect_error("render cornell -o a.exr --aov smell", 2, "albedo");
+  expect_error("list furniture", 2, "integrators");
+  expect_error("frobnicate", 2, "etendue --help");
+}
+
+TEST_F(Cli, UnusableInputIsThree) {
+  expect_error("render missing.glb -o a.exr", 3, "missing.glb: there is no such file");
+  expect_error("render . -o a.exr", 3, "folder");
+  std::fclose(std::fopen((folder_ / "empty.glb").c_str(), "wb"));
+  expect_error("inspect empty.glb", 3, "empty");
+  expect_error("compare empty.glb empty.glb", 3, "empty.glb");
+  expect_error("render --like empty.glb -o a.exr", 3, "empty.glb");
+  expect_error("render --resume empty.glb -o a.exr", 3, "checkpoint");
+  expect_error("render cornell --env empty.glb -o a.exr", 3, "empty.glb");
+  EXPECT_FALSE(fs::exists(folder_ / "a.exr"));
+}
+
+TEST_F(Cli, UnwritableOutputIsFour) {
+  expect_error("render cornell --size 8x8 --spp 1 -o nowhere/a.exr", 4, "nowhere");
+  fs::create_directory(folder_ / "b.exr");
+  expect_error("render cornell --size 8x8 --spp 1 -o b.exr", 4, "folder");
+}
+
+TEST_F(Cli, InspectAndListSpeakJson) {
+  const auto scene = nlohmann::json::parse(run("inspect cornell --json").out);
+  for (const char* key : {"triangles", "instances", "materials", "lights", "cameras", "unsupported", "warnings", "model"}) EXPECT_TRUE(scene.contains(key)) << key;
+  EXPECT_EQ(scene["model"]["surfaces"]["value"], "diffuse");
+  for (const char* kind : {"integrators", "samplers", "materials", "lights", "media"}) {
+    const auto list = nlohmann::json::parse(run(std::string("list ") + kind + " --json").out);
+    ASSERT_TRUE(list.is_array() && !list.empty()) << kind;
+    for (const auto& entry : list)
+      for (const char* key : {"name", "label", "doc", "parameters"}) EXPECT_TRUE(entry.contains(key)) << kind;
+  }
+  for (const auto& entry : nlohmann::json::parse(run("list integrators --json").out)) EXPECT_TRUE(entry.contains("paths") && entry.contains("bias"));
+}
+
+TEST_F(Cli, InterruptSavesWhatThereIs) {
+  const Outcome r = run("render cornell --size 64x64 --spp 1000000 -o a.exr & sleep 1; kill -INT $!; wait $!");
+  EXPECT_EQ(r.code, 130);
+  EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
+}
+
+TEST_F(Cli, AKilledRenderingGoesOnToTheSameImage) {
+  ASSERT_EQ(run("render cornell --size 128x128 --spp 500 -o whole.exr").code, 0);
+  run("render cornell --size 128x128 --spp 500 --checkpoint 0.1 -o cut.exr & sleep 1; kill -9 $!; wait $!");
+  // A machine that is done within a second has nothing left to resume.
+  if (!fs::exists(folder_ / "cut.exr")) {
+    ASSERT_TRUE(fs::exists(folder_ / "cut.exr.checkpoint"));
+    const Outcome resumed = run("render --resume cut.exr.checkpoint --spp 500 -o cut.exr");
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+  }
+  EXPECT_EQ(nlohmann::json::parse(run("compare cut.exr whole.exr --json").out)["mse"], 0);
+  EXPECT_FALSE(fs::exists(folder_ / "cut.exr.checkpoint"));
+}
+
+}  // namespace
