@@ -40,17 +40,6 @@ AliasTable::AliasTable(std::span<const float> weights) : bins_(weights.size()) {
     }
 }
 
-AliasTable::Choice AliasTable::sample(float u) const {
-  const float scaled = u * static_cast<float>(bins_.size());
-  const auto bin = std::min(static_cast<uint32_t>(scaled), static_cast<uint32_t>(bins_.size() - 1));
-  const float rest = std::min(scaled - static_cast<float>(bin), kOneMinusEpsilon);
-  const float threshold = bins_[bin].threshold;
-  const bool own = rest < threshold;
-  const uint32_t index = own ? bin : bins_[bin].alias;
-  const float remapped = own ? rest / threshold : (rest - threshold) / (1 - threshold);
-  return {index, bins_[index].probability, std::min(remapped, kOneMinusEpsilon)};
-}
-
 Piecewise1D::Piecewise1D(std::span<const float> values) : values_(values.begin(), values.end()), cdf_(values.size() + 1) {
   const double n = static_cast<double>(values.size());
   const double sum = sum_of(values);

@@ -24,7 +24,16 @@ class AliasTable {
 
   bool empty() const { return bins_.empty(); }
   size_t size() const { return bins_.size(); }
-  Choice sample(float u) const;
+  Choice sample(float u) const {
+    const float scaled = u * static_cast<float>(bins_.size());
+    const auto bin = std::min(static_cast<uint32_t>(scaled), static_cast<uint32_t>(bins_.size() - 1));
+    const float rest = std::min(scaled - static_cast<float>(bin), kOneMinusEpsilon);
+    const float threshold = bins_[bin].threshold;
+    const bool own = rest < threshold;
+    const uint32_t index = own ? bin : bins_[bin].alias;
+    const float remapped = own ? rest / threshold : (rest - threshold) / (1 - threshold);
+    return {index, bins_[index].probability, std::min(remapped, kOneMinusEpsilon)};
+  }
   float probability(uint32_t index) const { return bins_[index].probability; }
 
  private:

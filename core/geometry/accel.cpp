@@ -81,13 +81,13 @@ TraceContext make_context(const OpacityTest* opacity, const uint32_t* seeds, boo
   return context;
 }
 
-RTCRay to_embree(const Ray& ray) {
-  RTCRay r{};
+void fill(RTCRay& r, const Ray& ray) {
   r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
   r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
   r.tnear = ray.tnear, r.tfar = ray.tfar;
+  r.time = 0;
   r.mask = 0xffffffffU;
-  return r;
+  r.id = 0, r.flags = 0;
 }
 
 }  // namespace
@@ -115,25 +115,22 @@ Accel::Accel(std::span<const AccelInstance> instances)
 
 Accel::~Accel() { rtcReleaseScene(scene_); }
 
-Hit Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const {
+void Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit) const {
   TraceContext context = make_context(opacity, &ray_seed, false);
   RTCRayHit query;
-  query.ray = to_embree(ray);
+  fill(query.ray, ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context.embree, &query);
-  Hit hit;
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  hit.instance = instance_of(query.hit.instID[0], query.hit.geomID);
+  hit.instance = query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit::kNone : instance_of(query.hit.instID[0], query.hit.geomID);
   hit.triangle = query.hit.primID;
   hit.u = query.hit.u, hit.v = query.hit.v, hit.t = query.ray.tfar;
-  hit.normal = Vec3(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
-  return hit;
 }
 
 bool Accel::occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const {
   TraceContext context = make_context(opacity, &ray_seed, false);
-  RTCRay query = to_embree(ray);
+  RTCRay query;
+  fill(query, ray);
   rtcOccluded1(scene_, &context.embree, &query);
   return query.tfar < 0;
 }
@@ -163,7 +160,6 @@ void Accel::intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds
     hit.instance = instance_of(query.hit.instID[0][i], query.hit.geomID[i]);
     hit.triangle = query.hit.primID[i];
     hit.u = query.hit.u[i], hit.v = query.hit.v[i], hit.t = query.ray.tfar[i];
-    hit.normal = Vec3(query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]);
   }
 }
 

@@ -20,7 +20,6 @@ struct Hit {
   uint32_t instance = kNone, triangle = 0;
   float u = 0, v = 0;  // barycentric weights of vertices 1 and 2
   float t = kInfinity;
-  Vec3 normal{0, 0, 1};  // geometric, not unit, in the space of the geometry that was hit
 
   explicit operator bool() const { return instance != kNone; }
 };
@@ -62,7 +61,7 @@ class Accel {
   Accel& operator=(const Accel&) = delete;
 
   // The nearest hit in [tnear, tfar]. `ray_seed` drives stochastic opacity.
-  Hit intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const;
+  void intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit) const;
   // Whether anything is hit in [tnear, tfar].
   bool occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const;
 

@@ -85,7 +85,8 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
         const Ray ray = camera.ray(at, random.get_2d(camera_dimension::kLens));
         const Hit hit = scene.intersect(ray, random.seed());
         if (!hit) continue;
-        const auto point = scene.surface(ray, hit);
+        scene::SurfacePoint point;
+        scene.surface(ray, hit, point);
         for (size_t k = 0; k < wanted.size(); ++k) {
           if (!wanted[k]->averaged && s > 0) continue;
           const auto v = value_of(wanted[k]->name, point, hit.t);

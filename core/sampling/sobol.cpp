@@ -57,15 +57,25 @@ void SobolSampler::prepare(uint32_t first, uint32_t count) {
     for (uint32_t d = 0; d < kDimensions; ++d) table_[s][d] = reverse_bits(point(first + s, d));
 }
 
+namespace {
+
+// Scrambles a block of reversed points, each dimension with a seed of its own. The seeds are hashed one by one: seeds in an
+// arithmetic progression tie the dimensions together, which shows as 4 % errors in parts of a Cornell box at 256 samples. Whole numbers only: every instruction set gives
+// the same bits, and wide ones take the block at once.
+__attribute__((target_clones("avx2", "default"))) void scramble_block(const uint32_t* reversed, uint32_t seed, float* out) {
+  for (uint32_t i = 0; i < kBlockSize; ++i) {
+    const uint32_t x = owen_scramble_reversed(reversed[i], mix_bits(seed + i * 0x9e3779b9U));
+    out[i] = static_cast<float>(static_cast<int32_t>(reverse_bits(x) >> 8)) * 0x1p-24f;
+  }
+}
+
+}  // namespace
+
 void SobolSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
   const uint32_t seed = hash_combine(pixel_seed, block);
   constexpr uint32_t kBlocks = kDimensions / kBlockSize;
-  const auto finish = [&](size_t i, uint32_t reversed) {
-    out[i] = to_unit_float(reverse_bits(owen_scramble_reversed(reversed, mix_bits(seed + static_cast<uint32_t>(i) * 0x9e3779b9U))));
-  };
   if (block < kBlocks && sample - first_ < table_.size()) {
-    const uint32_t* row = &table_[sample - first_][block * kBlockSize];
-    for (size_t i = 0; i < kBlockSize; ++i) finish(i, row[i]);
+    scramble_block(&table_[sample - first_][block * kBlockSize], seed, out.data());
     return;
   }
   uint32_t first_dimension = block * kBlockSize;
@@ -73,7 +83,9 @@ void SobolSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, S
     sample = owen_scramble(sample, mix_bits(seed));
     first_dimension = 0;
   }
-  for (uint32_t i = 0; i < kBlockSize; ++i) finish(i, reverse_bits(point(sample, first_dimension + i)));
+  std::array<uint32_t, kBlockSize> reversed;
+  for (uint32_t i = 0; i < kBlockSize; ++i) reversed[i] = reverse_bits(point(sample, first_dimension + i));
+  scramble_block(reversed.data(), seed, out.data());
 }
 
 }  // namespace etendue

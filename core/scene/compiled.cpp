@@ -35,13 +35,12 @@ TexturePoint texture_point(const Mesh& mesh, uint32_t triangle, float u, float v
 
 }  // namespace
 
-SurfacePoint CompiledScene::surface(const Ray& ray, const Hit& hit) const {
+void CompiledScene::surface(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
   const InstanceData& instance = (*instances_)[hit.instance];
   const Mesh& mesh = *instance.mesh;
   const Triangle& t = mesh.triangles[hit.triangle];
   const float w = 1 - hit.u - hit.v;
 
-  SurfacePoint point;
   point.instance = &instance;
   point.material = &(*materials_)[instance.material];
   point.triangle = hit.triangle;
@@ -57,11 +56,14 @@ SurfacePoint CompiledScene::surface(const Ray& ray, const Hit& hit) const {
   // World-space triangles of a mirrored instance are turned; glTF wants the winding as it was.
   if (instance.mirrored) point.ng = -point.ng;
   point.front = glm::dot(point.ng, ray.direction) < 0;
-  point.texture = texture_point(mesh, hit.triangle, hit.u, hit.v);
+  if (!mesh.uvs[0].empty() || !mesh.uvs[1].empty() || !mesh.colors.empty())
+    point.texture = texture_point(mesh, hit.triangle, hit.u, hit.v);
+  else
+    point.texture.color = Vec4(1);
 
   if (mesh.normals.empty() && !point.material->normal) {
-    point.shading = Frame(point.ng);
-    return point;
+    point.shading.build(point.ng);
+    return;
   }
   Vec3 ns = point.ng;
   if (!mesh.normals.empty())
@@ -70,9 +72,9 @@ SurfacePoint CompiledScene::surface(const Ray& ray, const Hit& hit) const {
   if (!mesh.tangents.empty()) {
     const Vec4 tangent = mesh.tangents[t[0]] * w + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
     const Vec3 in_world = instance.identity ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
-    point.shading = Frame(ns, in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
+    point.shading.build(ns, in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
   } else {
-    point.shading = Frame(ns);
+    point.shading.build(ns);
   }
   if (point.material->normal) {
     Vec3 bent = point.shading.to_world(point.material->normal_at(point.texture));
@@ -86,7 +88,6 @@ SurfacePoint CompiledScene::surface(const Ray& ray, const Hit& hit) const {
   constexpr float kBarely = 1e-3f;
   if (seen < kBarely)
     point.shading = Frame(glm::normalize(point.shading.z + wo * (side * (kBarely - seen))), point.shading.x, 1);
-  return point;
 }
 
 Rgb CompiledScene::emitted(const SurfacePoint& point) const {

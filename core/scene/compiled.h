@@ -40,9 +40,12 @@ struct SurfacePoint {
   bool front = true;   // the side the ray came from
 
   // A ray that leaves towards `direction` and does not hit the surface it starts on.
-  Ray spawn(const Vec3& direction, float distance = kInfinity) const {
+  void spawn(const Vec3& direction, float distance, Ray& ray) const {
     const float side = glm::dot(direction, ng) >= 0 ? offset : -offset;
-    return {position + ng * side, 0, direction, distance};
+    ray.origin = position + ng * side;
+    ray.tnear = 0;
+    ray.direction = direction;
+    ray.tfar = distance;
   }
 };
 
@@ -54,13 +57,19 @@ struct BuildReport {
 
 class CompiledScene final : public OpacityTest {
  public:
-  Hit intersect(const Ray& ray, uint32_t ray_seed) const { return accel_->intersect(ray, opacity(), ray_seed); }
+  void intersect(const Ray& ray, uint32_t ray_seed, Hit& hit) const { accel_->intersect(ray, opacity(), ray_seed, hit); }
+  Hit intersect(const Ray& ray, uint32_t ray_seed) const {
+    Hit hit;
+    intersect(ray, ray_seed, hit);
+    return hit;
+  }
   bool occluded(const Ray& ray, uint32_t ray_seed) const { return accel_->occluded(ray, opacity(), ray_seed); }
   void intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds, std::span<Hit> hits) const {
     accel_->intersect(rays, seeds, opacity(), hits);
   }
 
-  SurfacePoint surface(const Ray& ray, const Hit& hit) const;
+  // Fills `point` in place: it is too large to be copied in the sampling loop.
+  void surface(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
 
   template <class M>
   Bsdf<M> bsdf(const SurfacePoint& point) const {

@@ -35,12 +35,12 @@ class Walk {
   // Goes to the next vertex; false if the ray leaves the scene.
   bool arrive(scene::SurfacePoint& point) {
     if (length_ > 0) {
-      hit_ = scene_->intersect(ray_, random_->seed() + static_cast<uint32_t>(length_));
+      scene_->intersect(ray_, random_->seed() + static_cast<uint32_t>(length_), hit_);
       ++rays_;
     }
     ++length_;
     if (!hit_) return false;
-    point = scene_->surface(ray_, hit_);
+    scene_->surface(ray_, hit_, point);
     if constexpr (M::kAbsorbing) absorb(point, hit_.t);
     random_->start_vertex(static_cast<uint32_t>(length_ - 1));
     return true;
@@ -57,7 +57,7 @@ class Walk {
     pdf_solid_angle_ = s.delta ? 0 : s.pdf_solid_angle;
     from_ = point.position;
     all_specular_ = all_specular_ && s.delta;
-    ray_ = point.spawn(s.wi);
+    point.spawn(s.wi, kInfinity, ray_);
     return true;
   }
 
@@ -149,7 +149,8 @@ typename M::Color direct_light(const scene::CompiledScene& scene, const scene::S
   if (is_black(radiance)) return Color(0);
   if (shadows == Shadows::cast) {
     // Ends short of the light by more than rounding can have moved either end.
-    const Ray ray = point.spawn(light.wi, light.distance * (1 - 1e-4f));
+    Ray ray;
+    point.spawn(light.wi, light.distance * (1 - 1e-4f), ray);
     ++rays;
     if (scene.occluded(ray, random.seed() ^ 0x5bd1e995U)) return Color(0);
   }

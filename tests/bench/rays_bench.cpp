@@ -1,0 +1,93 @@
+// How much of the rays' own speed is left: rays per second of `path` against a bare loop over the very same rays.
+//
+// Printed are ratios, measured interleaved on one thread.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "bench/ray_log.h"
+#include "integrator/integrator.h"
+#include "render/document.h"
+#include "scene/builtin.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(const auto& work) {
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// A sphere of about a million triangles, bumpy, in a diffuse room with an area light.
+scene::Scene million() {
+  scene::Scene scene = scene::cornell_box();
+  auto mesh = std::make_shared<Mesh>(*test::sphere(1.2f, 500, false));
+  for (auto& p : mesh->positions) p *= 1 + 0.02f * std::sin(40 * p.x) * std::sin(37 * p.y) * std::sin(43 * p.z);
+  Mat4 place(1);
+  place[3] = Vec4(2.8f, 2.5f, 2.2f, 1);
+  test::add(scene, mesh, test::diffuse(Rgb(0.7f)), place);
+  return scene;
+}
+
+struct Rig {
+  render::Document document;
+  std::shared_ptr<const scene::CompiledScene> scene;
+  transport::Model model;
+  std::unique_ptr<Sampler> sampler;
+  std::unique_ptr<integrator::Integrator> integrator;
+  CameraRays camera;
+  film::Filter filter;
+
+  explicit Rig(render::Document d)
+      : document(std::move(d)), scene(scene::compile(document.scene, document.camera, nullptr)), model(transport::model_for(*scene)),
+        sampler(make_sampler("sobol")), integrator(integrator::make_integrator("path", document.method.settings_of("path"))), camera(document.camera, document.width, document.height) {
+    sampler->prepare(0, 64);
+  }
+
+  uint64_t render(uint32_t sample) const {
+    const integrator::Pass pass{scene.get(), &model, sampler.get(), &camera, &filter, 0};
+    std::array<Rgb, 16> out;
+    uint64_t rays = 0;
+    for (int ty = 0; ty < document.height; ty += 16)
+      for (int tx = 0; tx < document.width; tx += 16)
+        for (int y = ty; y < ty + 16; ++y) rays += integrator->sample(pass, {tx, y, 16, sample}, out);
+    return rays;
+  }
+};
+
+void measure(const char* name, render::Document d) {
+  d.width = d.height = 256;
+  const Rig rig(std::move(d));
+  RayLog log;
+  log.start();
+  rig.render(0);
+  log.stop();
+  std::vector<double> ratios;
+  constexpr int kRounds = 9;
+  uint64_t hits = 0;
+  for (int i = 0; i < kRounds; ++i) {
+    uint64_t rays = 0;
+    const double path = seconds([&] { rays = rig.render(0); });
+    const double bare = seconds([&] { hits += log.replay(); });
+    ratios.push_back((static_cast<double>(rays) / path) / (static_cast<double>(log.size()) / bare));
+    if (i == 0) std::printf("%-16s %8llu rays, replayed %8zu\n", name, static_cast<unsigned long long>(rays), log.size());
+  }
+  std::sort(ratios.begin(), ratios.end());
+  std::printf("%-16s path / bare loop: median %.3f (min %.3f, max %.3f), %llu hits\n", name, ratios[kRounds / 2], ratios.front(), ratios.back(), static_cast<unsigned long long>(hits));
+}
+
+}  // namespace
+}  // namespace etendue
+
+int main() {
+  using namespace etendue;
+  prepare_thread_for_rays();
+  measure("cornell", *render::new_document("cornell"));
+  auto d = *render::new_document("cornell");
+  d.scene = std::make_shared<const scene::Scene>(million());
+  measure("million", d);
+}
