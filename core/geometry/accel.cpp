@@ -30,6 +30,13 @@ RTCDevice device() {
   return the_device;
 }
 
+// Every scene is ready for an opacity test on the ray's context, so that a material can become transparent without a rebuild.
+RTCScene new_scene() {
+  const RTCScene scene = rtcNewScene(device());
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+  return scene;
+}
+
 RTCGeometry triangle_geometry(const Mesh& mesh) {
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
@@ -92,7 +99,7 @@ void fill(RTCRay& r, const Ray& ray) {
 
 }  // namespace
 
-MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), scene_(rtcNewScene(device())) {
+MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), scene_(new_scene()) {
   const RTCGeometry geometry = triangle_geometry(*mesh_);
   rtcAttachGeometryByID(scene_, geometry, 0);
   rtcReleaseGeometry(geometry);
@@ -102,7 +109,7 @@ MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)),
 MeshAccel::~MeshAccel() { rtcReleaseScene(scene_); }
 
 Accel::Accel(std::span<const AccelInstance> instances)
-    : scene_(rtcNewScene(device())), kept_(instances.begin(), instances.end()) {
+    : scene_(new_scene()), kept_(instances.begin(), instances.end()) {
   for (uint32_t i = 0; i < kept_.size(); ++i) {
     const AccelInstance& instance = kept_[i];
     if (instance.mesh->triangles.empty()) continue;
