@@ -1,4 +1,5 @@
-// The Cornell box: corners in millimetres and reflectances as published by the Cornell University Program of Computer Graphics.
+// The Cornell box: corners in millimetres and reflectances as published by the Cornell University Program of Computer
+// Graphics.
 #include "scene/builtin.h"
 
 #include "scene/gltf.h"
@@ -71,25 +72,31 @@ Scene cornell_box() {
   Scene scene;
   scene.name = "Cornell box";
   // The measured spectra under the light's, as linear Rec. 709.
-  scene.materials = {lambertian("white", {0.725f, 0.71f, 0.68f}), lambertian("red", {0.63f, 0.065f, 0.05f}),
-                     lambertian("green", {0.14f, 0.45f, 0.091f}), lambertian("light", Rgb(0.78f)),
+  scene.materials = {lambertian("white", {0.725f, 0.71f, 0.68f}),     lambertian("red", {0.63f, 0.065f, 0.05f}),
+                     lambertian("green", {0.14f, 0.45f, 0.091f}),     lambertian("light", Rgb(0.78f)),
                      lambertian("short box", {0.725f, 0.71f, 0.68f}), lambertian("tall box", {0.725f, 0.71f, 0.68f})};
   scene.materials[3].emission = {17, 12, 4};
   scene.materials[3].double_sided = false;
 
   add(scene, "floor", 0, {{Vec3(kWidth, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, kDepth), Vec3(549.6f, 0, kDepth)}});
-  add(scene, "ceiling", 0, {{Vec3(556, kHeight, 0), Vec3(556, kHeight, kDepth), Vec3(0, kHeight, kDepth), Vec3(0, kHeight, 0)}});
-  add(scene, "back wall", 0, {{Vec3(549.6f, 0, kDepth), Vec3(0, 0, kDepth), Vec3(0, kHeight, kDepth), Vec3(556, kHeight, kDepth)}});
+  add(scene, "ceiling", 0,
+      {{Vec3(556, kHeight, 0), Vec3(556, kHeight, kDepth), Vec3(0, kHeight, kDepth), Vec3(0, kHeight, 0)}});
+  add(scene, "back wall", 0,
+      {{Vec3(549.6f, 0, kDepth), Vec3(0, 0, kDepth), Vec3(0, kHeight, kDepth), Vec3(556, kHeight, kDepth)}});
   add(scene, "right wall", 2, {{Vec3(0, 0, kDepth), Vec3(0, 0, 0), Vec3(0, kHeight, 0), Vec3(0, kHeight, kDepth)}});
-  add(scene, "left wall", 1, {{Vec3(kWidth, 0, 0), Vec3(549.6f, 0, kDepth), Vec3(556, kHeight, kDepth), Vec3(556, kHeight, 0)}});
+  add(scene, "left wall", 1,
+      {{Vec3(kWidth, 0, 0), Vec3(549.6f, 0, kDepth), Vec3(556, kHeight, kDepth), Vec3(556, kHeight, 0)}});
   // A tenth of a millimetre under the ceiling, whose surface it covers.
   constexpr float kLight = kHeight - 0.1f;
-  add(scene, "light", 3, {{Vec3(343, kLight, 227), Vec3(343, kLight, 332), Vec3(213, kLight, 332), Vec3(213, kLight, 227)}});
+  add(scene, "light", 3,
+      {{Vec3(343, kLight, 227), Vec3(343, kLight, 332), Vec3(213, kLight, 332), Vec3(213, kLight, 227)}});
   add(scene, "short box", 4, block({Vec3(130, 165, 65), Vec3(82, 165, 225), Vec3(240, 165, 272), Vec3(290, 165, 114)}));
-  add(scene, "tall box", 5, block({Vec3(423, 330, 247), Vec3(265, 330, 296), Vec3(314, 330, 456), Vec3(472, 330, 406)}));
+  add(scene, "tall box", 5,
+      block({Vec3(423, 330, 247), Vec3(265, 330, 296), Vec3(314, 330, 456), Vec3(472, 330, 406)}));
 
   // 35 mm behind a film of 25 mm.
-  Camera camera = look_at(kMetres * Vec3(278, 273, -800), kMetres * Vec3(278, 273, 0), Vec3(0, 1, 0), 2 * std::atan(0.5f * 25 / 35));
+  Camera camera = look_at(kMetres * Vec3(278, 273, -800), kMetres * Vec3(278, 273, 0), Vec3(0, 1, 0),
+                          2 * std::atan(0.5f * 25 / 35));
   camera.name = "camera";
   camera.aspect = 1;
   Node node;

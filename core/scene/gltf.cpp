@@ -1,158 +1,131 @@
 #include "scene/gltf.h"
 
-#include <cstring>
-#include <nlohmann/json.hpp>
+#include <map>
 
-#include "base/file.h"
-#include "scene/gltf_document.h"
+#include "scene/gltf_import.h"
+#include "scene/gltf_jobs.h"
 
 namespace etendue::scene {
 namespace {
 
 using gltf::Document;
-using gltf::Unusable;
 
-// tinygltf asks for pictures here. Those in a buffer are only noted, because nobody has checked yet where they lie; those from
-// files and data URIs come with their bytes.
-bool keep_image(tinygltf::Image* image, int index, std::string*, std::string*, int, int, const unsigned char* bytes, int size, void* user) {
-  if (image->bufferView >= 0 || index < 0 || size <= 0) return true;
-  auto& files = static_cast<Document*>(user)->image_files;
-  if (files.size() <= static_cast<size_t>(index)) files.resize(static_cast<size_t>(index) + 1);
-  files[static_cast<size_t>(index)].assign(bytes, bytes + size);
-  return true;
-}
-
-bool file_exists(const std::string& name, void*) {
-  std::error_code code;
-  return std::filesystem::is_regular_file(name, code);
-}
-
-std::string unexpanded(const std::string& name, void*) { return name; }
-
-bool read_whole(std::vector<unsigned char>* out, std::string* error, const std::string& name, void*) {
-  const auto bytes = read_file(name);
-  if (!bytes) return *error += bytes.error().message + "\n", false;
-  const auto* data = reinterpret_cast<const unsigned char*>(bytes->data());
-  out->assign(data, data + bytes->size());
-  return true;
-}
-
-// The library writes paragraphs; people get a line.
-std::string one_line(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    if (c != '\n' && c != '\r') line += c;
-    if (c == '\n' && !line.empty()) break;
-  }
-  return line.empty() ? "it is no glTF" : line.substr(0, 300);
-}
-
-uint32_t word_at(const std::vector<std::byte>& bytes, size_t at) {
-  uint32_t word;
-  std::memcpy(&word, bytes.data() + at, sizeof word);
-  return word;
-}
-
-bool is_glb(const std::vector<std::byte>& bytes) { return bytes.size() >= 4 && std::memcmp(bytes.data(), "glTF", 4) == 0; }
-
-// Whether the strings under `key` name an extension for which `unusable` holds; throws it.
-template <class Test>
-void check_extensions(const nlohmann::json& json, const char* key, Test&& unusable) {
-  if (!json.is_object() || !json.contains(key) || !json[key].is_array()) return;
-  for (const auto& extension : json[key])
-    if (extension.is_string() && unusable(extension.template get<std::string>()))
-      throw Unusable{"requires the extension " + extension.template get<std::string>() + ", which is not supported"};
-}
-
-// What the library stumbles over is often an extension that the file needs: that is what people have to be told. Compressed
-// geometry is needed even where a file only says that it is used.
-void check_required_extensions(const std::vector<std::byte>& bytes) {
-  const char* text = reinterpret_cast<const char*>(bytes.data());
-  size_t size = bytes.size();
-  if (is_glb(bytes)) text += 20, size = word_at(bytes, 12);
-  const auto json = nlohmann::json::parse(text, text + size, nullptr, false);
-  check_extensions(json, "extensionsRequired", [](const std::string& name) { return !gltf::is_supported(name); });
-  check_extensions(json, "extensionsUsed", [](const std::string& name) { return name.ends_with("_compression"); });
-}
-
-// The header and the chunk lengths of a GLB have to agree with the file.                               section 4.4
-void check_glb(const std::vector<std::byte>& bytes) {
-  if (bytes.size() < 20) throw Unusable{"is a GLB of " + std::to_string(bytes.size()) + " bytes; a header and a chunk need 20"};
-  if (word_at(bytes, 4) != 2) throw Unusable{"is a GLB of version " + std::to_string(word_at(bytes, 4)) + "; version 2 can be read"};
-  const uint64_t length = word_at(bytes, 8);
-  if (length > bytes.size()) throw Unusable{"is truncated: its header says " + std::to_string(length) + " bytes, the file has " + std::to_string(bytes.size())};
-  for (uint64_t at = 12; at + 8 <= length;) {
-    const uint64_t chunk = word_at(bytes, at);
-    if (chunk > length - at - 8) throw Unusable{"has a chunk at byte " + std::to_string(at) + " that claims " + std::to_string(chunk) + " bytes, beyond the end of the file"};
-    at += 8 + chunk;
-  }
-}
-
-void parse(const std::filesystem::path& path, Document& document) {
-  auto bytes = read_file(path);
-  if (!bytes) throw Unusable{bytes.error().message.substr(path.string().size() + 2)};
-  if (bytes->empty()) throw Unusable{"is empty; give a .gltf or .glb file"};
-  if (bytes->size() > UINT32_MAX) throw Unusable{"is larger than 4 GiB; split it"};
-  tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(keep_image, &document);
-  loader.SetFsCallbacks({file_exists, unexpanded, read_whole, nullptr, nullptr});
-  std::string error, warning;
-  const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
-  const auto size = static_cast<unsigned>(bytes->size());
-  bool ok = false;
-  try {
-    if (is_glb(*bytes)) {
-      check_glb(*bytes);
-      ok = loader.LoadBinaryFromMemory(&document.model, &error, &warning, reinterpret_cast<const unsigned char*>(bytes->data()), size, folder);
-    } else {
-      ok = loader.LoadASCIIFromString(&document.model, &error, &warning, reinterpret_cast<const char*>(bytes->data()), size, folder);
-    }
-  } catch (const std::exception& thrown) {
-    throw Unusable{"cannot be parsed: " + one_line(thrown.what())};
-  }
-  const std::string& version = document.model.asset.version;
-  if (ok && (version.empty() || version[0] != '2')) throw Unusable{"is glTF version '" + version + "'; version 2 can be read"};
-  if (ok && !document.model.asset.minVersion.empty() && document.model.asset.minVersion > "2.0")
-    throw Unusable{"needs glTF " + document.model.asset.minVersion + "; version 2.0 can be read"};
-  if (!ok) check_required_extensions(*bytes);
-  if (!ok) throw Unusable{one_line(error)};
-}
-
-Scene import(const std::filesystem::path& path, const LoadOptions& options) {
-  const auto progress = [&](const char* phase, float done) {
-    if (options.progress && !options.progress(phase, done)) throw Unusable{"loading was cancelled"};
+// A file with one fault a thousand times gets a few lines for it.
+void shorten(std::vector<std::string>& warnings) {
+  constexpr size_t kEnough = 4;
+  std::map<std::string, size_t> kinds;  // by the text without its numbers
+  const auto kind_of = [](const std::string& warning) {
+    std::string kind;
+    for (const char c : warning)
+      if (c < '0' || c > '9') kind += c;
+    return kind;
   };
-  progress("reading", 0);
-  Document document;
-  parse(path, document);
-  gltf::validate(document);
-
-  Scene scene;
-  scene.name = path.stem().string();
-  scene.file = path.string();
-  for (const auto& extension : document.model.extensionsUsed)
-    if (!gltf::is_supported(extension)) scene.unsupported.push_back(extension);
-  progress("decoding pictures", 0.1f);
-  gltf::import_textures(document, scene);
-  gltf::import_materials(document, scene);
-  gltf::import_meshes(document, scene, [&](float done) { return !options.progress || options.progress("reading meshes", 0.5f + 0.5f * done); });
-  gltf::import_lights(document, scene);
-  gltf::import_cameras(document, scene);
-  gltf::import_nodes(document, scene, options.scene);
-  gltf::import_skins(document, scene);
-  gltf::import_animations(document, scene);
-  return scene;
+  std::vector<std::string> kept;
+  for (std::string& warning : warnings)
+    if (++kinds[kind_of(warning)] <= kEnough) kept.push_back(std::move(warning));
+  for (const auto& [kind, count] : kinds)
+    if (count > kEnough) kept.push_back(std::to_string(count - kEnough) + " more like this: " + kind);
+  warnings = std::move(kept);
 }
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, ' ');
+  return text;
+}
+
+class Loader {
+ public:
+  Loader(const std::filesystem::path& path, const LoadOptions& options) : path_(path), options_(options) {}
+
+  Scene run() {
+    report("reading", 0);
+    gltf::open_document(path_, document_);
+    gltf::validate(document_);
+    scene_.name = path_.stem().string();
+    scene_.file = path_.string();
+    for (const std::string& extension : document_.model.extensionsUsed)
+      if (!gltf::is_supported(extension)) scene_.unsupported.push_back(extension);
+    scene_.warnings = document_.warnings;
+    report("describing", 0);
+    gltf::import_materials(document_, scene_);
+    gltf::import_lights(document_, scene_);
+    gltf::import_cameras(document_, scene_);
+    gltf::import_nodes(document_, scene_, options_.scene);
+    gltf::import_skins(document_, scene_);
+    gltf::import_animations(document_, scene_);
+    read_arrays();
+    check_skinned_nodes();
+    shorten(scene_.warnings);
+    for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));
+    return std::move(scene_);
+  }
+
+ private:
+  void report(const char* phase, float done) const {
+    if (options_.progress && !options_.progress(phase, done)) throw gltf::Cancelled{};
+  }
+
+  void read_arrays() {
+    auto meshes = gltf::mesh_tasks(document_, scene_);
+    auto pictures = gltf::image_tasks(document_);
+    const auto job = [&](size_t i) {
+      if (i < meshes.size())
+        gltf::read_mesh(document_, meshes[i]);
+      else
+        gltf::read_picture(document_, pictures[i - meshes.size()]);
+    };
+    gltf::run_jobs(meshes.size() + pictures.size(), job,
+                   [&](float done) { return !options_.progress || options_.progress("meshes and pictures", done); });
+    gltf::place_meshes(document_, meshes, scene_);
+    gltf::place_pictures(document_, pictures, scene_);
+    for (const auto& mesh : meshes)
+      scene_.warnings.insert(scene_.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
+    for (const auto& picture : pictures)
+      if (!picture.warning.empty()) scene_.warnings.push_back(picture.warning);
+  }
+
+  // Only here is it known which skin a mesh hangs on.
+  void check_skinned_nodes() {
+    for (size_t n = 0; n < scene_.nodes.size(); ++n) {
+      const Node& node = scene_.nodes[n];
+      if (node.skin < 0) continue;
+      const size_t joints = scene_.skins[static_cast<size_t>(node.skin)]->joints.size();
+      bool reaches_too_far = false;
+      for (const Primitive& primitive : scene_.meshes[static_cast<size_t>(node.mesh)].primitives)
+        if (primitive.deformation) reaches_too_far = reaches_too_far || !fits(*primitive.deformation, joints);
+      if (reaches_too_far)
+        scene_.warnings.push_back(gltf::at("nodes", n) +
+                                  ": vertices of its mesh hang on joints that its skin does not have (it has " +
+                                  std::to_string(joints) + "); these are ignored");
+    }
+  }
+
+  static bool fits(const Deformation& deformation, size_t joints) {
+    for (size_t i = 0; i < deformation.joints.size(); ++i)
+      for (size_t k = 0; k < 4; ++k)
+        if (deformation.weights[i][static_cast<int>(k)] > 0 && deformation.joints[i][k] >= joints) return false;
+    return true;
+  }
+
+  const std::filesystem::path& path_;
+  const LoadOptions& options_;
+  Document document_;
+  Scene scene_;
+};
 
 }  // namespace
 
 Result<Scene> load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
+  const auto message = [&](const std::string& what) { return path.string() + ": " + one_line(what); };
   try {
-    return import(path, options);
-  } catch (const Unusable& unusable) {
-    return input_error(path.string() + ": " + unusable.message);
+    return Loader(path, options).run();
+  } catch (const gltf::Unusable& unusable) {
+    return input_error(message(unusable.message));
+  } catch (const gltf::Cancelled&) {
+    return Error{Fault::interrupted, message("loading was cancelled")};
   } catch (const std::bad_alloc&) {
-    return input_error(path.string() + ": needs more memory than there is");
+    return input_error(message("needs more memory than there is"));
   }
 }
 

@@ -1,64 +1,88 @@
-// A parsed glTF file on its way to a Scene: what all parts of the importer share.
+// A glTF file on its way to a Scene: what the parts of the importer share.
 //
-// Inside the importer what makes a file unusable is thrown as Unusable and caught in load_gltf, which puts the file's name in
-// front. `where` names the object as "meshes[3].primitives[0]".
+// tinygltf reads the structure. Bytes never pass through it: buffers and pictures are found, bounded and read here,
+// because it would follow a lying buffer view out of its buffer. Inside the importer, what makes a file unusable is
+// thrown as Unusable; load_gltf catches it and puts the file's name in front. `where` names an object as
+// "meshes[3].primitives[0]".
 #pragma once
 #include <tiny_gltf.h>
 
-#include <functional>
-
+#include <atomic>
+#include <cstddef>
+#include <deque>
+#include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
-
 namespace etendue::scene::gltf {
+
+using Bytes = std::span<const std::byte>;
 
 struct Unusable {
   std::string message;
 };
 
-[[noreturn]] inline void fail(const std::string& where, const std::string& what) { throw Unusable{where + ": " + what}; }
+[[noreturn]] inline void fail(const std::string& where, const std::string& what) {
+  throw Unusable{where + ": " + what};
+}
 
 inline std::string at(const char* array, size_t i) { return std::string(array) + "[" + std::to_string(i) + "]"; }
 
-struct Document {
-  tinygltf::Model model;
-  std::vector<std::vector<unsigned char>> image_files;  // bytes of images that do not lie in a buffer, by image
-  std::string folder;
+struct Buffer {
+  Bytes bytes;
+  std::string problem;  // why there are no bytes; empty if there are
 };
 
-// `i` if it is an index below `size`; -1 stays; anything else is unusable.
-int checked_index(int i, size_t size, const std::string& where, const char* of);
+struct ImageSource {
+  std::string name;
+  std::string uri;  // empty if the picture lies in a buffer view
+  int view = -1;
+};
 
-// Everything the importer relies on afterwards: views lie in their buffers, accessors in their views, nodes form trees.
-void validate(const Document& document);
+struct Document {
+  tinygltf::Model model;  // its buffers and images are empty: these here are meant
+  std::vector<Buffer> buffers;
+  std::vector<ImageSource> images;
+  std::filesystem::path folder;  // where relative URIs start
+  std::vector<std::string> warnings;
 
-// The names of extensions the importer understands.
+  std::deque<std::vector<std::byte>> storage;  // what `buffers` point into
+  mutable std::atomic<uint64_t> claimed{0};    // bytes of arrays made so far, see claim()
+};
+
+// Reads and splits the file, finds its buffers and parses its structure. Throws Unusable.
+void open_document(const std::filesystem::path& path, Document& document);
+
+// Notes that an array of this many bytes will be made. A small file that asks for more than its size can justify (many
+// uses of one accessor, accessors without data) is unusable, and is found to be before memory is taken.
+void claim(const Document& document, uint64_t bytes, const std::string& where);
+
+// `i` as an index into an array of `size` objects called `array`; anything else is unusable.
+size_t checked_index(int i, size_t size, const std::string& where, const char* array);
+
+// The names of the extensions that the importer understands.
 bool is_supported(const std::string& extension);
 
-// Numbers of an accessor as floats (normalised integers scaled, sparse values applied), `components` each.
-std::vector<float> read_floats(const Document& document, int accessor, int components, const std::string& where);
-std::vector<Vec2> read_vec2(const Document& document, int accessor, const std::string& where);
-std::vector<Vec3> read_vec3(const Document& document, int accessor, const std::string& where);
-std::vector<Vec4> read_vec4(const Document& document, int accessor, const std::string& where);
-// Unsigned integers: indices and joints.
-std::vector<uint32_t> read_integers(const Document& document, int accessor, int components, const std::string& where);
-size_t count_of(const Document& document, int accessor);
+// Everything that the importer relies on afterwards: references lead somewhere, views lie in their buffers, accessors
+// in their views and are of a kind that their use allows, nodes form trees. Throws Unusable; what nothing uses only
+// gets a warning.
+void validate(Document& document);
 
-// The parts of a scene, in the order they are made.
-void import_textures(const Document& document, Scene& scene);
-void import_materials(const Document& document, Scene& scene);
-void import_meshes(const Document& document, Scene& scene, const std::function<bool(float)>& progress);
-void import_lights(const Document& document, Scene& scene);
-void import_cameras(const Document& document, Scene& scene);
-void import_nodes(const Document& document, Scene& scene, int wanted_scene);
-void import_skins(const Document& document, Scene& scene);
-void import_animations(const Document& document, Scene& scene);
+// Pictures of the document by index. Where there are none, `problem` says why.
+struct ImageBytes {
+  Bytes bytes;
+  std::vector<std::byte> owned;
+  std::string problem;
+};
+ImageBytes read_image(const Document& document, size_t image);
+std::string image_name(const Document& document, size_t image);
 
-// Members of an extension's JSON; the default where they are missing or of another type.
-const tinygltf::Value* extension_of(const tinygltf::ExtensionMap& extensions, const char* name);
-float number_of(const tinygltf::Value& object, const char* key, float usual);
-Rgb color_of(const tinygltf::Value& object, const char* key, const Rgb& usual);
+// A bufferView's bytes, or why it has none.
+struct ViewBytes {
+  Bytes bytes;
+  std::string problem;
+};
+ViewBytes view_bytes(const Document& document, int view);
 
 }  // namespace etendue::scene::gltf

@@ -1,157 +1,164 @@
-// Materials, textures and images.                                                        glTF 2.0, sections 3.8, 3.9
-#include <filesystem>
-#include <future>
-
-#include "image/image.h"
-#include "scene/gltf_document.h"
+// Materials, with the extensions that the surface model knows, and the textures they use.     glTF 2.0,
+// sections 3.8, 3.9
+#include "scene/gltf_import.h"
 
 namespace etendue::scene::gltf {
 namespace {
 
 Wrap wrap_of(int mode) {
-  if (mode == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp;
-  return mode == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
-}
-
-// The bytes of an image wherever they lie; empty if they cannot be had.
-std::span<const std::byte> bytes_of(const Document& d, size_t i) {
-  const auto& image = d.model.images[i];
-  if (image.bufferView >= 0 && static_cast<size_t>(image.bufferView) < d.model.bufferViews.size()) {
-    const auto& view = d.model.bufferViews[static_cast<size_t>(image.bufferView)];
-    const auto& data = d.model.buffers[static_cast<size_t>(view.buffer)].data;
-    return std::as_bytes(std::span(data).subspan(view.byteOffset, view.byteLength));
+  switch (mode) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirror;
+    default:
+      return Wrap::repeat;
   }
-  if (i < d.image_files.size()) return std::as_bytes(std::span(d.image_files[i]));
-  return {};
 }
 
-std::string image_name(const Document& d, size_t i) {
-  const auto& image = d.model.images[i];
-  const std::string name = !image.uri.empty() ? image.uri : image.name;
-  return at("images", i) + (name.empty() ? "" : " '" + name.substr(0, 80) + "'");
+Texture import_texture(const Document& document, size_t index) {
+  const auto& from = document.model.textures[index];
+  Texture texture;
+  texture.name = from.name;
+  if (from.sampler < 0) return texture;
+  const auto& sampler = document.model.samplers[checked_index(from.sampler, document.model.samplers.size(),
+                                                              at("textures", index) + ".sampler", "samplers")];
+  texture.wrap_u = wrap_of(sampler.wrapS), texture.wrap_v = wrap_of(sampler.wrapT);
+  texture.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  return texture;
 }
 
-// Decoded side by side: a large scene's pictures take longer than its triangles.
-std::vector<std::shared_ptr<const image::Image>> decode_images(const Document& d, Scene& scene) {
-  std::vector<std::future<Result<image::Image>>> work;
-  for (size_t i = 0; i < d.model.images.size(); ++i)
-    work.push_back(std::async(std::launch::async, [&d, i]() -> Result<image::Image> {
-      const auto bytes = bytes_of(d, i);
-      if (bytes.empty()) return input_error(image_name(d, i) + ": its file cannot be read");
-      return image::decode_image(bytes, image_name(d, i));
-    }));
-  std::vector<std::shared_ptr<const image::Image>> images;
-  for (auto& w : work) {
-    auto decoded = w.get();
-    if (!decoded) scene.warnings.push_back(decoded.error().message + "; left out");
-    images.push_back(decoded ? std::make_shared<const image::Image>(std::move(*decoded)) : nullptr);
+float clamped(double x, float low, float high) { return std::clamp(static_cast<float>(x), low, high); }
+
+class MaterialImporter {
+ public:
+  MaterialImporter(const tinygltf::Material& from, Scene& scene, std::string where)
+      : from_(from), scene_(scene), where_(std::move(where)) {}
+
+  Material run() {
+    to_.name = from_.name;
+    surface();
+    emission();
+    extensions();
+    return to_;
   }
-  return images;
-}
 
-int texture_source(const tinygltf::Texture& texture) {
-  if (const auto* webp = extension_of(texture.extensions, "EXT_texture_webp")) return static_cast<int>(number_of(*webp, "source", -1));
-  return texture.source;
-}
+ private:
+  void warn(const std::string& what) { scene_.warnings.push_back(where_ + ": " + what); }
 
-void apply_transform(const tinygltf::Value* transform, TextureUse& use) {
-  if (!transform) return;
-  const auto pair = [&](const char* key, Vec2 usual) {
-    const auto& v = transform->Get(key);
-    if (!v.IsArray() || v.ArrayLen() != 2 || !v.Get(0).IsNumber() || !v.Get(1).IsNumber()) return usual;
-    return Vec2(static_cast<float>(v.Get(0).GetNumberAsDouble()), static_cast<float>(v.Get(1).GetNumberAsDouble()));
-  };
-  use.offset = pair("offset", use.offset), use.scale = pair("scale", use.scale);
-  use.rotation = number_of(*transform, "rotation", 0);
-  use.uv_set = static_cast<int>(number_of(*transform, "texCoord", static_cast<float>(use.uv_set)));
-}
-
-TextureUse checked_use(TextureUse use, const Scene& scene, const std::string& where, std::vector<std::string>& warnings) {
-  use.texture = checked_index(use.texture, scene.textures.size(), where, "textures");
-  if (use.uv_set < 0 || use.uv_set > 1) {
-    warnings.push_back(where + ": texture coordinates " + std::to_string(use.uv_set) + " are not supported; set 0 is used");
-    use.uv_set = 0;
+  TextureUse use(int texture, int set, const tinygltf::Value* transform, const std::string& member) {
+    TextureUse use;
+    if (texture < 0) return use;
+    use.texture =
+        static_cast<int>(checked_index(texture, scene_.textures.size(), where_ + "." + member + ".index", "textures"));
+    use.uv_set = set;
+    if (transform) {
+      use.offset = pair_of(*transform, "offset", use.offset), use.scale = pair_of(*transform, "scale", use.scale);
+      use.rotation = number_of(*transform, "rotation", 0);
+      use.uv_set = index_of(*transform, "texCoord", set);
+    }
+    if (use.uv_set > 1) {
+      warn(member + " uses TEXCOORD_" + std::to_string(use.uv_set) + "; two sets are read, and set 0 stands in");
+      use.uv_set = 0;
+    }
+    return use;
   }
-  return use;
-}
 
-// A texture reference: tinygltf's own structs all have index, texCoord and extensions.
-template <class Info>
-TextureUse use_of(const Info& info, Scene& scene, const std::string& where) {
-  TextureUse use;
-  use.texture = info.index, use.uv_set = info.texCoord;
-  apply_transform(extension_of(info.extensions, "KHR_texture_transform"), use);
-  return checked_use(use, scene, where, scene.warnings);
-}
+  // The parser's structs for texture references all have these members.
+  template <class Info>
+  TextureUse use_of(const Info& info, const char* member) {
+    return use(info.index, info.texCoord, extension_of(info.extensions, "KHR_texture_transform"), member);
+  }
 
-TextureUse use_in(const tinygltf::Value& extension, const char* key, Scene& scene, const std::string& where) {
-  const auto& info = extension.Get(key);
-  if (!info.IsObject()) return {};
-  TextureUse use;
-  use.texture = static_cast<int>(number_of(info, "index", -1)), use.uv_set = static_cast<int>(number_of(info, "texCoord", 0));
-  const auto& extensions = info.Get("extensions");
-  if (extensions.IsObject() && extensions.Has("KHR_texture_transform")) apply_transform(&extensions.Get("KHR_texture_transform"), use);
-  return checked_use(use, scene, where + "." + key, scene.warnings);
-}
+  // A texture reference inside an extension.
+  TextureUse use_in(const tinygltf::Value& extension, const char* member) {
+    const auto& info = extension.Get(member);
+    if (!info.IsObject()) return {};
+    const auto& extensions = info.Get("extensions");
+    const bool moved = extensions.IsObject() && extensions.Get("KHR_texture_transform").IsObject();
+    return use(index_of(info, "index", -1), index_of(info, "texCoord", 0),
+               moved ? &extensions.Get("KHR_texture_transform") : nullptr, member);
+  }
 
-float clamped(double x, double low, double high) { return static_cast<float>(std::isfinite(x) ? std::clamp(x, low, high) : low); }
+  static Vec2 pair_of(const tinygltf::Value& object, const char* member, const Vec2& usual) {
+    const auto& pair = object.Get(member);
+    if (pair.ArrayLen() != 2) return usual;
+    return Vec2(static_cast<float>(pair.Get(0).GetNumberAsDouble()),
+                static_cast<float>(pair.Get(1).GetNumberAsDouble()));
+  }
 
-void import_extensions(const tinygltf::Material& from, Material& m, Scene& scene, const std::string& where) {
-  const auto& extensions = from.extensions;
-  if (const auto* e = extension_of(extensions, "KHR_materials_emissive_strength")) m.emission *= std::max(0.0f, number_of(*e, "emissiveStrength", 1));
-  if (extension_of(extensions, "KHR_materials_unlit")) m.unlit = true;
-  if (const auto* e = extension_of(extensions, "KHR_materials_ior")) {
-    m.ior = number_of(*e, "ior", 1.5f);
-    if (m.ior != 0 && m.ior < 1) {
-      scene.warnings.push_back(where + ": an index of refraction below 1 is taken as 1");
-      m.ior = 1;
+  void surface() {
+    const auto& pbr = from_.pbrMetallicRoughness;
+    const auto& base = pbr.baseColorFactor;
+    to_.base_color = Rgb(clamped(base[0], 0, 1), clamped(base[1], 0, 1), clamped(base[2], 0, 1));
+    to_.alpha = clamped(base[3], 0, 1);
+    to_.metallic = clamped(pbr.metallicFactor, 0, 1), to_.roughness = clamped(pbr.roughnessFactor, 0, 1);
+    to_.base_color_texture = use_of(pbr.baseColorTexture, "pbrMetallicRoughness.baseColorTexture");
+    to_.metallic_roughness_texture =
+        use_of(pbr.metallicRoughnessTexture, "pbrMetallicRoughness.metallicRoughnessTexture");
+    to_.normal_texture = use_of(from_.normalTexture, "normalTexture");
+    to_.normal_scale = static_cast<float>(from_.normalTexture.scale);
+    if (from_.alphaMode == "MASK")
+      to_.alpha_mode = AlphaMode::mask;
+    else if (from_.alphaMode == "BLEND")
+      to_.alpha_mode = AlphaMode::blend;
+    else if (from_.alphaMode != "OPAQUE")
+      warn("alphaMode is none of OPAQUE, MASK and BLEND; OPAQUE is used");
+    to_.alpha_cutoff = std::max(0.0f, static_cast<float>(from_.alphaCutoff));
+    to_.double_sided = from_.doubleSided;
+  }
+
+  void emission() {
+    const auto& factor = from_.emissiveFactor;
+    for (int c = 0; c < 3; ++c) to_.emission[c] = std::max(0.0f, static_cast<float>(factor[static_cast<size_t>(c)]));
+    to_.emission_texture = use_of(from_.emissiveTexture, "emissiveTexture");
+    const auto* strength = extension_of(from_.extensions, "KHR_materials_emissive_strength");
+    if (strength) to_.emission *= std::max(0.0f, number_of(*strength, "emissiveStrength", 1));
+    if (is_finite(to_.emission)) return;
+    warn("its emission is beyond what single precision holds; it emits nothing");
+    to_.emission = Rgb(0);
+  }
+
+  void extensions() {
+    to_.unlit = extension_of(from_.extensions, "KHR_materials_unlit") != nullptr;
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_ior")) {
+      to_.ior = number_of(*e, "ior", 1.5f);
+      if (to_.ior != 0 && to_.ior < 1) {
+        warn("an index of refraction below 1 is taken as 1");
+        to_.ior = 1;
+      }
+    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_specular")) {
+      to_.specular = clamped(number_of(*e, "specularFactor", 1), 0, 1);
+      to_.specular_color = color_of(*e, "specularColorFactor", Rgb(1));
+      to_.specular_texture = use_in(*e, "specularTexture");
+      to_.specular_color_texture = use_in(*e, "specularColorTexture");
+    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_transmission")) {
+      to_.transmission = clamped(number_of(*e, "transmissionFactor", 0), 0, 1);
+      to_.transmission_texture = use_in(*e, "transmissionTexture");
+    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_volume")) volume(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_anisotropy")) {
+      to_.anisotropy = clamped(number_of(*e, "anisotropyStrength", 0), 0, 1);
+      to_.anisotropy_rotation = number_of(*e, "anisotropyRotation", 0);
     }
   }
-  if (const auto* e = extension_of(extensions, "KHR_materials_specular")) {
-    m.specular = clamped(number_of(*e, "specularFactor", 1), 0, 1);
-    m.specular_color = color_of(*e, "specularColorFactor", Rgb(1));
-    m.specular_texture = use_in(*e, "specularTexture", scene, where);
-    m.specular_color_texture = use_in(*e, "specularColorTexture", scene, where);
-  }
-  if (const auto* e = extension_of(extensions, "KHR_materials_transmission")) {
-    m.transmission = clamped(number_of(*e, "transmissionFactor", 0), 0, 1);
-    m.transmission_texture = use_in(*e, "transmissionTexture", scene, where);
-  }
-  if (const auto* e = extension_of(extensions, "KHR_materials_volume")) {
-    m.thickness = std::max(0.0f, number_of(*e, "thicknessFactor", 0));
-    m.attenuation_color = color_of(*e, "attenuationColor", Rgb(1));
-    const float distance = number_of(*e, "attenuationDistance", kInfinity);
-    m.attenuation_distance = distance > 0 ? distance : kInfinity;
-  }
-  if (const auto* e = extension_of(extensions, "KHR_materials_anisotropy")) {
-    m.anisotropy = clamped(number_of(*e, "anisotropyStrength", 0), 0, 1);
-    m.anisotropy_rotation = number_of(*e, "anisotropyRotation", 0);
-  }
-}
 
-Material import_material(const tinygltf::Material& from, Scene& scene, const std::string& where) {
-  Material m;
-  m.name = from.name;
-  const auto& pbr = from.pbrMetallicRoughness;
-  const auto& base = pbr.baseColorFactor;
-  if (base.size() == 4) {
-    m.base_color = {clamped(base[0], 0, 1), clamped(base[1], 0, 1), clamped(base[2], 0, 1)};
-    m.alpha = clamped(base[3], 0, 1);
+  void volume(const tinygltf::Value& e) {
+    to_.thickness = std::max(0.0f, number_of(e, "thicknessFactor", 0));
+    to_.attenuation_color = color_of(e, "attenuationColor", Rgb(1));
+    for (int c = 0; c < 3; ++c) to_.attenuation_color[c] = std::min(to_.attenuation_color[c], 1.0f);
+    const float distance = number_of(e, "attenuationDistance", kInfinity);
+    to_.attenuation_distance = distance > 0 ? distance : kInfinity;
+    if (!(distance > 0)) warn("attenuationDistance has to be above 0; it is taken as infinite");
   }
-  m.metallic = clamped(pbr.metallicFactor, 0, 1), m.roughness = clamped(pbr.roughnessFactor, 0, 1);
-  m.base_color_texture = use_of(pbr.baseColorTexture, scene, where + ".baseColorTexture");
-  m.metallic_roughness_texture = use_of(pbr.metallicRoughnessTexture, scene, where + ".metallicRoughnessTexture");
-  m.normal_texture = use_of(from.normalTexture, scene, where + ".normalTexture");
-  m.normal_scale = clamped(from.normalTexture.scale, -100, 100);
-  m.emission_texture = use_of(from.emissiveTexture, scene, where + ".emissiveTexture");
-  const auto& e = from.emissiveFactor;
-  if (e.size() == 3) m.emission = {clamped(e[0], 0, 1e9), clamped(e[1], 0, 1e9), clamped(e[2], 0, 1e9)};
-  m.alpha_mode = from.alphaMode == "MASK" ? AlphaMode::mask : from.alphaMode == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
-  m.alpha_cutoff = clamped(from.alphaCutoff, 0, 1e9);
-  m.double_sided = from.doubleSided;
-  import_extensions(from, m, scene, where);
-  return m;
-}
+
+  const tinygltf::Material& from_;
+  Scene& scene_;
+  std::string where_;
+  Material to_;
+};
 
 }  // namespace
 
@@ -160,44 +167,28 @@ const tinygltf::Value* extension_of(const tinygltf::ExtensionMap& extensions, co
   return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
 }
 
-float number_of(const tinygltf::Value& object, const char* key, float usual) {
-  const auto& v = object.Get(key);
-  if (!v.IsNumber()) return usual;
-  const auto x = static_cast<float>(v.GetNumberAsDouble());
-  return std::isfinite(x) ? x : usual;
+float number_of(const tinygltf::Value& object, const char* member, float usual) {
+  const auto& value = object.Get(member);
+  return value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : usual;
 }
 
-Rgb color_of(const tinygltf::Value& object, const char* key, const Rgb& usual) {
-  const auto& v = object.Get(key);
-  if (!v.IsArray() || v.ArrayLen() != 3) return usual;
-  Rgb c;
-  for (int i = 0; i < 3; ++i) {
-    if (!v.Get(i).IsNumber()) return usual;
-    c[i] = clamped(v.Get(i).GetNumberAsDouble(), 0, 1e9);
-  }
-  return c;
+int index_of(const tinygltf::Value& object, const char* member, int usual) {
+  const auto& value = object.Get(member);
+  return value.IsInt() ? value.GetNumberAsInt() : usual;
 }
 
-void import_textures(const Document& d, Scene& scene) {
-  const auto images = decode_images(d, scene);
-  for (size_t i = 0; i < d.model.textures.size(); ++i) {
-    const auto& from = d.model.textures[i];
-    const int source = checked_index(texture_source(from), images.size(), at("textures", i) + ".source", "images");
-    const int sampler = checked_index(from.sampler, d.model.samplers.size(), at("textures", i) + ".sampler", "samplers");
-    Texture texture;
-    if (source >= 0) texture.image = images[static_cast<size_t>(source)];
-    texture.name = from.name;
-    if (sampler >= 0) {
-      const auto& s = d.model.samplers[static_cast<size_t>(sampler)];
-      texture.wrap_u = wrap_of(s.wrapS), texture.wrap_v = wrap_of(s.wrapT);
-      texture.nearest = s.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
-    }
-    scene.textures.push_back(std::move(texture));
-  }
+Rgb color_of(const tinygltf::Value& object, const char* member, const Rgb& usual) {
+  const auto& value = object.Get(member);
+  if (value.ArrayLen() != 3) return usual;
+  Rgb color;
+  for (int c = 0; c < 3; ++c) color[c] = std::max(0.0f, static_cast<float>(value.Get(c).GetNumberAsDouble()));
+  return color;
 }
 
-void import_materials(const Document& d, Scene& scene) {
-  for (size_t i = 0; i < d.model.materials.size(); ++i) scene.materials.push_back(import_material(d.model.materials[i], scene, at("materials", i)));
+void import_materials(const Document& document, Scene& scene) {
+  for (size_t t = 0; t < document.model.textures.size(); ++t) scene.textures.push_back(import_texture(document, t));
+  for (size_t m = 0; m < document.model.materials.size(); ++m)
+    scene.materials.push_back(MaterialImporter(document.model.materials[m], scene, at("materials", m)).run());
   Material usual;
   usual.name = "default";
   scene.materials.push_back(usual);

@@ -1,117 +1,180 @@
-// What tinygltf leaves unchecked.                                                        glTF 2.0, sections 3.6, 5.1, 5.11
-#include <set>
+// The walk over everything that refers to something, before any of it is read.              glTF 2.0, sections 3.5
+// to 3.11
+#include <optional>
 
-#include "scene/gltf_document.h"
+#include "scene/gltf_accessor.h"
 
 namespace etendue::scene::gltf {
 namespace {
 
-constexpr uint64_t kMostWithoutData = uint64_t{1} << 24;  // elements of an accessor that is all zeros
+// Every reference is checked where it stands, so that messages name the user of what is wrong.
+class Validator {
+ public:
+  explicit Validator(Document& document)
+      : document_(document), model_(document.model), used_(model_.accessors.size(), false) {}
 
-std::string bytes_text(uint64_t n) { return std::to_string(n) + " bytes"; }
-
-void validate_views(const tinygltf::Model& model) {
-  for (size_t i = 0; i < model.bufferViews.size(); ++i) {
-    const auto& view = model.bufferViews[i];
-    const std::string where = at("bufferViews", i);
-    if (checked_index(view.buffer, model.buffers.size(), where + ".buffer", "buffers") < 0) fail(where, "names no buffer");
-    const uint64_t size = model.buffers[static_cast<size_t>(view.buffer)].data.size();
-    if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
-      fail(where, "ends at byte " + std::to_string(view.byteOffset) + " + " + std::to_string(view.byteLength) + ", but buffers[" +
-                      std::to_string(view.buffer) + "] has " + bytes_text(size));
+  void run() {
+    for (size_t m = 0; m < model_.meshes.size(); ++m) mesh(model_.meshes[m], at("meshes", m));
+    nodes();
+    for (size_t s = 0; s < model_.skins.size(); ++s) skin(model_.skins[s], at("skins", s));
+    for (size_t a = 0; a < model_.animations.size(); ++a) animation(model_.animations[a], at("animations", a));
+    for (size_t s = 0; s < model_.scenes.size(); ++s)
+      for (size_t i = 0; i < model_.scenes[s].nodes.size(); ++i)
+        checked_index(model_.scenes[s].nodes[i], model_.nodes.size(), at("scenes", s) + "." + at("nodes", i), "nodes");
+    if (model_.defaultScene >= 0) checked_index(model_.defaultScene, model_.scenes.size(), "scene", "scenes");
+    unused();
   }
-}
 
-// A run of `count` elements of `size` bytes, `stride` apart, has to end inside the view.
-void validate_run(const tinygltf::Model& model, int view_index, uint64_t offset, uint64_t count, uint64_t size, uint64_t stride,
-                  const std::string& where) {
-  const auto& view = model.bufferViews[static_cast<size_t>(checked_index(view_index, model.bufferViews.size(), where, "bufferViews"))];
-  if (count == 0) return;
-  const uint64_t length = view.byteLength;
-  const bool fits = offset <= length && size <= length - offset && (count - 1) <= (length - offset - size) / std::max<uint64_t>(stride, 1);
-  if (!fits)
-    fail(where, std::to_string(count) + " elements of " + bytes_text(size) + " from byte " + std::to_string(offset) +
-                    " do not fit into bufferViews[" + std::to_string(view_index) + "], which has " + bytes_text(length));
-}
+ private:
+  void accessor(int index, Use use, const std::string& where) {
+    check_accessor(document_, index, use, where);
+    used_[static_cast<size_t>(index)] = true;
+  }
 
-void validate_accessors(const tinygltf::Model& model) {
-  for (size_t i = 0; i < model.accessors.size(); ++i) {
-    const auto& a = model.accessors[i];
-    const std::string where = at("accessors", i);
-    const int component = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(a.componentType));
-    const int components = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(a.type));
-    if (component <= 0 || components <= 0) fail(where, "has a component type or type that glTF does not know");
-    const auto size = static_cast<uint64_t>(component) * static_cast<uint64_t>(components);
-    if (a.bufferView >= 0) {
-      checked_index(a.bufferView, model.bufferViews.size(), where + ".bufferView", "bufferViews");
-      const int stride = a.ByteStride(model.bufferViews[static_cast<size_t>(a.bufferView)]);
-      if (stride <= 0) fail(where, "has a byteStride that is no multiple of its component size");
-      validate_run(model, a.bufferView, a.byteOffset, a.count, size, static_cast<uint64_t>(stride), where);
-    } else if (a.bufferView < -1 || a.count > kMostWithoutData) {
-      fail(where, "claims " + std::to_string(a.count) + " elements but has no bufferView");
+  // One element a vertex.
+  void attribute(int index, Use use, size_t vertices, const std::string& where) {
+    accessor(index, use, where);
+    if (const size_t count = count_of(document_, index); count != vertices)
+      fail(where, "accessor " + std::to_string(index) + " has " + std::to_string(count) + " elements, but there are " +
+                      std::to_string(vertices) + " vertices");
+  }
+
+  void mesh(const tinygltf::Mesh& mesh, const std::string& where) {
+    for (size_t p = 0; p < mesh.primitives.size(); ++p)
+      primitive(mesh.primitives[p], where + "." + at("primitives", p));
+  }
+
+  void primitive(const tinygltf::Primitive& primitive, const std::string& where) {
+    if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+      fail(where + ".mode", std::to_string(primitive.mode) + " does not exist; modes are 0 to 6");
+    if (primitive.material >= 0)
+      checked_index(primitive.material, model_.materials.size(), where + ".material", "materials");
+    if (primitive.indices >= 0) accessor(primitive.indices, Use::indices, where + ".indices");
+    const auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end()) return;  // nothing to show: the importer says so
+    accessor(position->second, Use::position, where + ".attributes.POSITION");
+    const size_t vertices = count_of(document_, position->second);
+    for (const auto& [name, index] : primitive.attributes)
+      if (const auto use = use_of(name)) attribute(index, *use, vertices, where + ".attributes." + name);
+    for (const auto& [name, index] : primitive.attributes) pair(primitive, name, where);
+    for (size_t t = 0; t < primitive.targets.size(); ++t)
+      for (const auto& [name, index] : primitive.targets[t]) {
+        const bool read = name == "POSITION" || name == "NORMAL" || name == "TANGENT";
+        const Use use = name == "POSITION" ? Use::morph_position : Use::morph_direction;
+        if (read) attribute(index, use, vertices, where + "." + at("targets", t) + "." + name);
+      }
+  }
+
+  // The attributes that the importer reads.
+  static std::optional<Use> use_of(const std::string& name) {
+    if (name == "NORMAL") return Use::normal;
+    if (name == "TANGENT") return Use::tangent;
+    if (name == "TEXCOORD_0" || name == "TEXCOORD_1") return Use::uv;
+    if (name == "COLOR_0") return Use::color;
+    if (name.starts_with("JOINTS_")) return Use::joints;
+    if (name.starts_with("WEIGHTS_")) return Use::weights;
+    return std::nullopt;
+  }
+
+  void pair(const tinygltf::Primitive& primitive, const std::string& name, const std::string& where) {
+    for (const auto& [one, other] : {std::pair("JOINTS_", "WEIGHTS_"), std::pair("WEIGHTS_", "JOINTS_")})
+      if (name.starts_with(one) && !primitive.attributes.contains(other + name.substr(std::string(one).size())))
+        document_.warnings.push_back(where + ".attributes: has " + name + " without the " + other +
+                                     " that belongs to it; it is ignored");
+  }
+
+  void nodes() {
+    std::vector<int> parents(model_.nodes.size(), -1);
+    for (size_t i = 0; i < model_.nodes.size(); ++i) {
+      const auto& node = model_.nodes[i];
+      const std::string where = at("nodes", i);
+      if (node.mesh >= 0) checked_index(node.mesh, model_.meshes.size(), where + ".mesh", "meshes");
+      if (node.camera >= 0) checked_index(node.camera, model_.cameras.size(), where + ".camera", "cameras");
+      if (node.skin >= 0) checked_index(node.skin, model_.skins.size(), where + ".skin", "skins");
+      for (const int child : node.children) {
+        int& parent = parents[checked_index(child, model_.nodes.size(), where + ".children", "nodes")];
+        if (parent >= 0)
+          fail(where + ".children", "nodes[" + std::to_string(child) + "] is a child of nodes[" +
+                                        std::to_string(parent) + "] already; a node has one parent");
+        parent = static_cast<int>(i);
+      }
     }
-    if (!a.sparse.isSparse) continue;
-    if (a.sparse.count < 0 || static_cast<uint64_t>(a.sparse.count) > a.count) fail(where + ".sparse", "replaces more elements than there are");
-    const int index_size = tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(a.sparse.indices.componentType));
-    if (index_size <= 0 || a.sparse.indices.byteOffset < 0 || a.sparse.values.byteOffset < 0) fail(where + ".sparse", "has no usable indices");
-    const auto n = static_cast<uint64_t>(a.sparse.count);
-    validate_run(model, a.sparse.indices.bufferView, static_cast<uint64_t>(a.sparse.indices.byteOffset), n, static_cast<uint64_t>(index_size), static_cast<uint64_t>(index_size), where + ".sparse.indices");
-    validate_run(model, a.sparse.values.bufferView, static_cast<uint64_t>(a.sparse.values.byteOffset), n, size, size, where + ".sparse.values");
+    trees(parents);
   }
-}
 
-void validate_nodes(const tinygltf::Model& model) {
-  std::vector<int> parent(model.nodes.size(), -1);
-  for (size_t i = 0; i < model.nodes.size(); ++i) {
-    const auto& n = model.nodes[i];
-    const std::string where = at("nodes", i);
-    checked_index(n.mesh, model.meshes.size(), where + ".mesh", "meshes");
-    checked_index(n.camera, model.cameras.size(), where + ".camera", "cameras");
-    checked_index(n.skin, model.skins.size(), where + ".skin", "skins");
-    for (const int child : n.children) {
-      if (checked_index(child, model.nodes.size(), where + ".children", "nodes") < 0) fail(where, "has a child that is no node");
-      if (parent[static_cast<size_t>(child)] >= 0) fail(where, "claims nodes[" + std::to_string(child) + "], which has a parent already; a node has one parent");
-      parent[static_cast<size_t>(child)] = static_cast<int>(i);
+  // With one parent each, the walk upwards from a node ends at a root or goes round in a circle.
+  void trees(const std::vector<int>& parents) {
+    std::vector<size_t> seen_from(parents.size(), SIZE_MAX);
+    for (size_t i = 0; i < parents.size(); ++i)
+      for (int node = static_cast<int>(i); node >= 0; node = parents[static_cast<size_t>(node)]) {
+        size_t& seen = seen_from[static_cast<size_t>(node)];
+        if (seen == i) fail(at("nodes", static_cast<size_t>(node)), "is its own ancestor; nodes have to form trees");
+        if (seen != SIZE_MAX) break;
+        seen = i;
+      }
+  }
+
+  void skin(const tinygltf::Skin& skin, const std::string& where) {
+    for (size_t j = 0; j < skin.joints.size(); ++j)
+      checked_index(skin.joints[j], model_.nodes.size(), where + "." + at("joints", j), "nodes");
+    if (skin.inverseBindMatrices < 0) return;
+    accessor(skin.inverseBindMatrices, Use::matrices, where + ".inverseBindMatrices");
+    if (const size_t count = count_of(document_, skin.inverseBindMatrices); count < skin.joints.size())
+      fail(where + ".inverseBindMatrices", "accessor " + std::to_string(skin.inverseBindMatrices) + " has " +
+                                               std::to_string(count) + " matrices for " +
+                                               std::to_string(skin.joints.size()) + " joints");
+  }
+
+  void animation(const tinygltf::Animation& animation, const std::string& where) {
+    for (size_t c = 0; c < animation.channels.size(); ++c) {
+      const auto& channel = animation.channels[c];
+      const std::string at_channel = where + "." + at("channels", c);
+      if (channel.target_node >= 0)
+        checked_index(channel.target_node, model_.nodes.size(), at_channel + ".target.node", "nodes");
+      const size_t s = checked_index(channel.sampler, animation.samplers.size(), at_channel + ".sampler", "samplers");
+      const std::string at_sampler = where + "." + at("samplers", s);
+      const auto use = output_use(channel.target_path);
+      if (!use) continue;
+      accessor(animation.samplers[s].input, Use::times, at_sampler + ".input");
+      accessor(animation.samplers[s].output, *use, at_sampler + ".output");
     }
   }
-  // With one parent each, a walk upwards that does not end within as many steps as there are nodes goes in a circle.
-  std::vector<uint8_t> ends(model.nodes.size(), 0);
-  for (size_t i = 0; i < model.nodes.size(); ++i) {
-    std::vector<size_t> walk;
-    int node = static_cast<int>(i);
-    while (node >= 0 && !ends[static_cast<size_t>(node)]) {
-      if (walk.size() > model.nodes.size()) fail(at("nodes", i), "is its own ancestor; nodes have to form trees");
-      walk.push_back(static_cast<size_t>(node));
-      node = parent[static_cast<size_t>(node)];
-    }
-    for (const size_t w : walk) ends[w] = 1;
+
+  static std::optional<Use> output_use(const std::string& path) {
+    if (path == "translation" || path == "scale") return Use::vectors;
+    if (path == "rotation") return Use::rotations;
+    if (path == "weights") return Use::morph_weights;
+    return std::nullopt;
   }
-  for (size_t s = 0; s < model.scenes.size(); ++s)
-    for (const int root : model.scenes[s].nodes)
-      if (checked_index(root, model.nodes.size(), at("scenes", s) + ".nodes", "nodes") < 0) fail(at("scenes", s), "lists a node that is none");
-}
+
+  void unused() {
+    for (size_t a = 0; a < used_.size(); ++a) {
+      if (used_[a]) continue;
+      if (const std::string problem = problem_of(document_, static_cast<int>(a)); !problem.empty())
+        document_.warnings.push_back(at("accessors", a) + ": " + problem + "; nothing uses it");
+    }
+    for (size_t v = 0; v < model_.bufferViews.size(); ++v)
+      if (const ViewBytes view = view_bytes(document_, static_cast<int>(v)); !view.problem.empty())
+        document_.warnings.push_back(at("bufferViews", v) + ": " + view.problem);
+    for (size_t b = 0; b < document_.buffers.size(); ++b)
+      if (const std::string& problem = document_.buffers[b].problem; !problem.empty())
+        document_.warnings.push_back(at("buffers", b) + ": " + problem);
+  }
+
+  Document& document_;
+  const tinygltf::Model& model_;
+  std::vector<bool> used_;
+};
 
 }  // namespace
 
-int checked_index(int i, size_t size, const std::string& where, const char* of) {
-  if (i >= -1 && (i < 0 || static_cast<size_t>(i) < size)) return i;
-  fail(where, "names " + std::string(of) + "[" + std::to_string(i) + "], but there are " + std::to_string(size));
+size_t checked_index(int i, size_t size, const std::string& where, const char* array) {
+  if (i < 0 || static_cast<size_t>(i) >= size)
+    fail(where,
+         "there is no " + std::string(array) + "[" + std::to_string(i) + "]; the file has " + std::to_string(size));
+  return static_cast<size_t>(i);
 }
 
-bool is_supported(const std::string& extension) {
-  static const std::set<std::string> kSupported{
-      "KHR_materials_emissive_strength", "KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_unlit", "KHR_materials_ior",
-      "KHR_materials_transmission", "KHR_materials_volume", "KHR_materials_specular", "KHR_materials_anisotropy", "KHR_mesh_quantization",
-      "EXT_texture_webp"};
-  return kSupported.contains(extension);
-}
-
-void validate(const Document& document) {
-  for (const auto& extension : document.model.extensionsRequired)
-    if (!is_supported(extension)) throw Unusable{"requires the extension " + extension + ", which is not supported"};
-  validate_views(document.model);
-  validate_accessors(document.model);
-  validate_nodes(document.model);
-}
+void validate(Document& document) { Validator(document).run(); }
 
 }  // namespace etendue::scene::gltf

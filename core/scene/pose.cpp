@@ -1,8 +1,9 @@
 // Where everything is at the scene's time: node matrices, deformed meshes, cameras.
-#include <functional>
+#include "scene/pose.h"
+
+#include <set>
 
 #include "scene/animation.h"
-#include "scene/scene.h"
 
 namespace etendue::scene {
 namespace {
@@ -16,34 +17,59 @@ Mat4 rotation_matrix(const Vec4& q) {
   return m;
 }
 
-// Nodes as the animations leave them.
-struct Pose {
-  std::vector<Transform> transforms;
-  std::vector<std::vector<float>> weights;
-};
-
-Pose pose_of(const Scene& scene) {
-  Pose pose;
-  for (const Node& n : scene.nodes) {
-    pose.transforms.push_back(n.transform);
-    const bool own = !n.weights.empty() || n.mesh < 0;
-    pose.weights.push_back(own ? n.weights : scene.meshes[static_cast<size_t>(n.mesh)].weights);
-  }
-  for (const auto& animation : scene.animations)
-    for (const AnimationChannel& channel : animation->channels) {
-      if (channel.node < 0 || static_cast<size_t>(channel.node) >= scene.nodes.size() || channel.times.empty()) continue;
-      const auto node = static_cast<size_t>(channel.node);
-      std::vector<float> v(channel.components);
-      sample_channel(channel, scene.time, v);
-      Transform& t = pose.transforms[node];
-      switch (channel.path) {
-        case AnimatedPath::translation: t.translation = Vec3(v[0], v[1], v[2]), t.matrix.reset(); break;
-        case AnimatedPath::rotation: t.rotation = Vec4(v[0], v[1], v[2], v[3]), t.matrix.reset(); break;
-        case AnimatedPath::scale: t.scale = Vec3(v[0], v[1], v[2]), t.matrix.reset(); break;
-        case AnimatedPath::weights: pose.weights[node] = v; break;
-      }
+// Calls apply(channel, value) for every channel that plays.
+template <class Apply>
+void for_each_channel(const Scene& scene, Apply&& apply) {
+  for (const size_t animation : playing_animations(scene))
+    for (const AnimationChannel& channel : scene.animations[animation]->channels) {
+      const bool usable =
+          channel.node >= 0 && static_cast<size_t>(channel.node) < scene.nodes.size() && !channel.times.empty();
+      if (usable) apply(channel);
     }
-  return pose;
+}
+
+std::vector<Transform> animated_transforms(const Scene& scene) {
+  std::vector<Transform> transforms;
+  transforms.reserve(scene.nodes.size());
+  for (const Node& node : scene.nodes) transforms.push_back(node.transform);
+  for_each_channel(scene, [&](const AnimationChannel& channel) {
+    if (channel.path == AnimatedPath::weights) return;
+    std::array<float, 4> v{};
+    sample_channel(channel, scene.time, v);
+    Transform& t = transforms[static_cast<size_t>(channel.node)];
+    t.matrix.reset();
+    if (channel.path == AnimatedPath::translation) t.translation = Vec3(v[0], v[1], v[2]);
+    if (channel.path == AnimatedPath::rotation) t.rotation = Vec4(v[0], v[1], v[2], v[3]);
+    if (channel.path == AnimatedPath::scale) t.scale = Vec3(v[0], v[1], v[2]);
+  });
+  return transforms;
+}
+
+std::vector<float> morph_weights(const Scene& scene, int node) {
+  const Node& n = scene.nodes[static_cast<size_t>(node)];
+  std::vector<float> weights = n.weights;
+  if (weights.empty() && n.mesh >= 0) weights = scene.meshes[static_cast<size_t>(n.mesh)].weights;
+  for_each_channel(scene, [&](const AnimationChannel& channel) {
+    if (channel.node != node || channel.path != AnimatedPath::weights) return;
+    weights.resize(channel.components);
+    sample_channel(channel, scene.time, weights);
+  });
+  return weights;
+}
+
+// The nodes that are part of the scene, parents before children; without what hides below hidden nodes if so wanted.
+std::vector<int> reached_nodes(const Scene& scene, bool only_visible) {
+  std::vector<int> order;
+  std::vector<int> stack(scene.roots.rbegin(), scene.roots.rend());
+  while (!stack.empty()) {
+    const int node = stack.back();
+    stack.pop_back();
+    const Node& n = scene.nodes[static_cast<size_t>(node)];
+    if (only_visible && !n.visible) continue;
+    order.push_back(node);
+    stack.insert(stack.end(), n.children.rbegin(), n.children.rend());
+  }
+  return order;
 }
 
 template <class T>
@@ -59,11 +85,13 @@ void morph(Mesh& mesh, const Deformation& d, const std::vector<float>& weights) 
     add_weighted(mesh.normals, d.targets[t].normals, weights[t]);
     add_weighted(mesh.tangents, d.targets[t].tangents, weights[t]);
   }
+  for (Vec3& n : mesh.normals) n = normalize_or(n, Vec3(0, 1, 0));
 }
 
 void skin_mesh(Mesh& mesh, const Deformation& d, const Skin& skin, const std::vector<Mat4>& world) {
   std::vector<Mat4> joints;
-  for (size_t j = 0; j < skin.joints.size(); ++j) joints.push_back(world[static_cast<size_t>(skin.joints[j])] * skin.inverse_bind[j]);
+  for (size_t j = 0; j < skin.joints.size(); ++j)
+    joints.push_back(world[static_cast<size_t>(skin.joints[j])] * skin.inverse_bind[j]);
   const size_t n = mesh.positions.size();
   for (size_t i = 0; i < n; ++i) {
     Mat4 m(0);
@@ -82,7 +110,8 @@ void skin_mesh(Mesh& mesh, const Deformation& d, const Skin& skin, const std::ve
     if (!mesh.normals.empty()) {
       const Mat3 linear(m);
       const bool invertible = std::abs(glm::determinant(linear)) > 0;
-      mesh.normals[i] = normalize_or((invertible ? glm::transpose(glm::inverse(linear)) : linear) * mesh.normals[i], mesh.normals[i]);
+      mesh.normals[i] =
+          normalize_or((invertible ? glm::transpose(glm::inverse(linear)) : linear) * mesh.normals[i], mesh.normals[i]);
     }
     if (!mesh.tangents.empty()) mesh.tangents[i] = Vec4(Mat3(m) * Vec3(mesh.tangents[i]), mesh.tangents[i].w);
   }
@@ -90,7 +119,8 @@ void skin_mesh(Mesh& mesh, const Deformation& d, const Skin& skin, const std::ve
 
 std::string joined_names(const std::vector<Camera>& cameras) {
   std::string names;
-  for (size_t i = 0; i < cameras.size(); ++i) names += (i ? ", " : "") + std::to_string(i) + " '" + cameras[i].name + "'";
+  for (size_t i = 0; i < cameras.size(); ++i)
+    names += (i ? ", " : "") + std::to_string(i) + " '" + cameras[i].name + "'";
   return names;
 }
 
@@ -104,28 +134,52 @@ Mat4 Transform::to_matrix() const {
   return m;
 }
 
+bool is_singular(const Mat4& m) {
+  const glm::dvec3 a(m[0]), b(m[1]), c(m[2]);
+  const double volume = std::abs(glm::dot(glm::cross(a, b), c));
+  // Measured against the columns' lengths, so that flat is told from small.
+  return !(volume > 1e-9 * glm::length(a) * glm::length(b) * glm::length(c)) || !(volume > 1e-36);
+}
+
+std::vector<size_t> playing_animations(const Scene& scene) {
+  std::vector<size_t> playing;
+  std::set<std::pair<int, AnimatedPath>> animated;
+  for (size_t i = 0; i < scene.animations.size(); ++i) {
+    const auto& channels = scene.animations[i]->channels;
+    const bool conflicts = std::any_of(channels.begin(), channels.end(), [&](const auto& c) {
+      return animated.contains({c.node, c.path});
+    });
+    if (conflicts) continue;
+    for (const auto& c : channels) animated.insert({c.node, c.path});
+    playing.push_back(i);
+  }
+  return playing;
+}
+
 std::vector<Mat4> world_matrices(const Scene& scene) {
-  const Pose pose = pose_of(scene);
+  const auto transforms = animated_transforms(scene);
   std::vector<Mat4> world(scene.nodes.size(), Mat4(1));
-  std::vector<std::pair<int, Mat4>> stack;
-  for (const int root : scene.roots) stack.emplace_back(root, Mat4(1));
-  while (!stack.empty()) {
-    const auto [node, parent] = stack.back();
-    stack.pop_back();
+  std::vector<bool> is_root(scene.nodes.size(), false);
+  for (const int root : scene.roots) is_root[static_cast<size_t>(root)] = true;
+  for (const int node : reached_nodes(scene, false)) {
     const auto i = static_cast<size_t>(node);
-    world[i] = parent * pose.transforms[i].to_matrix();
-    for (const int child : scene.nodes[i].children) stack.emplace_back(child, world[i]);
+    const int parent = is_root[i] ? -1 : scene.nodes[i].parent;
+    world[i] = (parent < 0 ? Mat4(1) : world[static_cast<size_t>(parent)]) * transforms[i].to_matrix();
   }
   return world;
 }
 
 PosedMesh posed_mesh(const Scene& scene, int node, const Primitive& primitive, const std::vector<Mat4>& world) {
-  if (!primitive.deformation) return {primitive.mesh, false};
   const Node& n = scene.nodes[static_cast<size_t>(node)];
+  const bool skinned = primitive.deformation && n.skin >= 0 && primitive.deformation->joint_sets > 0;
+  if (!skinned && is_singular(world[static_cast<size_t>(node)])) {
+    static const auto kNothing = std::make_shared<const Mesh>();
+    return {kNothing, false};
+  }
+  if (!primitive.deformation) return {primitive.mesh, false};
   auto mesh = std::make_shared<Mesh>(*primitive.mesh);
   mesh->positions.reserve(mesh->positions.size() + 1);
-  morph(*mesh, *primitive.deformation, pose_of(scene).weights[static_cast<size_t>(node)]);
-  const bool skinned = n.skin >= 0 && primitive.deformation->joint_sets > 0;
+  morph(*mesh, *primitive.deformation, morph_weights(scene, node));
   if (skinned) skin_mesh(*mesh, *primitive.deformation, *scene.skins[static_cast<size_t>(n.skin)], world);
   return {std::move(mesh), skinned};
 }
@@ -133,11 +187,11 @@ PosedMesh posed_mesh(const Scene& scene, int node, const Primitive& primitive, c
 std::vector<Camera> placed_cameras(const Scene& scene) {
   std::vector<Camera> cameras;
   const auto world = world_matrices(scene);
-  for (size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Node& n = scene.nodes[i];
+  for (const int node : reached_nodes(scene, false)) {
+    const Node& n = scene.nodes[static_cast<size_t>(node)];
     if (n.camera < 0) continue;
     Camera camera = scene.cameras[static_cast<size_t>(n.camera)];
-    const Mat4& m = world[i];
+    const Mat4& m = world[static_cast<size_t>(node)];
     // Scale does not belong to a camera.
     const Vec3 back = normalize_or(Vec3(m[2]), Vec3(0, 0, 1));
     const Vec3 right = normalize_or(glm::cross(Vec3(m[1]), back), Vec3(1, 0, 0));
@@ -151,17 +205,14 @@ std::vector<Camera> placed_cameras(const Scene& scene) {
 Bounds world_bounds(const Scene& scene) {
   Bounds bounds;
   const auto world = world_matrices(scene);
-  const std::function<void(int)> visit = [&](int node) {
+  for (const int node : reached_nodes(scene, true)) {
     const Node& n = scene.nodes[static_cast<size_t>(node)];
-    if (!n.visible) return;
-    if (n.mesh >= 0)
-      for (const auto& primitive : scene.meshes[static_cast<size_t>(n.mesh)].primitives) {
-        const PosedMesh posed = posed_mesh(scene, node, primitive, world);
-        bounds.extend(bounds_of(*posed.mesh, posed.in_world ? Mat4(1) : world[static_cast<size_t>(node)]));
-      }
-    for (const int child : n.children) visit(child);
-  };
-  for (const int root : scene.roots) visit(root);
+    if (n.mesh < 0) continue;
+    for (const Primitive& primitive : scene.meshes[static_cast<size_t>(n.mesh)].primitives) {
+      const PosedMesh posed = posed_mesh(scene, node, primitive, world);
+      bounds.extend(bounds_of(*posed.mesh, posed.in_world ? Mat4(1) : world[static_cast<size_t>(node)]));
+    }
+  }
   return bounds;
 }
 
@@ -169,7 +220,8 @@ Camera framing_camera(const Bounds& bounds) {
   constexpr float kFov = 0.7f;
   const float radius = std::max(bounds.radius(), 1e-6f);
   const Vec3 center = bounds.empty() ? Vec3(0) : bounds.center();
-  Camera camera = look_at(center + glm::normalize(Vec3(0.4f, 0.35f, 1)) * (1.05f * radius / std::sin(kFov / 2)), center, Vec3(0, 1, 0), kFov);
+  Camera camera = look_at(center + glm::normalize(Vec3(0.4f, 0.35f, 1)) * (1.05f * radius / std::sin(kFov / 2)), center,
+                          Vec3(0, 1, 0), kFov);
   camera.name = "framing";
   return camera;
 }
