@@ -20,7 +20,7 @@ namespace etendue::cli {
 namespace {
 
 struct Options {
-  std::string scene, out, integrator, sampler, size, camera, paths, aov, env, json, resume, like;
+  std::string scene, out, png, integrator, sampler, size, camera, paths, aov, env, json, resume, like;
   std::vector<std::string> sets;
   std::string filter;
   uint32_t spp = 0;
@@ -165,6 +165,8 @@ int run(const Options& o) {
   if (o.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
   if (!o.paths.empty()) return fail(usage_error("--paths: filtering by path class is not available in this version"));
   if (auto ok = check_output_name(o.out); !ok) return fail(ok.error());
+  if (!o.png.empty())
+    if (auto ok = check_output_name(o.png); !ok) return fail(ok.error());
   if (!o.resume.empty() && changes_light(o))
     return fail(usage_error("--resume: a checkpoint goes on with its own settings; leave out what changes the image"));
   auto aovs = aov_list(o.aov);
@@ -215,6 +217,8 @@ int run(const Options& o) {
   if (compiled && !aovs->empty()) layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const bool counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
   if (auto ok = write_image(o.out, d, film, std::move(layers), counts, status.samples); !ok) return fail(ok.error());
+  if (!o.png.empty())
+    if (auto ok = write_image(o.png, d, film, {}, false, status.samples); !ok) return fail(ok.error());
   if (!o.json.empty()) {
     const std::string text = stats(d, status, session.model(), o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency())).dump(2) + "\n";
     if (o.json == "-")
@@ -237,6 +241,7 @@ Command add_render(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'");
   app.add_option("-o,--out", o->out, "What to write: .exr (linear, with all settings), .hdr or .png (as displayed)");
+  app.add_option("--png", o->png, "The same picture once more, as displayed");
   app.add_option("--spp", o->spp, "Samples per pixel (64 if no limit is given)")->check(CLI::Range(1u, 1000000u));
   app.add_option("--time", o->time, "Seconds of rendering")->check(CLI::PositiveNumber);
   app.add_option("--error", o->error, "Stop at this estimated RMSE")->check(CLI::PositiveNumber);

@@ -1,11 +1,11 @@
 // Reconstruction filters, by importance sampling: a sample's place under the pixel is drawn from the filter itself, every
 // sample weighs one and belongs to one pixel.                        thesis (8.47)-(8.54); Ernst et al. 2006
 //
-// All four filters are separable and positive, so the density is exact. Offsets are in pixels from the centre.
+// All four filters are separable and positive, so that every sample weighs the same. Offsets are in pixels from the centre.
 #pragma once
 #include <array>
-#include <vector>
 
+#include "base/distribution.h"
 #include "base/parameter.h"
 #include "base/vec.h"
 
@@ -28,7 +28,7 @@ class Filter {
  private:
   float sample_1d(float u) const;
   FilterKind kind_;
-  std::vector<float> inverse_cdf_;  // the tabulated filters, at equal steps of u
+  Piecewise1D table_;  // of the filters without an inverse in closed form, over their support
 };
 
 }  // namespace etendue::film

@@ -1,0 +1,88 @@
+// Sums, halves and filters.                                                                      digest 8-10: S11
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "film/film.h"
+#include "film/filter.h"
+#include "support/chi_square.h"
+
+namespace etendue::film {
+namespace {
+
+TEST(Film, MeanIsOfBothHalves) {
+  Film film(1, 1);
+  film.add(0, 0, 0, Rgb(1, 2, 3));
+  film.add(0, 0, 1, Rgb(3, 4, 5));
+  film.add(0, 0, 0, Rgb(2, 3, 4));
+  EXPECT_EQ(film.samples(0, 0), 3U);
+  EXPECT_EQ(film.mean(0, 0), Rgb(2, 3, 4));
+}
+
+// What cannot be a radiance is counted by its cause, and never reaches the mean.
+TEST(Film, RejectedSamplesAreCountedByCause) {
+  Film film(1, 1);
+  film.add(0, 0, 0, Rgb(NAN, 0, 0));
+  film.add(0, 0, 1, Rgb(INFINITY, 1, 1));
+  film.add(0, 0, 0, Rgb(-1, 1, 1));
+  film.add(0, 0, 1, Rgb(4));
+  EXPECT_EQ(film.rejected().nan, 1U);
+  EXPECT_EQ(film.rejected().infinite, 1U);
+  EXPECT_EQ(film.rejected().negative, 1U);
+  EXPECT_EQ(film.mean(0, 0), Rgb(1));
+}
+
+// The estimate of the error against the error that was made: samples uniform in [0, 1], 40,000 pixels, within 3 %.
+TEST(Film, ErrorEstimateMeetsTheError) {
+  for (const int samples : {2, 7, 16}) {
+    Film film(200, 200);
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<float> uniform;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 200; ++x)
+        for (int s = 0; s < samples; ++s) film.add(x, y, static_cast<uint32_t>(s) % kReplicates, Rgb(uniform(engine)));
+    const double expected = std::sqrt(1.0 / 12 / samples);
+    ASSERT_TRUE(film.error().known);
+    EXPECT_NEAR(film.error().rmse, expected, 0.03 * expected) << samples;
+  }
+}
+
+TEST(Film, ErrorIsUnknownWhileAHalfIsEmpty) {
+  Film film(2, 1);
+  film.add(0, 0, 0, Rgb(1)), film.add(0, 0, 1, Rgb(1)), film.add(1, 0, 0, Rgb(1));
+  EXPECT_FALSE(film.error().known);
+}
+
+class EveryFilter : public testing::TestWithParam<FilterKind> {};
+
+// Offsets follow the filter: chi-square on 24 cells, 1 % false alarms for all filters together.
+TEST_P(EveryFilter, SamplesFollowTheFilter) {
+  const Filter filter(GetParam());
+  constexpr int kCells = 24, kSamples = 200'000;
+  std::array<double, kCells> counts{};
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (int i = 0; i < kSamples; ++i) {
+    const float x = filter.sample(Vec2(std::min(uniform(engine), kOneMinusEpsilon), 0.5f)).x;
+    ASSERT_LE(std::abs(x), filter.radius() + 1e-6f);
+    ++counts[std::min<size_t>(kCells - 1, static_cast<size_t>((x / filter.radius() + 1) / 2 * kCells))];
+  }
+  double statistic = 0, total = 0;
+  for (size_t c = 0; c < kCells; ++c) {
+    double expected = 0;
+    constexpr int kFine = 200;
+    for (int k = 0; k < kFine; ++k) {
+      const double x = (2 * (static_cast<double>(c) + (k + 0.5) / kFine) / kCells - 1) * filter.radius();
+      expected += filter.value(static_cast<float>(x)) * (2 * filter.radius() / kCells / kFine);
+    }
+    total += expected;
+    if (expected * kSamples >= 5) statistic += sqr(counts[c] - expected * kSamples) / (expected * kSamples);
+  }
+  EXPECT_NEAR(total, 1, 1e-4);
+  EXPECT_GT(test::chi_square_tail(statistic, kCells - 1), 0.0025);
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter, testing::Values(FilterKind::box, FilterKind::tent, FilterKind::gaussian, FilterKind::blackman_harris));
+
+}  // namespace
+}  // namespace etendue::film
