@@ -25,8 +25,12 @@ int run(const Options& o) {
   const auto m = measure::compare(*picture, *reference);
   if (!m) return fail(m.error());
   if (!o.heatmap.empty())
-    if (auto ok = image::write_png(o.heatmap, picture->width, picture->height, measure::heat_map(*picture, *reference)); !ok) return fail(ok.error());
-  const std::pair<const char*, double> rows[] = {{"mse", m->mse}, {"rmse", m->rmse}, {"relmse", m->relmse}, {"mae", m->mae}, {"smape", m->smape}, {"psnr", m->psnr}, {"bias", m->bias}};
+    if (auto ok = image::write_png(o.heatmap, picture->width, picture->height, measure::heat_map(*picture, *reference));
+        !ok)
+      return fail(ok.error());
+  const std::pair<const char*, double> rows[] = {{"mse", m->mse},  {"rmse", m->rmse},   {"relmse", m->relmse},
+                                                 {"mae", m->mae},  {"smape", m->smape}, {"psnr", m->psnr},
+                                                 {"bias", m->bias}};
   if (o.json) {
     nlohmann::json j;
     for (const auto& [name, value] : rows) j[name] = std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();

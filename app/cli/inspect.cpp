@@ -17,12 +17,22 @@ using nlohmann::json;
 json description_of(const render::Document& d, const scene::CompiledScene& compiled, const transport::Model& model) {
   json cameras = json::array(), flags = json::object();
   for (const auto& camera : scene::placed_cameras(*d.scene)) cameras.push_back(camera.name);
-  for (const auto& decision : model.decisions) flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
-  return {{"scene", d.scene_name}, {"triangles", compiled.triangle_count()}, {"instances", compiled.instances().size()},
-          {"materials", d.scene->materials.size()}, {"textures", d.scene->textures.size()}, {"lights", compiled.lights().size()},
-          {"emissive_triangles", compiled.lights().triangles().size()}, {"animations", d.scene->animations.size()},
-          {"scenes", d.scene->scene_names}, {"cameras", cameras}, {"unsupported", d.scene->unsupported},
-          {"warnings", d.scene->warnings}, {"memory_bytes", compiled.memory()}, {"model", flags}};
+  for (const auto& decision : model.decisions)
+    flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
+  return {{"scene", d.scene_name},
+          {"triangles", compiled.triangle_count()},
+          {"instances", compiled.instances().size()},
+          {"materials", d.scene->materials.size()},
+          {"textures", d.scene->textures.size()},
+          {"lights", compiled.lights().size()},
+          {"emissive_triangles", compiled.lights().triangles().size()},
+          {"animations", d.scene->animations.size()},
+          {"scenes", d.scene->scene_names},
+          {"cameras", cameras},
+          {"unsupported", d.scene->unsupported},
+          {"warnings", d.scene->warnings},
+          {"memory_bytes", compiled.memory()},
+          {"model", flags}};
 }
 
 void print_list(const char* title, const json& items) {
@@ -33,14 +43,16 @@ void print_list(const char* title, const json& items) {
 
 void print(const json& j) {
   const auto number = [&](const char* key) { return j[key].get<unsigned long long>(); };
-  std::printf("%s\n  %llu triangles, %llu instances, %llu materials, %llu textures, %llu lights\n", j["scene"].get<std::string>().c_str(),
-              number("triangles"), number("instances"), number("materials"), number("textures"), number("lights"));
+  std::printf("%s\n  %llu triangles, %llu instances, %llu materials, %llu textures, %llu lights\n",
+              j["scene"].get<std::string>().c_str(), number("triangles"), number("instances"), number("materials"),
+              number("textures"), number("lights"));
   print_list("cameras", j["cameras"]);
   print_list("extensions that are ignored", j["unsupported"]);
   print_list("warnings", j["warnings"]);
   std::printf("transport model\n");
   for (const auto& [flag, decision] : j["model"].items())
-    std::printf("  %-13s %-11s %s\n", flag.c_str(), decision["value"].get<std::string>().c_str(), decision["reason"].get<std::string>().c_str());
+    std::printf("  %-13s %-11s %s\n", flag.c_str(), decision["value"].get<std::string>().c_str(),
+                decision["reason"].get<std::string>().c_str());
 }
 
 }  // namespace

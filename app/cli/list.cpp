@@ -20,14 +20,21 @@ json value_json(const Value& value) {
 }
 
 json parameter_json(const ParameterInfo& p) {
-  json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)}, {"unit", p.unit}, {"min", nullptr}, {"max", nullptr},
-         {"default", value_json(p.default_value)}, {"doc", p.doc}};
+  json j{{"name", p.name},
+         {"label", p.label},
+         {"type", type_name(p.type)},
+         {"unit", p.unit},
+         {"min", nullptr},
+         {"max", nullptr},
+         {"default", value_json(p.default_value)},
+         {"doc", p.doc}};
   if (p.type == ParameterType::integer || p.type == ParameterType::number) j["min"] = p.min, j["max"] = p.max;
   if (p.type == ParameterType::choice) j["options"] = p.options;
   return j;
 }
 
-json entry(const std::string& name, const std::string& label, const std::string& doc, const std::vector<ParameterInfo>& parameters) {
+json entry(const std::string& name, const std::string& label, const std::string& doc,
+           const std::vector<ParameterInfo>& parameters) {
   json list = json::array();
   for (const auto& p : parameters) list.push_back(parameter_json(p));
   return {{"name", name}, {"label", label}, {"doc", doc}, {"parameters", list}};
@@ -37,7 +44,8 @@ json integrators() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
     json j = entry(info.name, info.label, info.doc, info.parameters);
-    j["paths"] = info.paths, j["bias"] = integrator::bias_name(info.bias), j["cost"] = info.cost, j["fails"] = info.fails;
+    j["paths"] = info.paths, j["bias"] = integrator::bias_name(info.bias), j["cost"] = info.cost,
+    j["fails"] = info.fails;
     list.push_back(j);
   }
   return list;
@@ -71,8 +79,10 @@ render::Document with_one_light(LightType type) {
 
 json materials() {
   const auto d = with_one_light(LightType::point);
-  return json::array({entry("gltf", "glTF surface", "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
-                            bare(render::material_bindings(d, 0, "material.0")))});
+  return json::array({entry(
+      "gltf", "glTF surface",
+      "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
+      bare(render::material_bindings(d, 0, "material.0")))});
 }
 
 json lights() {
@@ -80,7 +90,8 @@ json lights() {
   const auto add = [&](const char* name, const char* label, const char* doc, LightType type) {
     list.push_back(entry(name, label, doc, bare(render::light_bindings(with_one_light(type), 0, "light.0"))));
   };
-  list.push_back(entry("area", "Emissive triangles", "Every triangle of a material with emission; its parameters are the material's", {}));
+  list.push_back(entry("area", "Emissive triangles",
+                       "Every triangle of a material with emission; its parameters are the material's", {}));
   add("point", "Point light", "Radiant intensity the same in all directions", LightType::point);
   add("spot", "Spot light", "A point light that shines into a cone", LightType::spot);
   add("directional", "Directional light", "Parallel light from infinity", LightType::directional);
@@ -90,25 +101,36 @@ json lights() {
 }
 
 json media() {
-  return json::array({entry("absorbing", "Absorbing solid", "Beer's law inside a solid of KHR_materials_volume; its parameters are the material's", {})});
+  return json::array(
+      {entry("absorbing", "Absorbing solid",
+             "Beer's law inside a solid of KHR_materials_volume; its parameters are the material's", {})});
 }
 
 struct Registry {
   const char* name;
   json (*make)();
 };
-constexpr Registry kRegistries[] = {{"integrators", integrators}, {"samplers", samplers}, {"materials", materials}, {"lights", lights}, {"media", media}};
+constexpr Registry kRegistries[] = {{"integrators", integrators},
+                                    {"samplers", samplers},
+                                    {"materials", materials},
+                                    {"lights", lights},
+                                    {"media", media}};
 
 void print(const json& list) {
   for (const auto& e : list) {
-    std::printf("%s: %s\n  %s\n", e["name"].get<std::string>().c_str(), e["label"].get<std::string>().c_str(), e["doc"].get<std::string>().c_str());
-    if (e.contains("paths")) std::printf("  paths %s, %s\n  fails: %s\n", e["paths"].get<std::string>().c_str(), e["bias"].get<std::string>().c_str(), e["fails"].get<std::string>().c_str());
+    std::printf("%s: %s\n  %s\n", e["name"].get<std::string>().c_str(), e["label"].get<std::string>().c_str(),
+                e["doc"].get<std::string>().c_str());
+    if (e.contains("paths"))
+      std::printf("  paths %s, %s\n  fails: %s\n", e["paths"].get<std::string>().c_str(),
+                  e["bias"].get<std::string>().c_str(), e["fails"].get<std::string>().c_str());
     for (const auto& p : e["parameters"]) {
       std::string range;
       if (!p["min"].is_null()) range = p["min"].dump() + " to " + p["max"].dump();
       if (p.contains("options"))
         for (const auto& option : p["options"]) range += (range.empty() ? "" : ", ") + option.get<std::string>();
-      std::printf("    %-22s %s [%s] default %s %s\n", p["name"].get<std::string>().c_str(), p["doc"].get<std::string>().c_str(), range.c_str(), p["default"].dump().c_str(), p["unit"].get<std::string>().c_str());
+      std::printf("    %-22s %s [%s] default %s %s\n", p["name"].get<std::string>().c_str(),
+                  p["doc"].get<std::string>().c_str(), range.c_str(), p["default"].dump().c_str(),
+                  p["unit"].get<std::string>().c_str());
     }
   }
 }

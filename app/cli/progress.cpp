@@ -40,7 +40,8 @@ void Progress::show(double done, const std::string& text) {
   }
   std::string bar;
   for (int i = 0; i < kBarWidth; ++i) bar += i < done * kBarWidth ? "█" : "·";
-  std::fprintf(stderr, "\r\033[K%s %3.0f %%  %s  %s left", bar.c_str(), 100 * done, text.c_str(), duration_text(left).c_str());
+  std::fprintf(stderr, "\r\033[K%s %3.0f %%  %s  %s left", bar.c_str(), 100 * done, text.c_str(),
+               duration_text(left).c_str());
   shown_ = true;
 }
 

@@ -82,7 +82,8 @@ Result<Start> starting_point(const Options& o) {
 Result<void> parse_size(const std::string& size, render::Document& d) {
   int w = 0, h = 0;
   char rest = 0;
-  if (std::sscanf(size.c_str(), "%dx%d%c", &w, &h, &rest) != 2) return usage_error("--size: '" + size + "' is no size; give WIDTHxHEIGHT, as 1280x720");
+  if (std::sscanf(size.c_str(), "%dx%d%c", &w, &h, &rest) != 2)
+    return usage_error("--size: '" + size + "' is no size; give WIDTHxHEIGHT, as 1280x720");
   if (auto r = set(d, "film.width", std::to_string(w)); !r) return r;
   return set(d, "film.height", std::to_string(h));
 }
@@ -142,7 +143,8 @@ Result<std::vector<std::string>> aov_list(const std::string& text) {
 
 std::string progress_text(const render::Status& s) {
   char text[128];
-  std::snprintf(text, sizeof text, "%u spp  %.2f Ms/s  %.2f Mrays/s%s", s.samples, s.paths_per_second * 1e-6, s.rays_per_second * 1e-6, "");
+  std::snprintf(text, sizeof text, "%u spp  %.2f Ms/s  %.2f Mrays/s%s", s.samples, s.paths_per_second * 1e-6,
+                s.rays_per_second * 1e-6, "");
   std::string line = text;
   if (s.error.known) {
     std::snprintf(text, sizeof text, "  rmse %.2g", s.error.rmse);
@@ -153,12 +155,22 @@ std::string progress_text(const render::Status& s) {
 
 nlohmann::json stats(const render::Document& d, const render::Status& s, const transport::Model& model, int threads) {
   nlohmann::json flags = nlohmann::json::object();
-  for (const auto& decision : model.decisions) flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
-  return {{"integrator", d.method.integrator}, {"sampler", d.method.sampler}, {"spp", s.samples}, {"seconds", s.seconds},
-          {"rays", s.rays}, {"width", d.width}, {"height", d.height}, {"threads", threads}, {"seed", d.seed},
+  for (const auto& decision : model.decisions)
+    flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
+  return {{"integrator", d.method.integrator},
+          {"sampler", d.method.sampler},
+          {"spp", s.samples},
+          {"seconds", s.seconds},
+          {"rays", s.rays},
+          {"width", d.width},
+          {"height", d.height},
+          {"threads", threads},
+          {"seed", d.seed},
           {"rmse_estimate", s.error.known ? nlohmann::json(s.error.rmse) : nlohmann::json()},
           {"rejected", {{"nan", s.rejected.nan}, {"infinite", s.rejected.infinite}, {"negative", s.rejected.negative}}},
-          {"khat", nullptr}, {"peak_rss_bytes", peak_memory()}, {"model", flags}};
+          {"khat", nullptr},
+          {"peak_rss_bytes", peak_memory()},
+          {"model", flags}};
 }
 
 int run(const Options& o) {
@@ -176,7 +188,8 @@ int run(const Options& o) {
   render::Document& d = start->document;
   if (auto ok = apply(o, d); !ok) return fail(ok.error());
   set_limits(o, !o.like.empty() || !o.resume.empty(), d);
-  for (const auto& warning : d.scene->warnings) std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
+  for (const auto& warning : d.scene->warnings)
+    std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
 
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -193,7 +206,8 @@ int run(const Options& o) {
   const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
   const auto save_checkpoint = [&]() -> Result<void> {
     const auto status = session.status();
-    return render::write_checkpoint(checkpoint_file, {render::state_json(d, status.samples), session.film_copy(), status.seconds + start->seconds});
+    return render::write_checkpoint(
+        checkpoint_file, {render::state_json(d, status.samples), session.film_copy(), status.seconds + start->seconds});
   };
   while (!session.status().finished && !interrupted) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -214,13 +228,17 @@ int run(const Options& o) {
     if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
   std::vector<image::Layer> layers;
   const auto compiled = session.scene();
-  if (compiled && !aovs->empty()) layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
+  if (compiled && !aovs->empty())
+    layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const bool counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
   if (auto ok = write_image(o.out, d, film, std::move(layers), counts, status.samples); !ok) return fail(ok.error());
   if (!o.png.empty())
     if (auto ok = write_image(o.png, d, film, {}, false, status.samples); !ok) return fail(ok.error());
   if (!o.json.empty()) {
-    const std::string text = stats(d, status, session.model(), o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency())).dump(2) + "\n";
+    const std::string text = stats(d, status, session.model(),
+                                   o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency()))
+                                 .dump(2) +
+                             "\n";
     if (o.json == "-")
       std::fputs(text.c_str(), stdout);
     else if (auto ok = write_file(o.json, text.data(), text.size()); !ok)
@@ -252,13 +270,15 @@ Command add_render(CLI::App& app) {
   app.add_option("--camera", o->camera, "A camera of the scene by name or index");
   app.add_option("--seed", o->seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
-  app.add_option("--max-depth", o->max_depth, "Path segments from camera to light; 0 is no limit")->check(CLI::Range(0, 1000));
+  app.add_option("--max-depth", o->max_depth, "Path segments from camera to light; 0 is no limit")
+      ->check(CLI::Range(0, 1000));
   app.add_option("--paths", o->paths, "Only paths that match this expression");
   app.add_option("--aov", o->aov, "Layers to add, comma separated, or 'all'");
   app.add_option("--env", o->env, "Environment map, .hdr or .exr");
   app.add_option("--exposure", o->exposure, "EV, for .png")->check(CLI::Range(-30.0, 30.0));
   app.add_option("--json", o->json, "Statistics as JSON; '-' is standard output");
-  app.add_option("--checkpoint", o->checkpoint, "Seconds between checkpoints, written to OUT.checkpoint")->check(CLI::PositiveNumber);
+  app.add_option("--checkpoint", o->checkpoint, "Seconds between checkpoints, written to OUT.checkpoint")
+      ->check(CLI::PositiveNumber);
   app.add_option("--resume", o->resume, "Go on from a checkpoint");
   app.add_option("--like", o->like, "Take all settings from an .exr of this program");
   return [o] { return run(*o); };

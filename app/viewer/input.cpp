@@ -90,6 +90,8 @@ bool EventQueue::take_frame(Input& input) {
       case Event::Type::drop:
         input.dropped.push_back(e.file);
         break;
+      case Event::Type::redraw:
+        break;
     }
     events_.pop_front();
   }

@@ -21,14 +21,14 @@ enum class Button : uint8_t { left, right, middle };
 inline constexpr int kKeys = 512;
 
 struct Event {
-  enum class Type : uint8_t { move, button, scroll, key, text, drop, leave };
+  enum class Type : uint8_t { move, button, scroll, key, text, drop, leave, redraw };
   Type type = Type::move;
   Vec2 position{0};  // pixels from the upper left corner of the window; the amount, for scroll
   Button button = Button::left;
   int key = 0;
   bool down = false;
   unsigned character = 0;
-  std::string file;
+  std::string file{};
 };
 
 // The state at a frame, and what changed since the last.

@@ -121,8 +121,8 @@ class Window final : public Platform {
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
       for (int i = 0; i < count; ++i) push(w, {.type = Event::Type::drop, .file = files[i]});
     });
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { push(w, {.type = Event::Type::scroll}); });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { push(w, {.type = Event::Type::scroll}); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { push(w, {.type = Event::Type::redraw}); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { push(w, {.type = Event::Type::redraw}); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
       if (focused) return;
       // Keys that are let go while another window has the focus would stay down.

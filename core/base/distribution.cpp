@@ -40,7 +40,8 @@ AliasTable::AliasTable(std::span<const float> weights) : bins_(weights.size()) {
     }
 }
 
-Piecewise1D::Piecewise1D(std::span<const float> values) : values_(values.begin(), values.end()), cdf_(values.size() + 1) {
+Piecewise1D::Piecewise1D(std::span<const float> values)
+    : values_(values.begin(), values.end()), cdf_(values.size() + 1) {
   const double n = static_cast<double>(values.size());
   const double sum = sum_of(values);
   if (!(sum > 0)) values_.assign(values.size(), 0.0f);
@@ -55,7 +56,8 @@ Piecewise1D::Piecewise1D(std::span<const float> values) : values_(values.begin()
 
 Piecewise1D::Sample Piecewise1D::sample(float u) const {
   const auto above = std::upper_bound(cdf_.begin(), cdf_.end(), u);
-  const auto cell = std::min(static_cast<size_t>(std::max<std::ptrdiff_t>(above - cdf_.begin() - 1, 0)), values_.size() - 1);
+  const auto cell =
+      std::min(static_cast<size_t>(std::max<std::ptrdiff_t>(above - cdf_.begin() - 1, 0)), values_.size() - 1);
   const float width = cdf_[cell + 1] - cdf_[cell];
   const float inside = width > 0 ? (u - cdf_[cell]) / width : 0.5f;
   const float n = static_cast<float>(values_.size());

@@ -38,7 +38,9 @@ struct Frame {
   }
 
   // Always inline: a vector that is returned through a register pair stalls.
-  [[gnu::always_inline]] Vec3 to_local(const Vec3& v) const { return Vec3(glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)); }
+  [[gnu::always_inline]] Vec3 to_local(const Vec3& v) const {
+    return Vec3(glm::dot(v, x), glm::dot(v, y), glm::dot(v, z));
+  }
   [[gnu::always_inline]] Vec3 to_world(const Vec3& v) const { return x * v.x + y * v.y + z * v.z; }
 };
 

@@ -46,10 +46,14 @@ std::string to_string(const Value& value) {
 
 std::string_view type_name(ParameterType type) {
   switch (type) {
-    case ParameterType::toggle: return "toggle";
-    case ParameterType::integer: return "integer";
-    case ParameterType::number: return "number";
-    case ParameterType::choice: return "choice";
+    case ParameterType::toggle:
+      return "toggle";
+    case ParameterType::integer:
+      return "integer";
+    case ParameterType::number:
+      return "number";
+    case ParameterType::choice:
+      return "choice";
   }
   return "";
 }
@@ -70,7 +74,8 @@ Result<Value> parse_value(const ParameterInfo& info, std::string_view text) {
       if (!parse_number(text, d)) return wrong(info, text, expected_range(info));
       return checked_value(info, d);
     }
-    case ParameterType::choice: return checked_value(info, std::string(text));
+    case ParameterType::choice:
+      return checked_value(info, std::string(text));
   }
   return wrong(info, text, "a value");
 }

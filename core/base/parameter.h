@@ -28,9 +28,9 @@ enum class ParameterType { toggle, integer, number, choice };
 struct ParameterInfo {
   std::string name, label, unit, doc;
   ParameterType type = ParameterType::number;
-  double min = 0, max = 0;         // inclusive; integers and numbers only
-  bool logarithmic = false;        // the quantity is naturally seen on a logarithmic slider
-  Value default_value = false;     // a choice's value is the name of the option
+  double min = 0, max = 0;                          // inclusive; integers and numbers only
+  bool logarithmic = false;                         // the quantity is naturally seen on a logarithmic slider
+  Value default_value = false;                      // a choice's value is the name of the option
   std::vector<std::string> options, option_labels;  // choices only
 };
 

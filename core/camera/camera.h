@@ -11,11 +11,11 @@ enum class Projection : uint8_t { perspective, orthographic };
 struct Camera {
   std::string name;
   Projection projection = Projection::perspective;
-  Mat4 to_world{1};      // looks along its -z, +y up; rotation and translation only
-  float yfov = 0.8f;     // radians, perspective
-  float ymag = 1;        // half the height of the picture in metres, orthographic
-  float aspect = 0;      // width / height the author asked for; 0 if the file leaves it to the window
-  float lens_radius = 0;  // metres; 0 is a pinhole
+  Mat4 to_world{1};          // looks along its -z, +y up; rotation and translation only
+  float yfov = 0.8f;         // radians, perspective
+  float ymag = 1;            // half the height of the picture in metres, orthographic
+  float aspect = 0;          // width / height the author asked for; 0 if the file leaves it to the window
+  float lens_radius = 0;     // metres; 0 is a pinhole
   float focus_distance = 1;  // metres from the lens along -z
   float near_clip = 0, far_clip = kInfinity;
 

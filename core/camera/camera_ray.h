@@ -18,7 +18,7 @@ class CameraRays {
 
  private:
   Camera camera_;
-  Vec2 to_unit_;      // pixel to [-1, 1] times half the size of the picture at distance one (or in metres, orthographic)
+  Vec2 to_unit_;  // pixel to [-1, 1] times half the size of the picture at distance one (or in metres, orthographic)
   Vec2 half_size_;
 };
 

@@ -2,7 +2,8 @@
 //
 // Samples alternate between the halves, and each half has its own random numbers. The mean of both is the image; their
 // difference is its error, also for quasi-Monte Carlo points, whose spread inside one sequence says nothing:
-// Var(mean) = (A - B)^2 / 4 per pixel, in expectation. What is not a finite, non-negative radiance is counted and left out.
+// Var(mean) = (A - B)^2 / 4 per pixel, in expectation. What is not a finite, non-negative radiance is counted and left
+// out.
 #pragma once
 #include <array>
 #include <atomic>
@@ -56,8 +57,12 @@ class Film {
   void set_rejected(const Rejected& rejected);
 
  private:
-  const Pixel& at(int x, int y) const { return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)]; }
-  Pixel& at(int x, int y) { return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)]; }
+  const Pixel& at(int x, int y) const {
+    return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  }
+  Pixel& at(int x, int y) {
+    return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  }
 
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;

@@ -19,7 +19,8 @@ double gaussian(double x) { return std::exp(-0.5 * x * x / (kGaussianSigma * kGa
 template <class F>
 Piecewise1D tabulate(F&& f, double radius) {
   std::vector<float> values(kTable);
-  for (int i = 0; i < kTable; ++i) values[static_cast<size_t>(i)] = static_cast<float>(f(radius * (2 * (i + 0.5) / kTable - 1)));
+  for (int i = 0; i < kTable; ++i)
+    values[static_cast<size_t>(i)] = static_cast<float>(f(radius * (2 * (i + 0.5) / kTable - 1)));
   return Piecewise1D(values);
 }
 
@@ -32,10 +33,14 @@ Filter::Filter(FilterKind kind) : kind_(kind) {
 
 float Filter::radius() const {
   switch (kind_) {
-    case FilterKind::box: return 0.5f;
-    case FilterKind::tent: return 1;
-    case FilterKind::gaussian: return kGaussianRadius;
-    case FilterKind::blackman_harris: return kBlackmanHarrisRadius;
+    case FilterKind::box:
+      return 0.5f;
+    case FilterKind::tent:
+      return 1;
+    case FilterKind::gaussian:
+      return kGaussianRadius;
+    case FilterKind::blackman_harris:
+      return kBlackmanHarrisRadius;
   }
   return 0;
 }
@@ -43,22 +48,28 @@ float Filter::radius() const {
 float Filter::value(float x) const {
   if (std::abs(x) > radius()) return 0;
   switch (kind_) {
-    case FilterKind::box: return 1;
-    case FilterKind::tent: return 1 - std::abs(x);
+    case FilterKind::box:
+      return 1;
+    case FilterKind::tent:
+      return 1 - std::abs(x);
     case FilterKind::gaussian:
       return static_cast<float>(gaussian(x)) /
              (kGaussianSigma * std::sqrt(2 * kPi) * std::erf(kGaussianRadius / (kGaussianSigma * std::sqrt(2.0f))));
-    case FilterKind::blackman_harris: return static_cast<float>(blackman_harris(x) / (0.35875 * 2 * kBlackmanHarrisRadius));
+    case FilterKind::blackman_harris:
+      return static_cast<float>(blackman_harris(x) / (0.35875 * 2 * kBlackmanHarrisRadius));
   }
   return 0;
 }
 
 float Filter::sample_1d(float u) const {
   switch (kind_) {
-    case FilterKind::box: return u - 0.5f;
-    case FilterKind::tent: return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
+    case FilterKind::box:
+      return u - 0.5f;
+    case FilterKind::tent:
+      return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
     case FilterKind::gaussian:
-    case FilterKind::blackman_harris: break;
+    case FilterKind::blackman_harris:
+      break;
   }
   return radius() * (2 * table_.sample(u).x - 1);
 }

@@ -1,7 +1,8 @@
-// Reconstruction filters, by importance sampling: a sample's place under the pixel is drawn from the filter itself, every
-// sample weighs one and belongs to one pixel.                        thesis (8.47)-(8.54); Ernst et al. 2006
+// Reconstruction filters, by importance sampling: a sample's place under the pixel is drawn from the filter itself,
+// every sample weighs one and belongs to one pixel.                        thesis (8.47)-(8.54); Ernst et al. 2006
 //
-// All four filters are separable and positive, so that every sample weighs the same. Offsets are in pixels from the centre.
+// All four filters are separable and positive, so that every sample weighs the same. Offsets are in pixels from the
+// centre.
 #pragma once
 #include <array>
 
@@ -35,8 +36,6 @@ class Filter {
 
 template <>
 struct etendue::Options<etendue::film::FilterKind> {
-  static constexpr std::array<etendue::Option, 4> kOptions{{{"box", "Box"},
-                                                            {"tent", "Tent"},
-                                                            {"gaussian", "Gaussian"},
-                                                            {"blackman-harris", "Blackman-Harris"}}};
+  static constexpr std::array<etendue::Option, 4> kOptions{
+      {{"box", "Box"}, {"tent", "Tent"}, {"gaussian", "Gaussian"}, {"blackman-harris", "Blackman-Harris"}}};
 };

@@ -30,7 +30,8 @@ RTCDevice device() {
   return the_device;
 }
 
-// Every scene is ready for an opacity test on the ray's context, so that a material can become transparent without a rebuild.
+// Every scene is ready for an opacity test on the ray's context, so that a material can become transparent without a
+// rebuild.
 RTCScene new_scene() {
   const RTCScene scene = rtcNewScene(device());
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
@@ -63,7 +64,9 @@ struct TraceContext {
 };
 
 // Top-level geometry ids are instance numbers, whether the hit lies in an instance or in the top level itself.
-uint32_t instance_of(uint32_t inst_id, uint32_t geom_id) { return inst_id != RTC_INVALID_GEOMETRY_ID ? inst_id : geom_id; }
+uint32_t instance_of(uint32_t inst_id, uint32_t geom_id) {
+  return inst_id != RTC_INVALID_GEOMETRY_ID ? inst_id : geom_id;
+}
 
 void test_opacity(const RTCFilterFunctionNArguments* args) {
   const auto* context = reinterpret_cast<const TraceContext*>(args->context);
@@ -129,7 +132,8 @@ void Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_s
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context.embree, &query);
-  hit.instance = query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit::kNone : instance_of(query.hit.instID[0], query.hit.geomID);
+  hit.instance =
+      query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit::kNone : instance_of(query.hit.instID[0], query.hit.geomID);
   hit.triangle = query.hit.primID;
   hit.u = query.hit.u, hit.v = query.hit.v, hit.t = query.ray.tfar;
 }

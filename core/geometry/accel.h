@@ -1,8 +1,9 @@
 // Ray intersection: Embree behind a plain interface.
 //
-// A MeshAccel is built once for a mesh and kept for as long as the mesh lives. An Accel is the top level over the instances
-// of one scene: building it anew after a transform costs what the instances cost, never what the meshes cost. Small meshes
-// that are used once stand in the top level itself, in world space, because an instance costs every ray that meets it.
+// A MeshAccel is built once for a mesh and kept for as long as the mesh lives. An Accel is the top level over the
+// instances of one scene: building it anew after a transform costs what the instances cost, never what the meshes cost.
+// Small meshes that are used once stand in the top level itself, in world space, because an instance costs every ray
+// that meets it.
 #pragma once
 #include <embree3/rtcore.h>
 

@@ -13,8 +13,8 @@ namespace etendue {
 using Triangle = std::array<uint32_t, 3>;
 
 // Front faces are counter-clockwise. Optional arrays are empty or as long as `positions`. A mesh that is part of a
-// scene::CompiledScene is immutable and shared. `positions` keeps capacity for one more element than it has: Embree reads
-// 16 bytes at the last vertex.
+// scene::CompiledScene is immutable and shared. `positions` keeps capacity for one more element than it has: Embree
+// reads 16 bytes at the last vertex.
 struct Mesh {
   std::string name;
   std::vector<Vec3> positions;
@@ -26,7 +26,8 @@ struct Mesh {
 
   size_t memory() const {
     return positions.size() * sizeof(Vec3) + triangles.size() * sizeof(Triangle) + normals.size() * sizeof(Vec3) +
-           tangents.size() * sizeof(Vec4) + (uvs[0].size() + uvs[1].size()) * sizeof(Vec2) + colors.size() * sizeof(Vec4);
+           tangents.size() * sizeof(Vec4) + (uvs[0].size() + uvs[1].size()) * sizeof(Vec2) +
+           colors.size() * sizeof(Vec4);
   }
 };
 

@@ -1,7 +1,8 @@
 // Pictures in memory and in files.
 //
-// An Image keeps its pixels as they were stored (8-bit, or linear float); row 0 is the top. Files are recognised by their
-// content when read and by their extension when written: .exr, .hdr, .png, .jpg, .webp (the last two are only read).
+// An Image keeps its pixels as they were stored (8-bit, or linear float); row 0 is the top. Files are recognised by
+// their content when read and by their extension when written: .exr, .hdr, .png, .jpg, .webp (the last two are only
+// read).
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -31,9 +32,9 @@ struct Image {
 
 // Named layers of float pixels, as an EXR file holds them. "" is the beauty layer with channels R, G, B.
 struct Layer {
-  std::string name;                      // "", "albedo", "depth", ...
-  std::vector<std::string> channels;     // "R","G","B" or "X","Y","Z" or "Z" ...
-  std::vector<float> pixels;             // interleaved, channels.size() per pixel
+  std::string name;                   // "", "albedo", "depth", ...
+  std::vector<std::string> channels;  // "R","G","B" or "X","Y","Z" or "Z" ...
+  std::vector<float> pixels;          // interleaved, channels.size() per pixel
 };
 
 struct LayeredImage {
@@ -44,8 +45,8 @@ struct LayeredImage {
   const Layer* find(const std::string& name) const;
 };
 
-// Decodes PNG, JPEG, WebP or Radiance HDR bytes. `name` is used in messages. An image of more than 2^28 pixels is an error,
-// and is found to be one before memory is taken for it.
+// Decodes PNG, JPEG, WebP or Radiance HDR bytes. `name` is used in messages. An image of more than 2^28 pixels is an
+// error, and is found to be one before memory is taken for it.
 Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& name);
 
 // Any readable format as linear RGB floats in Rec. 709: sRGB files are linearised, grey is spread, alpha is dropped.

@@ -32,10 +32,17 @@ inline uint32_t pixel_seed(uint64_t seed, int x, int y, uint32_t replicate) {
 template <class Derived>
 class Gathering : public Integrator {
  public:
-  Number<int> max_depth{"max-depth", "Longest path", 0, {0, 1000}, "Path segments from camera to light: 1 is a light seen directly, 2 direct illumination, 0 no limit"};
+  Number<int> max_depth{
+      "max-depth",
+      "Longest path",
+      0,
+      {0, 1000},
+      "Path segments from camera to light: 1 is a light seen directly, 2 direct illumination, 0 no limit"};
 
   std::vector<ParameterInfo> parameters() const final { return describe_all(const_cast<Derived&>(self()).knobs()); }
-  bool set(std::string_view name, const Value& value) final { return assign_by_name(static_cast<Derived&>(*this).knobs(), name, value); }
+  bool set(std::string_view name, const Value& value) final {
+    return assign_by_name(static_cast<Derived&>(*this).knobs(), name, value);
+  }
 
   uint64_t sample(const Pass& pass, const PixelRun& run, std::span<Rgb> radiance) const final {
     return transport::with_model(*pass.model, [&]<class M>(M) { return sample_with<M>(pass, run, radiance); });

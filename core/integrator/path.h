@@ -1,8 +1,8 @@
 // Path tracing with next event estimation.                        thesis 9.1.2, (9.26)-(9.29); Kajiya 1986
 //
-// Estimates L = L_e + T L by one random walk per sample from the camera. At every vertex the direct light is estimated twice,
-// by a point on a light and by the direction the walk takes next, and both are combined by multiple importance sampling
-// (thesis 6.6.9).
+// Estimates L = L_e + T L by one random walk per sample from the camera. At every vertex the direct light is estimated
+// twice, by a point on a light and by the direction the walk takes next, and both are combined by multiple importance
+// sampling (thesis 6.6.9).
 #pragma once
 #include "integrator/gathering.h"
 
@@ -10,33 +10,43 @@ namespace etendue::integrator {
 
 class Path final : public Gathering<Path> {
  public:
-  static constexpr Description kDescription{
-      "path", "Path tracing", "Random walks from the camera with direct light at every vertex", "E(D|G|S)*L", Bias::unbiased,
-      "2 rays per vertex; no memory beyond the path",
-      "caustics of small lights: EDS+L is found only when a walk happens to end on the light; point lights behind glass: never"};
+  static constexpr Description kDescription{"path",
+                                            "Path tracing",
+                                            "Random walks from the camera with direct light at every vertex",
+                                            "E(D|G|S)*L",
+                                            Bias::unbiased,
+                                            "2 rays per vertex; no memory beyond the path",
+                                            "caustics of small lights: EDS+L is found only when a walk happens to end "
+                                            "on the light; point lights behind glass: never"};
 
-  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power, "How light samples and BSDF samples share a path"};
-  Number<int> roulette_start{"roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
+                                            "How light samples and BSDF samples share a path"};
+  Number<int> roulette_start{
+      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
   auto knobs() { return std::tie(max_depth, heuristic, roulette_start); }
 
   template <class M>
-  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random, uint32_t& rays) const {
+  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random,
+                             uint32_t& rays) const {
     using namespace transport;
     typename M::Color radiance(0);
     Walk<M> walk(scene, ray, first, random);
     scene::SurfacePoint point;
 
     while (walk.arrive(point)) {
-      radiance += walk.throughput() * emitted<M>(scene, point, walk.all_specular()) * weight_of_hit(walk, scene, point, heuristic);
+      radiance += walk.throughput() * emitted<M>(scene, point, walk.all_specular()) *
+                  weight_of_hit(walk, scene, point, heuristic);
       if (at_limit(walk.length())) break;
 
       const Bsdf<M> bsdf = scene.bsdf<M>(point);
-      radiance += walk.throughput() * direct_light(scene, point, bsdf, walk.wo(), random, heuristic, true, Shadows::cast, rays);
+      radiance +=
+          walk.throughput() * direct_light(scene, point, bsdf, walk.wo(), random, heuristic, true, Shadows::cast, rays);
 
       if (!walk.scatter(point, bsdf) || !walk.survives_roulette(roulette_start)) break;
     }
-    if (walk.escaped()) radiance += walk.throughput() * environment(scene, walk) * weight_of_escape(walk, scene, heuristic);
+    if (walk.escaped())
+      radiance += walk.throughput() * environment(scene, walk) * weight_of_escape(walk, scene, heuristic);
     rays += walk.rays();
     return radiance;
   }

@@ -1,7 +1,7 @@
 // Pure path tracing.                                                        thesis 9.1.1, (9.1)-(9.9)
 //
-// A random walk from the camera that counts light only where it meets it. Emitters may reflect: the sum form (9.3) is used,
-// not the product form that needs black emitters.
+// A random walk from the camera that counts light only where it meets it. Emitters may reflect: the sum form (9.3) is
+// used, not the product form that needs black emitters.
 #pragma once
 #include "integrator/gathering.h"
 
@@ -10,16 +10,22 @@ namespace etendue::integrator {
 class PathPure final : public Gathering<PathPure> {
  public:
   static constexpr Description kDescription{
-      "path-pure", "Pure path tracing", "Random walks from the camera that count light only where they meet it", "E(D|G|S)*L",
-      Bias::unbiased, "1 ray per vertex; no memory beyond the path",
+      "path-pure",
+      "Pure path tracing",
+      "Random walks from the camera that count light only where they meet it",
+      "E(D|G|S)*L",
+      Bias::unbiased,
+      "1 ray per vertex; no memory beyond the path",
       "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: never"};
 
-  Number<int> roulette_start{"roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+  Number<int> roulette_start{
+      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
   auto knobs() { return std::tie(max_depth, roulette_start); }
 
   template <class M>
-  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random, uint32_t& rays) const {
+  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random,
+                             uint32_t& rays) const {
     using namespace transport;
     typename M::Color radiance(0);
     Walk<M> walk(scene, ray, first, random);

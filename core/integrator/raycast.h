@@ -1,4 +1,5 @@
-// Ray casting: what the camera sees, and a local illumination model without shadows.   thesis 8.2, (8.14)-(8.19), errata E3, E5
+// Ray casting: what the camera sees, and a local illumination model without shadows.   thesis 8.2, (8.14)-(8.19),
+// errata E3, E5
 //
 // Plain, a pixel shows the emission of what its ray meets. With the local model one point on one light is added, as if
 // nothing stood between it and the surface.
@@ -10,15 +11,22 @@ namespace etendue::integrator {
 class Raycast final : public Gathering<Raycast> {
  public:
   static constexpr Description kDescription{
-      "raycast", "Ray casting", "The first surface a ray meets, lit without shadows or left to its own emission", "E[D|G]L",
-      Bias::biased, "1 ray per sample", "everything indirect, every shadow; point lights are invisible without the local model"};
+      "raycast",
+      "Ray casting",
+      "The first surface a ray meets, lit without shadows or left to its own emission",
+      "E[D|G]L",
+      Bias::biased,
+      "1 ray per sample",
+      "everything indirect, every shadow; point lights are invisible without the local model"};
 
-  Toggle local{"local", "Local illumination", true, "Light from every source, as if nothing stood in between (thesis 8.2)"};
+  Toggle local{"local", "Local illumination", true,
+               "Light from every source, as if nothing stood in between (thesis 8.2)"};
 
   auto knobs() { return std::tie(max_depth, local); }
 
   template <class M>
-  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random, uint32_t& rays) const {
+  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random,
+                             uint32_t& rays) const {
     using namespace transport;
     Walk<M> walk(scene, ray, first, random);
     scene::SurfacePoint point;
@@ -27,7 +35,8 @@ class Raycast final : public Gathering<Raycast> {
     typename M::Color radiance = emitted<M>(scene, point, true);
     if (local && !at_limit(1)) {
       const Bsdf<M> bsdf = scene.bsdf<M>(point);
-      radiance += direct_light(scene, point, bsdf, walk.wo(), random, MisHeuristic::power, false, Shadows::ignored, rays);
+      radiance +=
+          direct_light(scene, point, bsdf, walk.wo(), random, MisHeuristic::power, false, Shadows::ignored, rays);
     }
     return walk.throughput() * radiance;
   }

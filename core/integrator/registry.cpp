@@ -16,7 +16,8 @@ struct Entry {
 template <class T>
 Entry entry() {
   const Description& d = T::kDescription;
-  return {{d.name, d.label, d.doc, d.paths, d.bias, d.cost, d.fails, T().parameters()}, [] { return std::make_unique<T>(); }};
+  return {{d.name, d.label, d.doc, d.paths, d.bias, d.cost, d.fails, T().parameters()},
+          [] { return std::make_unique<T>(); }};
 }
 
 const std::vector<Entry>& entries() {

@@ -12,7 +12,8 @@ Rgb pixel(const image::Image& map, int x, int y) {
 
 }  // namespace
 
-// The density is that of the picture's own cells: looking up nearest texels keeps radiance / density bounded by the sine.
+// The density is that of the picture's own cells: looking up nearest texels keeps radiance / density bounded by the
+// sine.
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment), mean_(environment.tint) {
   if (!environment_.map || environment_.map->empty()) {
     environment_.map = nullptr;

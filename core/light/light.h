@@ -18,7 +18,7 @@ struct Light {
   Rgb color{1};
   float intensity = 1;  // point, spot: W/sr; directional: W/m^2 (irradiance on a surface that faces it)
   float inner_cone = 0, outer_cone = kPi / 4;  // spot: half angles in radians, falling off between them
-  float range = kInfinity;  // metres; glTF's recommended window, infinite where the file gives none
+  float range = kInfinity;                     // metres; glTF's recommended window, infinite where the file gives none
 
   friend bool operator==(const Light&, const Light&) = default;
 };

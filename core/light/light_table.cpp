@@ -13,9 +13,12 @@ float power_of(const PlacedLight& placed, float scene_radius) {
   const Light& light = placed.light;
   const float intensity = luminance(light.color) * light.intensity;
   switch (light.type) {
-    case LightType::point: return 4 * kPi * intensity;
-    case LightType::spot: return kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone)) * intensity;
-    case LightType::directional: return kPi * sqr(scene_radius) * intensity;
+    case LightType::point:
+      return 4 * kPi * intensity;
+    case LightType::spot:
+      return kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone)) * intensity;
+    case LightType::directional:
+      return kPi * sqr(scene_radius) * intensity;
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 // All lights of a compiled scene, and choosing among them by power.           thesis 6.4, 9.1.2; (9.21)-(9.23)
 //
-// A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density with
-// its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
+// A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density
+// with its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
 #pragma once
 #include <memory>
 #include <span>
@@ -14,8 +14,8 @@
 
 namespace etendue {
 
-// An emissive triangle in world space. Radiance is the emission of its material, the mean of it over a texture: only for
-// choosing; what is shaded comes from the material itself.
+// An emissive triangle in world space. Radiance is the emission of its material, the mean of it over a texture: only
+// for choosing; what is shaded comes from the material itself.
 struct EmissiveTriangle {
   Vec3 p0, e1, e2;
   uint32_t instance = 0, triangle = 0;
@@ -60,13 +60,13 @@ enum class LightKind : uint8_t { triangle, placed, environment };
 // A point on a light as a receiver sees it.
 struct LightSample {
   LightKind kind = LightKind::triangle;
-  Vec3 wi{0};                 // towards the light
+  Vec3 wi{0};  // towards the light
   float distance = kInfinity;
-  float pdf = 0;              // of this sample, choice of the light included: per solid angle, or discrete where `delta`
+  float pdf = 0;  // of this sample, choice of the light included: per solid angle, or discrete where `delta`
   bool delta = false;
-  Rgb radiance{0};            // what arrives, without visibility; for a delta light, irradiance on a facing surface
+  Rgb radiance{0};  // what arrives, without visibility; for a delta light, irradiance on a facing surface
   uint32_t light = 0;
-  Vec2 barycentric{0};        // on a triangle
+  Vec2 barycentric{0};  // on a triangle
 };
 
 class LightTable {

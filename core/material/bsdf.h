@@ -1,7 +1,7 @@
 // The scattering function at one surface point: a mix of at most kMaxLobes lobes in a fixed value on the stack.
 //
-// Directions are in world space, point away from the surface, and are unit. `eval` leaves the cosine out; densities are per
-// solid angle of wi. Which side a direction is on is decided by the geometric normal, the shape of the lobes by the
+// Directions are in world space, point away from the surface, and are unit. `eval` leaves the cosine out; densities are
+// per solid angle of wi. Which side a direction is on is decided by the geometric normal, the shape of the lobes by the
 // shading normal (Veach 1997, section 5.3), so that light never leaks through a surface.
 #pragma once
 #include <array>

@@ -1,11 +1,12 @@
 // The boundary of a solid dielectric, smooth or rough: reflection and refraction with exact Fresnel terms.
 //
 //   f_r = F D G2 / (4 |cos_o cos_i|)
-//   f_t = (1 - F) D G2 |wo.h| |wi.h| / (|cos_o cos_i| (wo.h + eta wi.h)^2)  [x 1/eta'^2 for radiance]   Walter et al. 2007
+//   f_t = (1 - F) D G2 |wo.h| |wi.h| / (|cos_o cos_i| (wo.h + eta wi.h)^2)  [x 1/eta'^2 for radiance]   Walter et al.
+//   2007
 //
-// `eta` is inside (z < 0) over outside (z > 0). Radiance is compressed on refraction, power is not: thesis (4.128), (4.137),
-// erratum E8. Smooth boundaries are a pair of deltas. Reciprocal up to the eta^2 law; conserves energy (facets lose what is
-// scattered more than once). Sampling: visible normals, then reflection or refraction by F.
+// `eta` is inside (z < 0) over outside (z > 0). Radiance is compressed on refraction, power is not: thesis (4.128),
+// (4.137), erratum E8. Smooth boundaries are a pair of deltas. Reciprocal up to the eta^2 law; conserves energy (facets
+// lose what is scattered more than once). Sampling: visible normals, then reflection or refraction by F.
 #pragma once
 #include "material/fresnel.h"
 #include "material/layered.h"
@@ -16,7 +17,7 @@ namespace etendue {
 
 template <class Color>
 struct Dielectric {
-  Color tint{1};         // of what passes through the boundary
+  Color tint{1};          // of what passes through the boundary
   Color reflect_tint{1};  // of what it reflects: KHR_materials_specular
   float eta = 1.5f;
   float share = 1;  // the weight of this lobe in the surface's mix

@@ -6,8 +6,9 @@
 
 namespace etendue {
 
-// Unpolarised reflectance of a smooth dielectric, exact. `cos_i` is the cosine on the side that the direction lies on, in
-// (0, 1]; `eta` = eta_t / eta_i. One under total internal reflection. `cos_t` receives the refracted cosine (0 if none).
+// Unpolarised reflectance of a smooth dielectric, exact. `cos_i` is the cosine on the side that the direction lies on,
+// in (0, 1]; `eta` = eta_t / eta_i. One under total internal reflection. `cos_t` receives the refracted cosine (0 if
+// none).
 inline float fresnel_dielectric(float cos_i, float eta, float& cos_t) {
   const float sin2_t = (1 - sqr(cos_i)) / sqr(eta);
   if (sin2_t >= 1) {

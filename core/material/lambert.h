@@ -14,9 +14,7 @@ struct Lambert {
   bool is_delta() const { return false; }
   float weight(const Vec3&) const { return average(albedo); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
-    return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0);
-  }
+  Color eval(const Vec3& wo, const Vec3& wi, Transport) const { return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0); }
 
   float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;

@@ -3,10 +3,10 @@
 //   f = base/pi (1 - max F_d(wo.h)) + F(wo.h) D G2 / (4 cos_o cos_i)               glTF 2.0, appendix B
 //
 // F is Schlick's with f0 and f90 mixed between dielectric and metal, F_d the dielectric's alone, by which the base is
-// attenuated. Reciprocal (h is symmetric in wo and wi). Energy is the specification's: the layer alone loses what is scattered
-// more than once between facets; over a bright base the sum gains at grazing angles (albedo up to 1.5 at 88 degrees), because
-// 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is a mirror.
-// Sampling: cosine for the base, visible normals for the layer, chosen by their estimated albedo.
+// attenuated. Reciprocal (h is symmetric in wo and wi). Energy is the specification's: the layer alone loses what is
+// scattered more than once between facets; over a bright base the sum gains at grazing angles (albedo up to 1.5 at 88
+// degrees), because 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is a mirror. Sampling:
+// cosine for the base, visible normals for the layer, chosen by their estimated albedo.
 #pragma once
 #include "base/warp.h"
 #include "material/fresnel.h"
@@ -20,8 +20,8 @@ inline constexpr float kSmoothAlpha = 1e-4f;
 
 template <class Color>
 struct Layered {
-  Color base{0};          // diffuse albedo under the layer, zero for a metal
-  Color f0{0}, f90{0};    // of the specular layer
+  Color base{0};                                // diffuse albedo under the layer, zero for a metal
+  Color f0{0}, f90{0};                          // of the specular layer
   float dielectric_f0 = 0, dielectric_f90 = 0;  // what the base does not get
   Ggx facets;
 

@@ -1,7 +1,7 @@
 // What every lobe of a BSDF speaks: directions of transport, kinds of scattering, the result of sampling.
 //
-// Directions are local to the shading frame (z is the shading normal), unit, and point away from the surface. `eval` leaves
-// the cosine out; densities are per solid angle of wi. A lobe offers
+// Directions are local to the shading frame (z is the shading normal), unit, and point away from the surface. `eval`
+// leaves the cosine out; densities are per solid angle of wi. A lobe offers
 //
 //   Color eval(wo, wi, Transport) const;
 //   float pdf(wo, wi, Transport) const;
@@ -22,9 +22,9 @@ enum class Scatter : uint8_t { diffuse, glossy, specular };
 template <class Color>
 struct LobeSample {
   Vec3 wi{0};
-  Color weight{0};              // f cos / pdf, and the delta's coefficient where `delta`
-  float pdf_solid_angle = 0;    // 0 where `delta`
-  float eta = 1;                // eta(wi side) / eta(wo side): not 1 after refraction
+  Color weight{0};            // f cos / pdf, and the delta's coefficient where `delta`
+  float pdf_solid_angle = 0;  // 0 where `delta`
+  float eta = 1;              // eta(wi side) / eta(wo side): not 1 after refraction
   Scatter scatter = Scatter::diffuse;
   bool delta = false;
   bool transmitted = false;

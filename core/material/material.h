@@ -25,7 +25,7 @@ struct Material {
   TextureUse normal_texture;              // linear, tangent space
   float normal_scale = 1;
 
-  Rgb emission{0};  // emissiveFactor * emissiveStrength: radiance W/(m^2 sr)
+  Rgb emission{0};              // emissiveFactor * emissiveStrength: radiance W/(m^2 sr)
   TextureUse emission_texture;  // sRGB
 
   AlphaMode alpha_mode = AlphaMode::opaque;
@@ -33,8 +33,8 @@ struct Material {
   bool double_sided = false;
   bool unlit = false;  // KHR_materials_unlit: shows base colour, whatever the light
 
-  float ior = 1.5f;                // KHR_materials_ior; 0 means a Fresnel term of one
-  float specular = 1;              // KHR_materials_specular
+  float ior = 1.5f;    // KHR_materials_ior; 0 means a Fresnel term of one
+  float specular = 1;  // KHR_materials_specular
   Rgb specular_color{1};
   TextureUse specular_texture;        // linear, A
   TextureUse specular_color_texture;  // sRGB
@@ -42,7 +42,7 @@ struct Material {
   TextureUse transmission_texture;    // linear, R
   float thickness = 0;                // KHR_materials_volume: 0 is a thin wall, anything else a solid
   Rgb attenuation_color{1};
-  float attenuation_distance = kInfinity;  // metres of world space
+  float attenuation_distance = kInfinity;         // metres of world space
   float anisotropy = 0, anisotropy_rotation = 0;  // [0, 1]; radians from the tangent
 
   bool solid() const { return transmission > 0 && thickness > 0; }

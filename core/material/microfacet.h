@@ -1,7 +1,8 @@
 // The GGX distribution of microfacet normals with Smith's height-correlated masking and shadowing, anisotropic.
 //
-// Walter et al. 2007; Heitz, "Understanding the Masking-Shadowing Function", 2014; visible normals are sampled as in Heitz,
-// "Sampling the GGX Distribution of Visible Normals", 2018. All directions are local, z is the macroscopic normal.
+// Walter et al. 2007; Heitz, "Understanding the Masking-Shadowing Function", 2014; visible normals are sampled as in
+// Heitz, "Sampling the GGX Distribution of Visible Normals", 2018. All directions are local, z is the macroscopic
+// normal.
 #pragma once
 #include "base/vec.h"
 

@@ -118,7 +118,8 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeM
   if (through > 0 && m.thickness > 0) {
     Dielectric<Rgb> glass;
     glass.tint = base;
-    glass.reflect_tint = Rgb(unit(specular * specular_color.r), unit(specular * specular_color.g), unit(specular * specular_color.b));
+    glass.reflect_tint =
+        Rgb(unit(specular * specular_color.r), unit(specular * specular_color.g), unit(specular * specular_color.b));
     glass.eta = m.ior == 0 ? 1e4f : m.ior;
     glass.share = through;
     glass.facets = facets;

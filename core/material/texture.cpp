@@ -27,10 +27,14 @@ int wrapped(int i, int n, Wrap wrap) {
 
 Vec4 spread(const float* v, int channels) {
   switch (channels) {
-    case 1: return Vec4(v[0], v[0], v[0], 1);
-    case 2: return Vec4(v[0], v[0], v[0], v[1]);
-    case 3: return Vec4(v[0], v[1], v[2], 1);
-    default: return Vec4(v[0], v[1], v[2], v[3]);
+    case 1:
+      return Vec4(v[0], v[0], v[0], 1);
+    case 2:
+      return Vec4(v[0], v[0], v[0], v[1]);
+    case 3:
+      return Vec4(v[0], v[1], v[2], 1);
+    default:
+      return Vec4(v[0], v[1], v[2], v[3]);
   }
 }
 

@@ -60,7 +60,8 @@ struct ThinSheet {
     s.delta = smooth();
     s.scatter = s.delta ? Scatter::specular : Scatter::glossy;
     if (s.delta) {
-      s.weight = s.transmitted ? passed(c) * (share / (1 - reflect_probability)) : fresnel(c) * (share / reflect_probability);
+      s.weight =
+          s.transmitted ? passed(c) * (share / (1 - reflect_probability)) : fresnel(c) * (share / reflect_probability);
       return true;
     }
     s.pdf_solid_angle = pdf(wo_any, s.wi, mode);

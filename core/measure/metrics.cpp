@@ -14,7 +14,9 @@ bool has_rgb(const image::LayeredImage& image) {
   return beauty && beauty->channels.size() == 3;
 }
 
-std::string size_text(const image::LayeredImage& image) { return std::to_string(image.width) + "x" + std::to_string(image.height); }
+std::string size_text(const image::LayeredImage& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
 
 double relative_difference(double x, double r) {
   const double scale = 0.5 * (std::abs(x) + std::abs(r));
@@ -26,13 +28,15 @@ double relative_difference(double x, double r) {
 Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
   if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
   if (picture.width != reference.width || picture.height != reference.height)
-    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) + "; give images of one size");
+    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
+                       "; give images of one size");
   const auto &x = pixels_of(picture), &r = pixels_of(reference);
   Metrics m;
   double peak = 0;
   for (size_t i = 0; i < x.size(); ++i) {
     const double a = x[i], b = r[i], d = a - b;
-    if (!std::isfinite(a) || !std::isfinite(b)) return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
+    if (!std::isfinite(a) || !std::isfinite(b))
+      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
     m.mse += d * d;
     m.relmse += d * d / (b * b + 0.01);
     m.mae += std::abs(d);

@@ -20,8 +20,8 @@ struct Metrics {
   double mse = 0, rmse = 0, relmse = 0, mae = 0, smape = 0, psnr = 0, bias = 0;
 };
 
-// Two beauty layers of equal size; anything else is an input error. A pixel that is not finite in either is an input error too:
-// a mean over the rest would hide it.
+// Two beauty layers of equal size; anything else is an input error. A pixel that is not finite in either is an input
+// error too: a mean over the rest would hide it.
 Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference);
 
 // The absolute difference, relative to the reference's mean, through viridis: 8-bit RGB, one is yellow.

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "base/hash.h"
-#include "film/filter.h"
 #include "film/film.h"
+#include "film/filter.h"
 #include "integrator/gathering.h"
 #include "render/workers.h"
 
@@ -19,9 +19,12 @@ struct Kind {
 
 const std::vector<Kind>& kinds() {
   static const std::vector<Kind> all{
-      {"albedo", {"R", "G", "B"}, true},          {"shading-normal", {"X", "Y", "Z"}, true},
-      {"geometric-normal", {"X", "Y", "Z"}, true}, {"depth", {"Z"}, true},
-      {"position", {"X", "Y", "Z"}, true},        {"material-id", {"V"}, false},
+      {"albedo", {"R", "G", "B"}, true},
+      {"shading-normal", {"X", "Y", "Z"}, true},
+      {"geometric-normal", {"X", "Y", "Z"}, true},
+      {"depth", {"Z"}, true},
+      {"position", {"X", "Y", "Z"}, true},
+      {"material-id", {"V"}, false},
       {"object-id", {"V"}, false},
   };
   return all;
@@ -68,7 +71,9 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
   for (const auto& name : names)
     if (const Kind* kind = find_kind(name)) {
       wanted.push_back(kind);
-      layers.push_back({name, kind->channels, std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * kind->channels.size())});
+      layers.push_back(
+          {name, kind->channels,
+           std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * kind->channels.size())});
     }
   const auto sampler = make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler));
   const CameraRays camera(document.camera, width, height);
@@ -79,9 +84,11 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
     for (int x = 0; x < width; ++x) {
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
       for (uint32_t s = 0; s < samples; ++s) {
-        PathSampler random(*sampler, integrator::pixel_seed(document.seed, x, y, s % film::kReplicates), s / film::kReplicates);
+        PathSampler random(*sampler, integrator::pixel_seed(document.seed, x, y, s % film::kReplicates),
+                           s / film::kReplicates);
         random.start_camera();
-        const Vec2 at = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) + filter.sample(random.get_2d(camera_dimension::kPixel));
+        const Vec2 at = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +
+                        filter.sample(random.get_2d(camera_dimension::kPixel));
         const Ray ray = camera.ray(at, random.get_2d(camera_dimension::kLens));
         const Hit hit = scene.intersect(ray, random.seed());
         if (!hit) continue;

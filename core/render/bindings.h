@@ -8,8 +8,8 @@
 
 namespace etendue::render {
 
-// Makes one binding: the knob describes it (a Number, Toggle or Choice whose value is the value now), `store` puts the value
-// of a knob back into a document.
+// Makes one binding: the knob describes it (a Number, Toggle or Choice whose value is the value now), `store` puts the
+// value of a knob back into a document.
 template <class Knob, class Store>
 Binding binding(const std::string& section, const Knob& knob, Store store) {
   Binding b;

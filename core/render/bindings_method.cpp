@@ -10,8 +10,8 @@ namespace etendue::render {
 namespace {
 
 template <class Infos>
-Binding registry_choice(const char* name, const char* label, const char* doc, const Infos& infos, const std::string& now,
-                        std::string Method::*member) {
+Binding registry_choice(const char* name, const char* label, const char* doc, const Infos& infos,
+                        const std::string& now, std::string Method::*member) {
   Binding b;
   b.section = "render";
   b.info.name = name, b.info.label = label, b.info.doc = doc;
@@ -21,46 +21,81 @@ Binding registry_choice(const char* name, const char* label, const char* doc, co
     b.info.option_labels.push_back(info.label);
   }
   b.info.default_value = now;
-  b.assign = [member](Document& document, const Value& value) { document.method.*member = std::get<std::string>(value); };
+  b.assign = [member](Document& document, const Value& value) {
+    document.method.*member = std::get<std::string>(value);
+  };
   return b;
 }
 
 std::vector<Binding> render_bindings(const Document& d) {
   std::vector<Binding> list;
-  list.push_back(registry_choice("render.integrator", "Integrator", "How light paths are found", integrator::integrator_infos(),
-                                 d.method.integrator, &Method::integrator));
+  list.push_back(registry_choice("render.integrator", "Integrator", "How light paths are found",
+                                 integrator::integrator_infos(), d.method.integrator, &Method::integrator));
   list.push_back(registry_choice("render.sampler", "Sampler", "Where random numbers come from", sampler_infos(),
                                  d.method.sampler, &Method::sampler));
   constexpr int kMost = 2'000'000'000;
-  list.push_back(binding("render", Number<int>{"seed", "Seed", static_cast<int>(d.seed), {0, kMost}, "Another seed is another, independent noise"},
-                      [](Document& doc, int v) { doc.seed = static_cast<uint64_t>(v); }));
-  list.push_back(binding("render", Number<int>{"samples", "Samples", static_cast<int>(d.limits.samples), {0, 1'000'000}, "Stop at this many samples per pixel; 0 goes on", "spp", Scale::logarithmic},
-                      [](Document& doc, int v) { doc.limits.samples = static_cast<uint32_t>(v); }));
-  list.push_back(binding("render", Number<float>{"seconds", "Time", static_cast<float>(d.limits.seconds), {0, 1e6f}, "Stop after this time; 0 goes on", "s", Scale::logarithmic},
-                      [](Document& doc, float v) { doc.limits.seconds = static_cast<double>(v); }));
-  list.push_back(binding("render", Number<float>{"error", "Error", static_cast<float>(d.limits.rmse), {0, 1e6f}, "Stop when the estimated root mean square error of the image is below this; 0 goes on", "", Scale::logarithmic},
-                      [](Document& doc, float v) { doc.limits.rmse = static_cast<double>(v); }));
+  list.push_back(binding(
+      "render",
+      Number<int>{"seed", "Seed", static_cast<int>(d.seed), {0, kMost}, "Another seed is another, independent noise"},
+      [](Document& doc, int v) { doc.seed = static_cast<uint64_t>(v); }));
+  list.push_back(binding("render",
+                         Number<int>{"samples",
+                                     "Samples",
+                                     static_cast<int>(d.limits.samples),
+                                     {0, 1'000'000},
+                                     "Stop at this many samples per pixel; 0 goes on",
+                                     "spp",
+                                     Scale::logarithmic},
+                         [](Document& doc, int v) { doc.limits.samples = static_cast<uint32_t>(v); }));
+  list.push_back(binding("render",
+                         Number<float>{"seconds",
+                                       "Time",
+                                       static_cast<float>(d.limits.seconds),
+                                       {0, 1e6f},
+                                       "Stop after this time; 0 goes on",
+                                       "s",
+                                       Scale::logarithmic},
+                         [](Document& doc, float v) { doc.limits.seconds = static_cast<double>(v); }));
+  list.push_back(
+      binding("render",
+              Number<float>{"error",
+                            "Error",
+                            static_cast<float>(d.limits.rmse),
+                            {0, 1e6f},
+                            "Stop when the estimated root mean square error of the image is below this; 0 goes on",
+                            "",
+                            Scale::logarithmic},
+              [](Document& doc, float v) { doc.limits.rmse = static_cast<double>(v); }));
   return list;
 }
 
 std::vector<Binding> film_bindings(const Document& d) {
   constexpr int kMost = 16384;
-  return {binding("film", Number<int>{"width", "Width", d.width, {1, kMost}, "Width of the picture", "px"}, [](Document& doc, int v) { doc.width = v; }),
-          binding("film", Number<int>{"height", "Height", d.height, {1, kMost}, "Height of the picture", "px"}, [](Document& doc, int v) { doc.height = v; }),
-          binding("film", Choice<film::FilterKind>{"filter", "Pixel filter", d.filter, "How samples are weighted around a pixel's centre"},
-               [](Document& doc, film::FilterKind v) { doc.filter = v; })};
+  return {binding("film", Number<int>{"width", "Width", d.width, {1, kMost}, "Width of the picture", "px"},
+                  [](Document& doc, int v) { doc.width = v; }),
+          binding("film", Number<int>{"height", "Height", d.height, {1, kMost}, "Height of the picture", "px"},
+                  [](Document& doc, int v) { doc.height = v; }),
+          binding("film",
+                  Choice<film::FilterKind>{"filter", "Pixel filter", d.filter,
+                                           "How samples are weighted around a pixel's centre"},
+                  [](Document& doc, film::FilterKind v) { doc.filter = v; })};
 }
 
 std::vector<Binding> display_bindings(const Document& d) {
-  return {binding("display", Choice<image::ToneCurve>{"curve", "Tone curve", d.display.curve, "How radiance becomes what a screen can show"},
-               [](Document& doc, image::ToneCurve v) { doc.display.curve = v; })};
+  return {binding(
+      "display",
+      Choice<image::ToneCurve>{"curve", "Tone curve", d.display.curve, "How radiance becomes what a screen can show"},
+      [](Document& doc, image::ToneCurve v) { doc.display.curve = v; })};
 }
 
 std::vector<Binding> scene_bindings(const Document& d) {
   float longest = 0;
   for (const auto& animation : d.scene->animations) longest = std::max(longest, animation->duration);
-  return {binding("scene", Number<float>{"time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
-               [](Document& doc, float v) { edit_scene(doc, [v](scene::Scene& s) { s.time = v; }); })};
+  return {binding(
+      "scene",
+      Number<float>{
+          "time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
+      [](Document& doc, float v) { edit_scene(doc, [v](scene::Scene& s) { s.time = v; }); })};
 }
 
 enum class Force { automatic, on };
@@ -68,7 +103,8 @@ enum class Force { automatic, on };
 std::vector<Binding> model_bindings(const Document& d);
 
 // The parameters of an integrator or a sampler, with the values that the method gives them.
-std::vector<Binding> owned_bindings(const Document& d, const std::string& owner, const std::vector<ParameterInfo>& parameters) {
+std::vector<Binding> owned_bindings(const Document& d, const std::string& owner,
+                                    const std::vector<ParameterInfo>& parameters) {
   std::vector<Binding> list;
   for (const ParameterInfo& p : parameters) {
     Binding b;
@@ -111,8 +147,11 @@ std::vector<Binding> model_bindings(const Document& d) {
   std::vector<Binding> list;
   for (const std::string& flag : transport::model_flags()) {
     const bool on = std::find(d.forced_flags.begin(), d.forced_flags.end(), flag) != d.forced_flags.end();
-    Binding b = binding("model", Choice<Force>{flag.c_str(), flag.c_str(), on ? Force::on : Force::automatic, "Runs the larger model even if the scene does not need it; the image stays the same"},
-                     [](Document&, Force) {});
+    Binding b =
+        binding("model",
+                Choice<Force>{flag.c_str(), flag.c_str(), on ? Force::on : Force::automatic,
+                              "Runs the larger model even if the scene does not need it; the image stays the same"},
+                [](Document&, Force) {});
     b.assign = [flag](Document& doc, const Value& value) {
       std::erase(doc.forced_flags, flag);
       if (std::get<std::string>(value) == "on") doc.forced_flags.push_back(flag);

@@ -12,15 +12,15 @@ void add_color(std::vector<Binding>& list, const std::string& section, const cha
                const Rgb& now, float most, const char* doc, Store store) {
   for (int c = 0; c < 3; ++c)
     list.push_back(binding(section, Number<float>{names[c], label, now[c], {0, most}, doc},
-                        [store, c](Document& document, float v) { store(document, c, v); }));
+                           [store, c](Document& document, float v) { store(document, c, v); }));
 }
 
 template <class Store>
-void add_vector(std::vector<Binding>& list, const std::string& section, const char* const (&names)[3], const char* label,
-                const Vec3& now, float most, const char* doc, const char* unit, Store store) {
+void add_vector(std::vector<Binding>& list, const std::string& section, const char* const (&names)[3],
+                const char* label, const Vec3& now, float most, const char* doc, const char* unit, Store store) {
   for (int c = 0; c < 3; ++c)
     list.push_back(binding(section, Number<float>{names[c], label, now[c], {-most, most}, doc, unit},
-                        [store, c](Document& document, float v) { store(document, c, v); }));
+                           [store, c](Document& document, float v) { store(document, c, v); }));
 }
 
 // A binding of one member of a material.
@@ -43,11 +43,13 @@ Binding of_light(const std::string& section, size_t index, const Knob& knob, Mem
 
 template <>
 struct etendue::Options<etendue::AlphaMode> {
-  static constexpr std::array<etendue::Option, 3> kOptions{{{"opaque", "Opaque"}, {"mask", "Mask"}, {"blend", "Blend"}}};
+  static constexpr std::array<etendue::Option, 3> kOptions{
+      {{"opaque", "Opaque"}, {"mask", "Mask"}, {"blend", "Blend"}}};
 };
 template <>
 struct etendue::Options<etendue::Projection> {
-  static constexpr std::array<etendue::Option, 2> kOptions{{{"perspective", "Perspective"}, {"orthographic", "Orthographic"}}};
+  static constexpr std::array<etendue::Option, 2> kOptions{
+      {{"perspective", "Perspective"}, {"orthographic", "Orthographic"}}};
 };
 
 namespace etendue::render {
@@ -60,41 +62,76 @@ std::vector<Binding> material_bindings(const Document& document, size_t index, c
       edit_scene(d, [&](scene::Scene& s) { (s.materials[index].*member)[c] = v; });
     };
   };
-  const auto number = [&](const char* name, const char* label, float Material::*member, Range<float> range, const char* doc,
-                          const char* unit = "", Scale scale = Scale::linear) {
-    list.push_back(of_material(section, index, Number<float>{name, label, std::min(m.*member, range.max), range, doc, unit, scale}, member));
+  const auto number = [&](const char* name, const char* label, float Material::*member, Range<float> range,
+                          const char* doc, const char* unit = "", Scale scale = Scale::linear) {
+    list.push_back(of_material(
+        section, index, Number<float>{name, label, std::min(m.*member, range.max), range, doc, unit, scale}, member));
   };
-  add_color(list, section, {"base-color.r", "base-color.g", "base-color.b"}, "Base colour", m.base_color, 1, "Diffuse albedo, or the metal's reflectance; multiplies its texture", color(&Material::base_color));
+  add_color(list, section, {"base-color.r", "base-color.g", "base-color.b"}, "Base colour", m.base_color, 1,
+            "Diffuse albedo, or the metal's reflectance; multiplies its texture", color(&Material::base_color));
   number("metallic", "Metallic", &Material::metallic, {0, 1}, "0 is a dielectric over a diffuse base, 1 a metal");
-  number("roughness", "Roughness", &Material::roughness, {0, 1}, "The width of the specular lobe: facet slope is its square");
-  number("ior", "Index of refraction", &Material::ior, {1, 3}, "Of the dielectric; sets its reflectance and how it refracts");
-  number("specular", "Specular", &Material::specular, {0, 1}, "Strength of the dielectric's reflection; 0 leaves a purely diffuse surface");
-  add_color(list, section, {"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour", m.specular_color, 1, "Tint of the dielectric's reflection at normal incidence", color(&Material::specular_color));
-  number("transmission", "Transmission", &Material::transmission, {0, 1}, "The share of the base that lets light through");
-  number("thickness", "Thickness", &Material::thickness, {0, 1000}, "0 is a thin sheet that does not bend light; anything else a solid that does", "m");
-  add_color(list, section, {"attenuation-color.r", "attenuation-color.g", "attenuation-color.b"}, "Attenuation colour", m.attenuation_color, 1, "What white light becomes over the attenuation distance inside a solid", color(&Material::attenuation_color));
-  number("attenuation-distance", "Attenuation distance", &Material::attenuation_distance, {1e-6f, kFar}, "Where the attenuation colour is reached", "m", Scale::logarithmic);
+  number("roughness", "Roughness", &Material::roughness, {0, 1},
+         "The width of the specular lobe: facet slope is its square");
+  number("ior", "Index of refraction", &Material::ior, {1, 3},
+         "Of the dielectric; sets its reflectance and how it refracts");
+  number("specular", "Specular", &Material::specular, {0, 1},
+         "Strength of the dielectric's reflection; 0 leaves a purely diffuse surface");
+  add_color(list, section, {"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour",
+            m.specular_color, 1, "Tint of the dielectric's reflection at normal incidence",
+            color(&Material::specular_color));
+  number("transmission", "Transmission", &Material::transmission, {0, 1},
+         "The share of the base that lets light through");
+  number("thickness", "Thickness", &Material::thickness, {0, 1000},
+         "0 is a thin sheet that does not bend light; anything else a solid that does", "m");
+  add_color(list, section, {"attenuation-color.r", "attenuation-color.g", "attenuation-color.b"}, "Attenuation colour",
+            m.attenuation_color, 1, "What white light becomes over the attenuation distance inside a solid",
+            color(&Material::attenuation_color));
+  number("attenuation-distance", "Attenuation distance", &Material::attenuation_distance, {1e-6f, kFar},
+         "Where the attenuation colour is reached", "m", Scale::logarithmic);
   number("anisotropy", "Anisotropy", &Material::anisotropy, {0, 1}, "Stretches the specular lobe along the tangent");
-  add_color(list, section, {"emission.r", "emission.g", "emission.b"}, "Emission", m.emission, 1e6f, "Emitted radiance, W/(m^2 sr)", color(&Material::emission));
+  add_color(list, section, {"emission.r", "emission.g", "emission.b"}, "Emission", m.emission, 1e6f,
+            "Emitted radiance, W/(m^2 sr)", color(&Material::emission));
   number("alpha", "Opacity", &Material::alpha, {0, 1}, "Counts where the alpha mode is mask or blend");
-  list.push_back(of_material(section, index, Choice<AlphaMode>{"alpha-mode", "Alpha mode", m.alpha_mode, "Opaque, cut out at the cutoff, or blended"}, &Material::alpha_mode));
+  list.push_back(of_material(
+      section, index,
+      Choice<AlphaMode>{"alpha-mode", "Alpha mode", m.alpha_mode, "Opaque, cut out at the cutoff, or blended"},
+      &Material::alpha_mode));
   number("alpha-cutoff", "Alpha cutoff", &Material::alpha_cutoff, {0, 1}, "Below this a masked surface is not there");
-  number("normal-scale", "Normal map strength", &Material::normal_scale, {-4, 4}, "Scales the tangential part of the normal map");
-  list.push_back(of_material(section, index, Toggle{"double-sided", "Double sided", m.double_sided, "Emits from both sides"}, &Material::double_sided));
-  list.push_back(of_material(section, index, Toggle{"unlit", "Unlit", m.unlit, "Shows its base colour whatever the light"}, &Material::unlit));
+  number("normal-scale", "Normal map strength", &Material::normal_scale, {-4, 4},
+         "Scales the tangential part of the normal map");
+  list.push_back(of_material(section, index,
+                             Toggle{"double-sided", "Double sided", m.double_sided, "Emits from both sides"},
+                             &Material::double_sided));
+  list.push_back(of_material(
+      section, index, Toggle{"unlit", "Unlit", m.unlit, "Shows its base colour whatever the light"}, &Material::unlit));
   return list;
 }
 
 std::vector<Binding> light_bindings(const Document& document, size_t index, const std::string& section) {
   const Light& l = document.scene->lights[index];
   std::vector<Binding> list;
-  add_color(list, section, {"color.r", "color.g", "color.b"}, "Colour", l.color, 1, "Multiplies the intensity",
-            [index](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.lights[index].color[c] = v; }); });
+  add_color(
+      list, section, {"color.r", "color.g", "color.b"}, "Colour", l.color, 1, "Multiplies the intensity",
+      [index](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.lights[index].color[c] = v; }); });
   const char* unit = l.type == LightType::directional ? "W/m^2" : "W/sr";
-  list.push_back(of_light(section, index, Number<float>{"intensity", "Intensity", l.intensity, {0, kFar}, "Radiant intensity; of a directional light the irradiance on a facing surface", unit, Scale::logarithmic}, &Light::intensity));
+  list.push_back(of_light(section, index,
+                          Number<float>{"intensity",
+                                        "Intensity",
+                                        l.intensity,
+                                        {0, kFar},
+                                        "Radiant intensity; of a directional light the irradiance on a facing surface",
+                                        unit,
+                                        Scale::logarithmic},
+                          &Light::intensity));
   if (l.type == LightType::spot) {
-    list.push_back(of_light(section, index, Number<float>{"inner-cone", "Inner cone", l.inner_cone, {0, kPi / 2}, "Half angle of full intensity", "rad"}, &Light::inner_cone));
-    list.push_back(of_light(section, index, Number<float>{"outer-cone", "Outer cone", l.outer_cone, {0, kPi / 2}, "Half angle where the light ends", "rad"}, &Light::outer_cone));
+    list.push_back(of_light(
+        section, index,
+        Number<float>{"inner-cone", "Inner cone", l.inner_cone, {0, kPi / 2}, "Half angle of full intensity", "rad"},
+        &Light::inner_cone));
+    list.push_back(of_light(
+        section, index,
+        Number<float>{"outer-cone", "Outer cone", l.outer_cone, {0, kPi / 2}, "Half angle where the light ends", "rad"},
+        &Light::outer_cone));
   }
   return list;
 }
@@ -102,12 +139,12 @@ std::vector<Binding> light_bindings(const Document& document, size_t index, cons
 std::vector<Binding> node_bindings(const Document& document, size_t index, const std::string& section) {
   const scene::Node& n = document.scene->nodes[index];
   std::vector<Binding> list;
-  list.push_back(binding(section, Toggle{"visible", "Visible", n.visible, "Hidden objects are not in the scene at all"}, [index](Document& d, bool v) {
-    edit_scene(d, [&](scene::Scene& s) { s.nodes[index].visible = v; });
-  }));
+  list.push_back(
+      binding(section, Toggle{"visible", "Visible", n.visible, "Hidden objects are not in the scene at all"},
+              [index](Document& d, bool v) { edit_scene(d, [&](scene::Scene& s) { s.nodes[index].visible = v; }); }));
   const Vec3 translation = n.transform.matrix ? Vec3((*n.transform.matrix)[3]) : n.transform.translation;
-  add_vector(list, section, {"translation.x", "translation.y", "translation.z"}, "Translation", translation, kFar, "Relative to the parent", "m",
-             [index](Document& d, int c, float v) {
+  add_vector(list, section, {"translation.x", "translation.y", "translation.z"}, "Translation", translation, kFar,
+             "Relative to the parent", "m", [index](Document& d, int c, float v) {
                edit_scene(d, [&](scene::Scene& s) {
                  auto& t = s.nodes[index].transform;
                  if (t.matrix)
@@ -122,35 +159,75 @@ std::vector<Binding> node_bindings(const Document& document, size_t index, const
 std::vector<Binding> environment_bindings(const Document& document, const std::string& section) {
   const Environment& e = document.scene->environment;
   std::vector<Binding> list;
-  add_color(list, section, {"tint.r", "tint.g", "tint.b"}, "Radiance", e.tint, 1e6f, "Constant radiance from infinity, or a factor on the map",
+  add_color(list, section, {"tint.r", "tint.g", "tint.b"}, "Radiance", e.tint, 1e6f,
+            "Constant radiance from infinity, or a factor on the map",
             [](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.environment.tint[c] = v; }); });
-  list.push_back(binding(section, Number<float>{"rotation", "Rotation", e.rotation, {-2 * kPi, 2 * kPi}, "Turns the map about the vertical axis", "rad"},
-                      [](Document& d, float v) { edit_scene(d, [v](scene::Scene& s) { s.environment.rotation = v; }); }));
-  list.push_back(binding(section, Toggle{"visible", "Visible", e.visible, "Whether the camera sees it; it lights the scene either way"},
-                      [](Document& d, bool v) { edit_scene(d, [v](scene::Scene& s) { s.environment.visible = v; }); }));
+  list.push_back(binding(
+      section,
+      Number<float>{
+          "rotation", "Rotation", e.rotation, {-2 * kPi, 2 * kPi}, "Turns the map about the vertical axis", "rad"},
+      [](Document& d, float v) { edit_scene(d, [v](scene::Scene& s) { s.environment.rotation = v; }); }));
+  list.push_back(binding(
+      section, Toggle{"visible", "Visible", e.visible, "Whether the camera sees it; it lights the scene either way"},
+      [](Document& d, bool v) { edit_scene(d, [v](scene::Scene& s) { s.environment.visible = v; }); }));
   return list;
 }
 
 std::vector<Binding> camera_bindings(const Document& document, const std::string& section) {
   const Camera& c = document.camera;
   std::vector<Binding> list;
-  list.push_back(binding(section, Number<float>{"exposure", "Exposure", document.display.exposure, {-30, 30}, "The picture is multiplied by two to this power; the light stays", "EV"},
-                      [](Document& d, float v) { d.display.exposure = v; }));
-  list.push_back(binding(section, Choice<Projection>{"projection", "Projection", c.projection, "Perspective or parallel"},
-                      [](Document& d, Projection v) { d.camera.projection = v; }));
-  list.push_back(binding(section, Number<float>{"yfov", "Field of view", c.yfov, {1e-3f, 3.1f}, "Vertical opening angle of a perspective camera", "rad"},
-                      [](Document& d, float v) { d.camera.yfov = v; }));
-  list.push_back(binding(section, Number<float>{"ymag", "Half height", c.ymag, {1e-9f, kFar}, "Half the height of the picture of an orthographic camera", "m", Scale::logarithmic},
-                      [](Document& d, float v) { d.camera.ymag = v; }));
-  list.push_back(binding(section, Number<float>{"lens-radius", "Lens radius", c.lens_radius, {0, 1e6f}, "0 is a pinhole: everything is sharp", "m", Scale::logarithmic},
-                      [](Document& d, float v) { d.camera.lens_radius = v; }));
-  list.push_back(binding(section, Number<float>{"focus-distance", "Focus distance", c.focus_distance, {1e-6f, kFar}, "What lies at this distance along the axis is sharp", "m", Scale::logarithmic},
-                      [](Document& d, float v) { d.camera.focus_distance = v; }));
+  list.push_back(binding(section,
+                         Number<float>{"exposure",
+                                       "Exposure",
+                                       document.display.exposure,
+                                       {-30, 30},
+                                       "The picture is multiplied by two to this power; the light stays",
+                                       "EV"},
+                         [](Document& d, float v) { d.display.exposure = v; }));
+  list.push_back(binding(section,
+                         Choice<Projection>{"projection", "Projection", c.projection, "Perspective or parallel"},
+                         [](Document& d, Projection v) { d.camera.projection = v; }));
+  list.push_back(binding(
+      section,
+      Number<float>{
+          "yfov", "Field of view", c.yfov, {1e-3f, 3.1f}, "Vertical opening angle of a perspective camera", "rad"},
+      [](Document& d, float v) { d.camera.yfov = v; }));
+  list.push_back(binding(section,
+                         Number<float>{"ymag",
+                                       "Half height",
+                                       c.ymag,
+                                       {1e-9f, kFar},
+                                       "Half the height of the picture of an orthographic camera",
+                                       "m",
+                                       Scale::logarithmic},
+                         [](Document& d, float v) { d.camera.ymag = v; }));
+  list.push_back(binding(section,
+                         Number<float>{"lens-radius",
+                                       "Lens radius",
+                                       c.lens_radius,
+                                       {0, 1e6f},
+                                       "0 is a pinhole: everything is sharp",
+                                       "m",
+                                       Scale::logarithmic},
+                         [](Document& d, float v) { d.camera.lens_radius = v; }));
+  list.push_back(binding(section,
+                         Number<float>{"focus-distance",
+                                       "Focus distance",
+                                       c.focus_distance,
+                                       {1e-6f, kFar},
+                                       "What lies at this distance along the axis is sharp",
+                                       "m",
+                                       Scale::logarithmic},
+                         [](Document& d, float v) { d.camera.focus_distance = v; }));
   // The columns of the matrix: x right, y up, z backwards, w where the camera is.
-  static constexpr const char* kMatrix[4][3] = {{"right.x", "right.y", "right.z"}, {"up.x", "up.y", "up.z"}, {"back.x", "back.y", "back.z"}, {"eye.x", "eye.y", "eye.z"}};
+  static constexpr const char* kMatrix[4][3] = {{"right.x", "right.y", "right.z"},
+                                                {"up.x", "up.y", "up.z"},
+                                                {"back.x", "back.y", "back.z"},
+                                                {"eye.x", "eye.y", "eye.z"}};
   static constexpr const char* kLabels[4] = {"Right", "Up", "Back", "Eye"};
   for (int column = 0; column < 4; ++column)
-    add_vector(list, section, kMatrix[column], kLabels[column], Vec3(c.to_world[column]), column == 3 ? kFar : 1.001f, "Where the camera is and how it is turned", column == 3 ? "m" : "",
+    add_vector(list, section, kMatrix[column], kLabels[column], Vec3(c.to_world[column]), column == 3 ? kFar : 1.001f,
+               "Where the camera is and how it is turned", column == 3 ? "m" : "",
                [column](Document& d, int i, float v) { d.camera.to_world[column][i] = v; });
   return list;
 }

@@ -55,9 +55,11 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   if (std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) return damaged(path, "this is no checkpoint");
   const uint64_t body = bytes.size() - sizeof header;
   constexpr int32_t kMost = 1 << 16;
-  if (header.width <= 0 || header.height <= 0 || header.width > kMost || header.height > kMost || header.state_size > body)
+  if (header.width <= 0 || header.height <= 0 || header.width > kMost || header.height > kMost ||
+      header.state_size > body)
     return damaged(path, "its size makes no sense");
-  const uint64_t pixels = static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
+  const uint64_t pixels =
+      static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
   if (body != header.state_size + pixels) return damaged(path, "it is truncated");
   const char* data = reinterpret_cast<const char*>(bytes.data()) + sizeof header;
   if (hash_bytes(data, body) != header.hash) return damaged(path, "it is damaged");

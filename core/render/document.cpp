@@ -17,7 +17,8 @@ size_t distance(std::string_view a, std::string_view b) {
   for (size_t i = 1; i <= a.size(); ++i) {
     size_t diagonal = std::exchange(row[0], i);
     for (size_t j = 1; j <= b.size(); ++j)
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1] ? 1 : 0)}));
+      diagonal =
+          std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1] ? 1 : 0)}));
   }
   return row.back();
 }
@@ -48,7 +49,8 @@ Result<Binding> find_binding(const Document& document, std::string_view name) {
         if (b.info.name == owner + "." + std::string(name)) return b;
   for (auto& b : bindings(document, section_of(name)))
     if (b.info.name == name) return b;
-  return usage_error("there is no setting '" + std::string(name) + "'; the nearest is '" + nearest_name(document, name) + "'");
+  return usage_error("there is no setting '" + std::string(name) + "'; the nearest is '" +
+                     nearest_name(document, name) + "'");
 }
 
 }  // namespace
@@ -116,7 +118,8 @@ Result<Document> with_environment(const Document& document, const std::string& f
   auto picture = image::read_linear(file);
   if (!picture) return picture.error();
   const image::Layer* beauty = picture->find("");
-  if (!beauty || beauty->channels.size() < 3) return input_error(file + ": has no RGB channels; give an equirectangular .hdr or .exr");
+  if (!beauty || beauty->channels.size() < 3)
+    return input_error(file + ": has no RGB channels; give an equirectangular .hdr or .exr");
   auto map = std::make_shared<image::Image>();
   map->width = picture->width, map->height = picture->height, map->channels = 3;
   map->type = image::PixelType::float32;

@@ -1,8 +1,10 @@
 // Everything a user can set, under one name each.
 //
-// A Document is a plain value: the scene, the camera, the method, the film, the display. Every setting has a qualified name
-// ("render.integrator", "material.3.roughness", "path.roulette-start") with a description; widgets, `--set`, scripts, snapshots
-// and undo all go through `get` and `set`. A Document is copied for an edit and kept for undo; the heavy parts are shared.
+// A Document is a plain value: the scene, the camera, the method, the film, the display. Every setting has a qualified
+// name
+// ("render.integrator", "material.3.roughness", "path.roulette-start") with a description; widgets, `--set`, scripts,
+// snapshots and undo all go through `get` and `set`. A Document is copied for an edit and kept for undo; the heavy
+// parts are shared.
 #pragma once
 #include <functional>
 #include <memory>
@@ -61,7 +63,7 @@ struct Document {
 
 // One setting of a document: its description and how to read and write it.
 struct Binding {
-  ParameterInfo info;  // info.name is the qualified name; default_value is the value now
+  ParameterInfo info;   // info.name is the qualified name; default_value is the value now
   std::string section;  // "render", "camera", "material.3", ...
   std::function<void(Document&, const Value&)> assign;
 };

@@ -11,11 +11,13 @@ int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
 }  // namespace
 
-PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height)
+PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
+                       int height)
     : scene_(std::move(scene)),
       model_(transport::model_for(*scene_, document.forced_flags)),
       sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
-      integrator_(integrator::make_integrator(document.method.integrator, document.method.settings_of(document.method.integrator))),
+      integrator_(integrator::make_integrator(document.method.integrator,
+                                              document.method.settings_of(document.method.integrator))),
       camera_(document.camera, width, height),
       filter_(document.filter),
       seed_(document.seed),
@@ -68,7 +70,8 @@ bool PassRunner::tile(film::Film& film, int index, uint32_t sample, const std::f
       const integrator::PixelRun run{x, y, end - x, sample};
       rays += integrator_->sample(pass, run, radiance);
       paths += static_cast<uint64_t>(run.count);
-      for (int i = 0; i < run.count; ++i) film.add(x + i, y, sample % film::kReplicates, radiance[static_cast<size_t>(i)]);
+      for (int i = 0; i < run.count; ++i)
+        film.add(x + i, y, sample % film::kReplicates, radiance[static_cast<size_t>(i)]);
       x = end;
     }
   }

@@ -13,18 +13,20 @@ class PassRunner {
  public:
   PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height);
 
-  // Brings every pixel of the film to `target` samples, as far as `keep_going` lets it; true if it got there. Calling again
-  // goes on where it stopped: a pixel knows its samples by their number. `rays` and `paths` are added to.
+  // Brings every pixel of the film to `target` samples, as far as `keep_going` lets it; true if it got there. Calling
+  // again goes on where it stopped: a pixel knows its samples by their number. `rays` and `paths` are added to.
   struct Counters {
     std::atomic<uint64_t> rays{0}, paths{0};
   };
-  bool run(Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going, Counters& counters);
+  bool run(Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going,
+           Counters& counters);
 
   const transport::Model& model() const { return model_; }
 
  private:
   // False if it was cut short.
-  bool tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& keep_going, Counters& counters) const;
+  bool tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& keep_going,
+            Counters& counters) const;
 
   std::shared_ptr<const scene::CompiledScene> scene_;
   transport::Model model_;
@@ -34,8 +36,8 @@ class PassRunner {
   film::Filter filter_;
   uint64_t seed_;
   int width_, height_;
-  uint32_t prepared_ = 0;   // samples the sampler has tables for, per half
-  uint32_t running_ = 0;    // the sample being drawn, plus one
+  uint32_t prepared_ = 0;        // samples the sampler has tables for, per half
+  uint32_t running_ = 0;         // the sample being drawn, plus one
   std::vector<int> open_tiles_;  // those that the running sample still has to visit
 };
 

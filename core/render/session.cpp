@@ -23,15 +23,16 @@ constexpr int kCoarsest = 16;
 
 // Whether two documents have the same light: what differs otherwise needs no new samples.
 bool same_light(const Document& a, const Document& b) {
-  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height && a.filter == b.filter &&
-         a.method == b.method && a.forced_flags == b.forced_flags && a.seed == b.seed;
+  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
+         a.filter == b.filter && a.method == b.method && a.forced_flags == b.forced_flags && a.seed == b.seed;
 }
 
 }  // namespace
 
 class Session::Impl {
  public:
-  explicit Impl(const SessionOptions& options) : options_(options), workers_(options.threads), thread_([this] { loop(); }) {}
+  explicit Impl(const SessionOptions& options)
+      : options_(options), workers_(options.threads), thread_([this] { loop(); }) {}
 
   ~Impl() {
     {
@@ -45,7 +46,8 @@ class Session::Impl {
 
   uint64_t submit(const Document& document, std::optional<film::Film> start) {
     const std::lock_guard lock(mutex_);
-    pending_ = Edit{document, std::move(start), ++last_version_, Clock::now(), !latest_ || !same_light(*latest_, document)};
+    pending_ =
+        Edit{document, std::move(start), ++last_version_, Clock::now(), !latest_ || !same_light(*latest_, document)};
     latest_ = document;
     stopped_ = false;
     interrupt_ = true;
@@ -231,7 +233,9 @@ class Session::Impl {
       return;
     }
     const double allowed = options_.interactive ? options_.publish_interval : 0.25;
-    const auto keep_going = [&] { return !interrupt_.load(std::memory_order_relaxed) && seconds_since(start) < allowed; };
+    const auto keep_going = [&] {
+      return !interrupt_.load(std::memory_order_relaxed) && seconds_since(start) < allowed;
+    };
     const uint64_t before = counters_.paths;
     do {
       if (runner_->run(workers_, film_, complete_ + 1, keep_going, counters_)) ++complete_;
@@ -266,7 +270,8 @@ class Session::Impl {
     frame->width = w, frame->height = h, frame->coarseness = coarse_scale_;
     frame->pixels.resize(static_cast<size_t>(w) * static_cast<size_t>(h));
     for (int y = 0; y < h; ++y)
-      for (int x = 0; x < w; ++x) frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(w) + static_cast<size_t>(x)] = film.mean(x, y);
+      for (int x = 0; x < w; ++x)
+        frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(w) + static_cast<size_t>(x)] = film.mean(x, y);
     frame->version = status_.version;
     coarse_ = frame;
     // Two steps finer each time; the last step is the film itself.
@@ -281,12 +286,14 @@ class Session::Impl {
     frame->pixels.resize(static_cast<size_t>(frame->width) * static_cast<size_t>(frame->height));
     for (int y = 0; y < frame->height; ++y)
       for (int x = 0; x < frame->width; ++x)
-        frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(frame->width) + static_cast<size_t>(x)] = coarse_at(coarse, x, y);
+        frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(frame->width) + static_cast<size_t>(x)] =
+            coarse_at(coarse, x, y);
     return frame;
   }
 
   static Rgb coarse_at(const Frame& coarse, int x, int y) {
-    const int cx = std::min(x / coarse.coarseness, coarse.width - 1), cy = std::min(y / coarse.coarseness, coarse.height - 1);
+    const int cx = std::min(x / coarse.coarseness, coarse.width - 1),
+              cy = std::min(y / coarse.coarseness, coarse.height - 1);
     return coarse.pixels[static_cast<size_t>(cy) * static_cast<size_t>(coarse.width) + static_cast<size_t>(cx)];
   }
 
@@ -330,7 +337,8 @@ class Session::Impl {
 
   // Looking costs as much as a pass of a simple scene: it is done when the samples have grown by an eighth.
   bool below_error(double rmse) const {
-    if (checked_at_ != 0 && checked_at_ < complete_ && complete_ < checked_at_ + std::max(1u, checked_at_ / 8)) return false;
+    if (checked_at_ != 0 && checked_at_ < complete_ && complete_ < checked_at_ + std::max(1u, checked_at_ / 8))
+      return false;
     checked_at_ = complete_;
     const auto error = film_.error();
     return error.known && error.rmse <= rmse;
@@ -348,7 +356,8 @@ class Session::Impl {
     status_.error = error;
     status_.rejected = film_.rejected();
     status_.progress = progress();
-    status_.finished = reached_limit(rendering_seconds_) || (document_.limits.rmse > 0 && error.known && error.rmse <= document_.limits.rmse);
+    status_.finished = reached_limit(rendering_seconds_) ||
+                       (document_.limits.rmse > 0 && error.known && error.rmse <= document_.limits.rmse);
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
   }
 
@@ -357,7 +366,8 @@ class Session::Impl {
     double most = 0;
     if (limits.samples > 0) most = std::max(most, static_cast<double>(complete_) / limits.samples);
     if (limits.seconds > 0) most = std::max(most, rendering_seconds_ / limits.seconds);
-    if (limits.rmse > 0 && status_.error.known) most = std::max(most, sqr(limits.rmse / std::max(status_.error.rmse, 1e-30)));
+    if (limits.rmse > 0 && status_.error.known)
+      most = std::max(most, sqr(limits.rmse / std::max(status_.error.rmse, 1e-30)));
     return std::min(most, 1.0);
   }
 
@@ -398,7 +408,9 @@ class Session::Impl {
 Session::Session(const SessionOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Session::~Session() = default;
 uint64_t Session::submit(const Document& document) { return impl_->submit(document, std::nullopt); }
-uint64_t Session::submit(const Document& document, film::Film start) { return impl_->submit(document, std::move(start)); }
+uint64_t Session::submit(const Document& document, film::Film start) {
+  return impl_->submit(document, std::move(start));
+}
 void Session::restart() { impl_->restart(); }
 void Session::pause(bool paused) { impl_->pause(paused); }
 bool Session::paused() const { return impl_->paused(); }

@@ -1,12 +1,13 @@
 // A progressive rendering: edits in, frames out.
 //
-// A session owns its threads. `submit` hands it a new version of the document and returns at once; whatever is being rendered
-// stops within a fraction of a millisecond, what the edit touched is compiled anew, and rendering restarts: coarse first, then
-// at full resolution, sample by sample. Frames are immutable and say which version they show. Nothing here waits for the
-// caller, and the caller never waits for anything here, except in `finish` and the destructor.
+// A session owns its threads. `submit` hands it a new version of the document and returns at once; whatever is being
+// rendered stops within a fraction of a millisecond, what the edit touched is compiled anew, and rendering restarts:
+// coarse first, then at full resolution, sample by sample. Frames are immutable and say which version they show.
+// Nothing here waits for the caller, and the caller never waits for anything here, except in `finish` and the
+// destructor.
 //
-// The same document, seed and sample count give the same film bit for bit, whatever the number of threads: a sample depends on
-// its pixel and its number alone.
+// The same document, seed and sample count give the same film bit for bit, whatever the number of threads: a sample
+// depends on its pixel and its number alone.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -22,31 +23,31 @@
 namespace etendue::render {
 
 struct Status {
-  uint64_t version = 0;     // of the document that is being rendered
-  uint32_t samples = 0;     // complete samples of every pixel
-  double seconds = 0;       // spent sampling this version
+  uint64_t version = 0;  // of the document that is being rendered
+  uint32_t samples = 0;  // complete samples of every pixel
+  double seconds = 0;    // spent sampling this version
   uint64_t rays = 0, paths = 0;
   double rays_per_second = 0, paths_per_second = 0;
   film::ErrorEstimate error;
   film::Rejected rejected;
-  size_t memory = 0;        // bytes of scene arrays and Embree
+  size_t memory = 0;  // bytes of scene arrays and Embree
   scene::BuildReport build;
-  std::string phase;        // "compiling", "rendering", "paused", "done"
-  bool finished = false;    // a limit was reached
-  double progress = 0;      // towards the nearest limit, 0 to 1
+  std::string phase;      // "compiling", "rendering", "paused", "done"
+  bool finished = false;  // a limit was reached
+  double progress = 0;    // towards the nearest limit, 0 to 1
 };
 
 struct Frame {
   int width = 0, height = 0;
   std::vector<Rgb> pixels;  // linear radiance, row 0 on top
   uint64_t version = 0;
-  uint32_t samples = 0;     // complete samples of every pixel; 0 while coarse parts show
-  int coarseness = 1;       // pixels are blocks of this size; 1 is full resolution
+  uint32_t samples = 0;  // complete samples of every pixel; 0 while coarse parts show
+  int coarseness = 1;    // pixels are blocks of this size; 1 is full resolution
 };
 
 struct SessionOptions {
-  int threads = 0;           // 0: one per hardware thread
-  bool interactive = false;  // coarse frames first, and frames at all; without, frames come from `film` at the end
+  int threads = 0;                // 0: one per hardware thread
+  bool interactive = false;       // coarse frames first, and frames at all; without, frames come from `film` at the end
   double publish_interval = 0.1;  // seconds between frames
 };
 
@@ -81,7 +82,8 @@ class Session {
 
   // The film as it is, taken between two slices of work.
   film::Film film_copy();
-  // Continues with a film from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from there.
+  // Continues with a film from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
+  // there.
   uint64_t submit(const Document& document, film::Film start);
 
  private:

@@ -33,18 +33,20 @@ std::string state_json(const Document& document, uint32_t samples) {
       if (i >= before.size() || before[i].info.default_value != now[i].info.default_value)
         settings[now[i].info.name] = to_json(now[i].info.default_value);
   }
-  json state{{"program", "etendue"}, {"version", 1}, {"scene", document.scene_name}, {"camera", document.camera_name},
-             {"samples", samples}, {"settings", settings}};
+  json state{{"program", "etendue"},           {"version", 1},       {"scene", document.scene_name},
+             {"camera", document.camera_name}, {"samples", samples}, {"settings", settings}};
   if (!document.scene->environment.file.empty()) state["environment"] = document.scene->environment.file;
   return state.dump();
 }
 
 Result<Document> document_from_state(const std::string& text, const std::string& source, uint32_t* samples) {
   const json state = json::parse(text, nullptr, false);
-  if (!state.is_object() || state.value("program", "") != "etendue" || !state.contains("scene") || !state["scene"].is_string() ||
-      !state.contains("settings") || !state["settings"].is_object())
+  if (!state.is_object() || state.value("program", "") != "etendue" || !state.contains("scene") ||
+      !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
     return input_error(source + kWrong);
-  auto document = new_document(state["scene"].get<std::string>(), state.contains("camera") && state["camera"].is_string() ? state["camera"].get<std::string>() : "");
+  auto document =
+      new_document(state["scene"].get<std::string>(),
+                   state.contains("camera") && state["camera"].is_string() ? state["camera"].get<std::string>() : "");
   if (!document) return document;
   if (state.contains("environment") && state["environment"].is_string()) {
     document = with_environment(*document, state["environment"].get<std::string>());
@@ -57,7 +59,8 @@ Result<Document> document_from_state(const std::string& text, const std::string&
     if (!changed) return input_error(source + ": " + changed.error().message);
     document = std::move(changed);
   }
-  if (samples && state.contains("samples") && state["samples"].is_number_unsigned()) *samples = state["samples"].get<uint32_t>();
+  if (samples && state.contains("samples") && state["samples"].is_number_unsigned())
+    *samples = state["samples"].get<uint32_t>();
   return document;
 }
 

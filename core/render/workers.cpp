@@ -19,7 +19,8 @@ struct Workers::Arena {
 };
 
 Workers::Workers(int threads)
-    : arena_(std::make_unique<Arena>(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))) {}
+    : arena_(std::make_unique<Arena>(
+          threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))) {}
 
 Workers::~Workers() = default;
 

@@ -13,8 +13,9 @@ class Workers {
   ~Workers();
 
   int count() const;
-  // Calls `task(i)` for i = first .. count-1, each once, in any order and from any worker, until all are done or `keep_going`
-  // returns false between two tasks. Returns the first number that was not handed out. The caller works too.
+  // Calls `task(i)` for i = first .. count-1, each once, in any order and from any worker, until all are done or
+  // `keep_going` returns false between two tasks. Returns the first number that was not handed out. The caller works
+  // too.
   int run(int first, int count, const std::function<void(int)>& task, const std::function<bool()>& keep_going);
 
  private:

@@ -1,7 +1,8 @@
 #include "sampling/halton.h"
 
+#include <utility>
+
 #include "sampling/owen.h"
-#include "sampling/permutation.h"
 
 namespace etendue {
 namespace {
@@ -11,38 +12,77 @@ constexpr std::array<uint32_t, HaltonSampler::kDimensions> kPrimes{
     83,  89,  97,  101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193,
     197, 199, 211, 223, 227, 229, 233, 239, 241, 251, 257, 263, 269, 271, 277, 281, 283, 293, 307, 311};
 
-// Digits are scrambled until they are finer than a float can tell: the digits of zero behind the last one too.
-float scrambled_inverse(uint32_t sample, uint32_t base, uint32_t seed) {
-  const double inverse_base = 1.0 / base;
-  double weight = inverse_base, x = 0;
-  uint32_t prefix = seed;
-  while (weight > 0x1p-26) {
-    const uint32_t digit = sample % base;
-    sample /= base;
-    x += weight * permuted(digit, base, mix_bits(prefix));
-    prefix = hash_combine(prefix, digit + 1);
-    weight *= inverse_base;
+struct Resolution {
+  int digits;
+  uint64_t cells;
+};
+
+// As many digits as a float can tell apart.
+constexpr Resolution resolution(uint32_t base) {
+  Resolution r{0, 1};
+  for (; r.cells < uint64_t{1} << 24; ++r.digits) r.cells *= base;
+  return r;
+}
+
+// The zeros behind the last digit are scrambled too. The base is known to the compiler: it divides by multiplying.
+template <uint32_t kBase>
+float scrambled_inverse(uint32_t sample, uint32_t seed) {
+  constexpr Resolution kResolution = resolution(kBase);
+  uint64_t prefix = seed, reversed = 0;
+  for (int k = 0; k < kResolution.digits; ++k) {
+    const uint64_t bits = mix_bits(prefix + 0x9e3779b97f4a7c15ULL);
+    const auto factor = 1 + static_cast<uint32_t>((bits >> 32) * (kBase - 1) >> 32);
+    const auto shift = static_cast<uint32_t>((bits & 0xffffffffU) * kBase >> 32);
+    const uint32_t digit = sample % kBase;
+    sample /= kBase;
+    reversed = reversed * kBase + (factor * digit + shift) % kBase;
+    prefix = bits + digit;
   }
+  const double x = static_cast<double>(reversed) * (1.0 / static_cast<double>(kResolution.cells));
   return std::min(static_cast<float>(x), kOneMinusEpsilon);
 }
+
+// The radical inverse is the sample's number with its bits reversed, which is the form that the scrambling wants.
+template <>
+float scrambled_inverse<2>(uint32_t sample, uint32_t seed) {
+  return to_unit_float(reverse_bits(owen_scramble_reversed(sample, seed)));
+}
+
+using Fill = void (*)(uint32_t sample, uint32_t seed, SampleBlock& out);
+
+template <size_t kFirst, size_t... kIndex>
+constexpr Fill fill_from(std::index_sequence<kIndex...>) {
+  return [](uint32_t sample, uint32_t seed, SampleBlock& out) {
+    ((out[kIndex] = scrambled_inverse<kPrimes[kFirst + kIndex]>(sample, hash_combine(seed, kIndex + 1))), ...);
+  };
+}
+
+constexpr uint32_t kBlocks = HaltonSampler::kDimensions / kBlockSize;
+
+template <size_t... kBlock>
+constexpr std::array<Fill, kBlocks> fills(std::index_sequence<kBlock...>) {
+  return {fill_from<kBlock * kBlockSize>(std::make_index_sequence<kBlockSize>())...};
+}
+
+constexpr std::array<Fill, kBlocks> kFills = fills(std::make_index_sequence<kBlocks>());
 
 }  // namespace
 
 double HaltonSampler::radical_inverse(uint32_t sample, uint32_t base) {
-  double weight = 1.0 / base, x = 0;
-  for (; sample > 0; sample /= base, weight /= base) x += weight * (sample % base);
-  return x;
+  // Whole numbers and one division: the result is the closest double.
+  uint64_t reversed = 0, cells = 1;
+  for (; sample > 0; sample /= base, cells *= base) reversed = reversed * base + sample % base;
+  return static_cast<double>(reversed) / static_cast<double>(cells);
 }
 
 void HaltonSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
   const uint32_t seed = hash_combine(pixel_seed, block);
-  uint32_t first = block * kBlockSize;
-  if (first >= kDimensions) {
-    // A shuffle that keeps powers of two together; the low bases see a random order of the same samples.
-    sample = owen_scramble(sample, mix_bits(seed));
-    first = 0;
+  if (block < kBlocks) {
+    kFills[block](sample, seed, out);
+    return;
   }
-  for (uint32_t i = 0; i < kBlockSize; ++i) out[i] = scrambled_inverse(sample, kPrimes[first + i], hash_combine(seed, i + 1));
+  // A shuffle that keeps powers of two together: any such stretch is still a stretch of the sequence.
+  kFills[0](owen_scramble(sample, mix_bits(seed)), seed, out);
 }
 
 }  // namespace etendue

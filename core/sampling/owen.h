@@ -1,7 +1,7 @@
 // Nested uniform (Owen) scrambling by hashing.                               thesis 7.3; Owen 1995
 //
-// Laine and Karras 2011: on the bits in reversed order, an operation that lets each bit depend only on lower ones is a nested
-// permutation of elementary intervals. Constants: N. Vegdahl's search, 2021.
+// Laine and Karras 2011: on the bits in reversed order, an operation that lets each bit depend only on lower ones is a
+// nested permutation of elementary intervals. Constants: N. Vegdahl's search, 2021.
 #pragma once
 #include "base/hash.h"
 
@@ -17,6 +17,8 @@ constexpr uint32_t owen_scramble_reversed(uint32_t x, uint32_t seed) {
   return x;
 }
 
-constexpr uint32_t owen_scramble(uint32_t x, uint32_t seed) { return reverse_bits(owen_scramble_reversed(reverse_bits(x), seed)); }
+constexpr uint32_t owen_scramble(uint32_t x, uint32_t seed) {
+  return reverse_bits(owen_scramble_reversed(reverse_bits(x), seed));
+}
 
 }  // namespace etendue

@@ -1,8 +1,8 @@
 // Where the random numbers of a path come from.
 //
-// A sampler is a function of (pixel, sample index, dimension). Dimensions come in blocks of eight with a fixed layout, one
-// block for the camera and one for each path vertex, so that dimension k means the same decision in every path and the
-// structure of a low-discrepancy sequence survives. A Markov chain in primary sample space fits the same interface.
+// A sampler is a function of (pixel, sample index, dimension). Dimensions come in blocks of eight with a fixed layout,
+// one block for the camera and one for each path vertex, so that dimension k means the same decision in every path and
+// the structure of a low-discrepancy sequence survives. A Markov chain in primary sample space fits the same interface.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -46,8 +46,8 @@ class Sampler {
  public:
   virtual ~Sampler() = default;
 
-  // Called from one thread before samples [first, first + count) of every pixel are drawn: the place for tables that all
-  // pixels share. Blocks of these samples may then be asked for from any thread.
+  // Called from one thread before samples [first, first + count) of every pixel are drawn: the place for tables that
+  // all pixels share. Blocks of these samples may then be asked for from any thread.
   virtual void prepare(uint32_t first, uint32_t count) { (void)first, (void)count; }
 
   // Eight values in [0, 1) for `sample` of the pixel with this seed. The seed is a hash of pixel, replicate and the

@@ -1,10 +1,11 @@
 // Owen-scrambled Sobol' points.                                              thesis 7.2.4 to 7.3.3 (S67, S69)
 //
-// A (t, s)-sequence in base 2 with the direction numbers of Joe and Kuo in 64 dimensions, scrambled anew for every pixel: any
-// power-of-two stretch of it is stratified in all dimensions and in pairs of them, and it may stop anywhere. Beyond 64
-// dimensions the first eight are used again for each block, in an order of samples of its own (padding): stratified within the
-// block, independent between blocks. On smooth integrands of few dimensions the error falls faster than 1/N; on anything it is
-// unbiased and, as N grows, no worse than random numbers. Bad at: sample counts far from powers of two, early on.
+// A (t, s)-sequence in base 2 with the direction numbers of Joe and Kuo in 64 dimensions, scrambled anew for every
+// pixel: any power-of-two stretch of it is stratified in all dimensions and in pairs of them, and it may stop anywhere.
+// Beyond 64 dimensions the first eight are used again for each block, in an order of samples of its own (padding):
+// stratified within the block, independent between blocks. On smooth integrands of few dimensions the error falls
+// faster than 1/N; on anything it is unbiased and, as N grows, no worse than random numbers. Bad at: sample counts far
+// from powers of two, early on.
 //
 // All pixels share the unscrambled point of a sample: `prepare` tabulates it, and a dimension costs one hash.
 #pragma once
@@ -16,7 +17,8 @@ class SobolSampler final : public Sampler {
  public:
   static constexpr const char* kName = "sobol";
   static constexpr const char* kLabel = "Sobol', Owen";
-  static constexpr const char* kDoc = "Scrambled low-discrepancy points; the error of smooth pixels falls faster than random";
+  static constexpr const char* kDoc =
+      "Scrambled low-discrepancy points; the error of smooth pixels falls faster than random";
   static constexpr uint32_t kDimensions = 64;
   auto knobs() { return std::tie(); }
 

@@ -1,7 +1,7 @@
 // Primitive polynomials and initial direction numbers of the Sobol' sequence, dimensions 2 to 64.
 //
-// S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", 2008. A polynomial is written
-// with its coefficients as bits, the highest first; dimension 1 is the van der Corput sequence and needs none.
+// S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", 2008. A polynomial is
+// written with its coefficients as bits, the highest first; dimension 1 is the van der Corput sequence and needs none.
 #pragma once
 #include <array>
 #include <cstdint>

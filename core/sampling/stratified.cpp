@@ -1,24 +1,35 @@
 #include "sampling/stratified.h"
 
+#include <bit>
+
+#include "base/hash.h"
 #include "sampling/permutation.h"
 
 namespace etendue {
+namespace {
+
+// A point of slice `cell` of `cells`. Rounding may not push it into the next slice.
+float place(uint32_t cell, uint32_t cells, float jitter) {
+  const auto start = static_cast<float>(cell), count = static_cast<float>(cells);
+  const float below_end = std::bit_cast<float>(std::bit_cast<uint32_t>((start + 1) / count) - 1);
+  return std::min((start + jitter) / count, below_end);
+}
+
+}  // namespace
 
 void StratifiedSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
-  const auto n = static_cast<uint32_t>(side.value);
-  const uint32_t group = sample / (n * n), member = sample % (n * n);
+  const auto n = static_cast<uint32_t>(side.value), slices = n * n;
+  const uint32_t group = sample / slices, member = sample % slices;
   const uint32_t seed = hash_combine(hash_combine(pixel_seed, block), group);
-  const auto jitter = [&](uint32_t i) { return to_unit_float(mix_bits(hash_combine(seed, member * kBlockSize + i))); };
-  const auto put = [&](size_t i, float cell, uint32_t cells) {
-    out[i] = std::min((cell + jitter(static_cast<uint32_t>(i))) / static_cast<float>(cells), kOneMinusEpsilon);
-  };
+  const auto jitter = [&](uint32_t i) { return to_unit_float(hash_combine(seed, member * kBlockSize + i)); };
   // Dimensions 0-1 and 2-3 of every block belong together.
-  for (uint32_t pair = 0; pair < 2; ++pair) {
-    const uint32_t cell = permuted(member, n * n, mix_bits(seed + pair + 1));
-    put(2 * pair, static_cast<float>(cell % n), n);
-    put(2 * pair + 1, static_cast<float>(cell / n), n);
+  for (uint32_t i = 0; i < 4; i += 2) {
+    const uint32_t cell = permuted(member, slices, mix_bits(seed + i + 1));
+    out[i] = place(cell % n, n, jitter(i));
+    out[i + 1] = place(cell / n, n, jitter(i + 1));
   }
-  for (uint32_t i = 4; i < kBlockSize; ++i) put(i, static_cast<float>(permuted(member, n * n, mix_bits(seed + 16 + i))), n * n);
+  for (uint32_t i = 4; i < kBlockSize; ++i)
+    out[i] = place(permuted(member, slices, mix_bits(seed + i + 1)), slices, jitter(i));
 }
 
 }  // namespace etendue

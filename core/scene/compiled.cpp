@@ -79,7 +79,8 @@ void CompiledScene::surface(const Ray& ray, const Hit& hit, SurfacePoint& point)
   if (point.material->normal) {
     Vec3 bent = point.shading.to_world(point.material->normal_at(point.texture));
     bent = normalize_or(bent, ns);
-    point.shading = Frame(bent, point.shading.x, glm::dot(glm::cross(point.shading.z, point.shading.x), point.shading.y));
+    point.shading =
+        Frame(bent, point.shading.x, glm::dot(glm::cross(point.shading.z, point.shading.x), point.shading.y));
   }
   // A shading normal that looks away from the viewer would make the surface black: bend it until it is barely seen.
   const Vec3 wo = -ray.direction;
@@ -188,7 +189,8 @@ class Compiler {
       for (const Primitive& primitive : scene_->meshes[static_cast<size_t>(n.mesh)].primitives) {
         const PosedMesh posed = posed_mesh(*scene_, static_cast<int>(node), primitive, world);
         if (posed.mesh->triangles.empty()) continue;
-        placed.push_back({posed.mesh, posed.in_world ? Mat4(1) : world[node], static_cast<uint32_t>(primitive.material), node});
+        placed.push_back(
+            {posed.mesh, posed.in_world ? Mat4(1) : world[node], static_cast<uint32_t>(primitive.material), node});
       }
     }
     return placed;
@@ -323,14 +325,17 @@ class Compiler {
       instance.first_light = InstanceData::kNotALight;
       if (!material.description.emits() || material.description.unlit) continue;
       instance.first_light = static_cast<uint32_t>(triangles.size());
-      for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t) triangles.push_back(emissive(instance, material, i, t));
+      for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
+        triangles.push_back(emissive(instance, material, i, t));
     }
     result_->instances_ = std::move(instances);
-    result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment, result_->bounds_);
+    result_->lights_ =
+        std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment, result_->bounds_);
     result_->report_.lights_built = true;
   }
 
-  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i, uint32_t t) {
+  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                   uint32_t t) {
     const Mesh& mesh = *instance.mesh;
     const Triangle& corner = mesh.triangles[t];
     Vec3 p[3];
@@ -338,11 +343,13 @@ class Compiler {
       p[k] = mesh.positions[corner[k]];
       if (!instance.identity) p[k] = Vec3(instance.to_world * Vec4(p[k], 1));
     }
-    EmissiveTriangle e{p[0], p[1] - p[0], p[2] - p[0], i, t, material.description.emission, material.description.double_sided};
+    EmissiveTriangle e{
+        p[0], p[1] - p[0], p[2] - p[0], i, t, material.description.emission, material.description.double_sided};
     e.turned = instance.mirrored;
     if (material.emission) {
       Rgb sum(0);
-      constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f}, {.1f, .8f}, {.1f, .1f}, {.45f, .45f}, {.45f, .1f}, {.1f, .45f}};
+      constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
+                                       {.45f, .45f},       {.45f, .1f}, {.1f, .45f}};
       for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
       e.radiance = sum / 7;
     }
@@ -356,7 +363,8 @@ class Compiler {
       const Node& n = scene_->nodes[node];
       if (n.light < 0) continue;
       const Mat4& m = world[node];
-      placed.push_back({scene_->lights[static_cast<size_t>(n.light)], Vec3(m[3]), normalize_or(-Vec3(m[2]), Vec3(0, 0, -1))});
+      placed.push_back(
+          {scene_->lights[static_cast<size_t>(n.light)], Vec3(m[3]), normalize_or(-Vec3(m[2]), Vec3(0, 0, -1))});
     }
     return placed;
   }

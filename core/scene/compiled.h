@@ -1,7 +1,8 @@
 // The scene that threads read: immutable, shared, compiled from a scene::Scene.
 //
-// Compiling reuses everything of the previous CompiledScene that an edit did not touch; `BuildReport` says what was built,
-// and tests hold it to that: a camera or a material rebuilds no acceleration structure, a transform only the top level.
+// Compiling reuses everything of the previous CompiledScene that an edit did not touch; `BuildReport` says what was
+// built, and tests hold it to that: a camera or a material rebuilds no acceleration structure, a transform only the top
+// level.
 #pragma once
 #include <memory>
 #include <vector>
@@ -20,9 +21,9 @@ struct InstanceData {
   Mat4 to_world{1};
   Mat3 normal_to_world{1};  // inverse transpose
   bool identity = true;
-  bool mirrored = false;    // negative determinant: winding is turned, glTF 2.0, 3.7.4
+  bool mirrored = false;  // negative determinant: winding is turned, glTF 2.0, 3.7.4
   uint32_t material = 0;
-  uint32_t node = 0;        // the object that a user picks
+  uint32_t node = 0;                  // the object that a user picks
   uint32_t first_light = kNotALight;  // light number of its first triangle
   static constexpr uint32_t kNotALight = 0xffffffffU;
 };
@@ -36,8 +37,8 @@ struct SurfacePoint {
   const InstanceData* instance = nullptr;
   const SurfaceMaterial* material = nullptr;
   uint32_t triangle = 0;
-  float offset = 0;    // how far rounding may have put `position` off the surface, metres
-  bool front = true;   // the side the ray came from
+  float offset = 0;   // how far rounding may have put `position` off the surface, metres
+  bool front = true;  // the side the ray came from
 
   // A ray that leaves towards `direction` and does not hit the surface it starts on.
   void spawn(const Vec3& direction, float distance, Ray& ray) const {
@@ -57,7 +58,9 @@ struct BuildReport {
 
 class CompiledScene final : public OpacityTest {
  public:
-  void intersect(const Ray& ray, uint32_t ray_seed, Hit& hit) const { accel_->intersect(ray, opacity(), ray_seed, hit); }
+  void intersect(const Ray& ray, uint32_t ray_seed, Hit& hit) const {
+    accel_->intersect(ray, opacity(), ray_seed, hit);
+  }
   Hit intersect(const Ray& ray, uint32_t ray_seed) const {
     Hit hit;
     intersect(ray, ray_seed, hit);
@@ -111,7 +114,8 @@ class CompiledScene final : public OpacityTest {
   std::shared_ptr<const std::vector<SurfaceMaterial>> materials_;
   std::shared_ptr<const std::vector<Texture>> textures_;
   std::shared_ptr<const LightTable> lights_;
-  std::vector<std::shared_ptr<const MeshAccel>> mesh_accels_;  // one per instance, null where it stands in the top level
+  std::vector<std::shared_ptr<const MeshAccel>>
+      mesh_accels_;  // one per instance, null where it stands in the top level
   Camera camera_;
   Bounds bounds_;
   BuildReport report_;

@@ -10,7 +10,7 @@
 namespace etendue::scene {
 
 struct LoadOptions {
-  int scene = -1;                                         // index of the glTF scene, -1 for the file's default
+  int scene = -1;                                               // index of the glTF scene, -1 for the file's default
   std::function<bool(const char* phase, float done)> progress;  // false cancels; called from the loading thread
 };
 

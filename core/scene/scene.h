@@ -69,8 +69,8 @@ struct Node {
 };
 
 struct Skin {
-  std::vector<int> joints;             // nodes
-  std::vector<Mat4> inverse_bind;      // one per joint
+  std::vector<int> joints;         // nodes
+  std::vector<Mat4> inverse_bind;  // one per joint
 
   friend bool operator==(const Skin&, const Skin&) = default;
 };
@@ -120,8 +120,9 @@ std::vector<Camera> placed_cameras(const Scene& scene);
 // World matrices of all nodes at the scene's time (animations applied); nodes that no root reaches get the identity.
 std::vector<Mat4> world_matrices(const Scene& scene);
 
-// The primitive's mesh as this node shows it at the scene's time: morphed and skinned. Returns the rest mesh itself where
-// nothing deforms it. The result is in the node's space, or in world space if the node is skinned (`in_world` says so).
+// The primitive's mesh as this node shows it at the scene's time: morphed and skinned. Returns the rest mesh itself
+// where nothing deforms it. The result is in the node's space, or in world space if the node is skinned (`in_world`
+// says so).
 struct PosedMesh {
   std::shared_ptr<const Mesh> mesh;
   bool in_world = false;
@@ -131,8 +132,8 @@ PosedMesh posed_mesh(const Scene& scene, int node, const Primitive& primitive, c
 // What is in the world at the scene's time, for framing. Hidden nodes are left out.
 Bounds world_bounds(const Scene& scene);
 
-// The scene's own camera by name or index; the first, or a framing one, if `which` is empty. An unknown name is an error
-// that lists the names there are.
+// The scene's own camera by name or index; the first, or a framing one, if `which` is empty. An unknown name is an
+// error that lists the names there are.
 Result<Camera> choose_camera(const Scene& scene, const std::string& which);
 
 // A camera that shows everything from slightly above and in front.

@@ -43,11 +43,7 @@ inline Rgb exp(const Rgb& c) { return {std::exp(c.r), std::exp(c.g), std::exp(c.
 constexpr Rgb mix(const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; }
 
 // The sRGB transfer curve (IEC 61966-2-1) on one component.
-inline float srgb_to_linear(float x) {
-  return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
-}
-inline float linear_to_srgb(float x) {
-  return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-}
+inline float srgb_to_linear(float x) { return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f); }
+inline float linear_to_srgb(float x) { return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; }
 
 }  // namespace etendue

@@ -12,9 +12,12 @@ enum class MisHeuristic { balance, power, maximum };
 // The weight of the technique with density `own` where the other one has density `other`, both of the same measure.
 inline float mis_weight(MisHeuristic heuristic, float own, float other) {
   switch (heuristic) {
-    case MisHeuristic::balance: return own / (own + other);
-    case MisHeuristic::maximum: return own > other ? 1.0f : own == other ? 0.5f : 0.0f;
-    case MisHeuristic::power: break;
+    case MisHeuristic::balance:
+      return own / (own + other);
+    case MisHeuristic::maximum:
+      return own > other ? 1.0f : own == other ? 0.5f : 0.0f;
+    case MisHeuristic::power:
+      break;
   }
   // Ratios first: squares of the densities of narrow lobes overflow.
   const float ratio = other / own;

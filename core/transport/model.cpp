@@ -34,9 +34,7 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
 
 }  // namespace
 
-std::vector<std::string> model_flags() {
-  return {"surfaces", "media"};
-}
+std::vector<std::string> model_flags() { return {"surfaces", "media"}; }
 
 std::string Model::summary() const {
   std::string text;
@@ -45,17 +43,21 @@ std::string Model::summary() const {
 }
 
 Model model_for(const CompiledScene& scene, std::span<const std::string> forced) {
-  const auto is_forced = [&](const char* flag) { return std::find(forced.begin(), forced.end(), flag) != forced.end(); };
+  const auto is_forced = [&](const char* flag) {
+    return std::find(forced.begin(), forced.end(), flag) != forced.end();
+  };
   Model model;
   auto& out = model.decisions;
   out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
 
   const auto* shiny = find_used(scene, [](const auto& m) { return !m.diffuse; });
   out.push_back(decide("surfaces", shiny, "diffuse", "any",
-                       shiny ? named(*shiny) + " is not Lambertian" : "every surface is Lambertian", is_forced("surfaces")));
+                       shiny ? named(*shiny) + " is not Lambertian" : "every surface is Lambertian",
+                       is_forced("surfaces")));
   const auto* solid = find_used(scene, absorbs);
   out.push_back(decide("media", solid, "vacuum", "absorbing",
-                       solid ? named(*solid) + " absorbs inside" : "nothing absorbs between surfaces", is_forced("media")));
+                       solid ? named(*solid) + " absorbs inside" : "nothing absorbs between surfaces",
+                       is_forced("media")));
   const auto* clear = find_used(scene, [](const auto& m) { return m.transparent; });
   out.push_back({"transparency", clear ? "stochastic" : "opaque", clear ? "stochastic" : "opaque",
                  clear ? named(*clear) + " has an alpha mode" : "no material has an alpha mode"});

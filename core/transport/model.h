@@ -1,9 +1,9 @@
 // How much model a scene needs.
 //
 // Some of it is decided at compile time: the hot loop is a template over a model type, which names the colour that is
-// carried, the lobes that surfaces can have, and whether rays pass through absorbing media. The rest is data (a pinhole does
-// not draw lens samples). `needs_of` looks at the compiled scene and says for each flag what it needs and why; a user can force
-// a flag to the larger model, which must not change the image.
+// carried, the lobes that surfaces can have, and whether rays pass through absorbing media. The rest is data (a pinhole
+// does not draw lens samples). `needs_of` looks at the compiled scene and says for each flag what it needs and why; a
+// user can force a flag to the larger model, which must not change the image.
 #pragma once
 #include <array>
 #include <map>

@@ -1,7 +1,7 @@
 // A random walk from the camera, and what every gathering method does at its vertices.
 //
-// Walk owns throughput, ray and the density of the last direction; `emitted`, `environment` and `direct_light` are the terms of
-// thesis (9.26)-(9.29). All of them return what is to be multiplied by the throughput.
+// Walk owns throughput, ray and the density of the last direction; `emitted`, `environment` and `direct_light` are the
+// terms of thesis (9.26)-(9.29). All of them return what is to be multiplied by the throughput.
 #pragma once
 #include "sampling/sampler.h"
 #include "transport/mis.h"
@@ -61,8 +61,8 @@ class Walk {
     return true;
   }
 
-  // Survives with the probability of the throughput's largest component (refraction's compression of radiance taken out),
-  // and is weighted so that the expectation does not change.                                 thesis (9.10)
+  // Survives with the probability of the throughput's largest component (refraction's compression of radiance taken
+  // out), and is weighted so that the expectation does not change.                                 thesis (9.10)
   bool survives_roulette(int from_vertex) {
     if (length_ < from_vertex) return true;
     const float survival = std::min(kMaxSurvival, max_component(throughput_) * eta_scale_);
@@ -135,13 +135,12 @@ enum class Shadows { cast, ignored };
 // Next event estimation: one point on one light, weighted against the direction that the walk samples itself.
 template <class M>
 typename M::Color direct_light(const scene::CompiledScene& scene, const scene::SurfacePoint& point, const Bsdf<M>& bsdf,
-                               const Vec3& wo, PathSampler& random, MisHeuristic heuristic, bool combine, Shadows shadows,
-                               uint32_t& rays) {
+                               const Vec3& wo, PathSampler& random, MisHeuristic heuristic, bool combine,
+                               Shadows shadows, uint32_t& rays) {
   using Color = typename M::Color;
   LightSample light;
-  if (!bsdf.has_non_delta() ||
-      !scene.lights().sample(point.position, random.get(vertex_dimension::kLightChoice),
-                             random.get_2d(vertex_dimension::kLightPoint), light))
+  if (!bsdf.has_non_delta() || !scene.lights().sample(point.position, random.get(vertex_dimension::kLightChoice),
+                                                      random.get_2d(vertex_dimension::kLightPoint), light))
     return Color(0);
   const Color f = bsdf.eval(wo, light.wi) * bsdf.cosine(light.wi);
   if (is_black(f)) return Color(0);

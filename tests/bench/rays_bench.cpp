@@ -43,8 +43,12 @@ struct Rig {
   film::Filter filter;
 
   explicit Rig(render::Document d)
-      : document(std::move(d)), scene(scene::compile(document.scene, document.camera, nullptr)), model(transport::model_for(*scene)),
-        sampler(make_sampler("sobol")), integrator(integrator::make_integrator("path", document.method.settings_of("path"))), camera(document.camera, document.width, document.height) {
+      : document(std::move(d)),
+        scene(scene::compile(document.scene, document.camera, nullptr)),
+        model(transport::model_for(*scene)),
+        sampler(make_sampler("sobol")),
+        integrator(integrator::make_integrator("path", document.method.settings_of("path"))),
+        camera(document.camera, document.width, document.height) {
     sampler->prepare(0, 64);
   }
 
@@ -74,10 +78,12 @@ void measure(const char* name, render::Document d) {
     const double path = seconds([&] { rays = rig.render(0); });
     const double bare = seconds([&] { hits += log.replay(); });
     ratios.push_back((static_cast<double>(rays) / path) / (static_cast<double>(log.size()) / bare));
-    if (i == 0) std::printf("%-16s %8llu rays, replayed %8zu\n", name, static_cast<unsigned long long>(rays), log.size());
+    if (i == 0)
+      std::printf("%-16s %8llu rays, replayed %8zu\n", name, static_cast<unsigned long long>(rays), log.size());
   }
   std::sort(ratios.begin(), ratios.end());
-  std::printf("%-16s path / bare loop: median %.3f (min %.3f, max %.3f), %llu hits\n", name, ratios[kRounds / 2], ratios.front(), ratios.back(), static_cast<unsigned long long>(hits));
+  std::printf("%-16s path / bare loop: median %.3f (min %.3f, max %.3f), %llu hits\n", name, ratios[kRounds / 2],
+              ratios.front(), ratios.back(), static_cast<unsigned long long>(hits));
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ class Cli : public testing::Test {
 
   Outcome run(const std::string& arguments) const {
     const fs::path out = folder_ / "out.txt", err = folder_ / "err.txt";
-    const std::string command = "cd " + folder_.string() + " && " + ETENDUE_BINARY + " " + arguments + " >" + out.string() + " 2>" + err.string();
+    const std::string command = "cd " + folder_.string() + " && " + ETENDUE_BINARY + " " + arguments + " >" +
+                                out.string() + " 2>" + err.string();
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
   }
@@ -60,7 +61,8 @@ TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
   const Outcome r = run("render cornell --size 24x24 --spp 4 --seed 3 -o a.exr --json -");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = nlohmann::json::parse(r.out);
-  for (const char* key : {"integrator", "sampler", "spp", "seconds", "rays", "width", "height", "threads", "seed", "rmse_estimate", "rejected", "khat", "peak_rss_bytes", "model"})
+  for (const char* key : {"integrator", "sampler", "spp", "seconds", "rays", "width", "height", "threads", "seed",
+                          "rmse_estimate", "rejected", "khat", "peak_rss_bytes", "model"})
     EXPECT_TRUE(j.contains(key)) << key;
   EXPECT_EQ(j["spp"], 4);
   EXPECT_EQ(j["seed"], 3);
@@ -69,7 +71,10 @@ TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
 }
 
 TEST_F(Cli, LikeMakesTheSameImageAgain) {
-  ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --seed 3 --set material.5.metallic=1 --set film.filter=tent --exposure 1 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --seed 3 --set material.5.metallic=1 --set film.filter=tent "
+                "--exposure 1 -o a.exr")
+                .code,
+            0);
   ASSERT_EQ(run("render --like a.exr --spp 4 -o b.exr").code, 0);
   const Outcome r = run("compare a.exr b.exr --json");
   ASSERT_EQ(r.code, 0) << r.err;
@@ -122,7 +127,9 @@ TEST_F(Cli, UnwritableOutputIsFour) {
 
 TEST_F(Cli, InspectAndListSpeakJson) {
   const auto scene = nlohmann::json::parse(run("inspect cornell --json").out);
-  for (const char* key : {"triangles", "instances", "materials", "lights", "cameras", "unsupported", "warnings", "model"}) EXPECT_TRUE(scene.contains(key)) << key;
+  for (const char* key :
+       {"triangles", "instances", "materials", "lights", "cameras", "unsupported", "warnings", "model"})
+    EXPECT_TRUE(scene.contains(key)) << key;
   EXPECT_EQ(scene["model"]["surfaces"]["value"], "diffuse");
   for (const char* kind : {"integrators", "samplers", "materials", "lights", "media"}) {
     const auto list = nlohmann::json::parse(run(std::string("list ") + kind + " --json").out);
@@ -130,7 +137,8 @@ TEST_F(Cli, InspectAndListSpeakJson) {
     for (const auto& entry : list)
       for (const char* key : {"name", "label", "doc", "parameters"}) EXPECT_TRUE(entry.contains(key)) << kind;
   }
-  for (const auto& entry : nlohmann::json::parse(run("list integrators --json").out)) EXPECT_TRUE(entry.contains("paths") && entry.contains("bias"));
+  for (const auto& entry : nlohmann::json::parse(run("list integrators --json").out))
+    EXPECT_TRUE(entry.contains("paths") && entry.contains("bias"));
 }
 
 TEST_F(Cli, InterruptSavesWhatThereIs) {

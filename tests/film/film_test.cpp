@@ -82,7 +82,9 @@ TEST_P(EveryFilter, SamplesFollowTheFilter) {
   EXPECT_GT(test::chi_square_tail(statistic, kCells - 1), 0.0025);
 }
 
-INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter, testing::Values(FilterKind::box, FilterKind::tent, FilterKind::gaussian, FilterKind::blackman_harris));
+INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter,
+                         testing::Values(FilterKind::box, FilterKind::tent, FilterKind::gaussian,
+                                         FilterKind::blackman_harris));
 
 }  // namespace
 }  // namespace etendue::film

@@ -46,7 +46,8 @@ Estimate replicated(render::Document d, uint32_t samples) {
 // Two-sided quantile of Student's t for the family: 22 degrees, Sidak over 16 blocks and the mean, p = 1 - 0.99^(1/17).
 constexpr double kBlockT = 4.0;
 
-void expect_agreement(const render::Document& d, uint32_t samples_of_first, const std::string& first, uint32_t samples_of_second, const std::string& second) {
+void expect_agreement(const render::Document& d, uint32_t samples_of_first, const std::string& first,
+                      uint32_t samples_of_second, const std::string& second) {
   auto a = d, b = d;
   a.method.integrator = first, b.method.integrator = second;
   const Estimate x = replicated(a, samples_of_first), y = replicated(b, samples_of_second);

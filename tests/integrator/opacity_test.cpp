@@ -1,4 +1,5 @@
-// Alpha: blended and masked surfaces let the right share of light through, also where a material becomes transparent later.
+// Alpha: blended and masked surfaces let the right share of light through, also where a material becomes transparent
+// later.
 #include <gtest/gtest.h>
 
 #include "render/session.h"

@@ -1,4 +1,5 @@
-// Scenes whose radiance is known in closed form.                      digest 4-5: 3.1 d, 3.3 D; digest 8-10: O1, O3, O6, O7
+// Scenes whose radiance is known in closed form.                      digest 4-5: 3.1 d, 3.3 D; digest 8-10: O1, O3,
+// O6, O7
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
@@ -16,8 +17,8 @@ std::vector<std::string> unbiased_integrators() {
   return names;
 }
 
-// Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo). Late roulette leaves next to no variance, so that the mean
-// stands to 0.1 %.
+// Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo). Late roulette leaves next to no variance, so that
+// the mean stands to 0.1 %.
 TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
   for (const float albedo : {0.5f, 0.9f})
     for (const auto& method : unbiased_integrators())
@@ -28,7 +29,8 @@ TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
         d = *render::with_text(d, "roulette-start", "64");
         const Mean mean = test::mean_of(test::rendered(d, 32));
         const double expected = 1 / (1 - albedo);
-        EXPECT_NEAR(mean.value, expected, 1e-3 * expected) << method << ' ' << sampler.name << ' ' << albedo << " +- " << mean.standard_error;
+        EXPECT_NEAR(mean.value, expected, 1e-3 * expected)
+            << method << ' ' << sampler.name << ' ' << albedo << " +- " << mean.standard_error;
       }
 }
 
@@ -54,7 +56,8 @@ TEST(Furnace, DepthLimitLosesWhatTheoryPredicts) {
       d.method.integrator = method;
       d = *render::with_text(d, "max-depth", std::to_string(depth));
       const double expected = (1 - std::pow(0.5, depth)) / 0.5;
-      EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, expected, 2e-3 * expected) << method << " depth " << depth;
+      EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, expected, 2e-3 * expected)
+          << method << " depth " << depth;
     }
 }
 
@@ -64,7 +67,8 @@ TEST(EmittingSphere, SeenFromInside) {
     scene::Scene scene;
     test::add(scene, test::sphere(radius, 32, true), test::diffuse(Rgb(0.5f), Rgb(1)));
     for (const auto& method : unbiased_integrators()) {
-      auto d = test::document(scene, look_at(radius * Vec3(0.2f, 0.1f, 0), radius * Vec3(0, 0, 1), {0, 1, 0}, 1), 32, 32);
+      auto d =
+          test::document(scene, look_at(radius * Vec3(0.2f, 0.1f, 0), radius * Vec3(0, 0, 1), {0, 1, 0}, 1), 32, 32);
       d.method.integrator = method;
       EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, 2, 4e-3) << method << " radius " << radius;
     }

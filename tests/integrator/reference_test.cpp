@@ -43,7 +43,8 @@ Comparison compare_with_reference(const std::string& name, uint32_t samples) {
   const auto& layer = *reference->find("");
   const size_t stride = layer.channels.size();
   const Blocks theirs = block_means(reference->width, reference->height, [&](int x, int y) {
-    const size_t at = (static_cast<size_t>(y) * static_cast<size_t>(reference->width) + static_cast<size_t>(x)) * stride;
+    const size_t at =
+        (static_cast<size_t>(y) * static_cast<size_t>(reference->width) + static_cast<size_t>(x)) * stride;
     return (double{layer.pixels[at]} + layer.pixels[at + 1] + layer.pixels[at + 2]) / 3;
   });
   Comparison c{mean_of(ours) / mean_of(theirs), 0};

@@ -25,8 +25,10 @@ std::vector<Case> cases() {
           Material m;
           m.base_color = {0.8f, 0.6f, 0.4f};
           m.roughness = roughness, m.metallic = metallic, m.transmission = transmission, m.thickness = thickness;
-          list.push_back({"roughness " + std::to_string(roughness) + " metallic " + std::to_string(metallic) + " transmission " +
-                              std::to_string(transmission) + " thickness " + std::to_string(thickness), m});
+          list.push_back({"roughness " + std::to_string(roughness) + " metallic " + std::to_string(metallic) +
+                              " transmission " + std::to_string(transmission) + " thickness " +
+                              std::to_string(thickness),
+                          m});
         }
   Material stretched;
   stretched.metallic = 1, stretched.roughness = 0.4f, stretched.anisotropy = 0.7f;
@@ -83,7 +85,8 @@ TEST(Bsdf, SamplesFollowTheirDensity) {
             return ok;
           },
           [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 100'000);
-      EXPECT_GT(result.p_value, significance) << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
+      EXPECT_GT(result.p_value, significance)
+          << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
     }
 }
 
@@ -117,7 +120,8 @@ TEST(Bsdf, ReciprocalUpToTheSquaredIndexLaw) {
       const float scale = b.z < 0 ? eta2 : 1;
       for (int k = 0; k < 3; ++k) {
         ASSERT_GE(forth[k], 0);
-        ASSERT_NEAR(forth[k] * scale, back[k], 1e-3f * std::max(1e-3f, std::max(forth[k] * scale, back[k]))) << c.name << " " << a.z << ' ' << b.z;
+        ASSERT_NEAR(forth[k] * scale, back[k], 1e-3f * std::max(1e-3f, std::max(forth[k] * scale, back[k])))
+            << c.name << " " << a.z << ' ' << b.z;
       }
       const Rgb adjoint = lobes.eval(b, a, Transport::importance), forward = lobes.eval(a, b, Transport::radiance);
       for (int k = 0; k < 3; ++k) ASSERT_NEAR(adjoint[k], forward[k], 1e-3f * std::max(1e-3f, forward[k])) << c.name;
@@ -138,8 +142,8 @@ double albedo(const LobeMix<Rgb>& lobes, const Vec3& wo, double& error) {
   return sum / kN;
 }
 
-// The directional albedo of power never exceeds one, but for what the specification says of a diffuse base: it is attenuated
-// by 1 - F(wo.h), which at grazing angles is more than the layer above leaves of the light.
+// The directional albedo of power never exceeds one, but for what the specification says of a diffuse base: it is
+// attenuated by 1 - F(wo.h), which at grazing angles is more than the layer above leaves of the light.
 TEST(Bsdf, ConservesEnergyWhereTheSpecificationDoes) {
   for (const auto& c : cases()) {
     Material white = c.material;
@@ -169,7 +173,8 @@ TEST(Fresnel, KnownAngles) {
   float cos_t;
   const float brewster = std::atan(1.5f);
   const float c = std::cos(brewster);
-  const float perpendicular = sqr((c - 1.5f * std::sqrt(1 - (1 - c * c) / 2.25f)) / (c + 1.5f * std::sqrt(1 - (1 - c * c) / 2.25f)));
+  const float perpendicular =
+      sqr((c - 1.5f * std::sqrt(1 - (1 - c * c) / 2.25f)) / (c + 1.5f * std::sqrt(1 - (1 - c * c) / 2.25f)));
   EXPECT_NEAR(fresnel_dielectric(c, 1.5f, cos_t), 0.5f * perpendicular, 1e-6f);
   EXPECT_NEAR(fresnel_dielectric(std::sqrt(0.5f), 1.5f, cos_t), 0.5f * (0.008466f + 0.092013f), 1e-5f);
   EXPECT_EQ(fresnel_dielectric(std::cos(0.7298f), 1 / 1.5f, cos_t), 1);

@@ -20,7 +20,8 @@ render::Document cornell(int size) {
 }
 
 bool same_bits(const film::Film& a, const film::Film& b) {
-  return a.pixels().size() == b.pixels().size() && std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+  return a.pixels().size() == b.pixels().size() &&
+         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
 TEST(Session, SameImageBitForBitWithOneTwoAndSevenThreads) {
@@ -125,9 +126,11 @@ TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
 
 TEST(State, EverySettingComesBack) {
   auto d = cornell(40);
-  const std::pair<const char*, const char*> edits[] = {{"render.integrator", "path-pure"}, {"path.roulette-start", "7"}, {"stratified.side", "5"},
-                                                       {"film.filter", "tent"}, {"camera.exposure", "1.25"}, {"camera.eye.x", "0.3"},
-                                                       {"material.5.roughness", "0.31"}, {"model.media", "on"}, {"node.6.visible", "false"}};
+  const std::pair<const char*, const char*> edits[] = {{"render.integrator", "path-pure"}, {"path.roulette-start", "7"},
+                                                       {"stratified.side", "5"},           {"film.filter", "tent"},
+                                                       {"camera.exposure", "1.25"},        {"camera.eye.x", "0.3"},
+                                                       {"material.5.roughness", "0.31"},   {"model.media", "on"},
+                                                       {"node.6.visible", "false"}};
   for (const auto& [name, value] : edits) {
     auto edited = render::with_text(d, name, value);
     ASSERT_TRUE(edited) << edited.error().message;

@@ -1,4 +1,5 @@
-// Samplers: nets stay nets under scrambling, strata are filled, streams are independent and repeatable.   digest 6-7: 2.6, 2.7
+// Samplers: nets stay nets under scrambling, strata are filled, streams are independent and repeatable.   digest
+// 6-7: 2.6, 2.7
 #include <gtest/gtest.h>
 
 #include <set>
@@ -57,8 +58,8 @@ TEST_P(EverySampler, EachDimensionIsUniform) {
   }
 }
 
-// The first samples of pairs of dimensions over many pixels: uncorrelated within 4.5 standard errors (3e-5 false alarms over
-// all pairs). This is what seeds in arithmetic progression break.
+// The first samples of pairs of dimensions over many pixels: uncorrelated within 4.5 standard errors (3e-5 false alarms
+// over all pairs). This is what seeds in arithmetic progression break.
 TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
   constexpr uint32_t kPixels = 20'000;
   std::vector<std::vector<float>> first;
@@ -75,8 +76,9 @@ TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
   }
 }
 
-// Numbers of one pixel, dimensions and samples apart: no dimension of a sample is one of a later sample's, nor correlated with
-// it, over many pixels. A bound of 5 standard errors: 1e-3 false alarms over all of them and the four samplers.
+// Numbers of one pixel, dimensions and samples apart: no dimension of a sample is one of a later sample's, nor
+// correlated with it, over many pixels. A bound of 5 standard errors: 1e-3 false alarms over all of them and the four
+// samplers.
 TEST_P(EverySampler, SamplesOfAPixelShareNoNumbers) {
   constexpr uint32_t kPixels = 10'000, kSamples = 4;
   constexpr size_t kDimensions = 16;
@@ -91,7 +93,8 @@ TEST_P(EverySampler, SamplesOfAPixelShareNoNumbers) {
   const double bound = 5 * std::sqrt(kPixels);
   for (size_t lag = 1; lag < kSamples; ++lag)
     for (size_t a = 0; a < kDimensions; ++a)
-      for (size_t b = 0; b < kDimensions; ++b) EXPECT_LT(std::abs(sums[lag][a][b]), bound) << lag << ' ' << a << ' ' << b;
+      for (size_t b = 0; b < kDimensions; ++b)
+        EXPECT_LT(std::abs(sums[lag][a][b]), bound) << lag << ' ' << a << ' ' << b;
 }
 
 // The mean over pixels of a product over two vertices: what a path integral is made of. z-test, 1 % over the samplers.
@@ -134,7 +137,8 @@ TEST(Sobol, TheFirstTwoDimensionsAreAZeroNet) {
     const auto p = points(sampler, seed, 64, 1);
     for (int k = 0; k <= 6; ++k) {
       std::set<std::pair<int, int>> cells;
-      for (const auto& x : p) cells.insert({static_cast<int>(x[0] * (1 << k)), static_cast<int>(x[1] * (1 << (6 - k)))});
+      for (const auto& x : p)
+        cells.insert({static_cast<int>(x[0] * (1 << k)), static_cast<int>(x[1] * (1 << (6 - k)))});
       EXPECT_EQ(cells.size(), 64U) << "seed " << seed << " shape " << k;
     }
   }
@@ -180,13 +184,14 @@ TEST(Stratified, AGroupFillsItsGrid) {
   for (size_t first : {size_t{0}, size_t{16}})
     for (const size_t pair : {size_t{0}, size_t{2}, size_t{8}}) {
       std::set<std::pair<int, int>> cells;
-      for (size_t s = first; s < first + 16; ++s) cells.insert({static_cast<int>(p[s][pair] * 4), static_cast<int>(p[s][pair + 1] * 4)});
+      for (size_t s = first; s < first + 16; ++s)
+        cells.insert({static_cast<int>(p[s][pair] * 4), static_cast<int>(p[s][pair + 1] * 4)});
       EXPECT_EQ(cells.size(), 16U);
     }
 }
 
-// The mean of n independent numbers has exactly 1/n of their variance, whatever the function of the dimensions. Over 20 000
-// pixels the ratio has a standard error of 1 %; 5 of them are allowed (6e-7 false alarms).
+// The mean of n independent numbers has exactly 1/n of their variance, whatever the function of the dimensions. Over 20
+// 000 pixels the ratio has a standard error of 1 %; 5 of them are allowed (6e-7 false alarms).
 TEST(Random, TheVarianceOfAMeanIsThatOfIndependentSamples) {
   const auto sampler = make_sampler("random");
   constexpr uint32_t kPixels = 20'000, kSamples = 16;
@@ -220,7 +225,9 @@ TEST(Sobol, ConvergesFasterThanRandomNumbers) {
     return std::sqrt(squares / kScrambles);
   };
   for (const size_t dimensions : {size_t{2}, size_t{4}}) {
-    const auto slope = [&](const char* name) { return std::log(rmse(name, 512, dimensions) / rmse(name, 16, dimensions)) / std::log(512.0 / 16); };
+    const auto slope = [&](const char* name) {
+      return std::log(rmse(name, 512, dimensions) / rmse(name, 16, dimensions)) / std::log(512.0 / 16);
+    };
     EXPECT_LT(slope("sobol"), -0.8) << dimensions;
     EXPECT_NEAR(slope("random"), -0.5, 0.08) << dimensions;
   }

@@ -31,7 +31,8 @@ class GltfData : public testing::Test {
 
 // What needs a decoder that is not there, or a later glTF, has to say so by name.
 bool names_what_is_missing(const std::string& message) {
-  return message.find("requires the extension ") != std::string::npos || message.find("needs glTF 2.1") != std::string::npos;
+  return message.find("requires the extension ") != std::string::npos ||
+         message.find("needs glTF 2.1") != std::string::npos;
 }
 
 TEST_F(GltfData, ValidFilesOpenAndCompile) {

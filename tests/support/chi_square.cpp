@@ -38,7 +38,8 @@ double midpoint(const std::function<double(const Vec3&)>& pdf, int row, int colu
       const double z = -1 + 2 * (row + (i + 0.5) / n) / kRows;
       const double phi = 2 * kPiD * (column + (j + 0.5) / n) / kColumns;
       const double r = std::sqrt(std::max(0.0, 1 - z * z));
-      sum += pdf(Vec3(static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)), static_cast<float>(z)));
+      sum += pdf(
+          Vec3(static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)), static_cast<float>(z)));
     }
   return sum / (static_cast<double>(n) * n) * (2.0 / kRows) * (2 * kPiD / kColumns);
 }
@@ -48,7 +49,8 @@ double expected_share(const std::function<double(const Vec3&)>& pdf, int row, in
   double value = midpoint(pdf, row, column, 16);
   for (int n = 32; n <= 512; n *= 2) {
     const double finer = midpoint(pdf, row, column, n);
-    const bool settled = std::abs(finer - value) < 0.1 * std::sqrt(std::max(finer, 1e-9) / samples) && (finer > 0 || n > 64);
+    const bool settled =
+        std::abs(finer - value) < 0.1 * std::sqrt(std::max(finer, 1e-9) / samples) && (finer > 0 || n > 64);
     value = finer;
     if (settled) break;
   }
@@ -59,7 +61,8 @@ double expected_share(const std::function<double(const Vec3&)>& pdf, int row, in
 
 double chi_square_tail(double statistic, int degrees) { return upper_gamma(0.5 * degrees, 0.5 * statistic); }
 
-ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf, int samples) {
+ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
+                               int samples) {
   std::vector<double> counts(kRows * kColumns + 1, 0.0), expected(kRows * kColumns + 1, 0.0);
   for (int i = 0; i < samples; ++i) {
     Vec3 w;
@@ -69,12 +72,15 @@ ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const s
     }
     const int row = std::min(kRows - 1, static_cast<int>((w.z + 1) * 0.5f * kRows));
     const double phi = std::atan2(w.y, w.x);
-    const int column = std::min(kColumns - 1, static_cast<int>((phi < 0 ? phi + 2 * kPiD : phi) / (2 * kPiD) * kColumns));
+    const int column =
+        std::min(kColumns - 1, static_cast<int>((phi < 0 ? phi + 2 * kPiD : phi) / (2 * kPiD) * kColumns));
     ++counts[static_cast<size_t>(row * kColumns + column)];
   }
   double total = 0;
   for (int row = 0; row < kRows; ++row)
-    for (int column = 0; column < kColumns; ++column) total += expected[static_cast<size_t>(row * kColumns + column)] = samples * expected_share(pdf, row, column, samples);
+    for (int column = 0; column < kColumns; ++column)
+      total += expected[static_cast<size_t>(row * kColumns + column)] =
+          samples * expected_share(pdf, row, column, samples);
   expected.back() = std::max(0.0, samples - total);
 
   ChiSquare result;

@@ -11,9 +11,10 @@ struct ChiSquare {
   int degrees = 0;
 };
 
-// `sample` gives a direction or false (absorbed: counted as a cell of its own, with what the density lacks to one). Cells with
-// an expectation under five are pooled.
-ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf, int samples);
+// `sample` gives a direction or false (absorbed: counted as a cell of its own, with what the density lacks to one).
+// Cells with an expectation under five are pooled.
+ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
+                               int samples);
 
 // Survival function of the chi-square distribution.
 double chi_square_tail(double statistic, int degrees);

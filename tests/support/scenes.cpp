@@ -81,7 +81,8 @@ std::shared_ptr<const Mesh> sphere(float radius, int rings, bool inwards) {
     for (int j = 0; j < segments; ++j) {
       const float theta = kPi * static_cast<float>(i) / static_cast<float>(rings);
       const float phi = 2 * kPi * static_cast<float>(j) / static_cast<float>(segments);
-      mesh.positions.push_back(radius * Vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)));
+      mesh.positions.push_back(radius *
+                               Vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)));
     }
   const auto at = [&](int i, int j) { return static_cast<uint32_t>(i * segments + j % segments); };
   for (int i = 0; i < rings; ++i)
