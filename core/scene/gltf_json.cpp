@@ -207,13 +207,18 @@ void need_everywhere(const json& root, const char* array, std::initializer_list<
   for (size_t i = 0; i < found->size(); ++i) need((*found)[i], at(array, i), members);
 }
 
+size_t size_of(const json& root, const char* array) {
+  const auto found = root.find(array);
+  return found == root.end() ? 0 : found->size();
+}
+
 // Whether the vertices are only there in a form that cannot be read; the name of that extension.
 std::string compression_of(const json& root, const json& primitive) {
   const json extensions = primitive.value("extensions", json::object());
   const json attributes = primitive.value("attributes", json::object());
   if (!extensions.is_object() || !attributes.is_object()) return "";
   const json index = attributes.value("POSITION", json());
-  if (!index.is_number_unsigned() || index.get<size_t>() >= root.value("accessors", json::array()).size()) return "";
+  if (!index.is_number_unsigned() || index.get<size_t>() >= size_of(root, "accessors")) return "";
   const json& accessor = root["accessors"][index.get<size_t>()];
   if (accessor.contains("bufferView") || accessor.contains("sparse")) return "";
   for (const auto& item : extensions.items())
@@ -260,6 +265,20 @@ void check_choices(const json& root) {
   }
 }
 
+// The parser follows indices, and only these, into their views.
+void check_indices(const json& root, const json& primitive, const std::string& where) {
+  if (!primitive.contains("indices")) return;
+  const auto index = primitive["indices"].get<size_t>();
+  const size_t accessors = size_of(root, "accessors"), views = size_of(root, "bufferViews");
+  checked_index(static_cast<int>(index), accessors, where, "accessors");
+  const json& accessor = root["accessors"][index];
+  const std::string name = "accessor " + std::to_string(index);
+  if (!accessor.contains("bufferView")) fail(where, name + " has no bufferView");
+  if (const auto view = accessor["bufferView"].get<size_t>(); view >= views)
+    fail(where, name + " lies in bufferView " + std::to_string(view) + ", which does not exist; there are " +
+                    std::to_string(views));
+}
+
 void check_primitives(json& root) {
   const auto meshes = root.find("meshes");
   if (meshes == root.end()) return;
@@ -271,6 +290,7 @@ void check_primitives(json& root) {
       const std::string primitive = where + "." + at("primitives", p);
       if (!primitives[p].is_object()) fail(primitive, "has to be an object");
       need(primitives[p], primitive, {"attributes"});
+      check_indices(root, primitives[p], primitive + ".indices");
       const auto targets = primitives[p].find("targets");
       if (targets == primitives[p].end()) continue;
       if (!targets->is_array()) fail(primitive + ".targets", "has to be an array");
