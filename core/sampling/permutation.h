@@ -2,11 +2,12 @@
 //
 // Keyed rounds of steps that can be undone modulo a power of two (add, multiply by an odd number, fold the upper half
 // of the bits onto the lower), walked along their cycle until the result falls below n; the idea is that of A. Kensler,
-// "Correlated Multi-Jittered Sampling", 2013. One image is uniform; two are uniform among pairs within 10 % root mean
-// square, which is what variances see (the constants published there reach only 8 of the 24 permutations of four).
+// "Correlated Multi-Jittered Sampling", 2013. Over seeds one image is uniform, and two are uniform among pairs within
+// 10 % root mean square, which is what variances see (the rounds published there reach 8 of the 24 permutations of 4).
 #pragma once
 #include <bit>
-#include <cstdint>
+
+#include "base/hash.h"
 
 namespace etendue {
 
@@ -23,8 +24,8 @@ constexpr uint32_t permuted(uint32_t i, uint32_t n, uint32_t seed) {
       key = key * 747796405U + 2891336453U;
     }
   } while (i >= n);
-  // A last rotation makes every single image exactly as likely; reduced first, since the sum of large seeds would wrap.
-  const uint32_t rotated = i + seed % n;
+  // A last rotation, by a hash apart from the keys, makes every single image equally likely.
+  const uint32_t rotated = i + static_cast<uint32_t>(uint64_t{mix_bits(seed)} * n >> 32);
   return rotated < n ? rotated : rotated - n;
 }
 
