@@ -1,0 +1,36 @@
+// What lies under the pixels, in the viewport: albedo, normals, depth, ids. Made beside the rendering, which goes on.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/session.h"
+#include "viewer/editor.h"
+#include "viewer/job.h"
+
+namespace etendue::viewer {
+
+struct AovPicture {
+  std::string name;
+  uint64_t version = 0;
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;  // linear, made to be looked at
+};
+
+class AovView {
+ public:
+  AovView(const render::Session& session, const Editor& editor, std::function<void()> wake)
+      : session_(session), editor_(editor), job_(std::move(wake)) {}
+
+  // Called once a frame with the name of the layer to show, or nothing; true if there is a new picture.
+  bool advance(const std::string& name);
+  const AovPicture& picture() const { return picture_; }
+  bool busy() const { return job_.running(); }
+
+ private:
+  const render::Session& session_;
+  const Editor& editor_;
+  Job<AovPicture> job_;
+  AovPicture picture_;
+};
+
+}  // namespace etendue::viewer

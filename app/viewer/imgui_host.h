@@ -1,0 +1,23 @@
+// Dear ImGui between the viewer's input and the viewer's OpenGL.
+#pragma once
+#include "viewer/workbench.h"
+
+namespace etendue::viewer {
+
+class ImguiHost {
+ public:
+  explicit ImguiHost(Platform& platform);
+  ~ImguiHost();
+  ImguiHost(const ImguiHost&) = delete;
+  ImguiHost& operator=(const ImguiHost&) = delete;
+
+  Result<void> start();
+  void begin_frame(const Input& input, float seconds);
+  void end_frame();  // draws into the platform's framebuffer
+
+ private:
+  Platform& platform_;
+  bool started_ = false;
+};
+
+}  // namespace etendue::viewer

@@ -1,0 +1,40 @@
+#include "viewer/items.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+namespace etendue::viewer {
+
+void Items::place(const std::string& name) {
+  // A script that wants an item which is scrolled out of sight has it brought into sight.
+  if (!ImGui::IsItemVisible()) {
+    if (wanted(name)) ImGui::SetScrollHereY();
+    return;
+  }
+  const ImVec2 least = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  placed_[name] = {Vec2(least.x, least.y), Vec2(size.x, size.y)};
+}
+
+const Placement* Items::find(const std::string& name) const {
+  const auto found = placed_.find(name);
+  return found == placed_.end() ? nullptr : &found->second;
+}
+
+void Items::request(const std::string& name, const std::string& value) {
+  request_ = Request{name, value};
+  answer_.reset();
+}
+
+std::optional<std::string> Items::take(const std::string& name) {
+  if (!wanted(name) || answer_) return std::nullopt;
+  std::string value = std::move(request_->value);
+  request_.reset();
+  return value;
+}
+
+void Items::answer(const std::string& error) { answer_ = error; }
+
+std::optional<std::string> Items::take_answer() { return std::exchange(answer_, std::nullopt); }
+
+}  // namespace etendue::viewer

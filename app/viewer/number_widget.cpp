@@ -1,0 +1,100 @@
+#include "viewer/number_widget.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace etendue::viewer {
+namespace {
+
+// A slider over more than this is no help: its pixels would be too far apart.
+constexpr double kWidestLinear = 1000, kWidestLogarithmic = 1e7;
+
+bool wants_slider(const ParameterInfo& info) {
+  if (info.logarithmic) return info.min > 0 && info.max / info.min <= kWidestLogarithmic;
+  return info.max - info.min <= kWidestLinear;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '%' ? "%%" : std::string(1, c);
+  return out;
+}
+
+// Digits that tell neighbouring values apart.
+std::string format_of(const ParameterInfo& info, double value) {
+  std::string format = info.type == ParameterType::integer ? "%lld" : "%.4g";
+  if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3) format = "%.3f";
+  return info.unit.empty() ? format : format + " " + escaped(info.unit);
+}
+
+// ImGui types on Ctrl+click. Here a double click types and Ctrl+click resets, so the control key is told accordingly
+// for as long as the widget looks.
+class ControlKey {
+ public:
+  explicit ControlKey(bool down) : before_(ImGui::GetIO().KeyCtrl) { ImGui::GetIO().KeyCtrl = down; }
+  ~ControlKey() { ImGui::GetIO().KeyCtrl = before_; }
+  ControlKey(const ControlKey&) = delete;
+  ControlKey& operator=(const ControlKey&) = delete;
+
+ private:
+  bool before_;
+};
+
+}  // namespace
+
+float label_width() { return std::floor(ImGui::GetFontSize() * 9.2f); }
+
+void label_column(const std::string& label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::SameLine(label_width());
+  ImGui::SetNextItemWidth(-1);
+}
+
+NumberEdit number_widget(const ParameterInfo& info) {
+  NumberEdit edit;
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 opposite{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
+  const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, opposite);
+  const bool typing = over && ImGui::IsMouseDoubleClicked(0);
+  edit.reset = over && io.KeyCtrl && ImGui::IsMouseClicked(0) && !typing;
+  edit.starts_typing = typing;
+
+  const bool whole = info.type == ParameterType::integer;
+  int64_t i = 0;
+  double d = 0;
+  if (const auto* integer = std::get_if<int64_t>(&info.default_value)) i = *integer, d = static_cast<double>(i);
+  if (const auto* number = std::get_if<double>(&info.default_value)) d = *number;
+  const auto i_min = static_cast<int64_t>(info.min), i_max = static_cast<int64_t>(info.max);
+  const std::string format = format_of(info, d);
+  const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (info.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const ImGuiDataType type = whole ? ImGuiDataType_S64 : ImGuiDataType_Double;
+  void* value = whole ? static_cast<void*>(&i) : &d;
+  const void* least = whole ? static_cast<const void*>(&i_min) : &info.min;
+  const void* most = whole ? static_cast<const void*>(&i_max) : &info.max;
+
+  // The click that resets is not seen by the slider.
+  const bool clicked = io.MouseClicked[0];
+  if (edit.reset) io.MouseClicked[0] = false;
+  bool changed = false;
+  {
+    const ControlKey control(typing);
+    if (wants_slider(info)) {
+      changed = ImGui::SliderScalar("##", type, value, least, most, format.c_str(), flags);
+    } else {
+      // Dragging changes a number by its own size, so that it can be small or large.
+      const float speed = whole ? std::max(0.1f, 0.01f * std::abs(static_cast<float>(i))) : std::max(0.002f, 0.005f * std::abs(static_cast<float>(d)));
+      changed = ImGui::DragScalar("##", type, value, speed, least, most, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+    }
+  }
+  io.MouseClicked[0] = clicked;
+  edit.ended = ImGui::IsItemDeactivated();
+  if (changed && !edit.reset) edit.value = whole ? Value(std::clamp(i, i_min, i_max)) : Value(std::clamp(d, info.min, info.max));
+  return edit;
+}
+
+}  // namespace etendue::viewer

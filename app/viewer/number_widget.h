@@ -1,0 +1,23 @@
+// One number: a slider where the range says something, a field to drag in where it is only a limit.
+#pragma once
+#include <optional>
+
+#include "base/parameter.h"
+
+namespace etendue::viewer {
+
+struct NumberEdit {
+  std::optional<Value> value;
+  bool reset = false;          // Ctrl+click
+  bool starts_typing = false;  // double click
+  bool ended = false;          // the hand let go
+};
+
+// `info.default_value` is the value now.
+NumberEdit number_widget(const ParameterInfo& info);
+
+// Labels stand in a column of this width, widgets fill the rest of the line.
+float label_width();
+void label_column(const std::string& label);
+
+}  // namespace etendue::viewer

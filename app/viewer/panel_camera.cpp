@@ -1,0 +1,67 @@
+// From where is the scene seen, how wide, and what is sharp?
+#include <imgui.h>
+
+#include "viewer/panels.h"
+#include "viewer/widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+// Choosing a camera takes its place, its opening and its shape; the picture keeps its height.
+void take_camera(Workbench& w, const Camera& camera) {
+  render::Document changed = w.editor.document();
+  changed.camera = camera;
+  changed.camera_name = camera.name;
+  if (camera.aspect > 0) changed.width = std::max(1, static_cast<int>(std::lround(static_cast<float>(changed.height) * camera.aspect)));
+  w.edit(std::move(changed), "Camera " + camera.name);
+  if (const auto scene = w.session.scene()) w.hand.find_pivot(camera, *scene);
+}
+
+void choose_camera(Workbench& w) {
+  const auto cameras = scene::placed_cameras(*w.editor.document().scene);
+  if (cameras.empty()) return note(w, "The file has no camera; this one was placed to show everything.");
+  const auto name_of = [&](size_t i) { return cameras[i].name.empty() ? "camera " + std::to_string(i) : cameras[i].name; };
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("From the file");
+  ImGui::SameLine(ImGui::GetFontSize() * 9.2f);
+  ImGui::SetNextItemWidth(-1);
+  size_t now = cameras.size();
+  for (size_t i = 0; i < cameras.size(); ++i)
+    if (cameras[i].to_world == w.editor.document().camera.to_world) now = i;
+  if (ImGui::BeginCombo("##camera", now < cameras.size() ? name_of(now).c_str() : "moved by hand")) {
+    for (size_t i = 0; i < cameras.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(name_of(i).c_str(), i == now)) take_camera(w, cameras[i]);
+      ImGui::PopID();
+      w.items.place("camera.choose." + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  w.items.place("camera.choose");
+  if (ImGui::IsItemHovered()) tooltip(w, "The cameras that the file brings along");
+}
+
+}  // namespace
+
+void draw_camera_panel(Workbench& w) {
+  const std::vector<std::string> lens{"lens-radius", "focus-distance"};
+  const std::vector<std::string> eye{"eye.x", "eye.y", "eye.z"};
+  const std::vector<std::string> axes{"right.x", "right.y", "right.z", "up.x", "up.y", "up.z", "back.x", "back.y", "back.z"};
+  choose_camera(w);
+  action_button(w, "view.frame-all");
+  ImGui::SameLine();
+  action_button(w, "view.frame-selection");
+  if (group(w, "Opening", "camera.")) some_widgets(w, "camera", {"projection", "yfov", "ymag"});
+  if (group(w, "Lens", "camera.")) {
+    some_widgets(w, "camera", lens);
+    if (ImGui::Checkbox("Focus by click", &w.view.focus_by_click)) w.notices.say("Click what should be sharp");
+    w.items.place("camera.focus-by-click");
+    if (ImGui::IsItemHovered()) tooltip(w, "The next click in the picture sets the focus distance; a double click does it at any time");
+  }
+  if (group(w, "Place", "camera.eye.")) some_widgets(w, "camera", eye);
+  const bool axis_wanted = w.items.wanted_below("camera.right") || w.items.wanted_below("camera.up") || w.items.wanted_below("camera.back");
+  if (axis_wanted) ImGui::SetNextItemOpen(true);
+  if (group(w, "Axes", "", false)) some_widgets(w, "camera", axes);
+}
+
+}  // namespace etendue::viewer

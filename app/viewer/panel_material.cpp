@@ -1,0 +1,56 @@
+// What is this surface made of, and what if it were something else?
+#include <imgui.h>
+
+#include "viewer/panels.h"
+#include "viewer/widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+std::string name_of(const scene::Scene& scene, size_t index) {
+  const std::string& name = scene.materials[index].name;
+  return name.empty() ? "material " + std::to_string(index) : name;
+}
+
+bool has_textures(const Material& m) {
+  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
+                                &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+    if (use->texture >= 0) return true;
+  return false;
+}
+
+}  // namespace
+
+void draw_material_panel(Workbench& w) {
+  const auto scene = w.editor.document().scene;
+  const size_t count = scene->materials.size();
+  if (w.selection.material < 0 || static_cast<size_t>(w.selection.material) >= count) {
+    note(w, "Click something in the picture, or choose a material:");
+  }
+  const bool chosen = w.selection.material >= 0 && static_cast<size_t>(w.selection.material) < count;
+  const auto index = static_cast<size_t>(std::max(0, w.selection.material));
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::BeginCombo("##material", chosen ? name_of(*scene, index).c_str() : "none chosen")) {
+    for (size_t i = 0; i < count; ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(name_of(*scene, i).c_str(), chosen && i == index)) w.selection.material = static_cast<int>(i);
+      ImGui::PopID();
+      w.items.place("material.choose." + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  w.items.place("material.choose");
+  if (ImGui::IsItemHovered()) tooltip(w, "The material that is edited; a click in the picture chooses the one under the pointer");
+  if (!chosen) return;
+  if (has_textures(scene->materials[index])) note(w, "It has textures: the numbers below multiply them.");
+  const std::string section = "material." + std::to_string(index), prefix = section + ".";
+  const std::vector<std::string> glass{"transmission", "thickness", "attenuation-color.r", "attenuation-color.g", "attenuation-color.b", "attenuation-distance"};
+  const std::vector<std::string> cover{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
+  std::vector<std::string> rest = glass;
+  rest.insert(rest.end(), cover.begin(), cover.end());
+  if (group(w, "Surface", prefix)) other_widgets(w, section, rest);
+  if (group(w, "Light through it", prefix)) some_widgets(w, section, glass);
+  if (group(w, "Cover and sides", prefix)) some_widgets(w, section, cover);
+}
+
+}  // namespace etendue::viewer

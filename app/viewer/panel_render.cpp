@@ -1,0 +1,64 @@
+// Which method makes the picture, what can it find, and when does it stop?
+#include <imgui.h>
+
+#include "integrator/integrator.h"
+#include "viewer/panels.h"
+#include "viewer/widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
+  note(w, info.doc);
+  if (!info.paths.empty()) {
+    ImGui::PushFont(w.faces.figures);
+    note(w, info.paths + "  " + std::string(integrator::bias_name(info.bias)));
+    ImGui::PopFont();
+    if (ImGui::IsItemHovered()) tooltip(w, "The light paths it finds, from the light (L) over diffuse (D), glossy (G) and specular (S) surfaces to the eye (E)");
+  }
+  if (info.fails.empty()) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
+  ImGui::PushTextWrapPos(0);
+  ImGui::Text("Hard for it: %s", info.fails.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void draw_render_panel(Workbench& w) {
+  const auto& method = w.editor.document().method;
+  action_button(w, "render.pause");
+  ImGui::SameLine();
+  action_button(w, "render.restart");
+  ImGui::SameLine();
+  action_button(w, "snapshot.save");
+
+  if (group(w, "Method", "render.")) {
+    some_widgets(w, "render", {"integrator"});
+    if (const auto* info = integrator::find_integrator(method.integrator)) {
+      about_integrator(w, *info);
+      section_widgets(w, info->name);
+    }
+    ImGui::Spacing();
+    some_widgets(w, "render", {"sampler"});
+    if (const auto* info = find_sampler(method.sampler)) {
+      note(w, info->doc);
+      section_widgets(w, info->name);
+    }
+    other_widgets(w, "render", {"integrator", "sampler", "samples", "seconds", "error"});
+  }
+  if (group(w, "Stop at", "render.")) some_widgets(w, "render", {"samples", "seconds", "error"});
+  if (group(w, "Picture", "film.")) {
+    section_widgets(w, "film");
+    action_button(w, "view.fit");
+  }
+  if (group(w, "Model", "model.", false)) {
+    note(w, "The program runs no more physics than the scene needs. A flag that is on runs it all the same.");
+    section_widgets(w, "model");
+    const auto model = w.session.model();
+    for (const auto& decision : model.decisions) note(w, decision.flag + ": " + decision.value + ". " + decision.reason);
+  }
+}
+
+}  // namespace etendue::viewer

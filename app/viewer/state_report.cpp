@@ -1,0 +1,137 @@
+// The state as scripts see it, and the list of everything they can name.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "integrator/integrator.h"
+#include "viewer/panels.h"
+#include "viewer/script.h"
+#include "viewer/widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Value& value) {
+  return std::visit([](const auto& v) { return json(v); }, value);
+}
+
+// In milliseconds; what was not measured is not there.
+json percentiles(std::vector<double> values) {
+  json j{{"count", values.size()}};
+  if (values.empty()) return j;
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double q) { return values[static_cast<size_t>(q * static_cast<double>(values.size() - 1) + 0.5)]; };
+  j["p50"] = at(0.5), j["p95"] = at(0.95), j["p99"] = at(0.99), j["max"] = values.back();
+  return j;
+}
+
+json describe(const ParameterInfo& p) {
+  json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)}, {"unit", p.unit}, {"min", nullptr}, {"max", nullptr},
+         {"default", to_json(p.default_value)}, {"doc", p.doc}};
+  if (p.type == ParameterType::integer || p.type == ParameterType::number) j["min"] = p.min, j["max"] = p.max;
+  if (p.type == ParameterType::choice) j["options"] = p.options;
+  return j;
+}
+
+json parameter(const ParameterInfo& p) {
+  return {{"name", p.name}, {"label", p.label}, {"doc", p.doc}, {"kind", "parameter"}, {"parameters", json::array({describe(p)})}};
+}
+
+json item(const std::string& name, const std::string& label, const std::string& doc) {
+  return {{"name", name}, {"label", label}, {"doc", doc}, {"kind", "item"}, {"parameters", json::array()}};
+}
+
+// A document that has one of everything a section can stand for.
+render::Document specimen() {
+  render::Document d;
+  if (auto cornell = render::new_document("cornell")) d = std::move(*cornell);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  scene->lights.emplace_back().type = LightType::spot;
+  d.scene = std::move(scene);
+  return d;
+}
+
+struct PlainItem {
+  const char *name, *label, *doc;
+};
+
+// Items that are neither actions nor settings. N stands for a number.
+constexpr PlainItem kItems[] = {
+    {"menu.file", "File", "Opens the menu"},
+    {"menu.edit", "Edit", "Opens the menu"},
+    {"menu.view", "View", "Opens the menu"},
+    {"menu.render", "Render", "Opens the menu"},
+    {"menu.help", "Help", "Opens the menu"},
+    {"menu.palette", "Find an action", "Opens the palette"},
+    {"layout.column", "Splitter", "Drag it to change the width of the right column; double click resets it"},
+    {"scene.node.N", "Object", "Selects node N"},
+    {"scene.node.N.visible", "Visible", "Shows or hides node N"},
+    {"material.choose", "Material", "Opens the list of materials"},
+    {"material.choose.N", "Material N", "Chooses material N in the open list"},
+    {"light.choose.N", "Light N", "Chooses light N"},
+    {"light.surface.N", "Shining surface", "Goes to material N, which emits"},
+    {"camera.choose", "Camera", "Opens the list of the file's cameras"},
+    {"camera.choose.N", "Camera N", "Takes camera N in the open list"},
+    {"camera.focus-by-click", "Focus by click", "The next click in the picture sets the focus distance"},
+    {"files.name", "Name", "The name field of the file dialog"},
+    {"files.accept", "Open or Save", "Accepts the file dialog"},
+    {"files.cancel", "Cancel", "Closes the file dialog"},
+    {"help.close", "Close", "Closes the help sheet"},
+    {"notice.close", "Close", "Closes a line of error"},
+};
+
+}  // namespace
+
+std::string state_report(Workbench& w) {
+  json parameters = json::object();
+  const auto& d = w.editor.document();
+  if (!w.editor.empty())
+    for (const auto& section : render::sections(d))
+      for (const auto& binding : render::bindings(d, section)) parameters[binding.info.name] = to_json(binding.info.default_value);
+  parameters["view.false-color"] = w.view.false_color;
+  parameters["view.aov"] = w.view.aov.empty() ? "picture" : w.view.aov;
+  const render::Status status = w.session.status();
+  json state{{"parameters", parameters},
+             {"undo_depth", w.editor.undo_depth()},
+             {"redo_depth", w.editor.redo_depth()},
+             {"undo", w.editor.undo_name()},
+             {"redo", w.editor.redo_name()},
+             {"samples", status.version == w.editor.version() ? status.samples : 0},
+             {"seconds", status.seconds},
+             {"paused", w.session.paused()},
+             {"phase", status.phase},
+             {"scene", d.scene_name},
+             {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
+             {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
+             {"interface_share", w.pace.share},
+             {"latency_ms", percentiles(w.session.take_latencies())},
+             {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
+  if (status.error.known) state["rmse"] = status.error.rmse;
+  return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string widgets_json() {
+  json list = json::array();
+  Actions actions;
+  add_actions(actions, nullptr);
+  for (const auto& action : actions.all()) {
+    json j = item(action.name, action.label, action.doc);
+    j["shortcut"] = json::array();
+    for (const Chord& chord : action.chords()) j["shortcut"].push_back(label(chord));
+    list.push_back(j);
+  }
+  for (const TabInfo& tab : tabs()) list.push_back(item(tab.name, tab.label, tab.doc));
+  for (const PlainItem& plain : kItems) list.push_back(item(plain.name, plain.label, plain.doc));
+  for (const auto& info : loose_parameters()) list.push_back(parameter(info));
+  const auto d = specimen();
+  for (const auto& section : render::sections(d)) {
+    // Objects are numbered; the first stands for all.
+    const size_t dot = section.find('.');
+    if (dot != std::string::npos && section.substr(dot + 1) != "0") continue;
+    for (const auto& binding : render::bindings(d, section)) list.push_back(parameter(binding.info));
+  }
+  return list.dump(2);
+}
+
+}  // namespace etendue::viewer

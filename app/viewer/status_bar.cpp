@@ -1,0 +1,99 @@
+// How far is the picture, how fast does it go, and what does it cost?
+#include <imgui.h>
+
+#include "viewer/panels.h"
+#include "viewer/widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+std::string text_of(const char* format, auto... values) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::string time_text(double seconds) {
+  const int whole = static_cast<int>(seconds);
+  if (whole >= 3600) return text_of("%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
+  return text_of("%d:%02d", whole / 60, whole % 60);
+}
+
+std::string memory_text(size_t bytes) {
+  const double mega = static_cast<double>(bytes) / (1 << 20);
+  return mega < 1 ? text_of("%.0f kB", mega * 1024) : mega < 1024 ? text_of("%.0f MB", mega) : text_of("%.1f GB", mega / 1024);
+}
+
+// Parts from left to right, as long as there is room.
+class Line {
+ public:
+  explicit Line(float end) : end_(end) {}
+
+  void part(Workbench& w, const std::string& text, const char* doc, bool warns = false) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    if (!first_) {
+      const float gap = ImGui::GetFontSize() * 1.3f;
+      if (ImGui::GetItemRectMax().x + gap + width > end_) return;
+      ImGui::SameLine(0, gap);
+    }
+    first_ = false;
+    if (warns)
+      ImGui::TextColored(w.theme.warning, "%s", text.c_str());
+    else
+      ImGui::TextUnformatted(text.c_str());
+    if (ImGui::IsItemHovered()) tooltip(w, doc);
+  }
+
+ private:
+  float end_;
+  bool first_ = true;
+};
+
+void status_parts(Workbench& w, Line& line) {
+  const render::Status status = w.session.status();
+  const auto& d = w.editor.document();
+  line.part(w, status.phase.empty() ? "starting" : status.phase, "What the renderer is doing");
+  std::string samples = text_of("%u spp", status.samples);
+  if (d.limits.samples > 0) samples = text_of("%u / %u spp", status.samples, d.limits.samples);
+  line.part(w, samples, "Complete samples of every pixel");
+  line.part(w, time_text(status.seconds), "Time spent on this picture");
+  line.part(w, text_of("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
+  line.part(w, text_of("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
+  line.part(w, memory_text(status.memory), "Memory of the scene and its acceleration structures");
+  const std::string error = status.error.known ? text_of("rmse %.2g", status.error.rmse) : "rmse ?";
+  line.part(w, error, "Estimated root mean square error of the picture, from its two independent halves; not known before every pixel has samples in both");
+  if (status.rejected.total() > 0)
+    line.part(w, text_of("%llu rejected", static_cast<unsigned long long>(status.rejected.total())), "Samples that were no radiance (not finite, or negative) and were left out", true);
+  line.part(w, text_of("ui %.0f %%", 100 * w.pace.share), "Share of the time that the interface takes");
+  line.part(w, w.session.model().summary(), "The model in use: no more physics than the scene needs");
+}
+
+}  // namespace
+
+void draw_status_bar(Workbench& w, float top, float height) {
+  const float width = ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({0, top});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, w.theme.ground);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 4});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("##status", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PushFont(w.faces.figures);
+  if (w.editor.empty()) {
+    ImGui::TextUnformatted(w.loader.busy() ? "opening" : "no scene");
+  } else {
+    const double progress = w.session.status().progress;
+    if (progress > 0) {
+      ImGui::ProgressBar(static_cast<float>(progress), {ImGui::GetFontSize() * 6, ImGui::GetFontSize() * 0.9f}, "");
+      ImGui::SameLine();
+    }
+    Line line(width - 10);
+    status_parts(w, line);
+  }
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,248 @@
+#include "viewer/widgets.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/aov.h"
+#include "viewer/number_widget.h"
+
+namespace etendue::viewer {
+namespace {
+
+bool ends_with_channel(const std::string& name) { return name.ends_with(".r") || name.ends_with(".g") || name.ends_with(".b"); }
+
+std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
+
+// What a script asks for goes the same way as what a hand enters.
+std::optional<Value> from_script(Workbench& w, const ParameterInfo& info) {
+  const auto text = w.items.take(info.name);
+  if (!text) return std::nullopt;
+  auto value = parse_value(info, *text);
+  w.items.answer(value ? "" : value.error().message);
+  if (!value) return std::nullopt;
+  w.editor.end_gesture();
+  return *value;
+}
+
+void describe(Workbench& w, const ParameterInfo& info) {
+  w.items.place(info.name);
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
+  std::string text = info.doc;
+  if (info.type == ParameterType::number || info.type == ParameterType::integer) {
+    char range[96];
+    std::snprintf(range, sizeof range, "\n%g to %g%s%s", info.min, info.max, info.unit.empty() ? "" : " ", info.unit.c_str());
+    text += range;
+    text += "\nDouble click types a number, Ctrl+click resets";
+  }
+  tooltip(w, text + "\n" + info.name);
+}
+
+// The value that the opened file had.
+std::optional<Value> original(const Workbench& w, const std::string& name) {
+  const auto& origin = w.editor.document().origin;
+  if (!origin) return std::nullopt;
+  const auto value = render::get(*origin, name);
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+struct Change {
+  std::optional<Value> value;
+  bool reset = false, forget = false, ended = false;
+};
+
+Change one_widget(Workbench& w, const ParameterInfo& info) {
+  Change change;
+  ImGui::PushID(info.name.c_str());
+  label_column(info.label);
+  switch (info.type) {
+    case ParameterType::toggle: {
+      bool on = std::get<bool>(info.default_value);
+      if (ImGui::Checkbox("##", &on)) change.value = on;
+      break;
+    }
+    case ParameterType::choice: {
+      const std::string& now = std::get<std::string>(info.default_value);
+      const auto at = std::find(info.options.begin(), info.options.end(), now);
+      const size_t index = static_cast<size_t>(at - info.options.begin());
+      if (ImGui::BeginCombo("##", index < info.options.size() ? info.option_labels[index].c_str() : now.c_str())) {
+        for (size_t i = 0; i < info.options.size(); ++i)
+          if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) change.value = info.options[i];
+        ImGui::EndCombo();
+      }
+      break;
+    }
+    case ParameterType::integer:
+    case ParameterType::number: {
+      ImGui::PushFont(w.faces.figures);
+      const NumberEdit edit = number_widget(info);
+      ImGui::PopFont();
+      change = {edit.value, edit.reset, edit.starts_typing, edit.ended};
+      break;
+    }
+  }
+  describe(w, info);
+  ImGui::PopID();
+  if (!change.value) change.value = from_script(w, info);
+  return change;
+}
+
+void binding_widget(Workbench& w, const render::Binding& binding) {
+  const Change change = one_widget(w, binding.info);
+  // The first click of a double click has moved the slider: that was not meant.
+  if (change.forget) w.editor.forget(binding.info.name);
+  if (change.reset) {
+    if (const auto value = original(w, binding.info.name); value && *value != binding.info.default_value) w.edit(binding, *value);
+  } else if (change.value && *change.value != binding.info.default_value) {
+    w.edit(binding, *change.value, binding.info.name);
+  }
+  if (change.ended) w.editor.end_gesture();
+  const bool at_once = binding.info.type == ParameterType::toggle || binding.info.type == ParameterType::choice;
+  if (at_once && change.value) w.editor.end_gesture();
+}
+
+// Three bindings in one: a swatch and three figures.
+void color_widget(Workbench& w, std::span<const render::Binding> rgb) {
+  const std::string stem = stem_of(rgb[0].info.name);
+  float now[3];
+  for (size_t c = 0; c < 3; ++c) now[c] = static_cast<float>(std::get<double>(rgb[c].info.default_value));
+  ImGui::PushID(stem.c_str());
+  label_column(rgb[0].info.label);
+  ImGui::PushFont(w.faces.figures);
+  ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip;
+  if (rgb[0].info.max > 1) flags |= ImGuiColorEditFlags_HDR;
+  const bool control_click = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) &&
+                             ImGui::IsMouseHoveringRect(ImGui::GetCursorScreenPos(), {ImGui::GetCursorScreenPos().x + ImGui::CalcItemWidth(), ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()});
+  const bool edited = !control_click && ImGui::ColorEdit3("##", now, flags);
+  if (control_click) ImGui::ColorButton("##", {now[0], now[1], now[2], 1}, flags, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
+  const bool ended = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::PopFont();
+  ParameterInfo shown = rgb[0].info;
+  shown.name = stem;
+  describe(w, shown);
+  bool scripted = false;
+  for (size_t c = 0; c < 3; ++c) {
+    w.items.place(rgb[c].info.name);
+    if (const auto value = from_script(w, rgb[c].info)) now[c] = static_cast<float>(std::get<double>(*value)), scripted = true;
+    if (const auto before = control_click ? original(w, rgb[c].info.name) : std::nullopt)
+      now[c] = static_cast<float>(std::get<double>(*before));
+  }
+  if (edited || scripted || control_click) {
+    render::Document changed = w.editor.document();
+    bool differs = false;
+    for (size_t c = 0; c < 3; ++c) {
+      const double value = std::clamp(static_cast<double>(now[c]), rgb[c].info.min, rgb[c].info.max);
+      differs = differs || value != std::get<double>(rgb[c].info.default_value);
+      rgb[c].assign(changed, value);
+    }
+    if (differs) w.edit(std::move(changed), rgb[0].info.label, stem);
+  }
+  if (ended || scripted || control_click) w.editor.end_gesture();
+  ImGui::PopID();
+}
+
+bool names_color(const std::vector<render::Binding>& list, size_t i) {
+  return i + 2 < list.size() && ends_with_channel(list[i].info.name) && list[i].info.name.ends_with(".r") &&
+         stem_of(list[i + 2].info.name) == stem_of(list[i].info.name);
+}
+
+template <class Wanted>
+void widgets(Workbench& w, const std::string& section, Wanted wanted) {
+  const auto list = render::bindings(w.editor.document(), section);
+  for (size_t i = 0; i < list.size(); ++i) {
+    const std::string bare = list[i].info.name.substr(section.size() + 1);
+    if (!wanted(bare)) continue;
+    if (names_color(list, i)) {
+      color_widget(w, std::span(list).subspan(i, 3));
+      i += 2;
+    } else {
+      binding_widget(w, list[i]);
+    }
+  }
+}
+
+}  // namespace
+
+void section_widgets(Workbench& w, const std::string& section) {
+  widgets(w, section, [](const std::string&) { return true; });
+}
+
+void some_widgets(Workbench& w, const std::string& section, const std::vector<std::string>& names) {
+  widgets(w, section, [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); });
+}
+
+void other_widgets(Workbench& w, const std::string& section, const std::vector<std::string>& names) {
+  widgets(w, section, [&](const std::string& name) { return std::find(names.begin(), names.end(), name) == names.end(); });
+}
+
+std::optional<Value> loose_widget(Workbench& w, const ParameterInfo& info) { return one_widget(w, info).value; }
+
+std::vector<ParameterInfo> loose_parameters() {
+  ParameterInfo false_color;
+  false_color.name = "view.false-color", false_color.label = "False colour";
+  false_color.doc = "Luminance on a logarithmic scale, in colours that can be read without colour vision";
+  false_color.type = ParameterType::toggle;
+  ParameterInfo layer;
+  layer.name = "view.aov", layer.label = "Layer";
+  layer.doc = "What lies under the pixels instead of the picture; the rendering goes on";
+  layer.type = ParameterType::choice;
+  layer.options = {"picture"}, layer.option_labels = {"Picture"};
+  for (std::string name : render::aov_names()) {
+    layer.options.push_back(name);
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    std::replace(name.begin(), name.end(), '-', ' ');
+    layer.option_labels.push_back(name);
+  }
+  layer.default_value = std::string("picture");
+  return {false_color, layer};
+}
+
+void tooltip(const Workbench& w, const std::string& text) {
+  ImGui::PushFont(w.faces.text);
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+  ImGui::PopFont();
+}
+
+void action_button(Workbench& w, const char* name) {
+  const Action* action = w.actions.find(name);
+  ImGui::BeginDisabled(!action->is_enabled());
+  const bool on = action->checked && action->checked();
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+  if (ImGui::Button(action->label.c_str())) action->run();
+  if (on) ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  w.items.place(name);
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  std::string keys;
+  for (const Chord& chord : action->chords()) keys += "  " + label(chord);
+  tooltip(w, action->doc + keys);
+}
+
+void note(const Workbench& w, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.quiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void figure(const Workbench& w, const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(label_width());
+  ImGui::PushFont(w.faces.figures);
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::PopFont();
+}
+
+bool group(Workbench& w, const char* name, const std::string& prefix, bool open) {
+  if (!prefix.empty() && w.items.wanted_below(prefix)) ImGui::SetNextItemOpen(true);
+  ImGui::Spacing();
+  return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,159 @@
+#include "viewer/workbench.h"
+
+#include <filesystem>
+
+#include "integrator/integrator.h"
+
+namespace etendue::viewer {
+namespace {
+
+std::string name_of_object(const render::Document& d, const std::string& section) {
+  const size_t dot = section.find('.');
+  if (dot == std::string::npos) return "";
+  const auto index = static_cast<size_t>(std::stoul(section.substr(dot + 1)));
+  std::string name;
+  if (section.starts_with("material") && index < d.scene->materials.size()) name = d.scene->materials[index].name;
+  if (section.starts_with("light") && index < d.scene->lights.size()) name = d.scene->lights[index].name;
+  if (section.starts_with("node") && index < d.scene->nodes.size()) name = d.scene->nodes[index].name;
+  return " of " + (name.empty() ? section : name);
+}
+
+}  // namespace
+
+Workbench::Workbench(Platform& p, const ViewOptions& o)
+    : platform(p),
+      options(o),
+      session({.threads = o.threads, .interactive = true, .publish_interval = 0.1}),
+      loader([&p] { p.wake(); }),
+      capture(session, editor, [&p] { p.wake(); }),
+      aov(session, editor, [&p] { p.wake(); }) {
+  session.on_update([&p] { p.wake(); });
+  add_actions(actions, this);
+}
+
+void Workbench::open(const std::string& file) {
+  last_opened = file;
+  loader.open(file, editor.document());
+}
+
+void Workbench::edit(const render::Binding& binding, const Value& value, const std::string& gesture) {
+  if (binding.info.name == "render.integrator" && to_string(value) != editor.document().method.integrator)
+    previous_integrator = editor.document().method.integrator;
+  render::Document changed = editor.document();
+  binding.assign(changed, value);
+  editor.apply(std::move(changed), binding.info.label + name_of_object(editor.document(), binding.section), gesture);
+}
+
+void Workbench::edit_camera(const Camera& camera, const std::string& name, const std::string& gesture) {
+  render::Document changed = editor.document();
+  changed.camera = camera;
+  editor.apply(std::move(changed), name, gesture);
+}
+
+void Workbench::choose_integrator(size_t index) {
+  const auto& infos = integrator::integrator_infos();
+  if (editor.empty() || index >= infos.size() || infos[index].name == editor.document().method.integrator) return;
+  for (const auto& binding : render::bindings(editor.document(), "render"))
+    if (binding.info.name == "render.integrator") edit(binding, infos[index].name);
+}
+
+void Workbench::select(int node, int material) {
+  selection.node = node;
+  if (material >= 0) selection.material = material;
+  if (node < 0 || editor.empty()) return;
+  const auto& n = editor.document().scene->nodes[static_cast<size_t>(node)];
+  if (n.light >= 0) selection.light = n.light;
+  if (material < 0 && n.mesh >= 0) {
+    const auto& primitives = editor.document().scene->meshes[static_cast<size_t>(n.mesh)].primitives;
+    if (!primitives.empty()) selection.material = primitives.front().material;
+  }
+}
+
+void Workbench::focus_at(const Picked& picked) {
+  hand.set_pivot(picked.position);
+  Camera camera = editor.document().camera;
+  camera.focus_distance = picked.axial_distance;
+  if (!(camera == editor.document().camera)) edit_camera(camera, "Focus", "");
+  char text[64];
+  std::snprintf(text, sizeof text, "Focus and orbit centre at %.4g m", static_cast<double>(picked.axial_distance));
+  notices.say(text);
+}
+
+void Workbench::frame_scene() {
+  const auto scene = session.scene();
+  if (editor.empty() || !scene) return;
+  const auto& d = editor.document();
+  edit_camera(hand.frame(d.camera, scene->bounds(), static_cast<float>(d.width) / static_cast<float>(d.height)), "Frame all", "");
+}
+
+void Workbench::frame_selection() {
+  const auto scene = session.scene();
+  if (editor.empty() || !scene) return;
+  const Bounds bounds = bounds_of_node(*scene, selection.node);
+  const auto& d = editor.document();
+  if (bounds.empty()) return frame_scene();
+  edit_camera(hand.frame(d.camera, bounds, static_cast<float>(d.width) / static_cast<float>(d.height)), "Frame selection", "");
+}
+
+void Workbench::take_opened(Result<Opened> opened) {
+  if (!opened) return notices.complain(opened.error().message);
+  remember_recent(settings, opened->file);
+  if (opened->kind == Opened::Kind::environment) {
+    // Edits made while the picture was read stay.
+    render::Document lit = editor.document();
+    auto scene = std::make_shared<scene::Scene>(*lit.scene);
+    scene->environment = opened->document.scene->environment;
+    lit.scene = std::move(scene);
+    editor.apply(std::move(lit), "Environment");
+    return notices.say("Lit by " + std::filesystem::path(opened->file).filename().string());
+  }
+  if (opened->kind == Opened::Kind::scene && opened->document.camera.aspect <= 0) {
+    opened->document.width = std::max(16, static_cast<int>(view.region.size.x));
+    opened->document.height = std::max(16, static_cast<int>(view.region.size.y));
+  }
+  selection = {};
+  previous_integrator.clear();
+  needs_pivot_ = true;
+  session.pause(false);
+  editor.open(std::move(opened->document));
+  platform.set_title(std::filesystem::path(editor.document().scene_name).filename().string() + " - Étendue");
+  for (const auto& warning : editor.document().scene->warnings) notices.say(warning);
+}
+
+bool Workbench::advance(Picture& on_screen) {
+  bool redraw = false;
+  if (auto opened = loader.take()) take_opened(std::move(*opened)), redraw = true;
+  if (auto saved = capture.advance()) {
+    if (*saved)
+      notices.say("Saved " + **saved);
+    else
+      notices.complain(saved->error().message);
+    redraw = true;
+  }
+  if (editor.empty()) return redraw;
+  const bool layer_came = aov.advance(view.aov);
+  const bool shows_aov = !view.aov.empty() && aov.picture().name == view.aov;
+  const auto latest = session.frame();
+  if (shows_aov && (layer_came || !shows_aov_)) {
+    on_screen.upload(aov.picture().width, aov.picture().height, aov.picture().pixels);
+    redraw = true;
+  }
+  if (latest && (latest != frame || shows_aov_ != shows_aov)) {
+    frame = latest;
+    if (!shows_aov) on_screen.upload(frame->width, frame->height, frame->pixels);
+    redraw = true;
+  }
+  shows_aov_ = shows_aov;
+  if (needs_pivot_ && session.status().version >= editor.version())
+    if (const auto scene = session.scene()) hand.find_pivot(editor.document().camera, *scene), needs_pivot_ = false;
+  return redraw;
+}
+
+Placement fitted(const Placement& region, Vec2i picture) {
+  const Vec2 size = glm::max(Vec2(picture), Vec2(1));
+  const float scale = std::min(region.size.x / size.x, region.size.y / size.y);
+  const Vec2 shown = glm::max(glm::round(size * scale), Vec2(1));
+  return {glm::floor(region.corner + (region.size - shown) * 0.5f), shown};
+}
+
+}  // namespace etendue::viewer

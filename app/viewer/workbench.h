@@ -1,0 +1,104 @@
+// Everything the viewer has on its desk; panels, actions and scripts work on this.
+#pragma once
+#include <chrono>
+
+#include "render/session.h"
+#include "viewer/actions.h"
+#include "viewer/aov_view.h"
+#include "viewer/camera_hand.h"
+#include "viewer/capture.h"
+#include "viewer/editor.h"
+#include "viewer/file_dialog.h"
+#include "viewer/items.h"
+#include "viewer/loader.h"
+#include "viewer/notices.h"
+#include "viewer/settings.h"
+#include "viewer/theme.h"
+#include "viewer/viewer.h"
+
+namespace etendue::viewer {
+
+enum class Tab : uint8_t { render, scene, material, light, camera, display };
+
+struct Selection {
+  int node = -1, material = -1, light = -1;
+};
+
+// What is shown and how; none of it changes the light, none of it is a step.
+struct View {
+  Placement region;   // of the window, for the picture
+  Placement picture;  // the picture in it
+  bool interface = true, help = false, palette = false;
+  bool false_color = false;
+  std::string aov;  // the layer shown instead of the picture
+  Tab tab = Tab::render;
+  std::optional<Tab> reveal;     // the tab to bring to the front in the next frame
+  bool focus_by_click = false;   // the next click sets the focus
+  float column = 0;              // width of the right column, pixels
+};
+
+// How the interface spends its time.
+struct Pace {
+  double busy = 0, since_start = 0;  // seconds of this measurement
+  double share = 0;                  // of the last one
+};
+
+struct Workbench {
+  Workbench(Platform& p, const ViewOptions& o);
+
+  // Reads a file in the background; what it is decides what happens.
+  void open(const std::string& file);
+  void save_snapshot(const std::string& file) { capture.request(file); }
+
+  // All edits end here. `gesture` as in Editor.
+  void edit(const render::Binding& binding, const Value& value, const std::string& gesture = "");
+  void edit(render::Document changed, const std::string& name, const std::string& gesture = "") {
+    editor.apply(std::move(changed), name, gesture);
+  }
+  void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture);
+  void choose_integrator(size_t index);
+
+  void select(int node, int material);
+  void focus_at(const Picked& picked);
+  void frame_scene();
+  void frame_selection();
+
+  // Takes up what came from other threads since the last frame; true if the picture has to be drawn again.
+  bool advance(Picture& picture_on_screen);
+
+  void show_tab(Tab tab) { view.tab = tab, view.reveal = tab; }
+
+  Platform& platform;
+  ViewOptions options;
+  Settings settings;
+  render::Session session;
+  Editor editor{session};
+  Actions actions;
+  Items items;
+  Notices notices;
+  Loader loader;
+  Capture capture;
+  AovView aov;
+  CameraHand hand;
+  FileDialog files;
+  Selection selection;
+  View view;
+  Theme theme;
+  Faces faces;
+  Input input;
+  Pace pace;
+  std::shared_ptr<const render::Frame> frame;  // on screen
+  std::string previous_integrator;             // what Tab goes back to
+  std::string last_opened;
+  bool quit = false;
+
+ private:
+  void take_opened(Result<Opened> opened);
+  bool needs_pivot_ = false;
+  bool shows_aov_ = false;
+};
+
+// The size of a picture that fills the region, and where a picture of a given shape lies in it.
+Placement fitted(const Placement& region, Vec2i picture);
+
+}  // namespace etendue::viewer
