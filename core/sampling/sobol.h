@@ -1,13 +1,15 @@
 // Owen-scrambled Sobol' points.                                              thesis 7.2.4 to 7.3.3 (S67, S69)
 //
 // A (t, s)-sequence in base 2 with the direction numbers of Joe and Kuo in 64 dimensions, scrambled anew for every
-// pixel: any power-of-two stretch of it is stratified in all dimensions and in pairs of them, and it may stop anywhere.
-// Beyond 64 dimensions the first eight are used again for each block, in an order of samples of its own (padding):
-// stratified within the block, independent between blocks. On smooth integrands of few dimensions the error falls
-// faster than 1/N; on anything it is unbiased and, as N grows, no worse than random numbers. Bad at: sample counts far
-// from powers of two, early on.
+// pixel. Progressive: it may stop anywhere, best at a power of two. Any aligned stretch of 2^m samples is a (0, m,
+// 1)-net in each dimension and a (0, m, 2)-net in the first two; neighbouring pairs have a t of at most 6 (1024
+// samples). Beyond 64 dimensions the first eight are used again for each block, in an order of samples of its own
+// (padding): the same nets within a block, independent between blocks. The error of smooth integrands of few dimensions
+// falls faster than 1/N; on anything it is unbiased and, as N grows, no worse than random numbers. Bad at: sample
+// counts far from powers of two, pairs of late dimensions while samples are few.
 //
-// All pixels share the unscrambled point of a sample: `prepare` tabulates it, and a dimension costs one hash.
+// All pixels share the unscrambled point of a sample: `prepare` tabulates it, and a dimension costs one hash. Samples
+// outside the table have the same values at some three times the cost.
 #pragma once
 #include "sampling/sampler.h"
 
