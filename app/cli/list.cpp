@@ -9,6 +9,7 @@
 #include "render/bindings.h"
 #include "sampling/sampler.h"
 #include "scene/builtin.h"
+#include "viewer/viewer.h"
 
 namespace etendue::cli {
 namespace {
@@ -106,6 +107,8 @@ json media() {
              "Beer's law inside a solid of KHR_materials_volume; its parameters are the material's", {})});
 }
 
+json widgets() { return json::parse(viewer::widgets_json()); }
+
 struct Registry {
   const char* name;
   json (*make)();
@@ -114,7 +117,8 @@ constexpr Registry kRegistries[] = {{"integrators", integrators},
                                     {"samplers", samplers},
                                     {"materials", materials},
                                     {"lights", lights},
-                                    {"media", media}};
+                                    {"media", media},
+                                    {"widgets", widgets}};
 
 void print(const json& list) {
   for (const auto& e : list) {
@@ -143,7 +147,7 @@ Command add_list(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("kind", o->kind, "integrators, samplers, materials, lights or media")->required();
+  app.add_option("kind", o->kind, "integrators, samplers, materials, lights, media or widgets")->required();
   app.add_flag("--json", o->json, "Print JSON");
   return [o] {
     for (const auto& registry : kRegistries) {

@@ -1,6 +1,9 @@
 // etendue: the command line. `etendue [SCENE]` opens the viewer; everything else is a subcommand.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 #include "command.h"
 
@@ -24,7 +27,15 @@ constexpr Subcommand kSubcommands[] = {
     {"compare", "Measure how far an image is from a reference", add_compare},
     {"inspect", "Say what is in a scene and what model it needs", add_inspect},
     {"list", "List integrators, samplers and what else there is", add_list},
+    {"view", "Open the workbench; what etendue does without a subcommand", add_view},
 };
+
+// "etendue" and "etendue SCENE" are "etendue view" and "etendue view SCENE".
+bool means_view(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return true;
+  const auto& first = arguments.front();
+  return !first.starts_with("-") && std::ranges::none_of(kSubcommands, [&](const auto& s) { return first == s.name; });
+}
 
 }  // namespace
 
@@ -36,8 +47,12 @@ int run(int argc, char** argv) {
     CLI::App* parser = app.add_subcommand(subcommand.name, subcommand.doc);
     parser->callback([&code, command = subcommand.add(*parser)] { code = command(); });
   }
+  app.footer("etendue [SCENE] opens the workbench.");
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (means_view(arguments)) arguments.insert(arguments.begin(), "view");
+  std::ranges::reverse(arguments);  // as the parser takes them
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::CallForAllHelp& help) {

@@ -12,6 +12,7 @@
 #include "memory.h"
 #include "output.h"
 #include "progress.h"
+#include "size.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
 #include "render/session.h"
@@ -79,19 +80,14 @@ Result<Start> starting_point(const Options& o) {
   return start;
 }
 
-Result<void> parse_size(const std::string& size, render::Document& d) {
-  int w = 0, h = 0;
-  char rest = 0;
-  if (std::sscanf(size.c_str(), "%dx%d%c", &w, &h, &rest) != 2)
-    return usage_error("--size: '" + size + "' is no size; give WIDTHxHEIGHT, as 1280x720");
-  if (auto r = set(d, "film.width", std::to_string(w)); !r) return r;
-  return set(d, "film.height", std::to_string(h));
-}
-
 Result<void> apply(const Options& o, render::Document& d) {
   const auto give = [&](const std::string& name, const std::string& value) { return set(d, name, value); };
-  if (!o.size.empty())
-    if (auto r = parse_size(o.size, d); !r) return r;
+  if (!o.size.empty()) {
+    const auto size = parse_size(o.size);
+    if (!size) return size.error();
+    if (auto r = give("film.width", std::to_string(size->x)); !r) return r;
+    if (auto r = give("film.height", std::to_string(size->y)); !r) return r;
+  }
   if (!o.integrator.empty())
     if (auto r = give("render.integrator", o.integrator); !r) return r;
   if (!o.sampler.empty())

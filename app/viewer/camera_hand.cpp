@@ -7,7 +7,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr float kRadiansPerPixel = 0.006f;
+constexpr float kRadiansPerPixel = 0.005f;
 constexpr float kNearestToPole = 0.02f;  // radians
 
 Vec3 eye_of(const Camera& camera) { return Vec3(camera.to_world[3]); }

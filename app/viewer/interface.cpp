@@ -13,10 +13,17 @@ namespace {
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-float default_column(float width, float scale) { return std::clamp(width * 0.29f, 330 * scale, 430 * scale); }
+float default_column(float width, float scale) { return std::clamp(width * 0.3f, 370 * scale, 460 * scale); }
 
 void draw_tabs(Workbench& w) {
-  if (!ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyResizeDown | ImGuiTabBarFlags_NoTooltip)) return;
+  // Narrow tabs, so that all six names fit.
+  const auto tab_style = [&](bool on) {
+    if (!on) return ImGui::PopStyleVar(2);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {5 * w.platform.scale(), 5 * w.platform.scale()});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {2, 4});
+  };
+  tab_style(true);
+  if (!ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyResizeDown | ImGuiTabBarFlags_NoTooltip)) return tab_style(false);
   const auto wanted = std::exchange(w.view.reveal, std::nullopt);
   for (const TabInfo& info : tabs()) {
     const bool open = ImGui::BeginTabItem(info.label, nullptr, wanted == info.tab ? ImGuiTabItemFlags_SetSelected : 0);
@@ -24,15 +31,18 @@ void draw_tabs(Workbench& w) {
     if (ImGui::IsItemHovered()) tooltip(w, info.doc);
     if (!open) continue;
     w.view.tab = info.tab;
+    tab_style(false);
     ImGui::BeginChild("##panel");
     if (w.editor.empty())
       note(w, w.loader.busy() ? "The scene is being opened." : "Open a scene with Ctrl+O, or drop one on the window.");
     else
       info.draw(w);
     ImGui::EndChild();
+    tab_style(true);
     ImGui::EndTabItem();
   }
   ImGui::EndTabBar();
+  tab_style(false);
 }
 
 void draw_splitter(Workbench& w, float x, float top, float height) {

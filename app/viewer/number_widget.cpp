@@ -27,7 +27,11 @@ std::string escaped(const std::string& text) {
 std::string format_of(const ParameterInfo& info, double value) {
   std::string format = info.type == ParameterType::integer ? "%lld" : "%.4g";
   if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3) format = "%.3f";
-  return info.unit.empty() ? format : format + " " + escaped(info.unit);
+  if (!info.unit.empty()) format += " " + escaped(info.unit);
+  // Of limits, whose descriptions say what nought means.
+  if (value == 0 && (info.doc.find("0 goes on") != std::string::npos || info.doc.find("0 is no limit") != std::string::npos))
+    format += " (no limit)";
+  return format;
 }
 
 // ImGui types on Ctrl+click. Here a double click types and Ctrl+click resets, so the control key is told accordingly
@@ -45,7 +49,7 @@ class ControlKey {
 
 }  // namespace
 
-float label_width() { return std::floor(ImGui::GetFontSize() * 9.2f); }
+float label_width() { return std::floor(ImGui::GetFontSize() * 8.9f); }
 
 void label_column(const std::string& label) {
   ImGui::AlignTextToFramePadding();

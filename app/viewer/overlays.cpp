@@ -45,8 +45,9 @@ void key_column(const Workbench& w, bool integrators) {
   }
 }
 
-bool sheet(const char* name) {
-  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX);
+// A table that is this many letters wide.
+bool sheet(const char* name, float letters) {
+  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX, {ImGui::GetFontSize() * letters, 0});
 }
 
 }  // namespace
@@ -60,18 +61,14 @@ void draw_help(Workbench& w) {
   ImGui::Begin("##help", nullptr, kOverlay);
   ImGui::TextColored(w.theme.accent, "Keys and hands");
   ImGui::Spacing();
-  if (ImGui::BeginTable("##columns", 2, ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableNextColumn();
-    if (sheet("##hands")) {
-      for (const auto& [what, how] : kHands) row(what, how);
-      key_column(w, true);
-      ImGui::EndTable();
-    }
-    ImGui::TableNextColumn();
-    if (sheet("##keys")) {
-      key_column(w, false);
-      ImGui::EndTable();
-    }
+  if (sheet("##hands", 38)) {
+    for (const auto& [what, how] : kHands) row(what, how);
+    key_column(w, true);
+    ImGui::EndTable();
+  }
+  ImGui::SameLine();
+  if (sheet("##keys", 20)) {
+    key_column(w, false);
     ImGui::EndTable();
   }
   ImGui::Spacing();

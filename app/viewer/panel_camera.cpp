@@ -1,6 +1,7 @@
 // From where is the scene seen, how wide, and what is sharp?
 #include <imgui.h>
 
+#include "viewer/number_widget.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 
@@ -21,10 +22,7 @@ void choose_camera(Workbench& w) {
   const auto cameras = scene::placed_cameras(*w.editor.document().scene);
   if (cameras.empty()) return note(w, "The file has no camera; this one was placed to show everything.");
   const auto name_of = [&](size_t i) { return cameras[i].name.empty() ? "camera " + std::to_string(i) : cameras[i].name; };
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("From the file");
-  ImGui::SameLine(ImGui::GetFontSize() * 9.2f);
-  ImGui::SetNextItemWidth(-1);
+  label_column("From the file");
   size_t now = cameras.size();
   for (size_t i = 0; i < cameras.size(); ++i)
     if (cameras[i].to_world == w.editor.document().camera.to_world) now = i;

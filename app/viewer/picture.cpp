@@ -11,7 +11,7 @@ namespace {
 static_assert(sizeof(Rgb) == 3 * sizeof(float));
 
 constexpr int kPaletteStops = 9;
-constexpr float kFalseColorStops = 8;  // above and below middle
+constexpr Vec2 kFalseColorStops(-7, 3);  // around what the exposure makes white
 
 GLuint compiled(const Gl& gl, GLenum kind, const char* text, std::string& log) {
   const GLuint shader = gl.CreateShader(kind);
@@ -40,7 +40,7 @@ GLuint make_texture(const Gl& gl, GLint filter) {
 
 }  // namespace
 
-Vec2 false_color_stops(float exposure) { return Vec2(-kFalseColorStops, kFalseColorStops) - exposure; }
+Vec2 false_color_stops(float exposure) { return kFalseColorStops - exposure; }
 
 Picture::~Picture() {
   if (program_) gl_.DeleteProgram(program_);

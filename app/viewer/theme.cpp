@@ -14,11 +14,11 @@ ImVec4 hex(unsigned rgb, float alpha = 1) {
 }
 
 struct Palette {
-  unsigned ground, panel, field, field_hover, field_active, text, quiet, border, accent, accent_ground, warning;
+  unsigned ground, panel, field, field_hover, field_active, text, quiet, border, accent, accent_ground, grab, warning;
 };
 
-constexpr Palette kDark{0x16181b, 0x1e2125, 0x2b3036, 0x363d45, 0x424b55, 0xe4e7ea, 0xa9b1ba, 0x353b42, 0x6cb6e8, 0x2a5574, 0xe8b04a};
-constexpr Palette kLight{0xd9dcdf, 0xf3f4f5, 0xffffff, 0xe6eef5, 0xd3e3f0, 0x1c1f23, 0x4d555e, 0xbfc5cb, 0x0b5c94, 0xb9d9ef, 0x8a5200};
+constexpr Palette kDark{0x16181b, 0x1e2125, 0x2b3036, 0x363d45, 0x424b55, 0xe4e7ea, 0xa9b1ba, 0x353b42, 0x6cb6e8, 0x2a5574, 0x34678e, 0xe8b04a};
+constexpr Palette kLight{0xd9dcdf, 0xf3f4f5, 0xffffff, 0xe6eef5, 0xd3e3f0, 0x1c1f23, 0x4d555e, 0xbfc5cb, 0x0b5c94, 0xb9d9ef, 0x9fcbe9, 0x8a5200};
 
 ImFont* first_of(std::initializer_list<const char*> files, float pixels) {
   static const ImWchar kRanges[] = {0x0020, 0x024f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2190, 0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
@@ -52,6 +52,7 @@ Theme apply_theme(bool dark, float scale) {
   style.PopupRounding = 5;
   style.FrameRounding = style.GrabRounding = style.TabRounding = style.ScrollbarRounding = 4;
   style.WindowBorderSize = 0;
+  style.FrameBorderSize = dark ? 0.0f : 1.0f;
   style.PopupBorderSize = 1;
   style.ScaleAllSizes(scale);
 
@@ -71,7 +72,8 @@ Theme apply_theme(bool dark, float scale) {
   c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = hex(p.field_active);
   c[ImGuiCol_Button] = hex(p.field);
   c[ImGuiCol_Header] = hex(p.accent_ground);
-  c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = hex(p.accent);
+  c[ImGuiCol_CheckMark] = hex(p.accent);
+  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = hex(p.grab);  // figures are read on it
   c[ImGuiCol_Tab] = hex(p.panel);
   c[ImGuiCol_TabHovered] = hex(p.field_hover);
   c[ImGuiCol_TabActive] = hex(p.accent_ground);
@@ -88,10 +90,10 @@ Faces load_faces(float scale) {
   Faces faces;
   faces.text = first_of({"/usr/share/fonts/opentype/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
                          "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
-                        15 * scale);
+                        16 * scale);
   faces.figures = first_of({"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
                             "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"},
-                           14 * scale);
+                           16 * scale);
   return faces;
 }
 

@@ -7,6 +7,7 @@
 #include "viewer/imgui_host.h"
 #include "viewer/panels.h"
 #include "viewer/script.h"
+#include "viewer/widgets.h"
 
 namespace etendue::viewer {
 namespace {
@@ -18,8 +19,13 @@ constexpr int kSettlingFrames = 3;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double>(b - a).count(); }
 
-// How long a new frame may wait to be shown: the more samples it has, the less it differs from the one on screen.
-double present_interval(uint32_t samples) { return samples < 32 ? 0.1 : samples < 256 ? 0.25 : 0.5; }
+// How long a new frame may wait to be shown: the more samples it has, the less it differs from the one on screen; and
+// drawing, which took `cost` seconds the last time, must leave most of the time to rendering.
+double present_interval(uint32_t samples, double cost) {
+  const double worthwhile = samples < 32 ? 0.1 : samples < 256 ? 0.25 : 0.5;
+  constexpr double kLeastRatio = 7, kLongest = 1;
+  return std::clamp(kLeastRatio * cost, worthwhile, kLongest);
+}
 
 int fail(const Error& error) {
   std::fprintf(stderr, "etendue: %s\n", error.message.c_str());
@@ -63,6 +69,7 @@ class Application {
   double patience(const Script* script) const {
     if (frames_wanted_ > 0 || !platform_.events().empty() || (script && script->in_a_hurry())) return 0;
     if (w_.input.buttons[1]) return 0.01;  // flying
+    if (w_.pointer_rest < kTooltipDelay) return 0.05;
     if (w_.loader.busy() || w_.capture.busy()) return 0.05;
     if (script || fading_ || wait_for_frame_) return 0.02;
     if (w_.editor.empty()) return 0.5;
@@ -74,13 +81,17 @@ class Application {
     const auto now = Clock::now();
     const double since_last = seconds_between(last_, now);
     if (script) script->advance(w_, picture_);
-    if (platform_.events().take_frame(w_.input)) frames_wanted_ = kSettlingFrames;
+    if (platform_.events().take_frame(w_.input)) frames_wanted_ = kSettlingFrames, touched_ = now;
+    const double rest = seconds_between(touched_, now);
+    // One more frame brings the tooltip.
+    if (w_.pointer_rest < kTooltipDelay && rest >= kTooltipDelay) frames_wanted_ = std::max(frames_wanted_, 1);
+    w_.pointer_rest = rest;
     if (const Vec2i size = platform_.size(); size != size_) size_ = size, frames_wanted_ = kSettlingFrames;
     for (const auto& file : w_.input.dropped) w_.open(file);
     const auto frame = w_.session.frame();
     const bool new_frame = frame && frame != w_.frame;
     const bool hurry = new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
-    const bool time_for_it = since_last >= present_interval(frame ? frame->samples : 0);
+    const bool time_for_it = since_last >= present_interval(frame ? frame->samples : 0, cost_);
     wait_for_frame_ = new_frame && !hurry && !time_for_it;
     // Status figures move on even when no frame comes.
     const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || since_last >= 1 || w_.loader.busy() ||
@@ -119,7 +130,8 @@ class Application {
     w_.input.wheel = 0;
     w_.input.text.clear();
     w_.input.dropped.clear();
-    w_.pace.busy += seconds_between(start, Clock::now());
+    cost_ = seconds_between(start, Clock::now());
+    w_.pace.busy += cost_;
   }
 
   void measure(Clock::time_point now) {
@@ -137,7 +149,8 @@ class Application {
   Vec2i size_{0};
   int frames_wanted_ = kSettlingFrames;
   bool fading_ = false, wait_for_frame_ = false;
-  Clock::time_point last_ = Clock::now(), measured_ = Clock::now();
+  double cost_ = 0;  // seconds that the last frame took to draw
+  Clock::time_point last_ = Clock::now(), measured_ = Clock::now(), touched_ = Clock::now();
 };
 
 }  // namespace

@@ -52,10 +52,16 @@ struct Change {
   bool reset = false, forget = false, ended = false;
 };
 
+// Vectors are three settings with one label: the axis tells them apart.
+std::string full_label(const ParameterInfo& info) {
+  const bool axis = info.name.ends_with(".x") || info.name.ends_with(".y") || info.name.ends_with(".z");
+  return axis ? info.label + " " + info.name.back() : info.label;
+}
+
 Change one_widget(Workbench& w, const ParameterInfo& info) {
   Change change;
   ImGui::PushID(info.name.c_str());
-  label_column(info.label);
+  label_column(full_label(info));
   switch (info.type) {
     case ParameterType::toggle: {
       bool on = std::get<bool>(info.default_value);
@@ -199,6 +205,7 @@ std::vector<ParameterInfo> loose_parameters() {
 }
 
 void tooltip(const Workbench& w, const std::string& text) {
+  if (w.pointer_rest < kTooltipDelay) return;
   ImGui::PushFont(w.faces.text);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
@@ -242,7 +249,11 @@ void figure(const Workbench& w, const char* name, const std::string& value) {
 bool group(Workbench& w, const char* name, const std::string& prefix, bool open) {
   if (!prefix.empty() && w.items.wanted_below(prefix)) ImGui::SetNextItemOpen(true);
   ImGui::Spacing();
-  return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  // Quieter than a selected row.
+  ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+  const bool shown = ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  ImGui::PopStyleColor();
+  return shown;
 }
 
 }  // namespace etendue::viewer

@@ -27,7 +27,9 @@ void note(const Workbench& w, const std::string& text);
 void figure(const Workbench& w, const char* label, const std::string& value);
 // A folding group; it opens itself for a script that wants a widget whose name starts so.
 bool group(Workbench& w, const char* label, const std::string& prefix, bool open = true);
+// Shown once the pointer has rested for a moment.
 void tooltip(const Workbench& w, const std::string& text);
+inline constexpr double kTooltipDelay = 0.4;  // seconds
 
 // The settings of the viewer itself that scripts can set: false colour and the layer shown.
 std::vector<ParameterInfo> loose_parameters();

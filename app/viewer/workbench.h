@@ -86,6 +86,7 @@ struct Workbench {
   Theme theme;
   Faces faces;
   Input input;
+  double pointer_rest = 0;  // seconds since the pointer moved or pressed
   Pace pace;
   std::shared_ptr<const render::Frame> frame;  // on screen
   std::string previous_integrator;             // what Tab goes back to

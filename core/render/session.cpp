@@ -46,8 +46,13 @@ class Session::Impl {
 
   uint64_t submit(const Document& document, std::optional<film::Film> start) {
     const std::lock_guard lock(mutex_);
-    pending_ =
-        Edit{document, std::move(start), ++last_version_, Clock::now(), !latest_ || !same_light(*latest_, document)};
+    Edit edit{document, std::move(start), ++last_version_, Clock::now(), !latest_ || !same_light(*latest_, document)};
+    // An edit that was not taken up yet, and that this one replaces, still counts.
+    if (pending_ && !edit.restarts) {
+      edit.restarts = pending_->restarts;
+      if (!edit.start) edit.start = std::move(pending_->start);
+    }
+    pending_ = std::move(edit);
     latest_ = document;
     stopped_ = false;
     interrupt_ = true;
@@ -237,10 +242,10 @@ class Session::Impl {
       return !interrupt_.load(std::memory_order_relaxed) && seconds_since(start) < allowed;
     };
     const uint64_t before = counters_.paths;
-    do {
+    while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
       if (runner_->run(workers_, film_, complete_ + 1, keep_going, counters_)) ++complete_;
-      if (reached_limit(rendering_seconds_ + seconds_since(start))) break;
-    } while (keep_going());
+      if (!keep_going()) break;
+    }
     const double took = seconds_since(start);
     rendering_seconds_ += took;
     if (took > 0.002) paths_per_second_ = static_cast<double>(counters_.paths - before) / took;

@@ -61,13 +61,21 @@ Reversed reversed_point(uint32_t sample, uint32_t first_dimension) {
 // Scrambles a block of reversed points, each dimension with a seed of its own. The seeds are hashed one by one: seeds
 // in an arithmetic progression tie the dimensions together, which shows as 4 % errors in parts of a Cornell box at 256
 // samples. Whole numbers only: every instruction set gives the same bits, and wide ones take the block at once.
-__attribute__((target_clones("avx2", "default"))) void scramble_block(const uint32_t* reversed, uint32_t seed,
-                                                                      float* out) {
+[[gnu::always_inline]] inline void scramble(const uint32_t* reversed, uint32_t seed, float* out) {
   for (uint32_t i = 0; i < kBlockSize; ++i) {
     const uint32_t x = owen_scramble_reversed(reversed[i], mix_bits(seed + i * 0x9e3779b9U));
     out[i] = static_cast<float>(static_cast<int32_t>(reverse_bits(x) >> 8)) * 0x1p-24f;
   }
 }
+
+[[gnu::target("avx2")]] void scramble_wide(const uint32_t* reversed, uint32_t seed, float* out) {
+  scramble(reversed, seed, out);
+}
+
+void scramble_narrow(const uint32_t* reversed, uint32_t seed, float* out) { scramble(reversed, seed, out); }
+
+// Chosen when the program starts, not by the linker: its resolvers run before a thread sanitizer is ready.
+const auto scramble_block = __builtin_cpu_supports("avx2") ? scramble_wide : scramble_narrow;
 
 }  // namespace
 

@@ -1,0 +1,190 @@
+// The viewer as a user meets it, without a display: scripts of actions, and what they leave behind.
+#include "viewer/viewer.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "image/image.h"
+
+namespace etendue {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+class Viewer : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("etendue-viewer-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  int run(const json& steps, const std::string& scene = "", int width = 900, int height = 560) {
+    std::ofstream(path("script.json")) << steps.dump();
+    viewer::ViewOptions options;
+    options.scene = scene;
+    options.offscreen = true;
+    options.script = path("script.json");
+    options.width = width, options.height = height;
+    return viewer::run_viewer(options);
+  }
+
+  json state(const std::string& name) const {
+    std::ifstream in(path(name));
+    return json::parse(in);
+  }
+
+  image::LayeredImage picture(const std::string& name) const {
+    auto read = image::read_exr(path(name));
+    EXPECT_TRUE(read) << read.error().message;
+    return read ? *read : image::LayeredImage{};
+  }
+
+  // Small pictures that end by themselves, so that they can be compared bit by bit.
+  static json small(int samples = 4) {
+    return json::array({{{"do", "set"}, {"name", "render.samples"}, {"value", samples}},  // first: it takes nothing back
+                        {{"do", "set"}, {"name", "film.width"}, {"value", 96}},
+                        {{"do", "set"}, {"name", "film.height"}, {"value", 96}},
+                        {{"do", "wait"}, {"spp", samples}}});
+  }
+
+  static json joined(json a, const json& b) {
+    for (const auto& step : b) a.push_back(step);
+    return a;
+  }
+
+  fs::path folder_;
+};
+
+json set(const std::string& name, const json& value) { return {{"do", "set"}, {"name", name}, {"value", value}}; }
+json click(const std::string& item) { return {{"do", "click"}, {"item", item}}; }
+json key(const std::string& chord) { return {{"do", "key"}, {"key", chord}}; }
+json file_step(const std::string& action, const std::string& file) { return {{"do", action}, {"file", file}}; }
+
+bool same_pixels(const image::LayeredImage& a, const image::LayeredImage& b) {
+  const auto *x = a.find(""), *y = b.find("");
+  return x && y && a.width == b.width && a.height == b.height && x->pixels == y->pixels;
+}
+
+TEST_F(Viewer, ASnapshotBringsEverythingBack) {
+  const auto make = joined(small(), json::array({
+      {{"do", "drag"}, {"from", {200, 300}}, {"to", {260, 280}}},
+      set("material.5.metallic", 1), set("material.5.roughness", 0.25), set("camera.exposure", 1.5), set("render.integrator", "path-pure"),
+      {{"do", "wait"}, {"spp", 4}}, file_step("image", path("a.exr")), file_step("state", path("a.json"))}));
+  ASSERT_EQ(run(make), 0);
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 4}}, file_step("image", path("b.exr")), file_step("state", path("b.json"))}), path("a.exr")), 0);
+  EXPECT_TRUE(same_pixels(picture("a.exr"), picture("b.exr")));
+  EXPECT_EQ(state("a.json")["parameters"], state("b.json")["parameters"]);
+  EXPECT_EQ(state("b.json")["undo_depth"], 0);
+}
+
+TEST_F(Viewer, ADroppedSnapshotBringsEverythingBack) {
+  const auto make = joined(small(), json::array({set("material.4.base-color.g", 0.1), {{"do", "wait"}, {"spp", 4}}, file_step("image", path("a.exr")),
+      click("file.cornell"), {{"do", "wait"}, {"spp", 1}}, file_step("open", path("a.exr")), {{"do", "wait"}, {"spp", 4}}, file_step("image", path("b.exr"))}));
+  ASSERT_EQ(run(make), 0);
+  EXPECT_TRUE(same_pixels(picture("a.exr"), picture("b.exr")));
+}
+
+TEST_F(Viewer, UndoGivesBackThePictureAndRedoTheEdit) {
+  const auto steps = joined(small(), json::array({
+      file_step("image", path("before.exr")), file_step("state", path("before.json")),
+      set("material.5.base-color.r", 0.05), {{"do", "wait"}, {"spp", 4}}, file_step("image", path("edited.exr")), file_step("state", path("edited.json")),
+      key("ctrl+z"), {{"do", "wait"}, {"spp", 4}}, file_step("image", path("undone.exr")), file_step("state", path("undone.json")),
+      key("ctrl+shift+z"), {{"do", "wait"}, {"spp", 4}}, file_step("image", path("redone.exr"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_EQ(state("edited.json")["undo_depth"], state("before.json")["undo_depth"].get<int>() + 1);
+  EXPECT_EQ(state("undone.json")["undo_depth"], state("before.json")["undo_depth"]);
+  EXPECT_EQ(state("undone.json")["parameters"], state("before.json")["parameters"]);
+  EXPECT_FALSE(same_pixels(picture("before.exr"), picture("edited.exr")));
+  EXPECT_TRUE(same_pixels(picture("before.exr"), picture("undone.exr")));
+  EXPECT_TRUE(same_pixels(picture("edited.exr"), picture("redone.exr")));
+}
+
+TEST_F(Viewer, ADragIsOneStepWhateverItsLength) {
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, {{"do", "drag"}, {"from", {150, 300}}, {"to", {420, 200}}}, file_step("state", path("a.json")),
+                             {{"do", "drag"}, {"from", {150, 300}}, {"to", {420, 200}}, {"button", "middle"}}, file_step("state", path("b.json"))})), 0);
+  EXPECT_EQ(state("a.json")["undo_depth"], 1);
+  EXPECT_EQ(state("a.json")["undo"], "Orbit");
+  EXPECT_EQ(state("b.json")["undo_depth"], 2);
+  EXPECT_EQ(state("b.json")["undo"], "Pan");
+}
+
+TEST_F(Viewer, KeysSwitchTheIntegratorBackAndForth) {
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, key("1"), file_step("state", path("a.json")), key("tab"), file_step("state", path("b.json")),
+                             key("tab"), file_step("state", path("c.json"))})), 0);
+  const auto integrator = [&](const char* name) { return state(name)["parameters"]["render.integrator"].get<std::string>(); };
+  EXPECT_EQ(integrator("b.json"), "path");
+  EXPECT_NE(integrator("a.json"), "path");
+  EXPECT_EQ(integrator("c.json"), integrator("a.json"));
+}
+
+TEST_F(Viewer, APickSelectsWhatIsUnderThePointer) {
+  // The light hangs in the middle, near the top of the picture.
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, {{"do", "pick"}, {"at", {270, 95}}}, file_step("state", path("a.json"))})), 0);
+  const auto selection = state("a.json")["selection"];
+  EXPECT_EQ(selection["material"], 3);
+  EXPECT_EQ(selection["node"], 5);
+}
+
+TEST_F(Viewer, WhatDoesNotChangeTheLightDoesNotRestartIt) {
+  ASSERT_EQ(run(joined(small(16), json::array({set("camera.exposure", 2), set("display.curve", "agx"), set("view.false-color", true), file_step("state", path("a.json"))}))), 0);
+  EXPECT_EQ(state("a.json")["samples"], 16);
+}
+
+TEST_F(Viewer, ScreenshotsShowThePictureAndTheInterface) {
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 2}}, file_step("screenshot", path("a.png")), key("h"), file_step("screenshot", path("b.png"))})), 0);
+  const auto a = image::read_linear(path("a.png")), b = image::read_linear(path("b.png"));
+  ASSERT_TRUE(a) << a.error().message;
+  ASSERT_TRUE(b) << b.error().message;
+  EXPECT_EQ(a->width, 900);
+  EXPECT_EQ(a->height, 560);
+  // Neither is a plain ground, and hiding the interface shows.
+  const std::set<float> values(a->find("")->pixels.begin(), a->find("")->pixels.end());
+  EXPECT_GT(values.size(), 50U);
+  EXPECT_NE(a->find("")->pixels, b->find("")->pixels);
+}
+
+TEST_F(Viewer, EveryTabDrawsAndEveryActionIsListed) {
+  std::set<std::string> names;
+  json steps = json::array({{{"do", "wait"}, {"spp", 1}}});
+  for (const auto& entry : json::parse(viewer::widgets_json())) {
+    const auto name = entry["name"].get<std::string>();
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_FALSE(entry["doc"].get<std::string>().empty()) << name;
+    if (name.starts_with("tab.")) steps.push_back(click(name));
+  }
+  for (const char* name : {"snapshot.save", "render.integrator", "render.sampler", "film.filter", "camera.exposure", "scene.time", "material.0.roughness", "edit.undo", "tab.render"})
+    EXPECT_TRUE(names.contains(name)) << name;
+  EXPECT_EQ(run(steps), 0);
+}
+
+TEST_F(Viewer, AStepThatCannotBeDoneEndsTheScript) {
+  for (const json& step : {set("material.99.roughness", 0.5), set("material.0.roughness", 7), set("no-such.thing", 1), click("no.such.item"),
+                           file_step("open", path("missing.glb")), file_step("image", path("a.bmp"))}) {
+    ::testing::internal::CaptureStderr();
+    EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, step})), 1) << step;
+    EXPECT_NE(::testing::internal::GetCapturedStderr().find("step 2"), std::string::npos) << step;
+  }
+}
+
+TEST_F(Viewer, ScriptsAndScenesThatCannotBeUsedAreInputErrors) {
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(run(json::array({{{"do", "dance"}}})), 3);
+  EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}}), path("missing.glb")), 3);
+  const auto text = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(text.find("dance"), std::string::npos);
+  EXPECT_NE(text.find("missing.glb"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace etendue
