@@ -41,6 +41,12 @@ bool EventQueue::empty() const {
   return events_.empty();
 }
 
+namespace {
+
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+}  // namespace
+
 bool EventQueue::take_frame(Input& input) {
   const std::lock_guard lock(mutex_);
   input.pressed = {};
@@ -51,7 +57,7 @@ bool EventQueue::take_frame(Input& input) {
   const bool any = !events_.empty();
   std::array<bool, 3> changed{};
   std::bitset<kKeys> keys_changed;
-  bool button_changed = false;
+  bool button_changed = false, pressed_any = false;
   while (!events_.empty()) {
     const Event& e = events_.front();
     const auto b = static_cast<size_t>(e.button);
@@ -62,6 +68,8 @@ bool EventQueue::take_frame(Input& input) {
       events_.pop_front();
       continue;
     }
+    // What was pressed was pressed with the modifiers of that moment.
+    if (e.type == Event::Type::key && is_modifier(e.key) && pressed_any) break;
     // A button goes down or up where the pointer was then.
     if (e.type == Event::Type::move && button_changed) break;
     switch (e.type) {
@@ -73,6 +81,7 @@ bool EventQueue::take_frame(Input& input) {
         break;
       case Event::Type::button:
         changed[b] = button_changed = true;
+        pressed_any |= e.down;
         input.pressed[b] = e.down && !input.buttons[b];
         input.buttons[b] = e.down;
         break;
@@ -81,6 +90,7 @@ bool EventQueue::take_frame(Input& input) {
         break;
       case Event::Type::key:
         keys_changed[k] = true;
+        pressed_any |= e.down && !is_modifier(e.key);
         input.keys_pressed[k] = e.down && !input.keys[k];
         input.keys[k] = e.down;
         break;

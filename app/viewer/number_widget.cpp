@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace etendue::viewer {
@@ -47,6 +48,18 @@ class ControlKey {
   bool before_;
 };
 
+// Angles are radians everywhere but on screen.
+NumberEdit angle_widget(ParameterInfo info) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  info.unit = "\u00b0";
+  info.min *= kDegrees, info.max *= kDegrees;
+  if (auto* value = std::get_if<double>(&info.default_value)) *value *= kDegrees;
+  NumberEdit edit = number_widget(info);
+  if (edit.value)
+    if (auto* value = std::get_if<double>(&*edit.value)) *value /= kDegrees;
+  return edit;
+}
+
 }  // namespace
 
 float label_width() { return std::floor(ImGui::GetFontSize() * 8.9f); }
@@ -59,6 +72,7 @@ void label_column(const std::string& label) {
 }
 
 NumberEdit number_widget(const ParameterInfo& info) {
+  if (info.unit == "rad") return angle_widget(info);
   NumberEdit edit;
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
