@@ -105,6 +105,7 @@ std::string state_report(Workbench& w) {
              {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
              {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
              {"interface_share", w.pace.share},
+             {"first_picture_seconds", w.first_picture_seconds},
              {"latency_ms", percentiles(w.session.take_latencies())},
              {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
   if (status.error.known) state["rmse"] = status.error.rmse;

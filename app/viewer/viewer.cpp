@@ -6,6 +6,7 @@
 
 #include "viewer/imgui_host.h"
 #include "viewer/panels.h"
+#include "viewer/process_age.h"
 #include "viewer/script.h"
 #include "viewer/widgets.h"
 
@@ -123,6 +124,7 @@ class Application {
     gl.Viewport(0, 0, size_.x, size_.y);
     host_.end_frame();
     platform_.present();
+    if (w_.frame && w_.first_picture_seconds == 0) w_.first_picture_seconds = process_age();
     if (frames_wanted_ > 0) --frames_wanted_;
     // What a frame took must not be taken again by the next one.
     w_.input.pressed = {};

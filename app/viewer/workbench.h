@@ -89,6 +89,7 @@ struct Workbench {
   double pointer_rest = 0;  // seconds since the pointer moved or pressed
   Pace pace;
   std::shared_ptr<const render::Frame> frame;  // on screen
+  double first_picture_seconds = 0;            // from the start of the process until a picture was on screen
   std::string previous_integrator;             // what Tab goes back to
   std::string last_opened;
   bool quit = false;

@@ -1,0 +1,163 @@
+// How soon the picture follows an edit, and what that costs while nobody edits.
+//
+// A session renders as the viewer's does, at 1280 x 720, and is edited at random moments: a material, then the camera.
+// Printed are milliseconds from `submit` to the first frame of the edit and to the moment the workers had stopped. A
+// drag edits sixty times a second: how old is the newest frame then? Last, the share of the batch renderer's speed that
+// is left to a session that shows its frames.
+//
+// latency_bench [edits]: 200 of each kind, on staircase2 and ToyCar from ETENDUE_TEST_DATA. Ends with 1 if a bound is
+// missed.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+#include <thread>
+
+#include "render/session.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+// What the workbench promises.
+constexpr double kFrameP95 = 50, kRestartP50 = 2, kRestartP99 = 10;
+
+double quantile(const std::vector<double>& sorted, double q) {
+  return sorted.empty() ? 0 : sorted[static_cast<size_t>(q * static_cast<double>(sorted.size() - 1) + 0.5)];
+}
+
+struct Bounds {
+  double p50 = kInfinity, p95 = kInfinity, p99 = kInfinity;
+};
+
+// Prints a row; false if it lies beyond its bounds.
+bool row(const char* what, std::vector<double> values, const Bounds& bounds) {
+  std::sort(values.begin(), values.end());
+  const double p50 = quantile(values, 0.5), p95 = quantile(values, 0.95), p99 = quantile(values, 0.99);
+  const bool fine = p50 < bounds.p50 && p95 < bounds.p95 && p99 < bounds.p99;
+  std::printf("  %-28s %5zu %8.2f %8.2f %8.2f %8.2f  %s\n", what, values.size(), p50, p95, p99,
+              values.empty() ? 0 : values.back(), fine ? "" : "MISSED");
+  return fine;
+}
+
+render::Document roughened(const render::Document& d, int step) {
+  const size_t materials = d.scene->materials.size();
+  const std::string name = "material." + std::to_string(static_cast<size_t>(step) % materials) + ".roughness";
+  return *render::with(d, name, Value(0.2 + 0.005 * (step % 100)));
+}
+
+render::Document moved(render::Document d, int step) {
+  const float angle = 0.01f * static_cast<float>(step % 20 - 10);
+  d.camera.to_world = d.camera.to_world * glm::rotate(Mat4(1), angle, Vec3(0, 1, 0));
+  return d;
+}
+
+using EditOf = render::Document (*)(render::Document, int);
+
+class Bench {
+ public:
+  Bench(const std::string& name, render::Document document, int edits)
+      : document_(std::move(document)), edits_(edits) {
+    std::printf("%s, %d x %d\n  %-28s %5s %8s %8s %8s %8s\n", name.c_str(), document_.width, document_.height,
+                "milliseconds", "n", "p50", "p95", "p99", "max");
+  }
+
+  bool run() {
+    bool fine = true;
+    {
+      render::Session session({.interactive = true});
+      session.submit(document_);
+      wait_for_frame(session, 1);
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+      fine = edit(session, "material edit to frame", [](const auto& d, int i) { return roughened(d, i); }) && fine;
+      fine = edit(session, "camera move to frame", [](const auto& d, int i) { return moved(d, i); }) && fine;
+      fine = row("cancel and restart", std::move(restarts_), {kRestartP50, kInfinity, kRestartP99}) && fine;
+      drag(session);
+    }
+    share();
+    return fine;
+  }
+
+ private:
+  static void wait_for_frame(const render::Session& session, uint64_t version) {
+    while (!session.frame() || session.frame()->version < version)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  template <class Edit>
+  bool edit(render::Session& session, const char* what, Edit&& edited) {
+    std::uniform_real_distribution<double> pause(0, 300);
+    session.take_latencies(), session.take_restart_latencies();
+    for (int i = 0; i < edits_; ++i) {
+      wait_for_frame(session, session.submit(edited(document_, i)));
+      std::this_thread::sleep_for(Milliseconds(pause(random_)));
+    }
+    const auto restarts = session.take_restart_latencies();
+    restarts_.insert(restarts_.end(), restarts.begin(), restarts.end());
+    return row(what, session.take_latencies(), {kInfinity, kFrameP95, kInfinity});
+  }
+
+  // The age of what is on screen while the camera is dragged, looked at every time the screen is drawn.
+  void drag(render::Session& session) {
+    std::vector<Clock::time_point> submitted(1);
+    std::vector<double> ages;
+    const uint64_t first = session.submit(document_);
+    wait_for_frame(session, first);
+    auto next = Clock::now();
+    for (int i = 0; i < 240; ++i) {
+      session.submit(moved(document_, i));
+      submitted.push_back(Clock::now());
+      next += std::chrono::microseconds(16'667);
+      std::this_thread::sleep_until(next);
+      const uint64_t shown = session.frame()->version - first;
+      if (shown + 1 < submitted.size()) ages.push_back(Milliseconds(Clock::now() - submitted[shown + 1]).count());
+      else ages.push_back(0);
+    }
+    row("unseen edits, dragging", std::move(ages), {});
+  }
+
+  static double paths_per_second(const render::Document& document, bool interactive) {
+    render::Session session({.interactive = interactive});
+    session.submit(document);
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    const auto start = Clock::now();
+    const uint64_t before = session.status().paths;
+    std::this_thread::sleep_for(std::chrono::seconds(4));
+    const uint64_t paths = session.status().paths - before;
+    return static_cast<double>(paths) / (Milliseconds(Clock::now() - start).count() * 1e-3);
+  }
+
+  void share() const {
+    const double batch = paths_per_second(document_, false), shown = paths_per_second(document_, true);
+    std::printf("  paths per second: batch %.3g, shown %.3g: share %.3f\n", batch, shown, shown / batch);
+  }
+
+  render::Document document_;
+  int edits_;
+  std::mt19937 random_{1};
+  std::vector<double> restarts_;
+};
+
+}  // namespace
+}  // namespace etendue
+
+int main(int argc, char** argv) {
+  using namespace etendue;
+  const int edits = argc > 1 ? std::atoi(argv[1]) : 200;
+  const std::string data = test::data_folder();
+  if (data.empty()) return std::fprintf(stderr, "latency_bench: set ETENDUE_TEST_DATA\n"), 2;
+  bool fine = true;
+  for (const char* file : {"/scenes/staircase2/staircase2.glb", "/gltf/ToyCar/glTF/ToyCar.gltf"}) {
+    auto document = render::new_document(data + file);
+    if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
+    document->width = 1280, document->height = 720;
+    fine = Bench(std::filesystem::path(file).stem(), *document, edits).run() && fine;
+  }
+  return fine ? 0 : 1;
+}

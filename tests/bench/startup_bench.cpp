@@ -1,0 +1,83 @@
+// How long one waits for the first pixel: staircase2, ToyCar, and a sphere of five million triangles.
+//
+// Once inside a process, phase by phase; once through `etendue view --offscreen`, from its start to the first frame on
+// the screen. Ends with 1 if a bound is missed.
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "render/session.h"
+#include "support/large_glb.h"
+#include "support/own_process.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+int phases(const std::string& file) {
+  const auto start = Clock::now();
+  auto document = render::new_document(file);
+  if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
+  const double loaded = seconds_since(start);
+  document->width = 1280, document->height = 720;
+  render::Session session({.interactive = true});
+  session.submit(*document);
+  while (!session.frame()) std::this_thread::sleep_for(std::chrono::microseconds(500));
+  const double first = seconds_since(start), compiled = session.status().build.seconds;
+  std::printf("load %6.3f  compile %6.3f  first frame %6.3f  together %6.3f\n", loaded, compiled,
+              first - loaded - compiled, first);
+  return 0;
+}
+
+// Seconds from the start of the viewer to its first picture; negative if it failed.
+double viewer_start(const std::string& file, const fs::path& folder) {
+  const fs::path script = folder / "script.json", state = folder / "state.json";
+  std::ofstream(script) << nlohmann::json::array({{{"do", "state"}, {"file", state.string()}}});
+  const std::string command = std::string("'") + ETENDUE_BINARY + "' view '" + file + "' --offscreen --script '" +
+                              script.string() + "'";
+  if (std::system(command.c_str()) != 0) return -1;
+  return nlohmann::json::parse(std::ifstream(state)).value("first_picture_seconds", -1.0);
+}
+
+bool measure(const char* name, const std::string& file, double bound, const fs::path& folder) {
+  std::vector<double> starts;
+  for (int i = 0; i < 5; ++i) {
+    std::printf("%-12s ", name);
+    if (test::in_own_process([&] { return phases(file); }) != 0) return false;
+    starts.push_back(viewer_start(file, folder));
+  }
+  std::sort(starts.begin(), starts.end());
+  const bool fine = starts.front() > 0 && starts.back() < bound;
+  std::printf("%-12s viewer: median %.3f s, longest %.3f s, bound %.0f s  %s\n", name, starts[2], starts.back(), bound,
+              fine ? "" : "MISSED");
+  return fine;
+}
+
+}  // namespace
+}  // namespace etendue
+
+int main() {
+  using namespace etendue;
+  const std::string data = test::data_folder();
+  if (data.empty()) return std::fprintf(stderr, "startup_bench: set ETENDUE_TEST_DATA\n"), 2;
+  const fs::path folder = fs::temp_directory_path() / ("etendue-startup-" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const fs::path large = folder / "large.glb";
+  const size_t triangles = test::write_large_glb(large, 5'000'000);
+  std::printf("seconds; the large file has %zu triangles\n", triangles);
+  bool fine = measure("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder);
+  fine = measure("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
+  fine = measure("large", large, 8, folder) && fine;
+  fs::remove_all(folder);
+  return fine ? 0 : 1;
+}
