@@ -51,22 +51,38 @@ Rgb Film::variance_of_mean(int x, int y) const {
 }
 
 ErrorEstimate Film::error() const {
-  ErrorEstimate e;
-  double squares = 0, relative = 0;
-  for (int y = 0; y < height_; ++y)
-    for (int x = 0; x < width_; ++x) {
-      const Pixel& p = at(x, y);
-      if (p.count[0] == 0 || p.count[1] == 0) return {};
-      const Rgb v = variance_of_mean(x, y), m = mean(x, y);
-      for (int c = 0; c < 3; ++c) {
-        squares += v[c];
-        relative += v[c] / (sqr(double{m[c]}) + 0.01);
-      }
+  std::vector<RowError> rows;
+  for (int y = 0; y < height_; ++y) rows.push_back(error_of_row(y));
+  return error(rows);
+}
+
+Film::RowError Film::error_of_row(int y) const {
+  RowError row;
+  for (int x = 0; x < width_; ++x) {
+    const Pixel& p = at(x, y);
+    if (p.count[0] == 0 || p.count[1] == 0) return {0, 0, false};
+    const Rgb v = variance_of_mean(x, y), m = mean(x, y);
+    for (int c = 0; c < 3; ++c) {
+      row.squares += v[c];
+      row.relative += v[c] / (sqr(double{m[c]}) + 0.01);
     }
+  }
+  return row;
+}
+
+ErrorEstimate Film::error(std::span<const RowError> rows) const {
+  double squares = 0, relative = 0;
+  for (const RowError& row : rows) {
+    if (!row.known) return {};
+    squares += row.squares, relative += row.relative;
+  }
   const double n = 3.0 * width_ * height_;
-  e.rmse = std::sqrt(squares / n), e.relmse = relative / n;
-  e.known = n > 0;
-  return e;
+  return {std::sqrt(squares / n), relative / n, n > 0};
+}
+
+void Film::clear_rows(int first, int end) {
+  const auto row = [&](int y) { return pixels_.begin() + static_cast<std::ptrdiff_t>(y) * width_; };
+  std::fill(row(first), row(end), Pixel{});
 }
 
 Rejected Film::rejected() const { return {rejected_.nan.load(), rejected_.infinite.load(), rejected_.negative.load()}; }

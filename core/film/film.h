@@ -45,6 +45,13 @@ class Film {
   Rgb variance_of_mean(int x, int y) const;
 
   ErrorEstimate error() const;
+  // The same in pieces: the sums of rows may be made in parallel, and are added in the order of the rows.
+  struct RowError {
+    double squares = 0, relative = 0;
+    bool known = true;
+  };
+  RowError error_of_row(int y) const;
+  ErrorEstimate error(std::span<const RowError> rows) const;
   Rejected rejected() const;
 
   // Everything the film knows, for checkpoints.
@@ -55,6 +62,10 @@ class Film {
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
   void set_rejected(const Rejected& rejected);
+
+  // Empties the pixels of some rows.
+  void clear_rows(int first, int end);
+  size_t memory() const { return pixels_.size() * sizeof(Pixel); }
 
  private:
   const Pixel& at(int x, int y) const {

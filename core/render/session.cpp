@@ -16,10 +16,16 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 double milliseconds_since(Clock::time_point start) { return 1000 * seconds_since(start); }
+Clock::duration seconds(double s) { return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)); }
 
-// The longest that a coarse frame may take, so that a camera that moves is followed.
-constexpr double kCoarseSeconds = 0.02;
-constexpr int kCoarsest = 16;
+// What the first frame of an edit may take by prediction, and when it is given up for a coarser one.
+constexpr double kCoarseSeconds = 0.015, kGiveUpSeconds = 0.025;
+// The same for the first frame after one that the next edit cut short; for so long it is not cut.
+constexpr double kOwedSeconds = 0.006, kProtectedSeconds = 0.012;
+constexpr int kCoarsest = 32;
+
+// The more samples there are, the less the next frame differs.
+double frames_apart(uint32_t samples) { return samples < 32 ? 1 : samples < 256 ? 2.5 : 5; }
 
 // Whether two documents have the same light: what differs otherwise needs no new samples.
 bool same_light(const Document& a, const Document& b) {
@@ -32,7 +38,7 @@ bool same_light(const Document& a, const Document& b) {
 class Session::Impl {
  public:
   explicit Impl(const SessionOptions& options)
-      : options_(options), workers_(options.threads), thread_([this] { loop(); }) {}
+      : options_(options), workers_(options.threads), frames_(workers_), thread_([this] { loop(); }) {}
 
   ~Impl() {
     {
@@ -130,7 +136,7 @@ class Session::Impl {
     interrupt_ = true;
     changed_.notify_all();
     film_free_.wait(lock, [&] { return film_idle_; });
-    film::Film copy = film_;
+    film::Film copy = film_stale_ ? film::Film(document_.width, document_.height) : film_;
     --film_wanted_;
     changed_.notify_all();
     return copy;
@@ -156,7 +162,7 @@ class Session::Impl {
       changed_.wait(lock, [&] { return quit_ || pending_ || (film_wanted_ == 0 && can_render()); });
       if (quit_) return;
       film_idle_ = false;
-      if (pending_) {
+      if (pending_ && !(owes_frame() && film_wanted_ == 0 && can_render())) {
         Edit edit = std::move(*pending_);
         pending_.reset();
         interrupt_ = false;
@@ -165,7 +171,7 @@ class Session::Impl {
         lock.lock();
         continue;
       }
-      interrupt_ = false;
+      interrupt_ = pending_.has_value();
       lock.unlock();
       slice();
       lock.lock();
@@ -174,36 +180,35 @@ class Session::Impl {
 
   bool can_render() const { return runner_ && !paused_ && !stopped_ && !status_.finished; }
 
+  // Edits that come faster than frames would leave the old picture standing for as long as they come: a first frame
+  // after one that was cut short gets a little time of its own.
+  bool owes_frame() const { return awaiting_first_frame_ && Clock::now() < protected_until_; }
+
+  // Whether to leave off: asked by workers, between rows.
+  bool cut() const { return interrupt_.load(std::memory_order_relaxed) && !owes_frame(); }
+
   void take_up(Edit edit) {
-    submitted_ = edit.submitted;
-    if (!edit.restarts && runner_ && !edit.start) {
-      const std::lock_guard lock(mutex_);
-      document_ = edit.document;
-      status_.version = edit.version;
-      status_.finished = false;
-      awaiting_first_frame_ = false;
-      if (frame_) {
-        auto same = std::make_shared<Frame>(*frame_);
-        same->version = edit.version;
-        frame_ = same;
-      }
-      return;
-    }
+    if (!edit.restarts && runner_ && !edit.start) return relabel(edit);
     {
       const std::lock_guard lock(mutex_);
       restart_latencies_.push_back(milliseconds_since(edit.submitted));
       status_.phase = "compiling";
     }
+    const bool owed = awaiting_first_frame_;
+    submitted_ = edit.submitted;
     const auto compiled = scene::compile(edit.document.scene, edit.document.camera, shown_scene_);
     document_ = std::move(edit.document);
-    film_ = edit.start ? std::move(*edit.start) : film::Film(document_.width, document_.height);
+    film_stale_ = !edit.start;
+    if (edit.start) film_ = std::move(*edit.start);
     runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height);
     counters_.rays = 0, counters_.paths = 0;
     rendering_seconds_ = 0;
-    complete_ = least_samples();
-    coarse_scale_ = options_.interactive && complete_ == 0 ? first_scale() : 1;
+    complete_ = film_stale_ ? 0 : least_samples();
+    error_ = {}, error_at_ = 0;
+    coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
     coarse_.reset();
-    awaiting_first_frame_ = true;
+    awaiting_first_frame_ = options_.interactive;
+    protected_until_ = owed ? Clock::now() + seconds(kProtectedSeconds) : Clock::time_point();
     const std::lock_guard lock(mutex_);
     shown_scene_ = compiled;
     model_ = runner_->model();
@@ -212,8 +217,23 @@ class Session::Impl {
     status_.build = compiled->report();
     status_.phase = "rendering";
     status_.samples = complete_;
-    status_.memory = compiled->memory() + embree_memory();
+    status_.memory = compiled->memory() + embree_memory() + film_bytes();
   }
+
+  // An edit that changes no light: the picture goes on under the new version.
+  void relabel(const Edit& edit) {
+    const std::lock_guard lock(mutex_);
+    document_ = edit.document;
+    status_.version = edit.version;
+    status_.finished = false;
+    if (!frame_ || awaiting_first_frame_) return;
+    auto same = std::make_shared<Frame>(*frame_);
+    same->version = edit.version;
+    frame_ = same;
+  }
+
+  size_t film_bytes() const { return pixel_count() * sizeof(film::Film::Pixel); }
+  size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
 
   uint32_t least_samples() const {
     uint32_t least = UINT32_MAX;
@@ -222,40 +242,53 @@ class Session::Impl {
   }
 
   // The finest scale at which a whole frame is expected to be done in time.
-  int first_scale() const {
-    const double pixels = static_cast<double>(document_.width) * document_.height;
-    if (paths_per_second_ <= 0) return kCoarsest;
-    int scale = 1;
-    while (scale < kCoarsest && pixels / (scale * scale) > paths_per_second_ * kCoarseSeconds) scale *= 2;
+  int scale_for(double seconds) const {
+    int scale = coarse_rate_ > 0 ? 1 : kCoarsest;
+    while (scale < kCoarsest && static_cast<double>(pixel_count()) / (scale * scale) > coarse_rate_ * seconds)
+      scale *= 2;
     return scale;
+  }
+
+  // What first frames can count on: bad news is believed at once, good news by and by.
+  void note_rate(uint64_t paths, double took) {
+    if (took < 0.001) return;
+    const double rate = static_cast<double>(paths) / took;
+    coarse_rate_ = rate < coarse_rate_ || coarse_rate_ <= 0 ? rate : coarse_rate_ + 0.25 * (rate - coarse_rate_);
   }
 
   // Some work, then a frame if it is time for one.
   void slice() {
+    if (coarse_scale_ > 1) return coarse_frame();
+    if (film_stale_ && !renew_film()) return;
     const auto start = Clock::now();
-    if (coarse_scale_ > 1) {
-      coarse_frame();
-      return;
-    }
-    const double allowed = options_.interactive ? options_.publish_interval : 0.25;
-    const auto keep_going = [&] {
-      return !interrupt_.load(std::memory_order_relaxed) && seconds_since(start) < allowed;
-    };
+    // A picture small enough to do without coarse frames is first shown when it is whole.
+    const bool first = awaiting_first_frame_ && complete_ == 0;
+    const double allowed = options_.interactive ? options_.publish_interval * frames_apart(complete_) : 0.25;
+    const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
     const uint64_t before = counters_.paths;
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
       if (runner_->run(workers_, film_, complete_ + 1, keep_going, counters_)) ++complete_;
-      if (!keep_going()) break;
+      if (first || !keep_going()) break;
     }
     const double took = seconds_since(start);
     rendering_seconds_ += took;
-    if (took > 0.002) paths_per_second_ = static_cast<double>(counters_.paths - before) / took;
+    if (first) note_rate(counters_.paths - before, took);
     update_status();
-    if (options_.interactive && !superseded()) publish(full_frame());
+    if (options_.interactive && !cut()) publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get()));
   }
 
-  bool superseded() const {
-    const std::lock_guard lock(mutex_);
-    return pending_.has_value();
+  // The film is emptied only here, after the coarse frames: it is too large to keep an edit waiting for it.
+  bool renew_film() {
+    if (film_.width() != document_.width || film_.height() != document_.height) {
+      film_ = film::Film();  // gives back its memory first
+      film_ = film::Film(document_.width, document_.height);
+    } else if (!workers_.for_bands(film_.height(), [&](int y, int end) { film_.clear_rows(y, end); },
+                                   [&] { return !cut(); })) {
+      return false;
+    }
+    film_.set_rejected({});
+    film_stale_ = false;
+    return true;
   }
 
   void coarse_frame() {
@@ -266,61 +299,26 @@ class Session::Impl {
     PassRunner runner(small, shown_scene_, w, h);
     film::Film film(w, h);
     PassRunner::Counters counters;
-    const auto keep_going = [&] { return !interrupt_.load(std::memory_order_relaxed); };
+    const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
+    const auto keep_going = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
     const bool done = runner.run(workers_, film, 1, keep_going, counters);
-    if (!done) return;
-    const double took = std::max(1e-6, seconds_since(start));
-    paths_per_second_ = static_cast<double>(counters.paths) / took;
-    auto frame = std::make_shared<Frame>();
-    frame->width = w, frame->height = h, frame->coarseness = coarse_scale_;
-    frame->pixels.resize(static_cast<size_t>(w) * static_cast<size_t>(h));
-    for (int y = 0; y < h; ++y)
-      for (int x = 0; x < w; ++x)
-        frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(w) + static_cast<size_t>(x)] = film.mean(x, y);
-    frame->version = status_.version;
-    coarse_ = frame;
+    note_rate(counters.paths, seconds_since(start));
+    if (!done) {
+      if (!cut()) coarse_scale_ = std::min(4 * coarse_scale_, kCoarsest);
+      return;
+    }
+    coarse_ = frames_.coarse(film, coarse_scale_);
     // Two steps finer each time; the last step is the film itself.
     coarse_scale_ = coarse_scale_ > 4 ? coarse_scale_ / 4 : 1;
-    publish(enlarged(*frame));
-  }
-
-  std::shared_ptr<Frame> enlarged(const Frame& coarse) const {
-    auto frame = std::make_shared<Frame>();
-    frame->width = document_.width, frame->height = document_.height;
-    frame->coarseness = coarse.coarseness, frame->version = coarse.version;
-    frame->pixels.resize(static_cast<size_t>(frame->width) * static_cast<size_t>(frame->height));
-    for (int y = 0; y < frame->height; ++y)
-      for (int x = 0; x < frame->width; ++x)
-        frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(frame->width) + static_cast<size_t>(x)] =
-            coarse_at(coarse, x, y);
-    return frame;
-  }
-
-  static Rgb coarse_at(const Frame& coarse, int x, int y) {
-    const int cx = std::min(x / coarse.coarseness, coarse.width - 1),
-              cy = std::min(y / coarse.coarseness, coarse.height - 1);
-    return coarse.pixels[static_cast<size_t>(cy) * static_cast<size_t>(coarse.width) + static_cast<size_t>(cx)];
-  }
-
-  // The film where it has samples, the coarse frame (or the old picture of this version) where it has none yet.
-  std::shared_ptr<Frame> full_frame() const {
-    auto frame = std::make_shared<Frame>();
-    frame->width = document_.width, frame->height = document_.height;
-    frame->version = status_.version;
-    frame->samples = complete_;
-    frame->coarseness = complete_ > 0 || !coarse_ ? 1 : coarse_->coarseness;
-    frame->pixels.resize(static_cast<size_t>(frame->width) * static_cast<size_t>(frame->height));
-    for (int y = 0; y < frame->height; ++y)
-      for (int x = 0; x < frame->width; ++x)
-        frame->pixels[static_cast<size_t>(y) * static_cast<size_t>(frame->width) + static_cast<size_t>(x)] =
-            film_.samples(x, y) > 0 || !coarse_ ? film_.mean(x, y) : coarse_at(*coarse_, x, y);
-    return frame;
+    publish(frames_.enlarged(*coarse_, document_.width, document_.height));
   }
 
   void publish(std::shared_ptr<Frame> frame) {
     std::function<void()> wake;
+    frame->samples = complete_;
     {
       const std::lock_guard lock(mutex_);
+      frame->version = status_.version;
       frame_ = std::move(frame);
       if (awaiting_first_frame_) latencies_.push_back(milliseconds_since(submitted_));
       awaiting_first_frame_ = false;
@@ -329,7 +327,7 @@ class Session::Impl {
     if (wake) wake();
   }
 
-  bool reached_limit(double seconds) const {
+  bool reached_limit(double seconds) {
     const Limits& limits = document_.limits;
     if (limits.samples > 0 && complete_ >= limits.samples) return true;
     if (limits.seconds > 0 && complete_ > 0) {
@@ -337,32 +335,36 @@ class Session::Impl {
       const double per_pass = seconds / complete_;
       if (seconds + 0.5 * per_pass >= limits.seconds) return true;
     }
-    return limits.rmse > 0 && complete_ >= 2 && complete_ != checked_at_ && below_error(limits.rmse);
+    if (limits.rmse <= 0) return false;
+    if (error_is_due()) measure_error();
+    return error_.known && error_.rmse <= limits.rmse;
   }
 
   // Looking costs as much as a pass of a simple scene: it is done when the samples have grown by an eighth.
-  bool below_error(double rmse) const {
-    if (checked_at_ != 0 && checked_at_ < complete_ && complete_ < checked_at_ + std::max(1u, checked_at_ / 8))
-      return false;
-    checked_at_ = complete_;
-    const auto error = film_.error();
-    return error.known && error.rmse <= rmse;
+  bool error_is_due() const { return complete_ >= 2 && complete_ >= error_at_ + std::max(1u, error_at_ / 8); }
+
+  void measure_error() {
+    std::vector<film::Film::RowError> rows(static_cast<size_t>(film_.height()));
+    const auto band = [&](int y, int end) {
+      for (; y < end; ++y) rows[static_cast<size_t>(y)] = film_.error_of_row(y);
+    };
+    if (!workers_.for_bands(film_.height(), band, [&] { return !cut(); })) return;
+    error_ = film_.error(rows), error_at_ = complete_;
   }
 
   void update_status() {
-    const bool show_error = options_.interactive || complete_ >= 2;
-    const auto error = show_error && complete_ >= 2 ? film_.error() : film::ErrorEstimate{};
+    const bool finished = reached_limit(rendering_seconds_);
+    if (error_is_due() || (finished && error_at_ != complete_)) measure_error();
     const std::lock_guard lock(mutex_);
     status_.samples = complete_;
     status_.seconds = rendering_seconds_;
     status_.rays = counters_.rays, status_.paths = counters_.paths;
     status_.rays_per_second = rendering_seconds_ > 0 ? static_cast<double>(status_.rays) / rendering_seconds_ : 0;
     status_.paths_per_second = rendering_seconds_ > 0 ? static_cast<double>(status_.paths) / rendering_seconds_ : 0;
-    status_.error = error;
+    status_.error = error_;
     status_.rejected = film_.rejected();
     status_.progress = progress();
-    status_.finished = reached_limit(rendering_seconds_) ||
-                       (document_.limits.rmse > 0 && error.known && error.rmse <= document_.limits.rmse);
+    status_.finished = finished;
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
   }
 
@@ -371,13 +373,13 @@ class Session::Impl {
     double most = 0;
     if (limits.samples > 0) most = std::max(most, static_cast<double>(complete_) / limits.samples);
     if (limits.seconds > 0) most = std::max(most, rendering_seconds_ / limits.seconds);
-    if (limits.rmse > 0 && status_.error.known)
-      most = std::max(most, sqr(limits.rmse / std::max(status_.error.rmse, 1e-30)));
+    if (limits.rmse > 0 && error_.known) most = std::max(most, sqr(limits.rmse / std::max(error_.rmse, 1e-30)));
     return std::min(most, 1.0);
   }
 
   const SessionOptions options_;
   Workers workers_;
+  FrameMaker frames_;
 
   // Shared with callers, under mutex_.
   mutable std::mutex mutex_;
@@ -394,18 +396,21 @@ class Session::Impl {
   std::function<void()> wake_;
   std::atomic<bool> interrupt_{false};  // also read by workers, without the mutex
 
-  // The session thread's own; film_ may be read by others while film_idle_.
+  // The session thread's own; document_, film_ and film_stale_ may be read by others while film_idle_.
   Document document_;
   std::unique_ptr<PassRunner> runner_;
   film::Film film_;
+  bool film_stale_ = false;  // it still shows what was before the last edit
   PassRunner::Counters counters_;
   std::shared_ptr<const Frame> coarse_;
   uint32_t complete_ = 0;
-  mutable uint32_t checked_at_ = 0;
-  double rendering_seconds_ = 0, paths_per_second_ = 0;
+  film::ErrorEstimate error_;
+  uint32_t error_at_ = 0;  // the samples at which it was measured
+  double rendering_seconds_ = 0;
+  double coarse_rate_ = 0;  // paths per second that a first frame can count on
   int coarse_scale_ = 1;
   bool awaiting_first_frame_ = false;
-  Clock::time_point submitted_;
+  Clock::time_point submitted_, protected_until_;
 
   std::thread thread_;  // last: it uses everything above
 };

@@ -17,6 +17,7 @@
 
 #include "film/film.h"
 #include "render/document.h"
+#include "render/frame.h"
 #include "scene/compiled.h"
 #include "transport/model.h"
 
@@ -30,25 +31,17 @@ struct Status {
   double rays_per_second = 0, paths_per_second = 0;
   film::ErrorEstimate error;
   film::Rejected rejected;
-  size_t memory = 0;  // bytes of scene arrays and Embree
+  size_t memory = 0;  // bytes of scene arrays, Embree and the film
   scene::BuildReport build;
   std::string phase;      // "compiling", "rendering", "paused", "done"
   bool finished = false;  // a limit was reached
   double progress = 0;    // towards the nearest limit, 0 to 1
 };
 
-struct Frame {
-  int width = 0, height = 0;
-  std::vector<Rgb> pixels;  // linear radiance, row 0 on top
-  uint64_t version = 0;
-  uint32_t samples = 0;  // complete samples of every pixel; 0 while coarse parts show
-  int coarseness = 1;    // pixels are blocks of this size; 1 is full resolution
-};
-
 struct SessionOptions {
   int threads = 0;                // 0: one per hardware thread
   bool interactive = false;       // coarse frames first, and frames at all; without, frames come from `film` at the end
-  double publish_interval = 0.1;  // seconds between frames
+  double publish_interval = 0.1;  // seconds between frames; longer when many samples make them alike
 };
 
 class Session {

@@ -45,4 +45,16 @@ int Workers::run(int first, int count, const std::function<void(int)>& task, con
   return std::min(next.load(), count);
 }
 
+bool Workers::for_bands(int rows, const std::function<void(int, int)>& task, const std::function<bool()>& keep_going) {
+  constexpr int kBand = 16;
+  const int bands = (rows + kBand - 1) / kBand;
+  std::atomic<int> done{0};
+  const auto band = [&](int i) {
+    task(i * kBand, std::min((i + 1) * kBand, rows));
+    done.fetch_add(1, std::memory_order_relaxed);
+  };
+  run(0, bands, band, keep_going);
+  return done.load() == bands;
+}
+
 }  // namespace etendue::render

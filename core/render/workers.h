@@ -17,6 +17,10 @@ class Workers {
   // `keep_going` returns false between two tasks. Returns the first number that was not handed out. The caller works
   // too.
   int run(int first, int count, const std::function<void(int)>& task, const std::function<bool()>& keep_going);
+  // Calls `task(begin, end)` for pieces of the rows 0 .. rows-1; false if `keep_going` cut it short.
+  bool for_bands(
+      int rows, const std::function<void(int, int)>& task,
+      const std::function<bool()>& keep_going = [] { return true; });
 
  private:
   struct Arena;

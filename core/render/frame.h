@@ -1,0 +1,41 @@
+// Pictures as they are shown, and how they are made of films.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "film/film.h"
+#include "render/workers.h"
+
+namespace etendue::render {
+
+struct Frame {
+  int width = 0, height = 0;
+  std::vector<Rgb> pixels;  // linear radiance, row 0 on top
+  uint64_t version = 0;
+  uint32_t samples = 0;  // complete samples of every pixel; 0 while coarse parts show
+  int coarseness = 1;    // pixels are blocks of this size; 1 is full resolution
+};
+
+// Makes frames on all workers. Pixels of frames that nobody holds any more are used again: fresh memory costs more time
+// than what is written into it.
+class FrameMaker {
+ public:
+  explicit FrameMaker(Workers& workers);
+
+  // The means of a film of one sample, pixel by pixel, of a picture that is `coarseness` times as large.
+  std::shared_ptr<const Frame> coarse(const film::Film& film, int coarseness);
+  // The coarse frame as blocks.
+  std::shared_ptr<Frame> enlarged(const Frame& coarse, int width, int height);
+  // The means of the film where it has samples, the coarse frame's blocks (or black without one) where it has none yet.
+  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse);
+
+ private:
+  struct Pool;
+  std::shared_ptr<Frame> blank(int width, int height);
+
+  Workers& workers_;
+  std::shared_ptr<Pool> pool_;
+};
+
+}  // namespace etendue::render
