@@ -1,0 +1,126 @@
+// Renders every glTF file of the test data and puts the pictures on a sheet.
+//
+//   looks DATA OUT.png [TILE [SAMPLES]]            ours alone
+//   looks --beside DATA OUT.png [TILE [SAMPLES]]   each with the published pictures of it, where there are any
+//   looks --references DATA [SAMPLES]              a table of figures against the linear pictures
+//
+// Exits with 1 if a sample was no finite, non-negative number.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+
+#include "looks/assets.h"
+#include "looks/sheet.h"
+#include "measure/metrics.h"
+#include "support/scenes.h"
+
+namespace etendue::looks {
+namespace {
+
+constexpr int kPicturesBeside = 4;
+
+std::vector<float> pixels_of(const film::Film& film) {
+  std::vector<float> pixels;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      for (int c = 0; c < 3; ++c) pixels.push_back(film.mean(x, y)[c]);
+  return pixels;
+}
+
+// Counts what the film refused, and says so.
+uint64_t report_rejected(const std::string& name, const film::Film& film) {
+  const auto rejected = film.rejected();
+  if (rejected.total() > 0)
+    std::printf("%s: %llu NaN, %llu infinite, %llu negative samples\n", name.c_str(),
+                static_cast<unsigned long long>(rejected.nan), static_cast<unsigned long long>(rejected.infinite),
+                static_cast<unsigned long long>(rejected.negative));
+  return rejected.total();
+}
+
+void add_pictures(const View& view, int tile, Sheet& sheet) {
+  int room = kPicturesBeside;
+  for (const auto& file : view.pictures) {
+    if (room-- == 0) break;
+    const auto picture = thumbnail(file, tile);
+    if (!picture) std::printf("%s\n", picture.error().message.c_str());
+    sheet.add(picture ? &*picture : nullptr, file.stem().string());
+  }
+  sheet.end_row();
+}
+
+int make_sheet(const std::string& data, const std::string& out, bool beside, int tile, uint32_t samples) {
+  constexpr int kColumns = 13;
+  Sheet sheet(tile, beside ? 1 + kPicturesBeside : kColumns);
+  uint64_t rejected = 0;
+  for (const View& view : gallery(data)) {
+    if (beside && view.pictures.empty()) continue;
+    const auto document = open(view, tile, false);
+    if (document) {
+      const film::Film film = test::rendered(*document, samples);
+      rejected += report_rejected(view.name, film);
+      const Picture ours{film.width(), film.height(),
+                         image::display_pixels(pixels_of(film), 0, document->display.curve)};
+      sheet.add(&ours, view.name);
+    } else {
+      std::printf("%s\n", document.error().message.c_str());
+      sheet.add(nullptr, view.name);
+    }
+    if (beside) add_pictures(view, tile, sheet);
+  }
+  const Picture picture = sheet.picture();
+  if (const auto written = image::write_png(out, picture.width, picture.height, picture.rgb); !written) {
+    std::printf("%s\n", written.error().message.c_str());
+    return 4;
+  }
+  return rejected > 0 ? 1 : 0;
+}
+
+double mean(std::span<const float> values) {
+  double sum = 0;
+  for (const float v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+int make_table(const std::string& data, uint32_t samples) {
+  uint64_t rejected = 0;
+  std::printf("%-30s %10s %10s %10s\n", "asset", "mean/ref", "relmse", "rmse");
+  for (const Reference& reference : references(data)) {
+    const auto document = open(reference.view, std::max(reference.width, reference.height), true);
+    const auto linear = image::read_linear(reference.linear);
+    if (!document || !linear) {
+      std::printf("%s\n", (document ? linear.error() : document.error()).message.c_str());
+      return 3;
+    }
+    const film::Film film = test::rendered(*document, samples);
+    rejected += report_rejected(reference.view.name, film);
+    image::LayeredImage ours{film.width(), film.height(), {{"", {"R", "G", "B"}, pixels_of(film)}}, {}};
+    const auto metrics = measure::compare(ours, *linear);
+    if (!metrics) return std::printf("%s\n", metrics.error().message.c_str()), 3;
+    std::printf("%-30s %10.4f %10.5f %10.5f\n", reference.view.name.c_str(),
+                mean(ours.layers[0].pixels) / mean(linear->find("")->pixels), metrics->relmse, metrics->rmse);
+  }
+  return rejected > 0 ? 1 : 0;
+}
+
+int run(std::vector<std::string> args) {
+  const auto take = [&](const char* flag) { return std::erase(args, flag) > 0; };
+  const bool beside = take("--beside"), table = take("--references");
+  const auto number = [&](size_t i, int usual) {
+    return args.size() > i ? std::max(1, std::atoi(args[i].c_str())) : usual;
+  };
+  if (!args.empty() && !std::filesystem::is_directory(args[0] + "/gltf")) {
+    std::fprintf(stderr, "looks: %s: has no folder gltf; give the folder of the test data\n", args[0].c_str());
+    return 3;
+  }
+  if (table && !args.empty()) return make_table(args[0], static_cast<uint32_t>(number(1, 256)));
+  if (args.size() >= 2)
+    return make_sheet(args[0], args[1], beside, number(2, 128), static_cast<uint32_t>(number(3, 64)));
+  std::fprintf(stderr, "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA [SAMPLES]\n");
+  return 2;
+}
+
+}  // namespace
+}  // namespace etendue::looks
+
+int main(int argc, char** argv) { return etendue::looks::run({argv + 1, argv + argc}); }

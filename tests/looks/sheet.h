@@ -1,0 +1,42 @@
+// A contact sheet: small pictures side by side with a line of text under each.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace etendue::looks {
+
+// 8-bit RGB, row 0 at the top.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgb;
+};
+
+// A picture file over black where it is transparent, averaged down to `size` pixels on its larger side.
+Result<Picture> thumbnail(const std::filesystem::path& file, int size);
+
+class Sheet {
+ public:
+  // Tiles of `tile` pixels and their text, `columns` in a row.
+  Sheet(int tile, int columns) : tile_(tile), columns_(columns) {}
+
+  // A null picture leaves the tile empty. Text that is too long loses its beginning.
+  void add(const Picture* picture, const std::string& text);
+  // The next tile opens a row.
+  void end_row();
+  Picture picture() const;
+
+ private:
+  struct Tile {
+    int row, column;
+    Picture picture;
+    std::string text;
+  };
+  int tile_, columns_;
+  int row_ = 0, column_ = 0;
+  std::vector<Tile> tiles_;
+};
+
+}  // namespace etendue::looks
