@@ -2,7 +2,8 @@
 //
 //   looks DATA OUT.png [TILE [SAMPLES]]            ours alone
 //   looks --beside DATA OUT.png [TILE [SAMPLES]]   each with the published pictures of it, where there are any
-//   looks --references DATA [SAMPLES]              a table of figures against the linear pictures
+//   looks --references DATA OUT.png [SAMPLES]      a table of figures against the linear pictures; ours, theirs,
+//   difference
 //
 // Exits with 1 if a sample was no finite, non-negative number.
 #include <cstdio>
@@ -49,6 +50,18 @@ void add_pictures(const View& view, int tile, Sheet& sheet) {
   sheet.end_row();
 }
 
+Picture displayed(const image::LayeredImage& image, const render::Document& document) {
+  return {image.width, image.height,
+          image::display_pixels(image.find("")->pixels, document.display.exposure, document.display.curve)};
+}
+
+int save(const Sheet& sheet, const std::string& out) {
+  const Picture picture = sheet.picture();
+  const auto written = image::write_png(out, picture.width, picture.height, picture.rgb);
+  if (!written) std::printf("%s\n", written.error().message.c_str());
+  return written ? 0 : 4;
+}
+
 int make_sheet(const std::string& data, const std::string& out, bool beside, int tile, uint32_t samples) {
   constexpr int kColumns = 13;
   Sheet sheet(tile, beside ? 1 + kPicturesBeside : kColumns);
@@ -68,11 +81,7 @@ int make_sheet(const std::string& data, const std::string& out, bool beside, int
     }
     if (beside) add_pictures(view, tile, sheet);
   }
-  const Picture picture = sheet.picture();
-  if (const auto written = image::write_png(out, picture.width, picture.height, picture.rgb); !written) {
-    std::printf("%s\n", written.error().message.c_str());
-    return 4;
-  }
+  if (const int failed = save(sheet, out)) return failed;
   return rejected > 0 ? 1 : 0;
 }
 
@@ -82,8 +91,9 @@ double mean(std::span<const float> values) {
   return sum / static_cast<double>(values.size());
 }
 
-int make_table(const std::string& data, uint32_t samples) {
+int make_table(const std::string& data, const std::string& out, uint32_t samples) {
   uint64_t rejected = 0;
+  Sheet sheet(320, 3);
   std::printf("%-30s %10s %10s %10s\n", "asset", "mean/ref", "relmse", "rmse");
   for (const Reference& reference : references(data)) {
     const auto document = open(reference.view, std::max(reference.width, reference.height), true);
@@ -99,7 +109,11 @@ int make_table(const std::string& data, uint32_t samples) {
     if (!metrics) return std::printf("%s\n", metrics.error().message.c_str()), 3;
     std::printf("%-30s %10.4f %10.5f %10.5f\n", reference.view.name.c_str(),
                 mean(ours.layers[0].pixels) / mean(linear->find("")->pixels), metrics->relmse, metrics->rmse);
+    const Picture mine = displayed(ours, *document), theirs = displayed(*linear, *document);
+    const Picture difference{ours.width, ours.height, measure::heat_map(ours, *linear)};
+    sheet.add(&mine, reference.view.name), sheet.add(&theirs, "reference"), sheet.add(&difference, "difference");
   }
+  if (const int failed = save(sheet, out)) return failed;
   return rejected > 0 ? 1 : 0;
 }
 
@@ -113,10 +127,11 @@ int run(std::vector<std::string> args) {
     std::fprintf(stderr, "looks: %s: has no folder gltf; give the folder of the test data\n", args[0].c_str());
     return 3;
   }
-  if (table && !args.empty()) return make_table(args[0], static_cast<uint32_t>(number(1, 256)));
+  if (table && args.size() >= 2) return make_table(args[0], args[1], static_cast<uint32_t>(number(2, 256)));
   if (args.size() >= 2)
     return make_sheet(args[0], args[1], beside, number(2, 128), static_cast<uint32_t>(number(3, 64)));
-  std::fprintf(stderr, "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA [SAMPLES]\n");
+  std::fprintf(stderr,
+               "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]\n");
   return 2;
 }
 
