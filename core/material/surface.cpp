@@ -75,6 +75,8 @@ Ggx facets_of(float roughness, float anisotropy) {
   Ggx facets;
   facets.alpha_x = alpha + (1 - alpha) * sqr(unit(anisotropy));
   facets.alpha_y = alpha;
+  // A groove without any width across it has no density that floats could hold.
+  if (facets.alpha_x >= kSmoothAlpha) facets.alpha_y = std::max(facets.alpha_y, kSmoothAlpha);
   return facets;
 }
 
