@@ -52,12 +52,24 @@ Piecewise1D::Piecewise1D(std::span<const float> values)
   }
   cdf_.back() = 1;
   integral_ = static_cast<float>(sum / n);
+  const size_t buckets = values_.size() / 2 + 1;
+  guide_.reserve(buckets + 1);
+  uint32_t cell = 0;
+  for (size_t i = 0; i <= buckets; ++i) {
+    // Leaves room for what rounding does to the product that looks it up.
+    const float u = (static_cast<float>(i) - 0.01f) / static_cast<float>(buckets);
+    while (cell + 1 < values_.size() && cdf_[cell + 1] <= u) ++cell;
+    guide_.push_back(cell);
+  }
 }
 
 Piecewise1D::Sample Piecewise1D::sample(float u) const {
-  const auto above = std::upper_bound(cdf_.begin(), cdf_.end(), u);
+  const auto bucket = static_cast<size_t>(u * static_cast<float>(guide_.size() - 1));
+  const auto first = cdf_.begin() + guide_[bucket] + 1;
+  const auto last = cdf_.begin() + std::min<std::ptrdiff_t>(guide_[std::min(bucket + 2, guide_.size() - 1)] + 1,
+                                                            static_cast<std::ptrdiff_t>(values_.size()));
   const auto cell =
-      std::min(static_cast<size_t>(std::max<std::ptrdiff_t>(above - cdf_.begin() - 1, 0)), values_.size() - 1);
+      std::min(static_cast<size_t>(std::upper_bound(first, last, u) - cdf_.begin() - 1), values_.size() - 1);
   const float width = cdf_[cell + 1] - cdf_[cell];
   const float inside = width > 0 ? (u - cdf_[cell]) / width : 0.5f;
   const float n = static_cast<float>(values_.size());

@@ -62,6 +62,7 @@ class Piecewise1D {
 
  private:
   std::vector<float> values_, cdf_;
+  std::vector<uint32_t> guide_;  // the cell where each of as many equal parts of the random number starts (Chen 1974)
   float integral_ = 0;
 };
 

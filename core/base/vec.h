@@ -3,6 +3,7 @@
 // Vectors are GLM's. Positions are in metres, y is up, matrices are column-major and act on column vectors, as in glTF.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -27,6 +28,12 @@ inline constexpr float kOneMinusEpsilon = 0x1.fffffep-1f;
 template <class T>
 constexpr T sqr(T x) {
   return x * x;
+}
+
+// condition ? a : b, without a branch.
+inline float select(bool condition, float a, float b) {
+  const uint32_t mask = 0U - static_cast<uint32_t>(condition);
+  return std::bit_cast<float>((std::bit_cast<uint32_t>(a) & mask) | (std::bit_cast<uint32_t>(b) & ~mask));
 }
 
 // Square root that reads a rounding error below zero as zero.

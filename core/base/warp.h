@@ -1,17 +1,26 @@
 // Maps from the unit square to directions and areas, each with its density.               thesis 6.3, 6.4
 #pragma once
-#include "base/vec.h"
+#include "base/wide.h"
 
 namespace etendue {
 
-// Concentric map of the unit square to the unit disk (Shirley and Chiu 1997): keeps strata in one piece.
+// Sine and cosine for |x| <= pi/4, to 1e-7.
+inline Vec2 cos_sin_of_octant(float x) {
+  const float x2 = x * x;
+  const float cosine = 1 + x2 * (-0.5f + x2 * (4.166662e-2f + x2 * (-1.388794e-3f + x2 * 2.453e-5f)));
+  const float sine = x * (1 + x2 * (-0.16666667f + x2 * (8.3333037e-3f + x2 * (-1.9839335e-4f + x2 * 2.7183e-6f))));
+  return {cosine, sine};
+}
+
+// Concentric map of the unit square to the unit disk (Shirley and Chiu 1997): keeps strata in one piece. Without
+// branches, which random numbers would make unpredictable.
 inline Vec2 square_to_disk(Vec2 u) {
   const Vec2 p = 2.0f * u - 1.0f;
-  if (p.x == 0 && p.y == 0) return Vec2(0);
   const bool wide = std::abs(p.x) > std::abs(p.y);
-  const float r = wide ? p.x : p.y;
-  const float phi = wide ? kPi / 4 * (p.y / p.x) : kPi / 2 - kPi / 4 * (p.x / p.y);
-  return r * Vec2(std::cos(phi), std::sin(phi));
+  const float r = select(wide, p.x, p.y), other = select(wide, p.y, p.x);
+  // The centre has no direction: any will do.
+  const Vec2 d = r * cos_sin_of_octant(kPi / 4 * other / select(r == 0, 1.0f, r));
+  return Vec2(select(wide, d.x, d.y), select(wide, d.y, d.x));
 }
 
 // Density cos(theta) / pi per solid angle around +z.
@@ -19,6 +28,8 @@ inline Vec3 square_to_cosine_hemisphere(Vec2 u) {
   const Vec2 d = square_to_disk(u);
   return Vec3(d.x, d.y, safe_sqrt(1 - d.x * d.x - d.y * d.y));
 }
+// The same for many points; arrays have room for whole registers.
+void squares_to_cosine_hemisphere(const float* u0, const float* u1, size_t count, const WideVec3View& directions);
 inline float cosine_hemisphere_pdf(float cos_theta) { return cos_theta * kInvPi; }
 
 // Density 1 / (4 pi) per solid angle.
@@ -38,15 +49,6 @@ inline Vec3 square_to_cone(Vec2 u, float cos_max) {
 }
 
 // Barycentric weights of vertices 1 and 2, uniform over a triangle; the low-distortion map of Heitz 2019.
-inline Vec2 square_to_triangle(Vec2 u) {
-  if (u.y > u.x) {
-    u.x *= 0.5f;
-    u.y -= u.x;
-  } else {
-    u.y *= 0.5f;
-    u.x -= u.y;
-  }
-  return u;
-}
+inline Vec2 square_to_triangle(Vec2 u) { return u - 0.5f * std::min(u.x, u.y); }
 
 }  // namespace etendue

@@ -15,8 +15,15 @@ class CameraRays {
 
   // `raster` is in pixels, (0, 0) the upper left corner of the picture; `lens` in the unit square.
   Ray ray(Vec2 raster, Vec2 lens) const;
+  // The same for many; the arrays have room for whole registers.
+  struct Pairs {
+    const float *x, *y;
+  };
+  void rays(const Pairs& raster, const Pairs& lens, size_t count, Ray* rays) const;
 
  private:
+  Ray ray_of(Vec2 raster, Vec2 lens) const;
+
   Camera camera_;
   Vec2 to_unit_;  // pixel to [-1, 1] times half the size of the picture at distance one (or in metres, orthographic)
   Vec2 half_size_;

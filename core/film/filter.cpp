@@ -1,11 +1,12 @@
 #include "film/filter.h"
 
+#include "base/wide.h"
+
 namespace etendue::film {
 namespace {
 
 constexpr float kGaussianSigma = 0.5f, kGaussianRadius = 1.5f;
 constexpr float kBlackmanHarrisRadius = 1.5f;
-constexpr int kTable = 1024;
 
 // Four-term Blackman-Harris window over [-radius, radius] (Harris 1978).
 double blackman_harris(double x) {
@@ -15,20 +16,45 @@ double blackman_harris(double x) {
 
 double gaussian(double x) { return std::exp(-0.5 * x * x / (kGaussianSigma * kGaussianSigma)); }
 
-// The filter on cells so small that a constant on each is the filter.
-template <class F>
-Piecewise1D tabulate(F&& f, double radius) {
-  std::vector<float> values(kTable);
-  for (int i = 0; i < kTable; ++i)
-    values[static_cast<size_t>(i)] = static_cast<float>(f(radius * (2 * (i + 0.5) / kTable - 1)));
-  return Piecewise1D(values);
+double tent(double x) { return 1 - x; }
+double box(double) { return 1; }
+
+double unnormalised(FilterKind kind, double x) {
+  switch (kind) {
+    case FilterKind::box:
+      return box(x);
+    case FilterKind::tent:
+      return tent(x);
+    case FilterKind::gaussian:
+      return gaussian(x);
+    case FilterKind::blackman_harris:
+      return blackman_harris(x);
+  }
+  return 0;
 }
 
 }  // namespace
 
 Filter::Filter(FilterKind kind) : kind_(kind) {
-  if (kind == FilterKind::gaussian) table_ = tabulate(gaussian, kGaussianRadius);
-  if (kind == FilterKind::blackman_harris) table_ = tabulate(blackman_harris, kBlackmanHarrisRadius);
+  // Mass from the end of the tail inwards, on cells so small that a constant on each is the filter.
+  constexpr int kCells = 1 << 15;
+  const double width = double{radius()} / kCells;
+  const auto mass_of = [&](int cell) { return unnormalised(kind, radius() - (cell + 0.5) * width); };
+  double total = 0;
+  for (int cell = 0; cell < kCells; ++cell) total += mass_of(cell);
+  double mass = 0;
+  int cell = 0;
+  for (int i = 0; i <= kTable; ++i) {
+    const double wanted = total * std::pow(static_cast<double>(i) / kTable, 4);
+    for (; cell < kCells && mass + mass_of(cell) < wanted; ++cell) mass += mass_of(cell);
+    const double inside = cell < kCells ? std::min(1.0, (wanted - mass) / mass_of(cell)) : 0;
+    positions_[static_cast<size_t>(i)] = static_cast<float>(radius() - (cell + inside) * width);
+  }
+  positions_.back() = 0;
+}
+
+ETENDUE_WIDE void Filter::sample_all(float* u, size_t count) const {
+  for (size_t i = 0; i < whole_registers(count); ++i) u[i] = inverse(u[i]);
 }
 
 float Filter::radius() const {
@@ -59,19 +85,6 @@ float Filter::value(float x) const {
       return static_cast<float>(blackman_harris(x) / (0.35875 * 2 * kBlackmanHarrisRadius));
   }
   return 0;
-}
-
-float Filter::sample_1d(float u) const {
-  switch (kind_) {
-    case FilterKind::box:
-      return u - 0.5f;
-    case FilterKind::tent:
-      return u < 0.5f ? std::sqrt(2 * u) - 1 : 1 - std::sqrt(2 - 2 * u);
-    case FilterKind::gaussian:
-    case FilterKind::blackman_harris:
-      break;
-  }
-  return radius() * (2 * table_.sample(u).x - 1);
 }
 
 }  // namespace etendue::film

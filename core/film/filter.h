@@ -6,7 +6,6 @@
 #pragma once
 #include <array>
 
-#include "base/distribution.h"
 #include "base/parameter.h"
 #include "base/vec.h"
 
@@ -22,14 +21,28 @@ class Filter {
   // Half the width of the support in pixels.
   float radius() const;
   // The offset for a point of the unit square.
-  Vec2 sample(Vec2 u) const { return Vec2(sample_1d(u.x), sample_1d(u.y)); }
+  Vec2 sample(Vec2 u) const { return Vec2(inverse(u.x), inverse(u.y)); }
+  // One coordinate of it for many points, in place; the array has room for whole registers.
+  void sample_all(float* u, size_t count) const;
   // The density of one coordinate of the offset; the filter's own value where that is normalised.
   float value(float x) const;
 
  private:
-  float sample_1d(float u) const;
+  static constexpr int kTable = 1024;
+
+  // The filter's mass beyond |x| on both sides is q^4: its position is a smooth function of q up to the very end of the
+  // tails, which a table of the mass itself would cut off.
+  [[gnu::always_inline]] float inverse(float u) const {
+    const float side = u - 0.5f;
+    const float at = kTable * std::sqrt(std::sqrt(1 - 2 * std::abs(side)));
+    const int cell = std::min(static_cast<int>(at), kTable - 1);
+    const auto i = static_cast<size_t>(cell);
+    const float x = positions_[i] + (positions_[i + 1] - positions_[i]) * (at - static_cast<float>(cell));
+    return std::copysign(x, side);
+  }
+
   FilterKind kind_;
-  Piecewise1D table_;  // of the filters without an inverse in closed form, over their support
+  std::array<float, kTable + 1> positions_;
 };
 
 }  // namespace etendue::film

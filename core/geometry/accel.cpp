@@ -2,8 +2,9 @@
 
 #include <immintrin.h>
 
+#include <array>
 #include <atomic>
-#include <bit>
+#include <cstring>
 
 #include "base/hash.h"
 
@@ -100,6 +101,31 @@ void fill(RTCRay& r, const Ray& ray) {
   r.id = 0, r.flags = 0;
 }
 
+static_assert(RTC_INVALID_GEOMETRY_ID == 0xffffffffU);
+
+struct alignas(64) Lanes {
+  int valid[RayPacket::kSize];
+};
+
+// Embree's mask of the first lanes of a packet.
+const Lanes& first_lanes(int count) {
+  static constexpr auto kMasks = [] {
+    std::array<Lanes, RayPacket::kSize + 1> masks{};
+    for (int n = 0; n <= RayPacket::kSize; ++n)
+      for (int i = 0; i < RayPacket::kSize; ++i) masks[static_cast<size_t>(n)].valid[i] = i < n ? -1 : 0;
+    return masks;
+  }();
+  return kMasks[static_cast<size_t>(count)];
+}
+
+// What is the same for all rays.
+void complete(RTCRay16& rays) {
+  std::memset(rays.time, 0, sizeof rays.time);
+  std::memset(rays.mask, 0xff, sizeof rays.mask);
+  std::memset(rays.flags, 0, sizeof rays.flags);
+  for (unsigned i = 0; i < RayPacket::kSize; ++i) rays.id[i] = i;
+}
+
 }  // namespace
 
 MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), scene_(new_scene()) {
@@ -146,32 +172,21 @@ bool Accel::occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_se
   return query.tfar < 0;
 }
 
-void Accel::intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds, const OpacityTest* opacity,
-                      std::span<Hit> hits) const {
-  alignas(64) int valid[kPacket];
-  alignas(64) RTCRayHit16 query{};
-  for (unsigned i = 0; i < kPacket; ++i) {
-    valid[i] = i < rays.size() ? -1 : 0;
-    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    query.ray.id[i] = i;
-    if (i >= rays.size()) continue;
-    const Ray& r = rays[i];
-    query.ray.org_x[i] = r.origin.x, query.ray.org_y[i] = r.origin.y, query.ray.org_z[i] = r.origin.z;
-    query.ray.dir_x[i] = r.direction.x, query.ray.dir_y[i] = r.direction.y, query.ray.dir_z[i] = r.direction.z;
-    query.ray.tnear[i] = r.tnear, query.ray.tfar[i] = r.tfar;
-    query.ray.mask[i] = 0xffffffffU;
-  }
-  TraceContext context = make_context(opacity, seeds.data(), true);
-  rtcIntersect16(valid, scene_, &context.embree, &query);
-  for (size_t i = 0; i < rays.size(); ++i) {
-    Hit& hit = hits[i];
-    hit = Hit{};
-    if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-    hit.instance = instance_of(query.hit.instID[0][i], query.hit.geomID[i]);
-    hit.triangle = query.hit.primID[i];
-    hit.u = query.hit.u[i], hit.v = query.hit.v[i], hit.t = query.ray.tfar[i];
-  }
+void Accel::intersect(RayPacket& packet, int count, bool coherent, const OpacityTest* opacity,
+                      const uint32_t* seeds) const {
+  const Lanes& lanes = first_lanes(count);
+  complete(packet.query_.ray);
+  std::memset(packet.query_.hit.geomID, 0xff, sizeof packet.query_.hit.geomID);
+  std::memset(packet.query_.hit.instID, 0xff, sizeof packet.query_.hit.instID);
+  TraceContext context = make_context(opacity, seeds, coherent);
+  rtcIntersect16(lanes.valid, scene_, &context.embree, &packet.query_);
+}
+
+void Accel::occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const {
+  const Lanes& lanes = first_lanes(count);
+  complete(packet.query_.ray);
+  TraceContext context = make_context(opacity, seeds, false);
+  rtcOccluded16(lanes.valid, scene_, &context.embree, &packet.query_.ray);
 }
 
 Bounds Accel::bounds() const {

@@ -32,6 +32,39 @@ class OpacityTest {
   virtual bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const = 0;
 };
 
+// Sixteen rays and what they hit, as Embree takes them: number by number. Tracing them together is faster than one by
+// one, several times so if they are coherent. Write rays well before they are traced: numbers that were just written
+// stall the processor when they are read back sixteen at once.
+class RayPacket {
+ public:
+  static constexpr int kSize = 16;
+
+  void set(int lane, const Ray& ray) {
+    RTCRay16& r = query_.ray;
+    r.org_x[lane] = ray.origin.x, r.org_y[lane] = ray.origin.y, r.org_z[lane] = ray.origin.z;
+    r.dir_x[lane] = ray.direction.x, r.dir_y[lane] = ray.direction.y, r.dir_z[lane] = ray.direction.z;
+    r.tnear[lane] = ray.tnear, r.tfar[lane] = ray.tfar;
+  }
+
+  Vec3 direction(int lane) const { return {query_.ray.dir_x[lane], query_.ray.dir_y[lane], query_.ray.dir_z[lane]}; }
+
+  // After Accel::intersect.
+  bool met(int lane) const { return query_.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+  [[gnu::always_inline]] void get(int lane, Hit& hit) const {
+    // Top-level geometry ids are instance numbers, whether the hit lies in an instance or in the top level itself.
+    const uint32_t in_instance = query_.hit.instID[0][lane];
+    hit.instance = in_instance != RTC_INVALID_GEOMETRY_ID ? in_instance : query_.hit.geomID[lane];
+    hit.triangle = query_.hit.primID[lane];
+    hit.u = query_.hit.u[lane], hit.v = query_.hit.v[lane], hit.t = query_.ray.tfar[lane];
+  }
+  // After Accel::occluded.
+  bool blocked(int lane) const { return query_.ray.tfar[lane] < 0; }
+
+ private:
+  friend class Accel;
+  RTCRayHit16 query_;
+};
+
 class MeshAccel {
  public:
   explicit MeshAccel(std::shared_ptr<const Mesh> mesh);
@@ -66,10 +99,10 @@ class Accel {
   // Whether anything is hit in [tnear, tfar].
   bool occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const;
 
-  static constexpr int kPacket = 16;
-  // Up to kPacket coherent rays at once: several times faster than one by one.
-  void intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds, const OpacityTest* opacity,
-                 std::span<Hit> hits) const;
+  // The same for the first `count` rays of a packet; ray i has seeds[i]. `coherent`: they start close together and go
+  // about the same way.
+  void intersect(RayPacket& packet, int count, bool coherent, const OpacityTest* opacity, const uint32_t* seeds) const;
+  void occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const;
 
   Bounds bounds() const;
 

@@ -1,14 +1,15 @@
-// What all methods that gather from the camera share: camera rays in packets, then one estimate per ray.
+// What all methods that gather from the camera share: a front of camera rays to start with, and a pixel for each path.
 //
-// Derived offers `template <class M> typename M::Color estimate(scene, ray, first hit, random, rays) const`, a
-// `parameters()` tuple called `knobs()`, and a constexpr Description.
+// Derived offers `template <class M> void estimate(transport::Front<M>&) const`, which lets the walks go and adds what
+// they find to their radiance, a `parameters()` tuple called `knobs()`, and a constexpr Description.
 #pragma once
 #include <array>
 
 #include "base/hash.h"
 #include "film/film.h"
+#include "integrator/block_order.h"
 #include "integrator/integrator.h"
-#include "transport/walk.h"
+#include "transport/gather.h"
 
 namespace etendue::integrator {
 
@@ -44,8 +45,8 @@ class Gathering : public Integrator {
     return assign_by_name(static_cast<Derived&>(*this).knobs(), name, value);
   }
 
-  uint64_t sample(const Pass& pass, const PixelRun& run, std::span<Rgb> radiance) const final {
-    return transport::with_model(*pass.model, [&]<class M>(M) { return sample_with<M>(pass, run, radiance); });
+  uint64_t sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const final {
+    return transport::with_model(*pass.model, [&]<class M>(M) { return sample_with<M>(pass, block, radiance); });
   }
 
  protected:
@@ -55,32 +56,35 @@ class Gathering : public Integrator {
   const Derived& self() const { return static_cast<const Derived&>(*this); }
 
   template <class M>
-  uint64_t sample_with(const Pass& pass, const PixelRun& run, std::span<Rgb> radiance) const {
-    std::array<Ray, Accel::kPacket> rays;
-    std::array<Hit, Accel::kPacket> hits;
-    std::array<uint32_t, Accel::kPacket> seeds;
-    const auto n = static_cast<size_t>(run.count);
-    const uint32_t replicate = run.sample % film::kReplicates, index = run.sample / film::kReplicates;
-    const auto stream = [&](size_t i) {
-      return PathSampler(*pass.sampler, pixel_seed(pass.seed, run.x + static_cast<int>(i), run.y, replicate), index);
-    };
-    for (size_t i = 0; i < n; ++i) {
-      PathSampler random = stream(i);
-      random.start_camera();
-      const Vec2 offset = pass.filter->sample(random.get_2d(camera_dimension::kPixel));
-      const Vec2 center(static_cast<float>(run.x) + static_cast<float>(i) + 0.5f, static_cast<float>(run.y) + 0.5f);
-      rays[i] = pass.camera->ray(center + offset, random.get_2d(camera_dimension::kLens));
-      seeds[i] = random.seed();
+  uint64_t sample_with(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const {
+    // One for each thread and model: it is too large to be made anew for every block.
+    static thread_local const auto front = std::make_unique<transport::Front<M>>();
+    const BlockOrder order(block);
+    launch(pass, block, order, *front);
+    self().template estimate<M>(*front);
+    for (int i = 0; i < front->size(); ++i) radiance[order.index(i)] = front->state(i).radiance;
+    return front->rays_traced();
+  }
+
+  template <class M>
+  static void launch(const Pass& pass, const PixelBlock& block, const BlockOrder& order, transport::Front<M>& front) {
+    const uint32_t replicate = block.sample % film::kReplicates;
+    front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates);
+    for (int i = 0; i < order.size(); ++i)
+      front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
+    SampleTable& random = front.draw_camera();
+    auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
+    const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
+    const auto count = static_cast<size_t>(order.size());
+    pass.filter->sample_all(x.data(), count), pass.filter->sample_all(y.data(), count);
+    for (int i = 0; i < order.size(); ++i) {
+      const auto path = static_cast<size_t>(i);
+      x[path] += static_cast<float>(block.x + order.x(i)) + 0.5f;
+      y[path] += static_cast<float>(block.y + order.y(i)) + 0.5f;
     }
-    pass.scene->intersect({rays.data(), n}, {seeds.data(), n}, {hits.data(), n});
-    uint64_t traced = n;
-    for (size_t i = 0; i < n; ++i) {
-      PathSampler random = stream(i);
-      uint32_t more = 0;
-      radiance[i] = self().template estimate<M>(*pass.scene, rays[i], hits[i], random, more);
-      traced += more;
-    }
-    return traced;
+    std::array<Ray, transport::Front<M>::kCapacity> rays;
+    pass.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, count, rays.data());
+    for (int i = 0; i < order.size(); ++i) front.launch(i, rays[static_cast<size_t>(i)]);
   }
 };
 

@@ -38,9 +38,10 @@ struct Pass {
   uint64_t seed;  // the user's
 };
 
-// One sample of up to Accel::kPacket neighbouring pixels of a row.
-struct PixelRun {
-  int x, y, count;
+// One sample of each pixel of a rectangle, kSide pixels wide and high at most.
+struct PixelBlock {
+  static constexpr int kSide = 16;
+  int x, y, width, height;
   uint32_t sample;  // counts all samples of a pixel: it alternates between the film's halves
 };
 
@@ -49,8 +50,8 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual std::vector<ParameterInfo> parameters() const = 0;
   virtual bool set(std::string_view name, const Value& value) = 0;
-  // Fills `radiance`, one per pixel of the run; returns the number of rays traced.
-  virtual uint64_t sample(const Pass& pass, const PixelRun& run, std::span<Rgb> radiance) const = 0;
+  // Fills `radiance`, row by row of the block; returns the number of rays traced.
+  virtual uint64_t sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const = 0;
 };
 
 const std::vector<IntegratorInfo>& integrator_infos();

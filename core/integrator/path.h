@@ -27,28 +27,15 @@ class Path final : public Gathering<Path> {
   auto knobs() { return std::tie(max_depth, heuristic, roulette_start); }
 
   template <class M>
-  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random,
-                             uint32_t& rays) const {
+  void estimate(transport::Front<M>& front) const {
     using namespace transport;
-    typename M::Color radiance(0);
-    Walk<M> walk(scene, ray, first, random);
-    scene::SurfacePoint point;
-
-    while (walk.arrive(point)) {
-      radiance += walk.throughput() * emitted<M>(scene, point, walk.all_specular()) *
-                  weight_of_hit(walk, scene, point, heuristic);
-      if (at_limit(walk.length())) break;
-
-      const Bsdf<M> bsdf = scene.bsdf<M>(point);
-      radiance +=
-          walk.throughput() * direct_light(scene, point, bsdf, walk.wo(), random, heuristic, true, Shadows::cast, rays);
-
-      if (!walk.scatter(point, bsdf) || !walk.survives_roulette(roulette_start)) break;
+    while (front.advance()) {
+      add_environment(front, heuristic);
+      add_emission(front, heuristic);
+      if (at_limit(front.length())) break;
+      add_direct_light(front, heuristic);
+      scatter(front, roulette_start);
     }
-    if (walk.escaped())
-      radiance += walk.throughput() * environment(scene, walk) * weight_of_escape(walk, scene, heuristic);
-    rays += walk.rays();
-    return radiance;
   }
 };
 

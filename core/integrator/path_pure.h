@@ -24,21 +24,14 @@ class PathPure final : public Gathering<PathPure> {
   auto knobs() { return std::tie(max_depth, roulette_start); }
 
   template <class M>
-  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random,
-                             uint32_t& rays) const {
+  void estimate(transport::Front<M>& front) const {
     using namespace transport;
-    typename M::Color radiance(0);
-    Walk<M> walk(scene, ray, first, random);
-    scene::SurfacePoint point;
-
-    while (walk.arrive(point)) {
-      radiance += walk.throughput() * emitted<M>(scene, point, walk.all_specular());
-      if (at_limit(walk.length())) break;
-      if (!walk.scatter(point, scene.bsdf<M>(point)) || !walk.survives_roulette(roulette_start)) break;
+    while (front.advance()) {
+      add_environment(front);
+      add_emission(front);
+      if (at_limit(front.length())) break;
+      scatter(front, roulette_start);
     }
-    if (walk.escaped()) radiance += walk.throughput() * environment(scene, walk);
-    rays += walk.rays();
-    return radiance;
   }
 };
 

@@ -25,20 +25,12 @@ class Raycast final : public Gathering<Raycast> {
   auto knobs() { return std::tie(max_depth, local); }
 
   template <class M>
-  typename M::Color estimate(const scene::CompiledScene& scene, const Ray& ray, const Hit& first, PathSampler& random,
-                             uint32_t& rays) const {
+  void estimate(transport::Front<M>& front) const {
     using namespace transport;
-    Walk<M> walk(scene, ray, first, random);
-    scene::SurfacePoint point;
-    if (!walk.arrive(point)) return environment(scene, walk);
-
-    typename M::Color radiance = emitted<M>(scene, point, true);
-    if (local && !at_limit(1)) {
-      const Bsdf<M> bsdf = scene.bsdf<M>(point);
-      radiance +=
-          direct_light(scene, point, bsdf, walk.wo(), random, MisHeuristic::power, false, Shadows::ignored, rays);
-    }
-    return walk.throughput() * radiance;
+    if (!front.advance()) return;
+    add_environment(front);
+    add_emission(front);
+    if (local && !at_limit(1)) add_direct_light(front, {}, Shadows::ignored);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "light/light_table.h"
 
 #include "base/warp.h"
+#include "base/wide.h"
 
 namespace etendue {
 namespace {
@@ -36,6 +37,52 @@ float range_window(const Light& light, float distance) {
   return std::clamp(1 - sqr(sqr(distance / light.range)), 0.0f, 1.0f);
 }
 
+// Triangles that were chosen for queries, many at once.
+struct ChosenTriangles {
+  static constexpr size_t kSize = 64;
+  template <class T>
+  using Array = std::array<T, kSize>;
+
+  WideVec3<kSize> p0, e1, e2, cross;
+  alignas(64) Array<float> probability, back;  // of the choice; what the back side counts, 0 or 1
+
+  void set(size_t i, const EmissiveTriangle& triangle, float choice_probability) {
+    p0.set(i, triangle.p0), e1.set(i, triangle.e1), e2.set(i, triangle.e2), cross.set(i, triangle.cross);
+    probability[i] = choice_probability, back[i] = triangle.double_sided ? 1 : 0;
+  }
+};
+
+struct TrianglePoints {
+  static constexpr size_t kSize = ChosenTriangles::kSize;
+  WideVec3<kSize> wi;
+  alignas(64) ChosenTriangles::Array<float> distance, pdf, b1, b2;
+
+  void get(size_t i, LightSample& sample) const {
+    sample.wi = wi[i];
+    sample.distance = distance[i], sample.pdf = pdf[i];
+    sample.barycentric = {b1[i], b2[i]};
+  }
+};
+
+// A uniform point has density 1 / area; distance^2 / cosine turns it into a solid angle. `cross` is 2 area long.
+ETENDUE_WIDE void sample_triangles(const ChosenTriangles& t, const LightQueries& queries, TrianglePoints& points) {
+#pragma GCC ivdep
+  for (size_t i = 0; i < whole_registers(queries.count); ++i) {
+    const Vec2 b = square_to_triangle({queries.u0[i], queries.u1[i]});
+    const Vec3 to_light = t.p0[i] + b.x * t.e1[i] + b.y * t.e2[i] - queries.from[i];
+    const float distance2 = length_squared(to_light);
+    const float distance = std::sqrt(distance2), scale = 1 / distance;
+    const Vec3 wi = to_light * scale;
+    // The side that faces the receiver, negative for the back.
+    const float facing = -glm::dot(t.cross[i], wi);
+    const float seen = std::max(facing, 0.0f) + std::max(-facing, 0.0f) * t.back[i];
+    const float pdf = 2 * distance2 * t.probability[i] / seen;
+    points.wi.set(i, wi);
+    points.distance[i] = distance, points.b1[i] = b.x, points.b2[i] = b.y;
+    points.pdf[i] = seen > 0 && pdf < kInfinity ? pdf : 0;
+  }
+}
+
 }  // namespace
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
@@ -52,47 +99,56 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
   if (any) choice_ = AliasTable(powers);
 }
 
-bool LightTable::sample(const Vec3& from, float u_choice, Vec2 u, LightSample& sample) const {
-  if (choice_.empty()) return false;
-  const auto choice = choice_.sample(u_choice);
-  sample.light = choice.index;
-  bool reached = false;
-  if (choice.index < triangles_.size()) {
-    reached = sample_triangle(choice.index, from, u, sample);
-  } else if (choice.index < triangles_.size() + placed_.size()) {
-    reached = sample_placed(placed_[choice.index - triangles_.size()], from, sample);
-  } else {
-    const auto direction = environment_.sample(u);
-    sample.kind = LightKind::environment;
-    sample.wi = direction.direction;
-    sample.distance = kInfinity;
-    sample.pdf = direction.pdf_solid_angle;
-    sample.delta = false;
-    sample.radiance = environment_.radiance(direction.direction);
-    reached = sample.pdf > 0;
-  }
-  sample.pdf *= choice.probability;
-  return reached && sample.pdf > 0;
+void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
+  for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
+    sample_batch({queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
+                  std::min(ChosenTriangles::kSize, queries.count - first)},
+                 samples + first);
 }
 
-bool LightTable::sample_triangle(uint32_t light, const Vec3& from, Vec2 u, LightSample& sample) const {
-  const EmissiveTriangle& t = triangles_[light];
-  const Vec2 b = square_to_triangle(u);
-  const Vec3 to_light = t.p0 + b.x * t.e1 + b.y * t.e2 - from;
-  const float distance2 = length_squared(to_light);
-  if (!(distance2 > 0)) return false;
-  const float distance = std::sqrt(distance2);
-  sample.kind = LightKind::triangle;
-  sample.wi = to_light / distance;
-  sample.distance = distance;
-  // 2 * area * cosine, of the side that faces the receiver.
-  const float facing = glm::dot(glm::cross(t.e1, t.e2), sample.wi) * (t.turned ? 1.0f : -1.0f);
-  if (facing == 0 || (facing < 0 && !t.double_sided)) return false;
-  sample.pdf = 2 * distance2 / std::abs(facing);
+void LightTable::sample_batch(const LightQueries& queries, LightSample* samples) const {
+  ChosenTriangles triangles{};
+  for (size_t i = 0; i < queries.count; ++i) {
+    LightSample& sample = samples[i];
+    sample.pdf = 0;
+    if (choice_.empty()) continue;
+    const auto choice = choice_.sample(queries.choice[i]);
+    sample.light = choice.index;
+    sample.kind = choice.index < triangles_.size() ? LightKind::triangle : LightKind::placed;
+    if (sample.kind == LightKind::triangle)
+      triangles.set(i, triangles_[choice.index], choice.probability);
+    else
+      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, sample);
+  }
+  TrianglePoints points;
+  sample_triangles(triangles, queries, points);
+  for (size_t i = 0; i < queries.count; ++i) {
+    LightSample& sample = samples[i];
+    if (choice_.empty() || sample.kind != LightKind::triangle) continue;
+    const EmissiveTriangle& triangle = triangles_[sample.light];
+    points.get(i, sample);
+    sample.delta = false;
+    sample.radiance = triangle.radiance, sample.textured = triangle.textured;
+  }
+}
+
+void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const {
+  const size_t placed = choice.index - triangles_.size();
+  sample.textured = false;
+  const bool reached =
+      placed < placed_.size() ? sample_placed(placed_[placed], from, sample) : sample_environment(u, sample);
+  sample.pdf = reached ? sample.pdf * choice.probability : 0;
+}
+
+bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
+  const auto direction = environment_.sample(u);
+  sample.kind = LightKind::environment;
+  sample.wi = direction.direction;
+  sample.distance = kInfinity;
+  sample.pdf = direction.pdf_solid_angle;
   sample.delta = false;
-  sample.radiance = t.radiance;
-  sample.barycentric = b;
-  return std::isfinite(sample.pdf);
+  sample.radiance = environment_.radiance(direction.direction);
+  return sample.pdf > 0;
 }
 
 bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, LightSample& sample) const {
@@ -121,7 +177,7 @@ float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at)
   const EmissiveTriangle& t = triangles_[light];
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const float facing = std::abs(glm::dot(glm::cross(t.e1, t.e2), to_light));
+  const float facing = std::abs(glm::dot(t.cross, to_light));
   if (!(facing > 0)) return 0;
   return choice_.probability(light) * 2 * distance2 * std::sqrt(distance2) / facing;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/distribution.h"
+#include "base/wide.h"
 #include "geometry/mesh.h"
 #include "light/light.h"
 #include "spectrum/rgb.h"
@@ -21,9 +22,10 @@ struct EmissiveTriangle {
   uint32_t instance = 0, triangle = 0;
   Rgb radiance{0};
   bool double_sided = false;
-  bool turned = false;  // the front is where the cross product of the edges does not point: a mirrored instance
+  bool textured = false;  // what is shaded varies over the triangle
+  Vec3 cross{0};          // of the edges, pointing to the front: as long as twice the area
 
-  float area() const { return 0.5f * glm::length(glm::cross(e1, e2)); }
+  float area() const { return 0.5f * glm::length(cross); }
 };
 
 struct PlacedLight {
@@ -64,9 +66,17 @@ struct LightSample {
   float distance = kInfinity;
   float pdf = 0;  // of this sample, choice of the light included: per solid angle, or discrete where `delta`
   bool delta = false;
-  Rgb radiance{0};  // what arrives, without visibility; for a delta light, irradiance on a facing surface
+  bool textured = false;  // `radiance` is only the mean over the triangle: ask the scene for what it is here
+  Rgb radiance{0};        // what arrives, without visibility; for a delta light, irradiance on a facing surface
   uint32_t light = 0;
   Vec2 barycentric{0};  // on a triangle
+};
+
+// Where light is asked for, and the random numbers to find some: arrays with room for whole registers.
+struct LightQueries {
+  WideVec3View from;
+  const float *choice, *u0, *u1;
+  size_t count;
 };
 
 class LightTable {
@@ -81,16 +91,19 @@ class LightTable {
   const std::vector<PlacedLight>& placed() const { return placed_; }
   const EnvironmentMap& environment() const { return environment_; }
 
-  // False if the light cannot send anything to `from` (a triangle seen edge-on, a spot that looks away).
-  bool sample(const Vec3& from, float u_choice, Vec2 u, LightSample& sample) const;
+  // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
+  // that looks away) or if there is no light at all.
+  void sample(const LightQueries& queries, LightSample* samples) const;
 
   // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const;
   float pdf_environment(const Vec3& direction) const;
 
  private:
-  bool sample_triangle(uint32_t light, const Vec3& from, Vec2 u, LightSample& sample) const;
+  void sample_batch(const LightQueries& queries, LightSample* samples) const;
   bool sample_placed(const PlacedLight& light, const Vec3& from, LightSample& sample) const;
+  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const;
+  bool sample_environment(Vec2 u, LightSample& sample) const;
 
   std::vector<EmissiveTriangle> triangles_;
   std::vector<PlacedLight> placed_;

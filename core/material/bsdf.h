@@ -26,6 +26,7 @@ class LobeMix {
   static constexpr int kMaxLobes = 2;
 
   void add(const AnyLobe<Color>& lobe) { lobes_[static_cast<size_t>(count_++)] = lobe; }
+  void clear() { count_ = 0; }
   bool empty() const { return count_ == 0; }
 
   // True if there is a lobe that a light sample can be combined with.
@@ -49,14 +50,14 @@ class LobeMix {
     return p;
   }
 
-  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, LobeDraw draw, Transport mode, LobeSample<Color>& s) const {
     if (count_ == 0) return false;
     const Shares shares = lobe_shares(wo);
     int chosen = 0;
-    if (count_ == 2 && u_lobe >= shares[0]) chosen = 1;
+    if (count_ == 2 && draw.choice >= shares[0]) chosen = 1;
     const float share = shares[static_cast<size_t>(chosen)];
-    if (count_ == 2) u_lobe = std::min((chosen ? u_lobe - shares[0] : u_lobe) / share, kOneMinusEpsilon);
-    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, u_lobe, u, mode, s); })) return false;
+    if (count_ == 2) draw.choice = std::min((chosen ? draw.choice - shares[0] : draw.choice) / share, kOneMinusEpsilon);
+    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, draw, mode, s); })) return false;
     if (count_ == 1) return true;
     if (s.delta) return s.weight /= share, true;
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
@@ -89,12 +90,13 @@ template <class Color>
 class DiffuseOnly {
  public:
   void add(const Lambert<Color>& lobe) { lobe_ = lobe; }
+  void clear() { lobe_.albedo = Color(0); }
   bool empty() const { return is_black(lobe_.albedo); }
   bool has_non_delta() const { return !empty(); }
   Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
   float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.pdf(wo, wi, mode); }
-  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
-    return lobe_.sample(wo, u_lobe, u, mode, s);
+  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+    return lobe_.sample(wo, draw, mode, s);
   }
 
  private:
@@ -107,52 +109,67 @@ class Bsdf {
  public:
   using Color = typename M::Color;
 
-  // `geometric_normal` and the frame's z point to the front of the surface.
-  Bsdf(const Frame& shading, const Vec3& geometric_normal) : frame_(shading), ng_(geometric_normal) {}
+  // Without lobes. `geometric_normal` and the frame's z point to the front of the surface; both must stay where they
+  // are.
+  void build(const Frame& shading, const Vec3& geometric_normal) {
+    frame_ = &shading, ng_ = &geometric_normal;
+    lobes.clear();
+  }
 
   typename M::Lobes lobes;
 
   bool has_non_delta() const { return lobes.has_non_delta(); }
-  const Frame& frame() const { return frame_; }
+  const Frame& frame() const { return *frame_; }
 
   Color eval(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
-    const Vec3 o = frame_.to_local(wo), i = frame_.to_local(wi);
+    const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     return consistent(wo, wi, o, i) ? lobes.eval(o, i, mode) * adjoint_factor(wo, wi, o, i, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
-    const Vec3 o = frame_.to_local(wo), i = frame_.to_local(wi);
+    const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     return consistent(wo, wi, o, i) ? lobes.pdf(o, i, mode) : 0;
   }
 
+  // Both at once, the first times the cosine.
+  struct Value {
+    Color f_cos{0};
+    float pdf = 0;
+  };
+  Value evaluate(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+    const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
+    if (!consistent(wo, wi, o, i)) return {};
+    return {lobes.eval(o, i, mode) * (adjoint_factor(wo, wi, o, i, mode) * std::abs(i.z)), lobes.pdf(o, i, mode)};
+  }
+
   // s.weight is f cos / pdf with the cosine to the shading normal; s.wi is in world space. False: the path ends here.
-  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
-    const Vec3 o = frame_.to_local(wo);
-    if (o.z == 0 || !lobes.sample(o, u_lobe, u, mode, s)) return false;
+  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+    const Vec3 o = frame_->to_local(wo);
+    if (o.z == 0 || !lobes.sample(o, draw, mode, s)) return false;
     const Vec3 i = s.wi;
-    s.wi = glm::normalize(frame_.to_world(i));
+    s.wi = frame_->to_world(i);
     if (!consistent(wo, s.wi, o, i)) return false;
     s.weight *= adjoint_factor(wo, s.wi, o, i, mode);
     return !is_black(s.weight);
   }
 
   // |cos| to the shading normal: what an integral over solid angle multiplies f by.
-  float cosine(const Vec3& wi) const { return std::abs(glm::dot(frame_.z, wi)); }
+  float cosine(const Vec3& wi) const { return std::abs(glm::dot(frame_->z, wi)); }
 
  private:
   // Both normals must agree on whether the pair is a reflection or a transmission.
   bool consistent(const Vec3& wo, const Vec3& wi, const Vec3& o, const Vec3& i) const {
-    return glm::dot(ng_, wo) * o.z > 0 && glm::dot(ng_, wi) * i.z > 0;
+    return glm::dot(*ng_, wo) * o.z > 0 && glm::dot(*ng_, wi) * i.z > 0;
   }
 
   // Shading normals make scattering asymmetric: the adjoint carries the ratio of cosines (Veach 1997, (5.19)).
   float adjoint_factor(const Vec3& wo, const Vec3& wi, const Vec3& o, const Vec3& i, Transport mode) const {
     if (mode == Transport::radiance) return 1;
-    return std::abs(o.z * glm::dot(ng_, wi) / (i.z * glm::dot(ng_, wo)));
+    return std::abs(o.z * glm::dot(*ng_, wi) / (i.z * glm::dot(*ng_, wo)));
   }
 
-  Frame frame_;
-  Vec3 ng_;
+  const Frame* frame_ = nullptr;
+  const Vec3* ng_ = nullptr;
 };
 
 }  // namespace etendue

@@ -54,10 +54,10 @@ struct Dielectric {
     return (1 - f) * visible * std::abs(ih) / sqr(ih + glm::dot(wo, h) / relative_eta(wo));
   }
 
-  bool sample(const Vec3& wo, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
     const float side = wo.z < 0 ? -1.0f : 1.0f;
     const bool delta = is_delta();
-    const Vec3 h = smooth() ? Vec3(0, 0, side) : facets.sample_visible(wo * side, u) * side;
+    const Vec3 h = smooth() ? Vec3(0, 0, side) : facets.sample_visible(wo * side, draw.u) * side;
     const float e = relative_eta(wo);
     const float oh = glm::dot(wo, h);
     if (!(oh > 0)) return false;
@@ -65,7 +65,7 @@ struct Dielectric {
     const float f = fresnel_dielectric(oh, e, cos_t);
     s.delta = delta;
     s.scatter = delta ? Scatter::specular : Scatter::glossy;
-    if (u_lobe < f) {
+    if (draw.choice < f) {
       s.wi = reflect(wo, h);
       if (s.wi.z * wo.z <= 0) return false;
       if (delta) return s.weight = reflected(f) / f, true;

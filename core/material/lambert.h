@@ -20,8 +20,8 @@ struct Lambert {
     return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, float, Vec2 u, Transport, LobeSample<Color>& s) const {
-    s.wi = square_to_cosine_hemisphere(u);
+  bool sample(const Vec3& wo, const LobeDraw& draw, Transport, LobeSample<Color>& s) const {
+    s.wi = draw.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (wo.z < 0) s.wi.z = -s.wi.z;
     s.weight = albedo;

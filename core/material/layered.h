@@ -61,11 +61,11 @@ struct Layered {
     return p;
   }
 
-  bool sample(const Vec3& wo_any, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo = Vec3(wo_any.x, wo_any.y, side * wo_any.z);
     const float share = specular_share(wo);
-    if (u_lobe < share && smooth()) {
+    if (draw.choice < share && smooth()) {
       s.wi = Vec3(-wo.x, -wo.y, side * wo.z);
       s.weight = fresnel(wo.z) / share;
       s.pdf_solid_angle = 0;
@@ -73,11 +73,11 @@ struct Layered {
       s.scatter = Scatter::specular;
       return true;
     }
-    if (u_lobe < share) {
-      s.wi = reflect(wo, facets.sample_visible(wo, u));
+    if (draw.choice < share) {
+      s.wi = reflect(wo, facets.sample_visible(wo, draw.u));
       s.scatter = Scatter::glossy;
     } else {
-      s.wi = square_to_cosine_hemisphere(u);
+      s.wi = draw.cosine_direction;
       s.scatter = Scatter::diffuse;
     }
     if (s.wi.z <= 0) return false;

@@ -5,11 +5,11 @@
 //
 //   Color eval(wo, wi, Transport) const;
 //   float pdf(wo, wi, Transport) const;
-//   bool  sample(wo, u_lobe, u, Transport, LobeSample<Color>&) const;   // false: absorbed
+//   bool  sample(wo, LobeDraw, Transport, LobeSample<Color>&) const;    // false: absorbed
 //   float weight(wo) const;                                             // about its albedo: its share when sampling
 //   bool  is_delta() const;                                             // eval and pdf are zero
 #pragma once
-#include "base/vec.h"
+#include "base/warp.h"
 
 namespace etendue {
 
@@ -18,6 +18,17 @@ enum class Transport : uint8_t { radiance, importance };
 
 // Heckbert's letters for a scattering event, and the side that it goes to.
 enum class Scatter : uint8_t { diffuse, glossy, specular };
+
+// The random numbers of one sample of a lobe. The direction is that which `u` stands for under the cosine: most lobes
+// want it, and it is cheaper to compute for many paths at once.
+struct LobeDraw {
+  float choice = 0;
+  Vec2 u{0};
+  Vec3 cosine_direction{0, 0, 1};
+
+  LobeDraw(float choice_, Vec2 u_) : LobeDraw(choice_, u_, square_to_cosine_hemisphere(u_)) {}
+  LobeDraw(float choice_, Vec2 u_, const Vec3& direction) : choice(choice_), u(u_), cosine_direction(direction) {}
+};
 
 template <class Color>
 struct LobeSample {

@@ -30,16 +30,18 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   transmission = resolved(m.transmission_texture, textures);
   diffuse = m.unlit || (m.metallic == 0 && m.transmission == 0 &&
                         (m.specular == 0 || (is_black(m.specular_color) && m.specular == 0) || m.ior == 1.0f));
+  plain = !base_color && !m.unlit;
+  factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
+  shines = m.emits() || m.unlit;
   transparent = m.alpha_mode != AlphaMode::opaque;
   textured = base_color || metallic_roughness || normal || emission || specular || specular_color || transmission;
 }
 
 Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
-  const Material& m = description;
-  if (m.unlit) return Vec4(0, 0, 0, 1);
-  Vec4 base = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha) * point.color;
+  if (description.unlit) return Vec4(0, 0, 0, 1);
+  Vec4 base = factor * point.color;
   if (base_color) base *= base_color.at(point, Encoding::srgb);
-  return Vec4(unit(base.x), unit(base.y), unit(base.z), unit(base.w));
+  return clamped(base);
 }
 
 float SurfaceMaterial::opacity_at(const TexturePoint& point) const {

@@ -8,6 +8,8 @@
 
 namespace etendue {
 
+inline Vec4 clamped(const Vec4& c) { return glm::min(glm::max(c, Vec4(0)), Vec4(1)); }
+
 // Where on a mesh the material is looked at.
 struct TexturePoint {
   Vec2 uv[2]{};
@@ -28,7 +30,10 @@ struct SurfaceMaterial {
     }
   };
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission;
-  bool diffuse = false;      // never anything but a Lambertian lobe
+  bool diffuse = false;  // never anything but a Lambertian lobe
+  bool plain = false;    // its base colour is `factor` but for vertex colours
+  Vec4 factor{0};
+  bool shines = false;       // emits, or is unlit
   bool transparent = false;  // its opacity is not one everywhere
   bool textured = false;     // looks at texture coordinates or vertex colours
 
@@ -50,7 +55,7 @@ Ggx facets_of(float roughness, float anisotropy);
 // The lobes of glTF's material at a point (see layered.h, dielectric.h, thin_sheet.h for what they are).
 template <class Color>
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, DiffuseOnly<Color>& lobes) {
-  const Vec4 base = material.base_at(point);
+  const Vec4 base = material.plain ? clamped(material.factor * point.color) : material.base_at(point);
   lobes.add(Lambert<Color>{Color(base.x, base.y, base.z)});
 }
 

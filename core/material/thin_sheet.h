@@ -46,15 +46,15 @@ struct ThinSheet {
     return p * (reflection ? reflect_share(c) : 1 - reflect_share(c));
   }
 
-  bool sample(const Vec3& wo_any, float u_lobe, Vec2 u, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
-    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(wo, u);
+    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(wo, draw.u);
     const float c = glm::dot(wo, h);
     const float reflect_probability = reflect_share(c);
     s.wi = reflect(wo, h);
     if (s.wi.z <= 0) return false;
-    s.transmitted = u_lobe >= reflect_probability;
+    s.transmitted = draw.choice >= reflect_probability;
     if (s.transmitted) s.wi.z = -s.wi.z;
     s.wi.z *= side;
     s.delta = smooth();

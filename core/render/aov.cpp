@@ -52,6 +52,10 @@ std::array<float, 3> value_of(const std::string& name, const scene::SurfacePoint
   return {static_cast<float>(point.instance->node + 1), 0, 0};
 }
 
+Vec2 pair_of(const SampleBlock& random, int dimension) {
+  return Vec2(random[static_cast<size_t>(dimension)], random[static_cast<size_t>(dimension) + 1]);
+}
+
 }  // namespace
 
 const std::vector<std::string>& aov_names() {
@@ -84,16 +88,18 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
     for (int x = 0; x < width; ++x) {
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
       for (uint32_t s = 0; s < samples; ++s) {
-        PathSampler random(*sampler, integrator::pixel_seed(document.seed, x, y, s % film::kReplicates),
-                           s / film::kReplicates);
-        random.start_camera();
+        const uint32_t seed = integrator::pixel_seed(document.seed, x, y, s % film::kReplicates);
+        SampleBlock random;
+        sampler->block(seed, s / film::kReplicates, 0, random);
         const Vec2 at = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +
-                        filter.sample(random.get_2d(camera_dimension::kPixel));
-        const Ray ray = camera.ray(at, random.get_2d(camera_dimension::kLens));
-        const Hit hit = scene.intersect(ray, random.seed());
+                        filter.sample(pair_of(random, camera_dimension::kPixel));
+        const Ray ray = camera.ray(at, pair_of(random, camera_dimension::kLens));
+        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kReplicates));
         if (!hit) continue;
         scene::SurfacePoint point;
-        scene.surface(ray, hit, point);
+        const Vec3 wo = -ray.direction;
+        WideVec3<kWidest> positions;
+        scene.surfaces({&wo, 1}, {&hit, 1}, &point, positions);
         for (size_t k = 0; k < wanted.size(); ++k) {
           if (!wanted[k]->averaged && s > 0) continue;
           const auto v = value_of(wanted[k]->name, point, hit.t);

@@ -5,7 +5,7 @@
 namespace etendue::render {
 namespace {
 
-constexpr int kTile = 16;
+constexpr int kTile = integrator::PixelBlock::kSide;
 
 int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
 
@@ -40,7 +40,8 @@ bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const 
   constexpr int kClosed = -1;
   const auto task = [&](int i) {
     int& entry = open_tiles_[static_cast<size_t>(i)];
-    if (tile(film, entry, sample, keep_going, counters)) entry = kClosed;
+    tile(film, entry, sample, counters);
+    entry = kClosed;
   };
   workers.run(0, static_cast<int>(open_tiles_.size()), task, keep_going);
   std::erase(open_tiles_, kClosed);
@@ -49,35 +50,20 @@ bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const 
   return true;
 }
 
-bool PassRunner::tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& keep_going,
-                      Counters& counters) const {
+void PassRunner::tile(film::Film& film, int index, uint32_t sample, Counters& counters) const {
   const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_};
   const int across = tiles_across(width_);
   const int x0 = index % across * kTile, y0 = index / across * kTile;
-  const int x1 = std::min(x0 + kTile, width_), y1 = std::min(y0 + kTile, height_);
-  std::array<Rgb, kTile> radiance;
-  uint64_t rays = 0, paths = 0;
-  int y = y0;
-  for (; y < y1; ++y) {
-    if (!keep_going()) break;
-    for (int x = x0; x < x1;) {
-      if (film.samples(x, y) > sample) {
-        ++x;
-        continue;
-      }
-      int end = x + 1;
-      while (end < x1 && film.samples(end, y) <= sample) ++end;
-      const integrator::PixelRun run{x, y, end - x, sample};
-      rays += integrator_->sample(pass, run, radiance);
-      paths += static_cast<uint64_t>(run.count);
-      for (int i = 0; i < run.count; ++i)
-        film.add(x + i, y, sample % film::kReplicates, radiance[static_cast<size_t>(i)]);
-      x = end;
-    }
-  }
+  const integrator::PixelBlock block{x0, y0, std::min(kTile, width_ - x0), std::min(kTile, height_ - y0), sample};
+  // Tiles are drawn whole, so that one pixel speaks for all: which rays share a packet is always the same.
+  if (film.samples(x0, y0) > sample) return;
+  std::array<Rgb, static_cast<size_t>(kTile) * kTile> radiance;
+  const uint64_t rays = integrator_->sample(pass, block, radiance);
+  const Rgb* next = radiance.data();
+  for (int y = y0; y < y0 + block.height; ++y)
+    for (int x = x0; x < x0 + block.width; ++x) film.add(x, y, sample % film::kReplicates, *next++);
   counters.rays.fetch_add(rays, std::memory_order_relaxed);
-  counters.paths.fetch_add(paths, std::memory_order_relaxed);
-  return y == y1;
+  counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
 }
 
 }  // namespace etendue::render

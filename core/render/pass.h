@@ -24,9 +24,7 @@ class PassRunner {
   const transport::Model& model() const { return model_; }
 
  private:
-  // False if it was cut short.
-  bool tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& keep_going,
-            Counters& counters) const;
+  void tile(film::Film& film, int index, uint32_t sample, Counters& counters) const;
 
   std::shared_ptr<const scene::CompiledScene> scene_;
   transport::Model model_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +37,12 @@ inline constexpr int kRoulette = 6;       // 1
 inline constexpr int kSpare = 7;          // 1: lobe of the light sample's own decisions
 }  // namespace vertex_dimension
 
+// One block of many paths, number by number: values[k] holds the k-th number of each.
+struct SampleTable {
+  static constexpr size_t kPaths = 256;
+  alignas(64) std::array<std::array<float, kPaths>, kBlockSize> values;
+};
+
 // What a sampler is and what it is bad at; shown by `list samplers`, the viewer and the documentation.
 struct SamplerInfo {
   std::string name, label, doc;
@@ -53,6 +60,9 @@ class Sampler {
   // Eight values in [0, 1) for `sample` of the pixel with this seed. The seed is a hash of pixel, replicate and the
   // user's seed: pixels with different seeds are independent replicates of each other.
   virtual void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const = 0;
+
+  // The same for up to SampleTable::kPaths pixels at once, which are all at the same sample and block.
+  virtual void blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, SampleTable& out) const;
 };
 
 struct Setting {
@@ -67,25 +77,7 @@ const SamplerInfo* find_sampler(std::string_view name);
 // `settings` must have been checked against the parameters of the sampler; names it does not have are ignored.
 std::unique_ptr<Sampler> make_sampler(std::string_view name, const std::vector<Setting>& settings = {});
 
-// The stream of one path: block by block, vertex by vertex.
-class PathSampler {
- public:
-  PathSampler(const Sampler& sampler, uint32_t pixel_seed, uint32_t sample)
-      : sampler_(&sampler), pixel_seed_(pixel_seed), sample_(sample) {}
-
-  void start_camera() { sampler_->block(pixel_seed_, sample_, 0, values_); }
-  void start_vertex(uint32_t vertex) { sampler_->block(pixel_seed_, sample_, 1 + vertex, values_); }
-
-  float get(int dimension) const { return values_[static_cast<size_t>(dimension)]; }
-  Vec2 get_2d(int dimension) const { return Vec2(get(dimension), get(dimension + 1)); }
-
-  // A seed for decisions that are no dimension of the integral's layout (stochastic opacity along a ray).
-  uint32_t seed() const { return pixel_seed_ ^ (sample_ * 0x9e3779b9U); }
-
- private:
-  const Sampler* sampler_;
-  uint32_t pixel_seed_, sample_;
-  SampleBlock values_{};
-};
+// A seed for decisions that are no dimension of the integral's layout (stochastic opacity along a ray).
+constexpr uint32_t path_seed(uint32_t pixel_seed, uint32_t sample) { return pixel_seed ^ (sample * 0x9e3779b9U); }
 
 }  // namespace etendue

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/wide.h"
 #include "sampling/owen.h"
 #include "sampling/sobol_numbers.h"
 
@@ -47,7 +48,7 @@ constexpr Rows reversed_rows() {
 
 constexpr Rows kRows = reversed_rows();
 
-using Reversed = std::array<uint32_t, kBlockSize>;
+using Reversed = SobolSampler::Reversed;
 
 Reversed reversed_point(uint32_t sample, uint32_t first_dimension) {
   Reversed x{};
@@ -58,24 +59,28 @@ Reversed reversed_point(uint32_t sample, uint32_t first_dimension) {
   return x;
 }
 
-// Scrambles a block of reversed points, each dimension with a seed of its own. The seeds are hashed one by one: seeds
-// in an arithmetic progression tie the dimensions together, which shows as 4 % errors in parts of a Cornell box at 256
-// samples. Whole numbers only: every instruction set gives the same bits, and wide ones take the block at once.
-[[gnu::always_inline]] inline void scramble(const uint32_t* reversed, uint32_t seed, float* out) {
-  for (uint32_t i = 0; i < kBlockSize; ++i) {
-    const uint32_t x = owen_scramble_reversed(reversed[i], mix_bits(seed + i * 0x9e3779b9U));
-    out[i] = static_cast<float>(static_cast<int32_t>(reverse_bits(x) >> 8)) * 0x1p-24f;
+// A reversed coordinate, scrambled. Each dimension has a seed of its own, hashed: seeds in an arithmetic progression
+// tie the dimensions together, which shows as 4 % errors in parts of a Cornell box at 256 samples.
+[[gnu::always_inline]] inline float scrambled(uint32_t reversed, uint32_t block_seed, uint32_t dimension) {
+  const uint32_t x = owen_scramble_reversed(reversed, mix_bits(block_seed + dimension * 0x9e3779b9U));
+  return static_cast<float>(static_cast<int32_t>(reverse_bits(x) >> 8)) * 0x1p-24f;
+}
+
+void scramble(const Reversed& reversed, uint32_t block_seed, SampleBlock& out) {
+  for (uint32_t k = 0; k < kBlockSize; ++k) out[k] = scrambled(reversed[k], block_seed, k);
+}
+
+// The same point for many pixels.
+ETENDUE_WIDE void scramble_all(const uint32_t* reversed, const uint32_t* pixel_seeds, size_t count, uint32_t block,
+                               SampleTable& out) {
+  std::array<uint32_t, SampleTable::kPaths> seeds{};
+  for (size_t i = 0; i < count; ++i) seeds[i] = hash_combine(pixel_seeds[i], block);
+  for (uint32_t k = 0; k < kBlockSize; ++k) {
+    const uint32_t coordinate = reversed[k];
+    float* values = out.values[k].data();
+    for (size_t i = 0; i < whole_registers(count); ++i) values[i] = scrambled(coordinate, seeds[i], k);
   }
 }
-
-[[gnu::target("avx2")]] void scramble_wide(const uint32_t* reversed, uint32_t seed, float* out) {
-  scramble(reversed, seed, out);
-}
-
-void scramble_narrow(const uint32_t* reversed, uint32_t seed, float* out) { scramble(reversed, seed, out); }
-
-// Chosen when the program starts, not by the linker: its resolvers run before a thread sanitizer is ready.
-const auto scramble_block = __builtin_cpu_supports("avx2") ? scramble_wide : scramble_narrow;
 
 }  // namespace
 
@@ -93,20 +98,24 @@ void SobolSampler::prepare(uint32_t first, uint32_t count) {
     }
 }
 
+Reversed SobolSampler::reversed(uint32_t sample, uint32_t block) const {
+  if (sample - first_ >= table_.size()) return reversed_point(sample, block * kBlockSize);
+  Reversed x;
+  std::copy_n(&table_[sample - first_][block * kBlockSize], kBlockSize, x.begin());
+  return x;
+}
+
 void SobolSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
   const uint32_t seed = hash_combine(pixel_seed, block);
-  constexpr uint32_t kBlocks = kDimensions / kBlockSize;
-  if (block < kBlocks && sample - first_ < table_.size()) {
-    scramble_block(&table_[sample - first_][block * kBlockSize], seed, out.data());
-    return;
-  }
-  if (block < kBlocks) {
-    scramble_block(reversed_point(sample, block * kBlockSize).data(), seed, out.data());
-    return;
-  }
+  if (block < kBlocks) return scramble(reversed(sample, block), seed, out);
   // The order of samples must not share the seed of a dimension.
-  const uint32_t shuffled = owen_scramble(sample, mix_bits(~seed));
-  scramble_block(reversed_point(shuffled, 0).data(), seed, out.data());
+  scramble(reversed_point(owen_scramble(sample, mix_bits(~seed)), 0), seed, out);
+}
+
+void SobolSampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
+                          SampleTable& out) const {
+  if (block >= kBlocks) return Sampler::blocks(pixel_seeds, sample, block, out);
+  scramble_all(reversed(sample, block).data(), pixel_seeds.data(), pixel_seeds.size(), block, out);
 }
 
 }  // namespace etendue

@@ -26,11 +26,18 @@ class SobolSampler final : public Sampler {
 
   void prepare(uint32_t first, uint32_t count) override;
   void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
+  void blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, SampleTable& out) const override;
 
   // The unscrambled coordinate as 32 bits, the highest worth one half.
   static uint32_t point(uint32_t sample, uint32_t dimension);
 
+  // A block of coordinates, their bits reversed.
+  using Reversed = std::array<uint32_t, kBlockSize>;
+
  private:
+  static constexpr uint32_t kBlocks = kDimensions / kBlockSize;
+  Reversed reversed(uint32_t sample, uint32_t block) const;
+
   uint32_t first_ = 0;
   std::vector<std::array<uint32_t, kDimensions>> table_;  // bits reversed
 };

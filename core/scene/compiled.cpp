@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "base/hash.h"
+#include "base/wide.h"
 
 namespace etendue::scene {
 namespace {
@@ -13,14 +14,6 @@ constexpr size_t kTopLevelBudget = 200'000;
 
 Vec3 barycentric(const std::vector<Vec3>& values, const Triangle& t, float u, float v) {
   return values[t[0]] * (1 - u - v) + values[t[1]] * u + values[t[2]] * v;
-}
-
-// How far float arithmetic may move a point off its triangle: intersection works with coordinates relative to the
-// vertices, so the error grows with where the triangle is and with how large it is.
-float offset_bound(const Vec3& position, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 far = glm::max(glm::abs(position), glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c))));
-  const float size = max_component(glm::abs(b - a)) + max_component(glm::abs(c - a));
-  return 16 * 0x1p-24f * (max_component(far) + size);
 }
 
 TexturePoint texture_point(const Mesh& mesh, uint32_t triangle, float u, float v) {
@@ -33,44 +26,107 @@ TexturePoint texture_point(const Mesh& mesh, uint32_t triangle, float u, float v
   return point;
 }
 
+// Flat triangles that rays have met, many at once.
+struct Facets {
+  static constexpr size_t kSize = 64;
+  template <class T>
+  using Array = std::array<T, kSize>;
+
+  WideVec3<kSize> p0, p1, p2, wo;
+  alignas(64) Array<float> u, v, winding;
+  WideVec3<kSize> position, ng, x, y;
+  alignas(64) Array<float> offset, facing;  // facing: the cosine between wo and the front
+
+  void set(size_t i, const InstanceData& instance, const Hit& hit, const Vec3& back) {
+    const Mesh& mesh = *instance.mesh;
+    const Triangle& t = mesh.triangles[hit.triangle];
+    if (instance.identity) {
+      p0.set(i, mesh.positions[t[0]]), p1.set(i, mesh.positions[t[1]]), p2.set(i, mesh.positions[t[2]]);
+    } else {
+      const Mat4& m = instance.to_world;
+      p0.set(i, Vec3(m * Vec4(mesh.positions[t[0]], 1)));
+      p1.set(i, Vec3(m * Vec4(mesh.positions[t[1]], 1)));
+      p2.set(i, Vec3(m * Vec4(mesh.positions[t[2]], 1)));
+    }
+    u[i] = hit.u, v[i] = hit.v;
+    // World-space triangles of a mirrored instance are turned; glTF wants the winding as it was.
+    winding[i] = instance.mirrored ? -1.0f : 1.0f;
+    wo.set(i, back);
+  }
+
+  void get(size_t i, SurfacePoint& point) const {
+    point.position = position[i];
+    point.ng = ng[i];
+    point.shading.x = x[i], point.shading.y = y[i], point.shading.z = ng[i];
+    point.offset = offset[i];
+    point.front = facing[i] > 0;
+  }
+};
+
+// How far float arithmetic may move a point off its triangle: intersection works with coordinates relative to the
+// vertices, so the error grows with where the triangle is and with how large it is.
+[[gnu::always_inline]] inline float offset_bound(const Vec3& position, const Vec3& e1, const Vec3& e2) {
+  const float far = max_component(glm::abs(position));
+  const float size = max_component(glm::abs(e1)) + max_component(glm::abs(e2));
+  return 16 * 0x1p-24f * (far + 2 * size);
+}
+
+ETENDUE_WIDE void shape(Facets& f, size_t count, const WideVec3View& positions) {
+#pragma GCC ivdep
+  for (size_t i = 0; i < whole_registers(count); ++i) {
+    const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
+    const Vec3 position = p0 + e1 * f.u[i] + e2 * f.v[i];
+    const Vec3 cross = glm::cross(e1, e2);
+    const Vec3 ng = cross * (f.winding[i] / std::sqrt(length_squared(cross)));
+    Frame frame;
+    frame.build(ng);
+    positions.set(i, position), f.position.set(i, position), f.ng.set(i, ng), f.x.set(i, frame.x), f.y.set(i, frame.y);
+    f.offset[i] = offset_bound(position, e1, e2);
+    f.facing[i] = glm::dot(ng, f.wo[i]);
+  }
+}
+
 }  // namespace
 
-void CompiledScene::surface(const Ray& ray, const Hit& hit, SurfacePoint& point) const {
-  const InstanceData& instance = (*instances_)[hit.instance];
-  const Mesh& mesh = *instance.mesh;
-  const Triangle& t = mesh.triangles[hit.triangle];
-  const float w = 1 - hit.u - hit.v;
+void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
+                             const WideVec3View& positions) const {
+  for (size_t first = 0; first < hits.size(); first += Facets::kSize) {
+    const size_t count = std::min(Facets::kSize, hits.size() - first);
+    Facets facets;
+    for (size_t i = 0; i < count; ++i)
+      facets.set(i, (*instances_)[hits[first + i].instance], hits[first + i], wo[first + i]);
+    shape(facets, count, positions + first);
+    for (size_t i = 0; i < count; ++i) {
+      facets.get(i, points[first + i]);
+      finish(wo[first + i], hits[first + i], points[first + i]);
+    }
+  }
+}
 
+// What is not the same for every flat triangle: textures, interpolated normals, normal maps.
+void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
+  const InstanceData& instance = (*instances_)[hit.instance];
   point.instance = &instance;
   point.material = &(*materials_)[instance.material];
   point.triangle = hit.triangle;
-
-  Vec3 p0 = mesh.positions[t[0]], p1 = mesh.positions[t[1]], p2 = mesh.positions[t[2]];
-  if (!instance.identity) {
-    const Mat4& m = instance.to_world;
-    p0 = Vec3(m * Vec4(p0, 1)), p1 = Vec3(m * Vec4(p1, 1)), p2 = Vec3(m * Vec4(p2, 1));
-  }
-  point.position = p0 * w + p1 * hit.u + p2 * hit.v;
-  point.offset = offset_bound(point.position, p0, p1, p2);
-  point.ng = glm::normalize(glm::cross(p1 - p0, p2 - p0));
-  // World-space triangles of a mirrored instance are turned; glTF wants the winding as it was.
-  if (instance.mirrored) point.ng = -point.ng;
-  point.front = glm::dot(point.ng, ray.direction) < 0;
-  if (!mesh.uvs[0].empty() || !mesh.uvs[1].empty() || !mesh.colors.empty())
-    point.texture = texture_point(mesh, hit.triangle, hit.u, hit.v);
+  if (instance.textured)
+    point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
   else
     point.texture.color = Vec4(1);
+  if (instance.smooth || point.material->normal) bend(wo, hit, point);
+}
 
-  if (mesh.normals.empty() && !point.material->normal) {
-    point.shading.build(point.ng);
-    return;
-  }
+void CompiledScene::bend(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
+  const InstanceData& instance = *point.instance;
+  const Mesh& mesh = *instance.mesh;
+  const Triangle& t = mesh.triangles[hit.triangle];
   Vec3 ns = point.ng;
   if (!mesh.normals.empty())
     ns = normalize_or(instance.normal_to_world * barycentric(mesh.normals, t, hit.u, hit.v), point.ng);
   if (glm::dot(ns, point.ng) < 0) ns = -ns;
   if (!mesh.tangents.empty()) {
-    const Vec4 tangent = mesh.tangents[t[0]] * w + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
+    const Vec4 tangent =
+        mesh.tangents[t[0]] * (1 - hit.u - hit.v) + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
     const Vec3 in_world = instance.identity ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
   } else {
@@ -83,7 +139,6 @@ void CompiledScene::surface(const Ray& ray, const Hit& hit, SurfacePoint& point)
         Frame(bent, point.shading.x, glm::dot(glm::cross(point.shading.z, point.shading.x), point.shading.y));
   }
   // A shading normal that looks away from the viewer would make the surface black: bend it until it is barely seen.
-  const Vec3 wo = -ray.direction;
   const float side = point.front ? 1.0f : -1.0f;
   const float seen = glm::dot(point.shading.z, wo) * side;
   constexpr float kBarely = 1e-3f;
@@ -92,18 +147,14 @@ void CompiledScene::surface(const Ray& ray, const Hit& hit, SurfacePoint& point)
 }
 
 Rgb CompiledScene::emitted(const SurfacePoint& point) const {
-  const Material& m = point.material->description;
-  if (!m.emits() && !m.unlit) return Rgb(0);
-  if (!point.front && !m.double_sided) return Rgb(0);
+  if (!point.material->shines || (!point.front && !point.material->description.double_sided)) return Rgb(0);
   return point.material->emission_at(point.texture);
 }
 
-Rgb CompiledScene::radiance_of(const LightSample& sample) const {
-  if (sample.kind != LightKind::triangle) return sample.radiance;
+Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
   const EmissiveTriangle& t = lights_->triangles()[sample.light];
   const InstanceData& instance = (*instances_)[t.instance];
   const SurfaceMaterial& material = (*materials_)[instance.material];
-  if (!material.emission) return material.description.emission;
   return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
 }
 
@@ -254,6 +305,8 @@ class Compiler {
         in_accel.accel = accel;
         in_accel.to_world = p.to_world;
       }
+      data.smooth = !data.mesh->normals.empty();
+      data.textured = !data.mesh->uvs[0].empty() || !data.mesh->uvs[1].empty() || !data.mesh->colors.empty();
       in_accel.mesh = data.mesh;
       result_->mesh_accels_.push_back(in_accel.accel);
       instances->push_back(std::move(data));
@@ -345,13 +398,13 @@ class Compiler {
     }
     EmissiveTriangle e{
         p[0], p[1] - p[0], p[2] - p[0], i, t, material.description.emission, material.description.double_sided};
-    e.turned = instance.mirrored;
+    e.cross = glm::cross(e.e1, e.e2) * (instance.mirrored ? -1.0f : 1.0f);
     if (material.emission) {
       Rgb sum(0);
       constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
                                        {.45f, .45f},       {.45f, .1f}, {.1f, .45f}};
       for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
-      e.radiance = sum / 7;
+      e.radiance = sum / 7, e.textured = true;
     }
     return e;
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/distribution.h"
+#include "base/wide.h"
 #include "camera/camera_ray.h"
 #include "geometry/accel.h"
 #include "light/light_table.h"
@@ -21,6 +22,8 @@ struct InstanceData {
   Mat4 to_world{1};
   Mat3 normal_to_world{1};  // inverse transpose
   bool identity = true;
+  bool smooth = false;    // has vertex normals
+  bool textured = false;  // has texture coordinates or vertex colours
   bool mirrored = false;  // negative determinant: winding is turned, glTF 2.0, 3.7.4
   uint32_t material = 0;
   uint32_t node = 0;                  // the object that a user picks
@@ -67,24 +70,30 @@ class CompiledScene final : public OpacityTest {
     return hit;
   }
   bool occluded(const Ray& ray, uint32_t ray_seed) const { return accel_->occluded(ray, opacity(), ray_seed); }
-  void intersect(std::span<const Ray> rays, std::span<const uint32_t> seeds, std::span<Hit> hits) const {
-    accel_->intersect(rays, seeds, opacity(), hits);
+  void intersect(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const {
+    accel_->intersect(packet, count, coherent, opacity(), seeds);
+  }
+  void occluded(RayPacket& packet, int count, const uint32_t* seeds) const {
+    accel_->occluded(packet, count, opacity(), seeds);
   }
 
-  // Fills `point` in place: it is too large to be copied in the sampling loop.
-  void surface(const Ray& ray, const Hit& hit, SurfacePoint& point) const;
+  // Where rays hit, one point for each; wo[i] points back along the ray of hits[i].
+  // `positions` gets those of the points once more, with room for whole registers.
+  void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
+                const WideVec3View& positions) const;
 
   template <class M>
-  Bsdf<M> bsdf(const SurfacePoint& point) const {
-    Bsdf<M> result(point.shading, point.ng);
-    add_lobes(*point.material, point.texture, result.lobes);
-    return result;
+  void bsdf(const SurfacePoint& point, Bsdf<M>& bsdf) const {
+    bsdf.build(point.shading, point.ng);
+    add_lobes(*point.material, point.texture, bsdf.lobes);
   }
 
   // Radiance that the surface sends to the side the ray came from; single-sided materials shine from their front only.
   Rgb emitted(const SurfacePoint& point) const;
   // What a sampled light sends to its receiver, textures included.
-  Rgb radiance_of(const LightSample& sample) const;
+  Rgb radiance_of(const LightSample& sample) const {
+    return sample.textured ? textured_radiance_of(sample) : sample.radiance;
+  }
   // The number of the light that this point lies on, or InstanceData::kNotALight.
   uint32_t light_at(const SurfacePoint& point) const {
     const uint32_t first = point.instance->first_light;
@@ -106,6 +115,9 @@ class CompiledScene final : public OpacityTest {
 
  private:
   friend class Compiler;
+  Rgb textured_radiance_of(const LightSample& sample) const;
+  void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
+  void bend(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
   const OpacityTest* opacity() const { return transparency_ ? this : nullptr; }
 
   std::shared_ptr<const Scene> description_;

@@ -11,6 +11,7 @@ extern "C" {
 void __real_rtcIntersect1(RTCScene scene, RTCIntersectContext* context, RTCRayHit* query);
 void __real_rtcOccluded1(RTCScene scene, RTCIntersectContext* context, RTCRay* ray);
 void __real_rtcIntersect16(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRayHit16* query);
+void __real_rtcOccluded16(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRay16* rays);
 
 void __wrap_rtcIntersect1(RTCScene scene, RTCIntersectContext* context, RTCRayHit* query) {
   if (recording) recording->add(scene, query->ray, false);
@@ -26,6 +27,12 @@ void __wrap_rtcIntersect16(const int* valid, RTCScene scene, RTCIntersectContext
   for (unsigned i = 0; recording && i < 16; ++i)
     if (valid[i]) recording->add(scene, rtcGetRayFromRayN(reinterpret_cast<RTCRayN*>(&query->ray), 16, i), false);
   __real_rtcIntersect16(valid, scene, context, query);
+}
+
+void __wrap_rtcOccluded16(const int* valid, RTCScene scene, RTCIntersectContext* context, RTCRay16* rays) {
+  for (unsigned i = 0; recording && i < 16; ++i)
+    if (valid[i]) recording->add(scene, rtcGetRayFromRayN(reinterpret_cast<RTCRayN*>(rays), 16, i), true);
+  __real_rtcOccluded16(valid, scene, context, rays);
 }
 
 }  // extern "C"

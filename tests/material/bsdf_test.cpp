@@ -61,7 +61,7 @@ bool has_delta(const LobeMix<Rgb>& lobes, const Vec3& wo) {
   Draw draw(1);
   for (int i = 0; i < 256; ++i) {
     LobeSample<Rgb> s;
-    if (lobes.sample(wo, draw.one(), draw.two(), Transport::radiance, s) && s.delta) return true;
+    if (lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s) && s.delta) return true;
   }
   return false;
 }
@@ -80,7 +80,7 @@ TEST(Bsdf, SamplesFollowTheirDensity) {
       const auto result = test::chi_square_on_sphere(
           [&](Vec3& wi) {
             LobeSample<Rgb> s;
-            const bool ok = lobes.sample(wo, draw.one(), draw.two(), Transport::radiance, s);
+            const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s);
             wi = s.wi;
             return ok;
           },
@@ -99,7 +99,7 @@ TEST(Bsdf, SampleWeightIsEvalOverPdf) {
       for (int i = 0; i < 500; ++i) {
         const Vec3 wo = direction(80 * draw.one(), 6 * draw.one()) * (draw.one() < 0.5f ? 1.0f : -1.0f);
         LobeSample<Rgb> s;
-        if (!lobes.sample(wo, draw.one(), draw.two(), mode, s) || s.delta) continue;
+        if (!lobes.sample(wo, {draw.one(), draw.two()}, mode, s) || s.delta) continue;
         const Rgb expected = lobes.eval(wo, s.wi, mode) * (std::abs(s.wi.z) / lobes.pdf(wo, s.wi, mode));
         for (int k = 0; k < 3; ++k) ASSERT_NEAR(s.weight[k], expected[k], 1e-3f * (1 + expected[k])) << c.name;
       }
@@ -135,7 +135,7 @@ double albedo(const LobeMix<Rgb>& lobes, const Vec3& wo, double& error) {
   constexpr int kN = 20'000;
   for (int i = 0; i < kN; ++i) {
     LobeSample<Rgb> s;
-    if (!lobes.sample(wo, draw.one(), draw.two(), Transport::importance, s)) continue;
+    if (!lobes.sample(wo, {draw.one(), draw.two()}, Transport::importance, s)) continue;
     sum += s.weight.g, squares += sqr(double{s.weight.g});
   }
   error = std::sqrt((squares / kN - sqr(sum / kN)) / kN);

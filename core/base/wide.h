@@ -1,0 +1,46 @@
+// Loops over many paths at once, on the widest registers that the machine has.
+//
+// A function marked ETENDUE_WIDE is compiled for several instruction sets, and the program takes the best one when it
+// starts. Every one of them gives the same bits: products and sums are never fused.
+#pragma once
+#include <array>
+
+#include "base/vec.h"
+
+// The linker's choice of a version runs before a thread sanitizer is ready.
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
+#define ETENDUE_WIDE [[gnu::target_clones("default", "avx2", "avx512f"), gnu::flatten]]
+#else
+#define ETENDUE_WIDE
+#endif
+
+namespace etendue {
+
+// Loops run over whole registers: what lies beyond the last element that counts is computed for nothing, and arrays
+// have room for it.
+inline constexpr size_t kWidest = 16;
+constexpr size_t whole_registers(size_t count) { return (count + kWidest - 1) / kWidest * kWidest; }
+
+// Vectors number by number.
+template <size_t N>
+struct WideVec3 {
+  alignas(64) std::array<float, N> x, y, z;
+
+  void set(size_t i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
+struct WideVec3View {
+  float *x, *y, *z;
+
+  WideVec3View(float* x_, float* y_, float* z_) : x(x_), y(y_), z(z_) {}
+  template <size_t N>
+  WideVec3View(WideVec3<N>& v)  // NOLINT(google-explicit-constructor)
+      : WideVec3View(v.x.data(), v.y.data(), v.z.data()) {}
+
+  void set(size_t i, const Vec3& v) const { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
+  WideVec3View operator+(size_t n) const { return {x + n, y + n, z + n}; }
+};
+
+}  // namespace etendue

@@ -1,0 +1,260 @@
+// Many walks from the camera that take each step together.
+//
+// A path asks for one ray at a time, and what follows depends on the answer; hundreds of paths side by side keep
+// Embree's packets full and let the processor work on one vertex while it waits for the data of another. `advance`
+// traces the rays of all paths that still travel; between two advances an integrator goes over the vertices that were
+// reached ("arrivals") and the paths that left the scene ("escapes"), with the loops of transport/gather.h.
+//
+// Nothing here depends on the order of threads: which paths share a packet follows from the pixels a front starts with.
+#pragma once
+#include "sampling/sampler.h"
+#include "transport/model.h"
+
+namespace etendue::transport {
+
+// What a path carries from vertex to vertex.
+template <class Color>
+struct alignas(64) PathState {
+  Color throughput, radiance;
+  Vec3 from;          // where the last direction started: what the density of a light refers to
+  float pdf;          // of the last direction per solid angle; 0 if it could not have been found by sampling a light
+  float eta_scale;    // refraction's compression of radiance so far, squared indices
+  uint32_t seed;      // the pixel's
+  bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
+};
+
+template <class M>
+class Front {
+ public:
+  using Color = typename M::Color;
+  static constexpr int kCapacity = SampleTable::kPaths;
+
+  // Forgets everything; `sample` is the index within the pixels' sequence.
+  void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample) {
+    scene_ = &scene, sampler_ = &sampler, sample_ = sample;
+    size_ = travelling_ = arrived_ = escaped_ = connections_ = length_ = 0;
+    rays_traced_ = 0;
+    seeded_ = scene.has_transparency();
+  }
+
+  // Adds a path for the pixel with this seed; the next number is its own.
+  void add(uint32_t pixel_seed) { seeds_[static_cast<size_t>(size_++)] = pixel_seed; }
+  // The numbers of block 0 of all paths, which belong to the camera.
+  SampleTable& draw_camera() {
+    draw(size_, 0);
+    return random_;
+  }
+  void launch(int path, const Ray& ray) {
+    state(path) = {Color(1), Color(0), Vec3(0), 0, 1, seeds_[static_cast<size_t>(path)], true};
+    travel(path, ray);
+  }
+
+  int size() const { return size_; }
+  PathState<Color>& state(int path) { return states_[static_cast<size_t>(path)]; }
+  uint64_t rays_traced() const { return rays_traced_; }
+  const scene::CompiledScene& scene() const { return *scene_; }
+
+  // Traces all rays that travel; false if there are none.
+  bool advance() {
+    if (travelling_ == 0) return false;
+    ++length_;
+    trace();
+    arrive();
+    draw(arrived_, static_cast<uint32_t>(length_));
+    squares_to_cosine_hemisphere(random_.values[vertex_dimension::kBsdfDirection].data(),
+                                 random_.values[vertex_dimension::kBsdfDirection + 1].data(),
+                                 static_cast<size_t>(arrived_), cosine_directions_);
+    return true;
+  }
+
+  // Edges from the camera to the present vertices.
+  int length() const { return length_; }
+
+  // The vertices that the last advance reached.
+  int arrived() const { return arrived_; }
+  int path_at(int arrival) const { return arrivals_[static_cast<size_t>(arrival)]; }
+  PathState<Color>& state_at(int arrival) { return state(path_at(arrival)); }
+  const scene::SurfacePoint& point(int arrival) const { return points_[static_cast<size_t>(arrival)]; }
+  const Bsdf<M>& bsdf(int arrival) const { return bsdfs_[static_cast<size_t>(arrival)]; }
+  const Vec3& wo(int arrival) const { return wo_[static_cast<size_t>(arrival)]; }
+  // Number `dimension` of the block that the vertex owns.
+  float random(int dimension, int arrival) const {
+    return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(arrival)];
+  }
+  Vec2 random_2d(int dimension, int arrival) const {
+    return Vec2(random(dimension, arrival), random(dimension + 1, arrival));
+  }
+  LobeDraw lobe_draw(int arrival) const {
+    return {random(vertex_dimension::kBsdfLobe, arrival), random_2d(vertex_dimension::kBsdfDirection, arrival),
+            cosine_directions_[static_cast<size_t>(arrival)]};
+  }
+
+  // A point on a light for each arrival.
+  std::span<const LightSample> sample_lights() {
+    const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
+    scene_->lights().sample(
+        {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
+         numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_)},
+        light_samples_.data());
+    return light_samples_;
+  }
+
+  // The paths that the last advance found to leave the scene.
+  int escaped() const { return escaped_; }
+  PathState<Color>& escapee(int i) { return state(escapes_[static_cast<size_t>(i)]); }
+  const Vec3& escape_direction(int i) const { return escape_directions_[static_cast<size_t>(i)]; }
+
+  // The path goes on from an arrival in this direction.
+  void depart(int arrival, const Vec3& direction) {
+    Ray ray;
+    point(arrival).spawn(direction, kInfinity, ray);
+    travel(path_at(arrival), ray);
+  }
+
+  // What the path gains unless something lies between the arrival and `distance` along `direction`; decided for all at
+  // once by `settle_connections`, which may also take it that there is nothing.
+  Color& connect(int arrival, const Vec3& direction, float distance) {
+    const auto slot = static_cast<size_t>(connections_++);
+    // Ends short of the light by more than rounding can have moved either end.
+    Ray ray;
+    point(arrival).spawn(direction, distance * (1 - 1e-4f), ray);
+    connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
+    connected_[slot] = static_cast<uint16_t>(path_at(arrival));
+    return contributions_[slot];
+  }
+  void settle_connections(bool trace);
+
+ private:
+  // A little more than is used: processors take a store for the source of a load where addresses agree in their last
+  // twelve bits, and arrays of a round size would agree everywhere.
+  template <class T>
+  using PerPath = std::array<T, kCapacity + 16>;
+  using Packets = std::array<RayPacket, kCapacity / RayPacket::kSize>;
+
+  // Rays are written into packets long before they are traced (see RayPacket).
+  void travel(int path, const Ray& ray) {
+    const auto slot = static_cast<size_t>(travelling_++);
+    travelling_packets_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
+    travellers_[slot] = static_cast<uint16_t>(path);
+  }
+
+  // The numbers of the present paths: of those that arrived, or of all at the camera.
+  void draw(int count, uint32_t block) {
+    sampler_->blocks({seeds_.data(), static_cast<size_t>(count)}, sample_, block, random_);
+  }
+
+  // Seeds for the rays of these paths, where stochastic opacity asks for them.
+  void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
+    for (int i = 0; seeded_ && i < count; ++i) {
+      const auto lane = static_cast<size_t>(i);
+      lane_seeds_[lane] = path_seed(state(paths[lane]).seed, sample_) + static_cast<uint32_t>(length_) + salt;
+    }
+  }
+
+  void trace();
+  void trace_connections();
+  void arrive();
+  void absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const;
+
+  const scene::CompiledScene* scene_ = nullptr;
+  const Sampler* sampler_ = nullptr;
+  uint32_t sample_ = 0;
+  int size_ = 0, travelling_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
+  uint64_t rays_traced_ = 0;
+  bool seeded_ = false;
+
+  // By path.
+  PerPath<PathState<Color>> states_;
+  // By arrival (seeds before the first: by path).
+  PerPath<scene::SurfacePoint> points_;
+  PerPath<Bsdf<M>> bsdfs_;
+  PerPath<uint32_t> seeds_;
+  PerPath<uint16_t> arrivals_;
+  SampleTable random_;
+  WideVec3<kCapacity> cosine_directions_;
+  PerPath<Hit> hits_;
+  PerPath<Vec3> wo_;
+  WideVec3<kCapacity> positions_;
+  PerPath<LightSample> light_samples_;
+  // By escape.
+  PerPath<uint16_t> escapes_;
+  PerPath<Vec3> escape_directions_;
+  // In the order they travel.
+  PerPath<uint16_t> travellers_;
+  Packets travelling_packets_;
+  // By connection.
+  PerPath<Color> contributions_;
+  PerPath<uint16_t> connected_;
+  Packets connecting_;
+  // Of one or the other.
+  PerPath<uint32_t> lane_seeds_;
+};
+
+template <class M>
+void Front<M>::trace() {
+  seed_lanes(travellers_, travelling_, 0);
+  for (int first = 0; first < travelling_; first += RayPacket::kSize)
+    scene_->intersect(travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)],
+                      std::min(RayPacket::kSize, travelling_ - first), length_ == 1,
+                      &lane_seeds_[static_cast<size_t>(first)]);
+  rays_traced_ += static_cast<uint64_t>(travelling_);
+  arrived_ = escaped_ = 0;
+  for (int i = 0; i < travelling_; ++i) {
+    const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
+    const int lane = i % RayPacket::kSize;
+    if (packet.met(lane)) {
+      const auto slot = static_cast<size_t>(arrived_++);
+      arrivals_[slot] = travellers_[static_cast<size_t>(i)];
+      packet.get(lane, hits_[slot]);
+      wo_[slot] = -packet.direction(lane);
+    } else {
+      const auto slot = static_cast<size_t>(escaped_++);
+      escapes_[slot] = travellers_[static_cast<size_t>(i)];
+      escape_directions_[slot] = packet.direction(lane);
+    }
+  }
+  travelling_ = 0;
+}
+
+template <class M>
+void Front<M>::arrive() {
+  const auto count = static_cast<size_t>(arrived_);
+  scene_->surfaces({wo_.data(), count}, {hits_.data(), count}, points_.data(), positions_);
+  for (size_t i = 0; i < count; ++i) {
+    scene_->template bsdf<M>(points_[i], bsdfs_[i]);
+    seeds_[i] = state(arrivals_[i]).seed;
+    if constexpr (M::kAbsorbing) absorb(state(arrivals_[i]), points_[i], hits_[i].t);
+  }
+}
+
+// Beer's law along the part of the ray that lies inside a solid: a back face met from within.
+template <class M>
+void Front<M>::absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const {
+  const Material& m = point.material->description;
+  if (point.front || !m.solid() || !std::isfinite(m.attenuation_distance)) return;
+  const float x = distance / m.attenuation_distance;
+  state.throughput *=
+      Color(std::pow(m.attenuation_color.r, x), std::pow(m.attenuation_color.g, x), std::pow(m.attenuation_color.b, x));
+}
+
+template <class M>
+void Front<M>::settle_connections(bool trace) {
+  if (trace) trace_connections();
+  for (int i = 0; i < connections_; ++i) {
+    const auto slot = static_cast<size_t>(i);
+    if (!trace || !connecting_[slot / RayPacket::kSize].blocked(i % RayPacket::kSize))
+      state(connected_[slot]).radiance += contributions_[slot];
+  }
+  connections_ = 0;
+}
+
+template <class M>
+void Front<M>::trace_connections() {
+  seed_lanes(connected_, connections_, 0x5bd1e995U);
+  for (int first = 0; first < connections_; first += RayPacket::kSize)
+    scene_->occluded(connecting_[static_cast<size_t>(first / RayPacket::kSize)],
+                     std::min(RayPacket::kSize, connections_ - first), &lane_seeds_[static_cast<size_t>(first)]);
+  rays_traced_ += static_cast<uint64_t>(connections_);
+}
+
+}  // namespace etendue::transport

@@ -1,0 +1,108 @@
+// What gathering methods do at the vertices of a front of walks: the terms of thesis (9.26)-(9.29).
+//
+// Each goes over all vertices that the last step reached. A method that finds the same light in two ways names the
+// heuristic by which they share it; without one the way at hand counts alone.
+#pragma once
+#include <optional>
+
+#include "transport/front.h"
+#include "transport/mis.h"
+
+namespace etendue::transport {
+
+using Combination = std::optional<MisHeuristic>;
+
+// Roulette never lets a path live with certainty above this, so that a lossless room ends too (digest: albedo 1).
+inline constexpr float kMaxSurvival = 0.95f;
+
+// The weight of emission that the walk's own direction found.
+template <class Color>
+float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
+                    Combination shared) {
+  if (!shared || path.pdf == 0) return 1;
+  const uint32_t light = scene.light_at(point);
+  if (light == scene::InstanceData::kNotALight) return 1;
+  return mis_weight(*shared, path.pdf, scene.lights().pdf_triangle(light, path.from, point.position));
+}
+
+// Light that surfaces emit towards the walks. An unlit surface shows itself and lights nothing.
+template <class M>
+void add_emission(Front<M>& front, Combination shared = {}) {
+  const scene::CompiledScene& scene = front.scene();
+  for (int i = 0; i < front.arrived(); ++i) {
+    const scene::SurfacePoint& point = front.point(i);
+    if (!point.material->shines) continue;
+    auto& path = front.state_at(i);
+    if (point.material->description.unlit && !path.all_specular) continue;
+    path.radiance += path.throughput * scene.emitted(point) * weight_of_hit(path, scene, point, shared);
+  }
+}
+
+// Light from infinity along the last direction of the walks that left.
+template <class M>
+void add_environment(Front<M>& front, Combination shared = {}) {
+  const LightTable& lights = front.scene().lights();
+  const EnvironmentMap& map = lights.environment();
+  if (map.black() || (front.length() == 1 && !map.visible())) return;
+  for (int i = 0; i < front.escaped(); ++i) {
+    auto& path = front.escapee(i);
+    const Vec3& direction = front.escape_direction(i);
+    const bool alone = !shared || path.pdf == 0;
+    const float weight = alone ? 1 : mis_weight(*shared, path.pdf, lights.pdf_environment(direction));
+    path.radiance += path.throughput * map.radiance(direction) * weight;
+  }
+}
+
+// Whether shadow rays are traced: thesis 8.2 knows local illumination without them.
+enum class Shadows { cast, ignored };
+
+// Next event estimation: one point on one light for each vertex.
+template <class M>
+void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast) {
+  const scene::CompiledScene& scene = front.scene();
+  if (scene.lights().empty()) return;
+  const std::span<const LightSample> samples = front.sample_lights();
+  for (int i = 0; i < front.arrived(); ++i) {
+    const LightSample& light = samples[static_cast<size_t>(i)];
+    const Bsdf<M>& bsdf = front.bsdf(i);
+    if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
+    const auto scattered = bsdf.evaluate(front.wo(i), light.wi);
+    if (is_black(scattered.f_cos)) continue;
+    const float weight = shared && !light.delta ? mis_weight(*shared, light.pdf, scattered.pdf) : 1;
+    auto& path = front.state_at(i);
+    auto& gain = front.connect(i, light.wi, light.distance);
+    gain = path.throughput * scattered.f_cos * scene.radiance_of(light) * (weight / light.pdf);
+  }
+  front.settle_connections(shadows == Shadows::cast);
+}
+
+// Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
+// compression of radiance taken out), and is weighted so that the expectation does not change. thesis (9.10)
+template <class Color>
+bool survives_roulette(PathState<Color>& path, float random) {
+  const float survival = std::min(kMaxSurvival, max_component(path.throughput) * path.eta_scale);
+  if (!(random < survival)) return false;
+  path.throughput /= survival;
+  return true;
+}
+
+// Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
+// behind.
+template <class M>
+void scatter(Front<M>& front, int roulette_from) {
+  const bool roulette = front.length() >= roulette_from;
+  for (int i = 0; i < front.arrived(); ++i) {
+    LobeSample<typename M::Color> s;
+    if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), Transport::radiance, s)) continue;
+    auto& path = front.state_at(i);
+    path.throughput *= s.weight;
+    path.eta_scale *= sqr(s.eta);
+    if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
+    path.pdf = s.delta ? 0 : s.pdf_solid_angle;
+    path.from = front.point(i).position;
+    path.all_specular = path.all_specular && s.delta;
+    front.depart(i, s.wi);
+  }
+}
+
+}  // namespace etendue::transport
