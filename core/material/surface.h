@@ -27,7 +27,7 @@ struct SurfaceMaterial {
       return lookup(*texture, encoding, identity ? uv : transformed(use, uv));
     }
   };
-  Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission;
+  Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
   bool diffuse = false;      // never anything but a Lambertian lobe
   bool transparent = false;  // its opacity is not one everywhere
   bool textured = false;     // looks at texture coordinates or vertex colours
