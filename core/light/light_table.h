@@ -53,7 +53,8 @@ class EnvironmentMap {
  private:
   Vec2 uv_of(const Vec3& direction) const;
   Environment environment_;
-  Piecewise2D density_;  // of the map; empty for a constant environment
+  std::vector<float> weights_;  // of the map's texels: luminance times sine; empty for a constant environment
+  Piecewise2D density_;         // of the patches between them
   Rgb mean_{0};
 };
 

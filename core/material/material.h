@@ -43,7 +43,8 @@ struct Material {
   float thickness = 0;                // KHR_materials_volume: 0 is a thin wall, anything else a solid
   Rgb attenuation_color{1};
   float attenuation_distance = kInfinity;         // metres of world space
-  float anisotropy = 0, anisotropy_rotation = 0;  // [0, 1]; radians from the tangent
+  float anisotropy = 0, anisotropy_rotation = 0;  // [0, 1]; radians from the tangent, counter-clockwise
+  TextureUse anisotropy_texture;                  // linear: RG direction, B strength
 
   bool solid() const { return transmission > 0 && thickness > 0; }
   bool emits() const { return !is_black(emission); }

@@ -10,15 +10,18 @@ namespace etendue {
 
 struct Ggx {
   float alpha_x = 1, alpha_y = 1;
+  Vec2 along{1, 0};  // the direction of alpha_x in the tangent plane
 
   // Density of facet normals per solid angle, times nothing: the integral of D(h) cos(theta_h) is one.
-  float d(const Vec3& h) const {
+  float d(const Vec3& any_h) const {
+    const Vec3 h = turned(any_h);
     const float e = sqr(h.x / alpha_x) + sqr(h.y / alpha_y) + sqr(h.z);
     return 1 / (kPi * alpha_x * alpha_y * sqr(e));
   }
 
   // Smith's auxiliary function for a direction on either side.
-  float lambda(const Vec3& w) const {
+  float lambda(const Vec3& any_w) const {
+    const Vec3 w = turned(any_w);
     const float slope2 = (sqr(alpha_x * w.x) + sqr(alpha_y * w.y)) / sqr(w.z);
     return 0.5f * (std::sqrt(1 + slope2) - 1);
   }
@@ -33,7 +36,8 @@ struct Ggx {
     return g1(wo) * std::max(0.0f, glm::dot(wo, h)) * d(h) / wo.z;
   }
 
-  Vec3 sample_visible(const Vec3& wo, Vec2 u) const {
+  Vec3 sample_visible(const Vec3& any_wo, Vec2 u) const {
+    const Vec3 wo = turned(any_wo);
     const Vec3 v = glm::normalize(Vec3(alpha_x * wo.x, alpha_y * wo.y, wo.z));
     const float planar = v.x * v.x + v.y * v.y;
     const Vec3 t1 = planar > 0 ? Vec3(-v.y, v.x, 0) / std::sqrt(planar) : Vec3(1, 0, 0);
@@ -44,8 +48,13 @@ struct Ggx {
     const float s = 0.5f * (1 + v.z);
     const float p2 = (1 - s) * safe_sqrt(1 - p1 * p1) + s * r * std::sin(phi);
     const Vec3 n = p1 * t1 + p2 * t2 + safe_sqrt(1 - p1 * p1 - p2 * p2) * v;
-    return glm::normalize(Vec3(alpha_x * n.x, alpha_y * n.y, std::max(1e-7f, n.z)));
+    const Vec3 h = glm::normalize(Vec3(alpha_x * n.x, alpha_y * n.y, std::max(1e-7f, n.z)));
+    return Vec3(along.x * h.x - along.y * h.y, along.y * h.x + along.x * h.y, h.z);
   }
+
+ private:
+  // In the axes of the two widths.
+  Vec3 turned(const Vec3& w) const { return Vec3(along.x * w.x + along.y * w.y, along.x * w.y - along.y * w.x, w.z); }
 };
 
 inline Vec3 reflect(const Vec3& wo, const Vec3& h) { return 2 * glm::dot(wo, h) * h - wo; }

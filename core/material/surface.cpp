@@ -18,6 +18,24 @@ float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
 Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
 
+// The facets at a point: the texture turns and weakens what the factors say.
+Ggx facets_at(const SurfaceMaterial& material, const TexturePoint& point, float roughness) {
+  const Material& m = material.description;
+  if (m.anisotropy == 0) return facets_of(roughness, 0);
+  const Vec2 turn(std::cos(m.anisotropy_rotation), std::sin(m.anisotropy_rotation));
+  Vec2 direction(1, 0);
+  float strength = m.anisotropy;
+  if (material.anisotropy) {
+    const Vec4 t = material.anisotropy.at(point, Encoding::linear);
+    const Vec2 d(2 * t.x - 1, 2 * t.y - 1);
+    if (const float length = glm::length(d); length > 1e-3f) direction = d / length;
+    strength *= t.z;
+  }
+  Ggx facets = facets_of(roughness, strength);
+  facets.along = Vec2(turn.x * direction.x - turn.y * direction.y, turn.y * direction.x + turn.x * direction.y);
+  return facets;
+}
+
 }  // namespace
 
 SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
@@ -28,13 +46,15 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   specular = resolved(m.specular_texture, textures);
   specular_color = resolved(m.specular_color_texture, textures);
   transmission = resolved(m.transmission_texture, textures);
+  anisotropy = resolved(m.anisotropy_texture, textures);
   diffuse = m.unlit || (m.metallic == 0 && m.transmission == 0 &&
                         (m.specular == 0 || (is_black(m.specular_color) && m.specular == 0) || m.ior == 1.0f));
   plain = !base_color && !m.unlit;
   factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
   shines = m.emits() || m.unlit;
   transparent = m.alpha_mode != AlphaMode::opaque;
-  textured = base_color || metallic_roughness || normal || emission || specular || specular_color || transmission;
+  textured = base_color || metallic_roughness || normal || emission || specular || specular_color || transmission ||
+             anisotropy;
 }
 
 Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
@@ -107,7 +127,7 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeM
 
   const Rgb bright = specular_color * (m.ior == 0 ? 1.0f : f0_from_ior(m.ior));
   const Rgb dielectric_f0 = Rgb(unit(bright.r), unit(bright.g), unit(bright.b)) * specular;
-  const Ggx facets = facets_of(roughness, m.anisotropy);
+  const Ggx facets = facets_at(material, point, roughness);
 
   if (through < 1) {
     Layered<Rgb> layered;

@@ -29,7 +29,7 @@ struct SurfaceMaterial {
       return lookup(*texture, encoding, identity ? uv : transformed(use, uv));
     }
   };
-  Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission;
+  Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
   bool diffuse = false;  // never anything but a Lambertian lobe
   bool plain = false;    // its base colour is `factor` but for vertex colours
   Vec4 factor{0};

@@ -142,6 +142,7 @@ class MaterialImporter {
     if (const auto* e = extension_of(from_.extensions, "KHR_materials_anisotropy")) {
       to_.anisotropy = clamped(number_of(*e, "anisotropyStrength", 0), 0, 1);
       to_.anisotropy_rotation = number_of(*e, "anisotropyRotation", 0);
+      to_.anisotropy_texture = use_in(*e, "anisotropyTexture");
     }
   }
 

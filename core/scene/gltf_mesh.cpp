@@ -22,9 +22,9 @@ struct TangentNeed {
 };
 
 TangentNeed tangent_need(const Material& material) {
-  const TextureUse& use = material.normal_texture;
-  if (use.texture >= 0) return {true, use.uv_set, use.scale, use.rotation};
-  return {material.anisotropy > 0, 0, Vec2(1), 0};
+  const bool mapped = material.normal_texture.texture >= 0;
+  const TextureUse& use = mapped ? material.normal_texture : material.anisotropy_texture;
+  return {mapped || material.anisotropy > 0, use.uv_set, use.scale, use.rotation};
 }
 
 glm::mat2 to_texture(const TangentNeed& need) {

@@ -1,5 +1,4 @@
-// The glTF files of the test data, and how to look at them as others did.                    data README, gltf/,
-// fidelity/
+// The glTF files of the test data, and how to look at them as others did.                    data README
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -15,8 +14,11 @@ namespace etendue::looks {
 struct View {
   std::string name;  // its path below gltf/
   std::filesystem::path file;
-  std::filesystem::path environment;
+  std::filesystem::path environment;            // none: the file's own light
   std::optional<Camera> camera;                 // the published one; the file's own or a fitting one without it
+  std::optional<Vec3> from;                     // where the published camera stands, if only its direction is known
+  float exposure = 0;                           // EV, at which a white surface is as bright as published
+  bool background = false;                      // whether the published pictures show the environment
   double aspect = 1;                            // width over height of the published picture
   std::vector<std::filesystem::path> pictures;  // published pictures, display-encoded
 };
@@ -32,8 +34,10 @@ struct Reference {
 std::vector<View> gallery(const std::filesystem::path& data);
 // What fidelity/cycles holds, sorted by name.
 std::vector<Reference> references(const std::filesystem::path& data);
+// The folders of scenes/, sorted by name.
+std::vector<Reference> scenes(const std::filesystem::path& data);
 
-// The view as a document whose larger side is `size` pixels.
+// The view as a document whose larger side is `size` pixels; without animations if there are pictures of it.
 Result<render::Document> open(const View& view, int size, bool environment_visible);
 
 }  // namespace etendue::looks

@@ -2,8 +2,9 @@
 //
 //   looks DATA OUT.png [TILE [SAMPLES]]            ours alone
 //   looks --beside DATA OUT.png [TILE [SAMPLES]]   each with the published pictures of it, where there are any
-//   looks --references DATA OUT.png [SAMPLES]      a table of figures against the linear pictures; ours, theirs,
-//   difference
+//   looks --references DATA OUT.png [SAMPLES]      a table of figures against the linear pictures of files; ours,
+//                                                  theirs, difference
+//   looks --scenes DATA OUT.png [SAMPLES [SIZE]]   the same for the scenes, at SIZE pixels
 //
 // Exits with 1 if a sample was no finite, non-negative number.
 #include <cstdio>
@@ -68,7 +69,7 @@ int make_sheet(const std::string& data, const std::string& out, bool beside, int
   uint64_t rejected = 0;
   for (const View& view : gallery(data)) {
     if (beside && view.pictures.empty()) continue;
-    const auto document = open(view, tile, false);
+    const auto document = open(view, tile, view.background);
     if (document) {
       const film::Film film = test::rendered(*document, samples);
       rejected += report_rejected(view.name, film);
@@ -85,32 +86,49 @@ int make_sheet(const std::string& data, const std::string& out, bool beside, int
   return rejected > 0 ? 1 : 0;
 }
 
+// Averaged down by a whole factor; as it is if there is none.
+image::LayeredImage shrunk(const image::LayeredImage& from, int width) {
+  const int f = from.width % width == 0 && from.height % (from.width / width) == 0 ? from.width / width : 1;
+  const auto& pixels = from.find("")->pixels;
+  image::LayeredImage to{from.width / f, from.height / f, {{"", {"R", "G", "B"}, {}}}, {}};
+  for (int y = 0; y < to.height; ++y)
+    for (int x = 0; x < to.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (int i = 0; i < f * f; ++i)
+          sum += pixels[static_cast<size_t>(((y * f + i / f) * from.width + x * f + i % f) * 3 + c)];
+        to.layers[0].pixels.push_back(static_cast<float>(sum / (f * f)));
+      }
+  return to;
+}
+
 double mean(std::span<const float> values) {
   double sum = 0;
   for (const float v : values) sum += v;
   return sum / static_cast<double>(values.size());
 }
 
-int make_table(const std::string& data, const std::string& out, uint32_t samples) {
+int make_table(const std::vector<Reference>& references, const std::string& out, int size, uint32_t samples) {
   uint64_t rejected = 0;
-  Sheet sheet(320, 3);
+  Sheet sheet(size, 3);
   std::printf("%-30s %10s %10s %10s\n", "asset", "mean/ref", "relmse", "rmse");
-  for (const Reference& reference : references(data)) {
-    const auto document = open(reference.view, std::max(reference.width, reference.height), true);
-    const auto linear = image::read_linear(reference.linear);
-    if (!document || !linear) {
-      std::printf("%s\n", (document ? linear.error() : document.error()).message.c_str());
+  for (const Reference& reference : references) {
+    const auto document = open(reference.view, size, true);
+    const auto full = image::read_linear(reference.linear);
+    if (!document || !full) {
+      std::printf("%s\n", (document ? full.error() : document.error()).message.c_str());
       return 3;
     }
     const film::Film film = test::rendered(*document, samples);
     rejected += report_rejected(reference.view.name, film);
     image::LayeredImage ours{film.width(), film.height(), {{"", {"R", "G", "B"}, pixels_of(film)}}, {}};
-    const auto metrics = measure::compare(ours, *linear);
+    const image::LayeredImage linear = shrunk(*full, film.width());
+    const auto metrics = measure::compare(ours, linear);
     if (!metrics) return std::printf("%s\n", metrics.error().message.c_str()), 3;
     std::printf("%-30s %10.4f %10.5f %10.5f\n", reference.view.name.c_str(),
-                mean(ours.layers[0].pixels) / mean(linear->find("")->pixels), metrics->relmse, metrics->rmse);
-    const Picture mine = displayed(ours, *document), theirs = displayed(*linear, *document);
-    const Picture difference{ours.width, ours.height, measure::heat_map(ours, *linear)};
+                mean(ours.layers[0].pixels) / mean(linear.find("")->pixels), metrics->relmse, metrics->rmse);
+    const Picture mine = displayed(ours, *document), theirs = displayed(linear, *document);
+    const Picture difference{ours.width, ours.height, measure::heat_map(ours, linear)};
     sheet.add(&mine, reference.view.name), sheet.add(&theirs, "reference"), sheet.add(&difference, "difference");
   }
   if (const int failed = save(sheet, out)) return failed;
@@ -119,7 +137,7 @@ int make_table(const std::string& data, const std::string& out, uint32_t samples
 
 int run(std::vector<std::string> args) {
   const auto take = [&](const char* flag) { return std::erase(args, flag) > 0; };
-  const bool beside = take("--beside"), table = take("--references");
+  const bool beside = take("--beside"), table = take("--references"), of_scenes = take("--scenes");
   const auto number = [&](size_t i, int usual) {
     return args.size() > i ? std::max(1, std::atoi(args[i].c_str())) : usual;
   };
@@ -127,11 +145,15 @@ int run(std::vector<std::string> args) {
     std::fprintf(stderr, "looks: %s: has no folder gltf; give the folder of the test data\n", args[0].c_str());
     return 3;
   }
-  if (table && args.size() >= 2) return make_table(args[0], args[1], static_cast<uint32_t>(number(2, 256)));
+  if (table && args.size() >= 2)
+    return make_table(references(args[0]), args[1], 320, static_cast<uint32_t>(number(2, 256)));
+  if (of_scenes && args.size() >= 2)
+    return make_table(scenes(args[0]), args[1], number(3, 512), static_cast<uint32_t>(number(2, 64)));
   if (args.size() >= 2)
     return make_sheet(args[0], args[1], beside, number(2, 128), static_cast<uint32_t>(number(3, 64)));
   std::fprintf(stderr,
-               "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]\n");
+               "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]"
+               " | looks --scenes DATA OUT.png [SAMPLES [SIZE]]\n");
   return 2;
 }
 

@@ -61,6 +61,36 @@ TEST(Looks, EveryFileRenders) {
   }
 }
 
+TEST(Looks, KnowWhereEveryPublishedPictureWasTakenFrom) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  for (const View& view : gallery(data))
+    if (!view.pictures.empty()) {
+      EXPECT_TRUE(view.camera || view.from) << view.name;
+    }
+}
+
+// A published picture shows the fox as it was modelled, not the first moment of one of its movements.
+TEST(Looks, ShowPublishedFilesWithoutAnimations) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  for (const View& view : gallery(data))
+    if (view.name == "Fox.glb") {
+      EXPECT_TRUE(open(view, kSize, false)->scene->animations.empty());
+    }
+}
+
+TEST(Looks, FindTheScenesWithTheirReferences) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  const auto found = scenes(data);
+  ASSERT_EQ(found.size(), 3U);
+  for (const Reference& r : found) {
+    EXPECT_EQ(r.width, 1024) << r.view.name;
+    EXPECT_TRUE(std::filesystem::exists(r.linear)) << r.view.name;
+  }
+}
+
 TEST(Sheet, PlacesPicturesAndText) {
   const Picture white{2, 2, std::vector<uint8_t>(12, 255)};
   Sheet sheet(8, 2);

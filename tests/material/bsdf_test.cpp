@@ -33,6 +33,8 @@ std::vector<Case> cases() {
   Material stretched;
   stretched.metallic = 1, stretched.roughness = 0.4f, stretched.anisotropy = 0.7f;
   list.push_back({"anisotropic", stretched});
+  stretched.anisotropy_rotation = 0.7f;
+  list.push_back({"anisotropic, turned", stretched});
   Material matte;
   matte.metallic = 0, matte.specular = 0;
   list.push_back({"Lambert", matte});
@@ -158,6 +160,42 @@ TEST(Bsdf, ConservesEnergyWhereTheSpecificationDoes) {
       }
     }
   }
+}
+
+Material brushed(float strength, float rotation) {
+  Material m;
+  m.roughness = 0.4f, m.anisotropy = strength, m.anisotropy_rotation = rotation;
+  return m;
+}
+
+Vec3 quarter_turned(const Vec3& w) { return {-w.y, w.x, w.z}; }
+
+// Counter-clockwise from the tangent, as KHR_materials_anisotropy has it.
+TEST(Anisotropy, RotationTurnsTheSurface) {
+  const auto plain = lobes_of(brushed(0.8f, 0)), turned = lobes_of(brushed(0.8f, kPi / 2));
+  Draw draw(5);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 a = direction(80 * draw.one(), 6 * draw.one()), b = direction(80 * draw.one(), 6 * draw.one());
+    const float expected = plain.eval(a, b, Transport::radiance).r;
+    ASSERT_NEAR(turned.eval(quarter_turned(a), quarter_turned(b), Transport::radiance).r, expected, 1e-4f * expected);
+  }
+}
+
+// Red and green are the direction, blue the share of the strength.
+TEST(Anisotropy, TextureTurnsAndWeakensTheFactors) {
+  auto image = std::make_shared<image::Image>();
+  image->width = image->height = 1, image->channels = 3, image->type = image::PixelType::float32;
+  image->floats = {0.5f, 1, 0.25f};
+  Texture texture;
+  texture.image = image;
+  Material textured = brushed(0.8f, 0.3f);
+  textured.anisotropy_texture.texture = 0;
+  LobeMix<Rgb> lobes;
+  add_lobes(SurfaceMaterial(textured, {texture}), {}, lobes);
+  const auto expected = lobes_of(brushed(0.2f, 0.3f + kPi / 2));
+  const Vec3 a = direction(30, 1), b = direction(50, 4);
+  const float f = expected.eval(a, b, Transport::radiance).r;
+  EXPECT_NEAR(lobes.eval(a, b, Transport::radiance).r, f, 1e-4f * f);
 }
 
 // A slab of smooth glass at normal incidence, all inter-reflections: T = (1 - R) / (1 + R) = 0.923077 for eta 1.5.

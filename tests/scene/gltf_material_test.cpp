@@ -114,9 +114,13 @@ TEST_F(Materials, TransmissionAndVolume) {
 }
 
 TEST_F(Materials, Anisotropy) {
-  const Material m = extended("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5}, {"anisotropyRotation", 1.25}});
+  const Material m = extended("KHR_materials_anisotropy", {{"anisotropyStrength", 0.5},
+                                                           {"anisotropyRotation", 1.25},
+                                                           {"anisotropyTexture", {{"index", 1}, {"texCoord", 1}}}});
   EXPECT_EQ(m.anisotropy, 0.5f);
   EXPECT_EQ(m.anisotropy_rotation, 1.25f);
+  EXPECT_EQ(m.anisotropy_texture.texture, 1);
+  EXPECT_EQ(m.anisotropy_texture.uv_set, 1);
 }
 
 TEST_F(Materials, TextureTransform) {
