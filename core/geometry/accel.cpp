@@ -118,14 +118,6 @@ const Lanes& first_lanes(int count) {
   return kMasks[static_cast<size_t>(count)];
 }
 
-// What is the same for all rays.
-void complete(RTCRay16& rays) {
-  std::memset(rays.time, 0, sizeof rays.time);
-  std::memset(rays.mask, 0xff, sizeof rays.mask);
-  std::memset(rays.flags, 0, sizeof rays.flags);
-  for (unsigned i = 0; i < RayPacket::kSize; ++i) rays.id[i] = i;
-}
-
 }  // namespace
 
 MeshAccel::MeshAccel(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)), scene_(new_scene()) {
@@ -172,10 +164,17 @@ bool Accel::occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_se
   return query.tfar < 0;
 }
 
+// What is the same for all rays is written once: Embree leaves it as it is.
+RayPacket::RayPacket() : query_{} {
+  for (int i = 0; i < kSize; ++i) {
+    query_.ray.mask[i] = 0xffffffffU;
+    query_.ray.id[i] = static_cast<unsigned>(i);
+  }
+}
+
 void Accel::intersect(RayPacket& packet, int count, bool coherent, const OpacityTest* opacity,
                       const uint32_t* seeds) const {
   const Lanes& lanes = first_lanes(count);
-  complete(packet.query_.ray);
   std::memset(packet.query_.hit.geomID, 0xff, sizeof packet.query_.hit.geomID);
   std::memset(packet.query_.hit.instID, 0xff, sizeof packet.query_.hit.instID);
   TraceContext context = make_context(opacity, seeds, coherent);
@@ -184,7 +183,6 @@ void Accel::intersect(RayPacket& packet, int count, bool coherent, const Opacity
 
 void Accel::occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const {
   const Lanes& lanes = first_lanes(count);
-  complete(packet.query_.ray);
   TraceContext context = make_context(opacity, seeds, false);
   rtcOccluded16(lanes.valid, scene_, &context.embree, &packet.query_.ray);
 }

@@ -39,6 +39,8 @@ class RayPacket {
  public:
   static constexpr int kSize = 16;
 
+  RayPacket();
+
   void set(int lane, const Ray& ray) {
     RTCRay16& r = query_.ray;
     r.org_x[lane] = ray.origin.x, r.org_y[lane] = ray.origin.y, r.org_z[lane] = ray.origin.z;

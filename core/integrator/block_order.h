@@ -29,7 +29,7 @@ class BlockOrder {
   struct Pixel {
     uint8_t x, y;
   };
-  std::array<Pixel, static_cast<size_t>(PixelBlock::kSide) * PixelBlock::kSide> pixels_;
+  std::array<Pixel, PixelBlock::kMostPixels> pixels_;
   int width_, size_ = 0;
 };
 

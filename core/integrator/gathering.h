@@ -45,7 +45,7 @@ class Gathering : public Integrator {
     return assign_by_name(static_cast<Derived&>(*this).knobs(), name, value);
   }
 
-  uint64_t sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const final {
+  std::optional<uint64_t> sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const final {
     return transport::with_model(*pass.model, [&]<class M>(M) { return sample_with<M>(pass, block, radiance); });
   }
 
@@ -56,12 +56,13 @@ class Gathering : public Integrator {
   const Derived& self() const { return static_cast<const Derived&>(*this); }
 
   template <class M>
-  uint64_t sample_with(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const {
+  std::optional<uint64_t> sample_with(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const {
     // One for each thread and model: it is too large to be made anew for every block.
     static thread_local const auto front = std::make_unique<transport::Front<M>>();
     const BlockOrder order(block);
     launch(pass, block, order, *front);
     self().template estimate<M>(*front);
+    if (front->given_up()) return {};
     for (int i = 0; i < front->size(); ++i) radiance[order.index(i)] = front->state(i).radiance;
     return front->rays_traced();
   }
@@ -69,7 +70,7 @@ class Gathering : public Integrator {
   template <class M>
   static void launch(const Pass& pass, const PixelBlock& block, const BlockOrder& order, transport::Front<M>& front) {
     const uint32_t replicate = block.sample % film::kReplicates;
-    front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates);
+    front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, pass.wanted);
     for (int i = 0; i < order.size(); ++i)
       front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
     SampleTable& random = front.draw_camera();

@@ -2,7 +2,9 @@
 //
 // It is chosen once per pass through a virtual call; inside, the hot loop is a template over the transport model.
 #pragma once
+#include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,12 +37,14 @@ struct Pass {
   const Sampler* sampler;
   const CameraRays* camera;
   const film::Filter* filter;
-  uint64_t seed;  // the user's
+  uint64_t seed;                                  // the user's
+  const std::function<bool()>* wanted = nullptr;  // asked now and then: a block is given up if nobody wants it any more
 };
 
-// One sample of each pixel of a rectangle, kSide pixels wide and high at most.
+// One sample of each pixel of a rectangle, kWidth x kHeight pixels at most.
 struct PixelBlock {
-  static constexpr int kSide = 16;
+  static constexpr int kWidth = 32, kHeight = 16;
+  static constexpr size_t kMostPixels = size_t{kWidth} * kHeight;
   int x, y, width, height;
   uint32_t sample;  // counts all samples of a pixel: it alternates between the film's halves
 };
@@ -50,8 +54,8 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual std::vector<ParameterInfo> parameters() const = 0;
   virtual bool set(std::string_view name, const Value& value) = 0;
-  // Fills `radiance`, row by row of the block; returns the number of rays traced.
-  virtual uint64_t sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const = 0;
+  // Fills `radiance`, row by row of the block, and returns the number of rays traced; nothing if it was given up.
+  virtual std::optional<uint64_t> sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const = 0;
 };
 
 const std::vector<IntegratorInfo>& integrator_infos();

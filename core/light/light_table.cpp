@@ -37,8 +37,10 @@ float range_window(const Light& light, float distance) {
   return std::clamp(1 - sqr(sqr(distance / light.range)), 0.0f, 1.0f);
 }
 
+}  // namespace
+
 // Triangles that were chosen for queries, many at once.
-struct ChosenTriangles {
+struct LightTable::ChosenTriangles {
   static constexpr size_t kSize = 64;
   template <class T>
   using Array = std::array<T, kSize>;
@@ -50,12 +52,14 @@ struct ChosenTriangles {
     p0.set(i, triangle.p0), e1.set(i, triangle.e1), e2.set(i, triangle.e2), cross.set(i, triangle.cross);
     probability[i] = choice_probability, back[i] = triangle.double_sided ? 1 : 0;
   }
+
+  struct Points;
+  void sample(const LightQueries& queries, Points& points) const;
 };
 
-struct TrianglePoints {
-  static constexpr size_t kSize = ChosenTriangles::kSize;
+struct LightTable::ChosenTriangles::Points {
   WideVec3<kSize> wi;
-  alignas(64) ChosenTriangles::Array<float> distance, pdf, b1, b2;
+  alignas(64) Array<float> distance, pdf, b1, b2;
 
   void get(size_t i, LightSample& sample) const {
     sample.wi = wi[i];
@@ -65,25 +69,23 @@ struct TrianglePoints {
 };
 
 // A uniform point has density 1 / area; distance^2 / cosine turns it into a solid angle. `cross` is 2 area long.
-ETENDUE_WIDE void sample_triangles(const ChosenTriangles& t, const LightQueries& queries, TrianglePoints& points) {
+ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& queries, Points& points) const {
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(queries.count); ++i) {
     const Vec2 b = square_to_triangle({queries.u0[i], queries.u1[i]});
-    const Vec3 to_light = t.p0[i] + b.x * t.e1[i] + b.y * t.e2[i] - queries.from[i];
+    const Vec3 to_light = p0[i] + b.x * e1[i] + b.y * e2[i] - queries.from[i];
     const float distance2 = length_squared(to_light);
     const float distance = std::sqrt(distance2), scale = 1 / distance;
     const Vec3 wi = to_light * scale;
     // The side that faces the receiver, negative for the back.
-    const float facing = -glm::dot(t.cross[i], wi);
-    const float seen = std::max(facing, 0.0f) + std::max(-facing, 0.0f) * t.back[i];
-    const float pdf = 2 * distance2 * t.probability[i] / seen;
+    const float facing = -glm::dot(cross[i], wi);
+    const float seen = std::max(facing, 0.0f) + std::max(-facing, 0.0f) * back[i];
+    const float pdf = 2 * distance2 * probability[i] / seen;
     points.wi.set(i, wi);
     points.distance[i] = distance, points.b1[i] = b.x, points.b2[i] = b.y;
     points.pdf[i] = seen > 0 && pdf < kInfinity ? pdf : 0;
   }
 }
-
-}  // namespace
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
                        const Environment& environment, const Bounds& scene_bounds)
@@ -100,14 +102,14 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
 }
 
 void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
+  ChosenTriangles triangles;
   for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
     sample_batch({queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
                   std::min(ChosenTriangles::kSize, queries.count - first)},
-                 samples + first);
+                 triangles, samples + first);
 }
 
-void LightTable::sample_batch(const LightQueries& queries, LightSample* samples) const {
-  ChosenTriangles triangles{};
+void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const {
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     sample.pdf = 0;
@@ -120,8 +122,8 @@ void LightTable::sample_batch(const LightQueries& queries, LightSample* samples)
     else
       sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, sample);
   }
-  TrianglePoints points;
-  sample_triangles(triangles, queries, points);
+  ChosenTriangles::Points points;
+  triangles.sample(queries, points);
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     if (choice_.empty() || sample.kind != LightKind::triangle) continue;

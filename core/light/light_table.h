@@ -101,7 +101,8 @@ class LightTable {
   float pdf_environment(const Vec3& direction) const;
 
  private:
-  void sample_batch(const LightQueries& queries, LightSample* samples) const;
+  struct ChosenTriangles;
+  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const;
   bool sample_placed(const PlacedLight& light, const Vec3& from, LightSample& sample) const;
   void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;

@@ -5,9 +5,10 @@
 namespace etendue::render {
 namespace {
 
-constexpr int kTile = integrator::PixelBlock::kSide;
+using integrator::PixelBlock;
 
-int tiles_across(int pixels) { return (pixels + kTile - 1) / kTile; }
+// How many pieces of this size cover so many pixels.
+int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
 
 }  // namespace
 
@@ -25,7 +26,7 @@ PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::Co
       height_(height) {}
 
 bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going,
-                     Counters& counters) {
+                     Counters& counters, const std::function<bool()>& wanted) {
   const uint32_t sample = target - 1;
   const uint32_t table = sample / film::kReplicates / kTableSamples;
   if (table + 1 != prepared_) {
@@ -34,14 +35,13 @@ bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const 
   }
   if (running_ != target) {
     running_ = target;
-    open_tiles_.resize(static_cast<size_t>(tiles_across(width_) * tiles_across(height_)));
+    open_tiles_.resize(static_cast<size_t>(pieces(width_, PixelBlock::kWidth) * pieces(height_, PixelBlock::kHeight)));
     std::iota(open_tiles_.begin(), open_tiles_.end(), 0);
   }
   constexpr int kClosed = -1;
   const auto task = [&](int i) {
     int& entry = open_tiles_[static_cast<size_t>(i)];
-    tile(film, entry, sample, counters);
-    entry = kClosed;
+    if (tile(film, entry, sample, wanted, counters)) entry = kClosed;
   };
   workers.run(0, static_cast<int>(open_tiles_.size()), task, keep_going);
   std::erase(open_tiles_, kClosed);
@@ -50,20 +50,24 @@ bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const 
   return true;
 }
 
-void PassRunner::tile(film::Film& film, int index, uint32_t sample, Counters& counters) const {
-  const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_};
-  const int across = tiles_across(width_);
-  const int x0 = index % across * kTile, y0 = index / across * kTile;
-  const integrator::PixelBlock block{x0, y0, std::min(kTile, width_ - x0), std::min(kTile, height_ - y0), sample};
+bool PassRunner::tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& wanted,
+                      Counters& counters) const {
+  const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_, &wanted};
+  const int across = pieces(width_, PixelBlock::kWidth);
+  const int x0 = index % across * PixelBlock::kWidth, y0 = index / across * PixelBlock::kHeight;
+  const PixelBlock block{x0, y0, std::min(PixelBlock::kWidth, width_ - x0), std::min(PixelBlock::kHeight, height_ - y0),
+                         sample};
   // Tiles are drawn whole, so that one pixel speaks for all: which rays share a packet is always the same.
-  if (film.samples(x0, y0) > sample) return;
-  std::array<Rgb, static_cast<size_t>(kTile) * kTile> radiance;
-  const uint64_t rays = integrator_->sample(pass, block, radiance);
+  if (film.samples(x0, y0) > sample) return true;
+  std::array<Rgb, PixelBlock::kMostPixels> radiance;
+  const std::optional<uint64_t> rays = integrator_->sample(pass, block, radiance);
+  if (!rays) return false;
   const Rgb* next = radiance.data();
   for (int y = y0; y < y0 + block.height; ++y)
     for (int x = x0; x < x0 + block.width; ++x) film.add(x, y, sample % film::kReplicates, *next++);
-  counters.rays.fetch_add(rays, std::memory_order_relaxed);
+  counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
+  return true;
 }
 
 }  // namespace etendue::render

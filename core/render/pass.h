@@ -18,13 +18,17 @@ class PassRunner {
   struct Counters {
     std::atomic<uint64_t> rays{0}, paths{0};
   };
-  bool run(Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going,
-           Counters& counters);
+  // What was begun is finished, unless `wanted` says that nobody will look at it.
+  bool run(
+      Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going, Counters& counters,
+      const std::function<bool()>& wanted = [] { return true; });
 
   const transport::Model& model() const { return model_; }
 
  private:
-  void tile(film::Film& film, int index, uint32_t sample, Counters& counters) const;
+  // False if it was given up.
+  bool tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& wanted,
+            Counters& counters) const;
 
   std::shared_ptr<const scene::CompiledScene> scene_;
   transport::Model model_;

@@ -16,7 +16,9 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 double milliseconds_since(Clock::time_point start) { return 1000 * seconds_since(start); }
-Clock::duration seconds(double s) { return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s)); }
+Clock::duration seconds(double s) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+}
 
 // What the first frame of an edit may take by prediction, and when it is given up for a coarser one.
 constexpr double kCoarseSeconds = 0.015, kGiveUpSeconds = 0.025;
@@ -244,8 +246,7 @@ class Session::Impl {
   // The finest scale at which a whole frame is expected to be done in time.
   int scale_for(double seconds) const {
     int scale = coarse_rate_ > 0 ? 1 : kCoarsest;
-    while (scale < kCoarsest && static_cast<double>(pixel_count()) / (scale * scale) > coarse_rate_ * seconds)
-      scale *= 2;
+    while (scale<kCoarsest&& static_cast<double>(pixel_count()) / (scale * scale)> coarse_rate_ * seconds) scale *= 2;
     return scale;
   }
 
@@ -267,7 +268,7 @@ class Session::Impl {
     const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
     const uint64_t before = counters_.paths;
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
-      if (runner_->run(workers_, film_, complete_ + 1, keep_going, counters_)) ++complete_;
+      if (runner_->run(workers_, film_, complete_ + 1, keep_going, counters_, [&] { return !cut(); })) ++complete_;
       if (first || !keep_going()) break;
     }
     const double took = seconds_since(start);
@@ -282,8 +283,8 @@ class Session::Impl {
     if (film_.width() != document_.width || film_.height() != document_.height) {
       film_ = film::Film();  // gives back its memory first
       film_ = film::Film(document_.width, document_.height);
-    } else if (!workers_.for_bands(film_.height(), [&](int y, int end) { film_.clear_rows(y, end); },
-                                   [&] { return !cut(); })) {
+    } else if (!workers_.for_bands(
+                   film_.height(), [&](int y, int end) { film_.clear_rows(y, end); }, [&] { return !cut(); })) {
       return false;
     }
     film_.set_rejected({});
@@ -301,7 +302,7 @@ class Session::Impl {
     PassRunner::Counters counters;
     const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
     const auto keep_going = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
-    const bool done = runner.run(workers_, film, 1, keep_going, counters);
+    const bool done = runner.run(workers_, film, 1, keep_going, counters, keep_going);
     note_rate(counters.paths, seconds_since(start));
     if (!done) {
       if (!cut()) coarse_scale_ = std::min(4 * coarse_scale_, kCoarsest);

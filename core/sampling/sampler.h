@@ -39,7 +39,7 @@ inline constexpr int kSpare = 7;          // 1: lobe of the light sample's own d
 
 // One block of many paths, number by number: values[k] holds the k-th number of each.
 struct SampleTable {
-  static constexpr size_t kPaths = 256;
+  static constexpr size_t kPaths = 512;
   alignas(64) std::array<std::array<float, kPaths>, kBlockSize> values;
 };
 

@@ -7,6 +7,8 @@
 //
 // Nothing here depends on the order of threads: which paths share a packet follows from the pixels a front starts with.
 #pragma once
+#include <functional>
+
 #include "sampling/sampler.h"
 #include "transport/model.h"
 
@@ -29,8 +31,10 @@ class Front {
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths;
 
-  // Forgets everything; `sample` is the index within the pixels' sequence.
-  void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample) {
+  // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
+  void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
+             const std::function<bool()>* wanted = nullptr) {
+    wanted_ = wanted, given_up_ = false;
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = arrived_ = escaped_ = connections_ = length_ = 0;
     rays_traced_ = 0;
@@ -56,7 +60,9 @@ class Front {
 
   // Traces all rays that travel; false if there are none.
   bool advance() {
-    if (travelling_ == 0) return false;
+    if (travelling_ == 0 || given_up_) return false;
+    given_up_ = wanted_ && !(*wanted_)();
+    if (given_up_) return false;
     ++length_;
     trace();
     arrive();
@@ -66,6 +72,9 @@ class Front {
                                  static_cast<size_t>(arrived_), cosine_directions_);
     return true;
   }
+
+  // The walks were ended before their time: what they found is no estimate.
+  bool given_up() const { return given_up_; }
 
   // Edges from the camera to the present vertices.
   int length() const { return length_; }
@@ -161,7 +170,8 @@ class Front {
   uint32_t sample_ = 0;
   int size_ = 0, travelling_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
   uint64_t rays_traced_ = 0;
-  bool seeded_ = false;
+  bool seeded_ = false, given_up_ = false;
+  const std::function<bool()>* wanted_ = nullptr;
 
   // By path.
   PerPath<PathState<Color>> states_;

@@ -68,10 +68,11 @@ void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Sha
     if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
     const auto scattered = bsdf.evaluate(front.wo(i), light.wi);
     if (is_black(scattered.f_cos)) continue;
-    const float weight = shared && !light.delta ? mis_weight(*shared, light.pdf, scattered.pdf) : 1;
+    const float weight =
+        shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
     auto& path = front.state_at(i);
     auto& gain = front.connect(i, light.wi, light.distance);
-    gain = path.throughput * scattered.f_cos * scene.radiance_of(light) * (weight / light.pdf);
+    gain = path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
   front.settle_connections(shadows == Shadows::cast);
 }

@@ -9,19 +9,26 @@ namespace etendue::transport {
 
 enum class MisHeuristic { balance, power, maximum };
 
-// The weight of the technique with density `own` where the other one has density `other`, both of the same measure.
-inline float mis_weight(MisHeuristic heuristic, float own, float other) {
+// Densities beyond this count as this: the squares of larger ones are no floats.
+inline constexpr float kLargestDensity = 1e19f;
+
+// The weight of the technique with density `own` where the other one has density `other`, both of the same measure,
+// over `own`: what an estimate is multiplied with.
+inline float mis_weight_over_pdf(MisHeuristic heuristic, float own, float other) {
   switch (heuristic) {
     case MisHeuristic::balance:
-      return own / (own + other);
+      return 1 / (own + other);
     case MisHeuristic::maximum:
-      return own > other ? 1.0f : own == other ? 0.5f : 0.0f;
+      return (own > other ? 1.0f : own == other ? 0.5f : 0.0f) / own;
     case MisHeuristic::power:
       break;
   }
-  // Ratios first: squares of the densities of narrow lobes overflow.
-  const float ratio = other / own;
-  return 1 / (1 + ratio * ratio);
+  own = std::min(own, kLargestDensity), other = std::min(other, kLargestDensity);
+  return own / (own * own + other * other);
+}
+
+inline float mis_weight(MisHeuristic heuristic, float own, float other) {
+  return std::min(own, kLargestDensity) * mis_weight_over_pdf(heuristic, own, other);
 }
 
 }  // namespace etendue::transport

@@ -53,11 +53,13 @@ struct Rig {
   }
 
   uint64_t render(uint32_t sample) const {
+    using integrator::PixelBlock;
     const integrator::Pass pass{scene.get(), &model, sampler.get(), &camera, &filter, 0};
-    std::array<Rgb, 256> out;
+    std::array<Rgb, PixelBlock::kMostPixels> out;
     uint64_t rays = 0;
-    for (int y = 0; y < document.height; y += 16)
-      for (int x = 0; x < document.width; x += 16) rays += integrator->sample(pass, {x, y, 16, 16, sample}, out);
+    for (int y = 0; y < document.height; y += PixelBlock::kHeight)
+      for (int x = 0; x < document.width; x += PixelBlock::kWidth)
+        rays += integrator->sample(pass, {x, y, PixelBlock::kWidth, PixelBlock::kHeight, sample}, out).value_or(0);
     return rays;
   }
 };
