@@ -139,8 +139,10 @@ bool Workbench::advance(Picture& on_screen) {
     redraw = true;
   }
   if (latest && (latest != frame || shows_aov_ != shows_aov)) {
+    // An edit that changes no light gives the same pixels another version.
+    const bool uploaded = frame && frame->pixels == latest->pixels && shows_aov_ == shows_aov;
     frame = latest;
-    if (!shows_aov) on_screen.upload(frame->width, frame->height, frame->pixels);
+    if (!shows_aov && !uploaded) on_screen.upload(frame->width, frame->height, *frame->pixels);
     redraw = true;
   }
   shows_aov_ = shows_aov;
