@@ -131,7 +131,7 @@ void outline(const Workbench& w, ImDrawList* draw) {
 
 // The scale of false colour, with the luminances at its ends and in between.
 void legend(const Workbench& w, ImDrawList* draw) {
-  const float em = ImGui::GetFontSize();
+  const float em = ImGui::GetFontSize(), figures = w.faces.figures->FontSize;  // letters of another size would blur
   const Placement& p = w.view.picture;
   const Vec2 size(em * 16, em * 0.8f);
   const Vec2 corner(p.corner.x + p.size.x - size.x - em * 1.5f, p.corner.y + em * 1.2f);
@@ -149,8 +149,8 @@ void legend(const Workbench& w, ImDrawList* draw) {
     const float at = static_cast<float>(i) / 4;
     char text[24];
     std::snprintf(text, sizeof text, "%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * at)));
-    const float width = w.faces.figures->CalcTextSizeA(em * 0.85f, 1e6f, 0, text).x;
-    draw->AddText(w.faces.figures, em * 0.85f, {corner.x + size.x * at - width * 0.5f, corner.y + size.y + em * 0.4f},
+    const float width = w.faces.figures->CalcTextSizeA(figures, 1e6f, 0, text).x;
+    draw->AddText(w.faces.figures, figures, {corner.x + size.x * at - width * 0.5f, corner.y + size.y + em * 0.4f},
                   ImGui::GetColorU32(ImGuiCol_Text), text);
   }
 }

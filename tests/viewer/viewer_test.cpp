@@ -267,6 +267,13 @@ TEST_F(Viewer, WhatDoesNotChangeTheLightDoesNotRestartIt) {
   EXPECT_EQ(state("a.json")["samples"], 16);
 }
 
+TEST_F(Viewer, LeftAloneItLeavesTheProcessorToRendering) {
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"seconds", 7}}, file_step("state", path("a.json"))})), 0);
+  const double share = state("a.json")["interface_share"].get<double>();
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 0.15);  // a tenth, and something for machines that do other things at the same time
+}
+
 TEST_F(Viewer, ScreenshotsShowThePictureAndTheInterface) {
   ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 2}},
                              file_step("screenshot", path("a.png")),
