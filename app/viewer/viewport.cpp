@@ -129,14 +129,14 @@ void outline(const Workbench& w, ImDrawList* draw) {
       }
 }
 
-// The scale of false colour, with the luminances at its ends and in between.
-void legend(const Workbench& w, ImDrawList* draw) {
-  const float em = ImGui::GetFontSize(), figures = w.faces.figures->FontSize;  // letters of another size would blur
-  const Placement& p = w.view.picture;
-  const Vec2 size(em * 16, em * 0.8f);
-  const Vec2 corner(p.corner.x + p.size.x - size.x - em * 1.5f, p.corner.y + em * 1.2f);
-  draw->AddRectFilled({corner.x - em, corner.y - em * 0.6f}, {corner.x + size.x + em, corner.y + size.y + em * 2.2f},
-                      ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
+// Figures whose upper edge has its middle at `at`; letters of another size would blur.
+void centred(const Workbench& w, ImDrawList* draw, Vec2 at, const char* text) {
+  ImFont* font = w.faces.figures;
+  const float width = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text).x;
+  draw->AddText(font, font->FontSize, {at.x - width * 0.5f, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
+}
+
+void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size) {
   constexpr int kSteps = 64;
   for (int i = 0; i < kSteps; ++i) {
     const Rgb c = viridis((static_cast<float>(i) + 0.5f) / kSteps);
@@ -144,15 +144,27 @@ void legend(const Workbench& w, ImDrawList* draw) {
     draw->AddRectFilled({x, corner.y}, {x + size.x / kSteps + 1, corner.y + size.y},
                         ImGui::GetColorU32({c.r, c.g, c.b, 1}));
   }
+}
+
+// The scale of false colour, with the luminances at its ends and in between.
+void legend(const Workbench& w, ImDrawList* draw) {
+  const float em = ImGui::GetFontSize();
+  const float margin = em * 2;  // half of the widest figure stands out at both ends
+  const Placement& p = w.view.picture;
+  const Vec2 size(em * 16, em * 0.8f);
+  const Vec2 corner(p.corner.x + p.size.x - size.x - margin - em * 0.5f, p.corner.y + em * 1.2f);
+  draw->AddRectFilled({corner.x - margin, corner.y - em * 0.6f},
+                      {corner.x + size.x + margin, corner.y + size.y + em * 3.3f},
+                      ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
+  color_bar(draw, corner, size);
   const Vec2 stops = false_color_stops(w.editor.document().display.exposure);
   for (int i = 0; i <= 4; ++i) {
     const float at = static_cast<float>(i) / 4;
     char text[24];
     std::snprintf(text, sizeof text, "%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * at)));
-    const float width = w.faces.figures->CalcTextSizeA(figures, 1e6f, 0, text).x;
-    draw->AddText(w.faces.figures, figures, {corner.x + size.x * at - width * 0.5f, corner.y + size.y + em * 0.4f},
-                  ImGui::GetColorU32(ImGuiCol_Text), text);
+    centred(w, draw, {corner.x + size.x * at, corner.y + size.y + em * 0.4f}, text);
   }
+  centred(w, draw, {corner.x + size.x * 0.5f, corner.y + size.y + em * 1.8f}, "luminance, W/(m\u00b2 sr)");
 }
 
 }  // namespace
