@@ -16,8 +16,11 @@ class ImguiHost {
   void end_frame();  // draws into the platform's framebuffer
 
  private:
+  void sharpen();
+
   Platform& platform_;
   bool started_ = false;
+  GLuint sharp_ = 0;  // the texture of letters that was made so
 };
 
 }  // namespace etendue::viewer

@@ -1,5 +1,7 @@
-// Where everything lies: menus above, the picture on the left, the column with its tabs on the right, the status line below.
+// Where everything lies: menus above, the picture on the left, the column with its tabs on the right, the status line
+// below.
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 
@@ -11,7 +13,10 @@ namespace etendue::viewer {
 namespace {
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+constexpr size_t kEscape = 256;  // as GLFW numbers it
 
 float default_column(float width, float scale) { return std::clamp(width * 0.3f, 370 * scale, 460 * scale); }
 
@@ -23,7 +28,8 @@ void draw_tabs(Workbench& w) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, {2, 4});
   };
   tab_style(true);
-  if (!ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyResizeDown | ImGuiTabBarFlags_NoTooltip)) return tab_style(false);
+  if (!ImGui::BeginTabBar("##tabs", ImGuiTabBarFlags_FittingPolicyResizeDown | ImGuiTabBarFlags_NoTooltip))
+    return tab_style(false);
   const auto wanted = std::exchange(w.view.reveal, std::nullopt);
   for (const TabInfo& info : tabs()) {
     const bool open = ImGui::BeginTabItem(info.label, nullptr, wanted == info.tab ? ImGuiTabItemFlags_SetSelected : 0);
@@ -99,7 +105,9 @@ void draw_interface(Workbench& w, float seconds) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float scale = w.platform.scale();
   const bool typing = ImGui::GetIO().WantTextInput;
-  if (!typing && !w.files.is_open() && !w.input.buttons[1]) w.actions.run_pressed(w.input);
+  // Escape closes what lies on top and does nothing to what is below.
+  const bool closes = w.view.covered && w.input.keys_pressed[kEscape];
+  if (!typing && !closes && !w.files.is_open() && !w.input.buttons[1]) w.actions.run_pressed(w.input);
 
   float top = 0, bottom = screen.y, right = screen.x;
   if (w.view.interface) {
@@ -118,7 +126,8 @@ void draw_interface(Workbench& w, float seconds) {
     draw_splitter(w, right, top, bottom - top);
   }
   w.view.region = {Vec2(0, top), glm::max(Vec2(right, bottom - top), Vec2(1))};
-  if (!w.editor.empty()) w.view.picture = fitted(w.view.region, {w.editor.document().width, w.editor.document().height});
+  if (!w.editor.empty())
+    w.view.picture = fitted(w.view.region, {w.editor.document().width, w.editor.document().height});
 
   handle_viewport(w, seconds);
   draw_viewport_overlay(w);
@@ -127,6 +136,9 @@ void draw_interface(Workbench& w, float seconds) {
   draw_help(w);
   draw_palette(w);
   w.files.draw(w);
+  // Without keyboard navigation ImGui leaves menus, lists and colour pickers open.
+  if (closes && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) ImGui::ClosePopupToLevel(0, true);
+  w.view.covered = w.view.help || w.view.palette || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
 }  // namespace etendue::viewer

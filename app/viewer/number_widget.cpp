@@ -13,6 +13,9 @@ namespace {
 // A slider over more than this is no help: its pixels would be too far apart.
 constexpr double kWidestLinear = 1000, kWidestLogarithmic = 1e7;
 
+// Distances of this size stand for ones without end.
+constexpr double kEndless = 1e9;
+
 bool wants_slider(const ParameterInfo& info) {
   if (info.logarithmic) return info.min > 0 && info.max / info.min <= kWidestLogarithmic;
   return info.max - info.min <= kWidestLinear;
@@ -24,14 +27,19 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+// Of limits, whose descriptions say what nought means.
+bool means_no_limit(const std::string& doc) {
+  return doc.find("0 goes on") != std::string::npos || doc.find("0 no limit") != std::string::npos;
+}
+
 // Digits that tell neighbouring values apart.
 std::string format_of(const ParameterInfo& info, double value) {
+  if (info.logarithmic && value >= kEndless) return "unlimited";
   std::string format = info.type == ParameterType::integer ? "%lld" : "%.4g";
-  if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3) format = "%.3f";
+  if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3)
+    format = "%.3f";
   if (!info.unit.empty()) format += " " + escaped(info.unit);
-  // Of limits, whose descriptions say what nought means.
-  if (value == 0 && (info.doc.find("0 goes on") != std::string::npos || info.doc.find("0 is no limit") != std::string::npos))
-    format += " (no limit)";
+  if (value == 0 && means_no_limit(info.doc)) format += " (no limit)";
   return format;
 }
 
@@ -49,12 +57,17 @@ class ControlKey {
 };
 
 // Angles are radians everywhere but on screen.
-NumberEdit angle_widget(ParameterInfo info) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+ParameterInfo in_degrees(ParameterInfo info) {
   info.unit = "\u00b0";
   info.min *= kDegrees, info.max *= kDegrees;
   if (auto* value = std::get_if<double>(&info.default_value)) *value *= kDegrees;
-  NumberEdit edit = number_widget(info);
+  return info;
+}
+
+NumberEdit angle_widget(const ParameterInfo& info) {
+  NumberEdit edit = number_widget(in_degrees(info));
   if (edit.value)
     if (auto* value = std::get_if<double>(&*edit.value)) *value /= kDegrees;
   return edit;
@@ -71,7 +84,14 @@ void label_column(const std::string& label) {
   ImGui::SetNextItemWidth(-1);
 }
 
-NumberEdit number_widget(const ParameterInfo& info) {
+std::string range_text(const ParameterInfo& info) {
+  if (info.unit == "rad") return range_text(in_degrees(info));
+  char text[96];
+  std::snprintf(text, sizeof text, "%.4g to %.4g", info.min, info.max);
+  return info.unit.empty() ? text : std::string(text) + " " + info.unit;
+}
+
+NumberEdit number_widget(const ParameterInfo& info, float drag) {
   if (info.unit == "rad") return angle_widget(info);
   NumberEdit edit;
   ImGuiIO& io = ImGui::GetIO();
@@ -101,17 +121,20 @@ NumberEdit number_widget(const ParameterInfo& info) {
   bool changed = false;
   {
     const ControlKey control(typing);
-    if (wants_slider(info)) {
+    if (drag <= 0 && wants_slider(info)) {
       changed = ImGui::SliderScalar("##", type, value, least, most, format.c_str(), flags);
     } else {
       // Dragging changes a number by its own size, so that it can be small or large.
-      const float speed = whole ? std::max(0.1f, 0.01f * std::abs(static_cast<float>(i))) : std::max(0.002f, 0.005f * std::abs(static_cast<float>(d)));
+      const float speed = drag > 0 ? drag
+                          : whole  ? std::max(0.1f, 0.01f * std::abs(static_cast<float>(i)))
+                                   : std::max(0.002f, 0.005f * std::abs(static_cast<float>(d)));
       changed = ImGui::DragScalar("##", type, value, speed, least, most, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     }
   }
   io.MouseClicked[0] = clicked;
   edit.ended = ImGui::IsItemDeactivated();
-  if (changed && !edit.reset) edit.value = whole ? Value(std::clamp(i, i_min, i_max)) : Value(std::clamp(d, info.min, info.max));
+  if (changed && !edit.reset)
+    edit.value = whole ? Value(std::clamp(i, i_min, i_max)) : Value(std::clamp(d, info.min, info.max));
   return edit;
 }
 

@@ -13,7 +13,8 @@ void take_camera(Workbench& w, const Camera& camera) {
   render::Document changed = w.editor.document();
   changed.camera = camera;
   changed.camera_name = camera.name;
-  if (camera.aspect > 0) changed.width = std::max(1, static_cast<int>(std::lround(static_cast<float>(changed.height) * camera.aspect)));
+  if (camera.aspect > 0)
+    changed.width = std::max(1, static_cast<int>(std::lround(static_cast<float>(changed.height) * camera.aspect)));
   w.edit(std::move(changed), "Camera " + camera.name);
   if (const auto scene = w.session.scene()) w.hand.find_pivot(camera, *scene);
 }
@@ -21,7 +22,9 @@ void take_camera(Workbench& w, const Camera& camera) {
 void choose_camera(Workbench& w) {
   const auto cameras = scene::placed_cameras(*w.editor.document().scene);
   if (cameras.empty()) return note(w, "The file has no camera; this one was placed to show everything.");
-  const auto name_of = [&](size_t i) { return cameras[i].name.empty() ? "camera " + std::to_string(i) : cameras[i].name; };
+  const auto name_of = [&](size_t i) {
+    return cameras[i].name.empty() ? "camera " + std::to_string(i) : cameras[i].name;
+  };
   label_column("From the file");
   size_t now = cameras.size();
   for (size_t i = 0; i < cameras.size(); ++i)
@@ -39,25 +42,36 @@ void choose_camera(Workbench& w) {
   if (ImGui::IsItemHovered()) tooltip(w, "The cameras that the file brings along");
 }
 
+// Each projection has one size; the other one is shown to a script that wants it all the same.
+void draw_opening(Workbench& w) {
+  const bool perspective = w.editor.document().camera.projection == Projection::perspective;
+  some_widgets(w, "camera", {"projection"});
+  if (perspective || w.items.wanted("camera.yfov")) some_widgets(w, "camera", {"yfov"});
+  if (!perspective || w.items.wanted("camera.ymag")) some_widgets(w, "camera", {"ymag"});
+}
+
 }  // namespace
 
 void draw_camera_panel(Workbench& w) {
   const std::vector<std::string> lens{"lens-radius", "focus-distance"};
   const std::vector<std::string> eye{"eye.x", "eye.y", "eye.z"};
-  const std::vector<std::string> axes{"right.x", "right.y", "right.z", "up.x", "up.y", "up.z", "back.x", "back.y", "back.z"};
+  const std::vector<std::string> axes{"right.x", "right.y", "right.z", "up.x",  "up.y",
+                                      "up.z",    "back.x",  "back.y",  "back.z"};
   choose_camera(w);
   action_button(w, "view.frame-all");
   ImGui::SameLine();
   action_button(w, "view.frame-selection");
-  if (group(w, "Opening", "camera.")) some_widgets(w, "camera", {"projection", "yfov", "ymag"});
+  if (group(w, "Opening", "camera.")) draw_opening(w);
   if (group(w, "Lens", "camera.")) {
     some_widgets(w, "camera", lens);
     if (ImGui::Checkbox("Focus by click", &w.view.focus_by_click)) w.notices.say("Click what should be sharp");
     w.items.place("camera.focus-by-click");
-    if (ImGui::IsItemHovered()) tooltip(w, "The next click in the picture sets the focus distance; a double click does it at any time");
+    if (ImGui::IsItemHovered())
+      tooltip(w, "The next click in the picture sets the focus distance; a double click does it at any time");
   }
   if (group(w, "Place", "camera.eye.")) some_widgets(w, "camera", eye);
-  const bool axis_wanted = w.items.wanted_below("camera.right") || w.items.wanted_below("camera.up") || w.items.wanted_below("camera.back");
+  const bool axis_wanted =
+      w.items.wanted_below("camera.right") || w.items.wanted_below("camera.up") || w.items.wanted_below("camera.back");
   if (axis_wanted) ImGui::SetNextItemOpen(true);
   if (group(w, "Axes", "", false)) some_widgets(w, "camera", axes);
 }

@@ -14,9 +14,11 @@ const char* type_of(const Light& light) {
 void list_lights(Workbench& w, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
-    const std::string name = (light.name.empty() ? "light " + std::to_string(i) : light.name) + "  (" + type_of(light) + ")";
+    const std::string name =
+        (light.name.empty() ? "light " + std::to_string(i) : light.name) + "  (" + type_of(light) + ")";
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(name.c_str(), w.selection.light == static_cast<int>(i))) w.selection.light = static_cast<int>(i);
+    if (ImGui::Selectable(name.c_str(), w.selection.light == static_cast<int>(i)))
+      w.selection.light = static_cast<int>(i);
     ImGui::PopID();
     w.items.place("light.choose." + std::to_string(i));
   }
@@ -25,7 +27,8 @@ void list_lights(Workbench& w, const scene::Scene& scene) {
 void list_emitters(Workbench& w, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.materials.size(); ++i) {
     if (!scene.materials[i].emits()) continue;
-    const std::string name = scene.materials[i].name.empty() ? "material " + std::to_string(i) : scene.materials[i].name;
+    const std::string name =
+        scene.materials[i].name.empty() ? "material " + std::to_string(i) : scene.materials[i].name;
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable((name + "  (surface)").c_str())) {
       w.selection.material = static_cast<int>(i);
@@ -41,9 +44,13 @@ void list_emitters(Workbench& w, const scene::Scene& scene) {
 
 void draw_light_panel(Workbench& w) {
   const auto scene = w.editor.document().scene;
-  const bool surfaces = std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.emits(); });
+  const bool surfaces =
+      std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.emits(); });
   if (group(w, "Lights", "light.")) {
-    if (scene->lights.empty() && !surfaces) note(w, "Nothing in this scene shines by itself; the environment lights it.");
+    if (scene->lights.empty() && !surfaces)
+      note(w, "Nothing in this scene shines by itself; the environment lights it.");
+    if (scene->lights.empty() && surfaces && scene->environment.black())
+      note(w, "Only shining surfaces light this scene. If it is too dark, load an environment or raise its radiance.");
     list_lights(w, *scene);
     list_emitters(w, *scene);
     if (w.selection.light >= 0 && static_cast<size_t>(w.selection.light) < scene->lights.size()) {
@@ -53,7 +60,9 @@ void draw_light_panel(Workbench& w) {
   }
   if (group(w, "Environment", "environment.")) {
     const auto& environment = scene->environment;
-    note(w, environment.map ? environment.file : environment.black() ? "Black: no light from outside" : "The same from everywhere");
+    note(w, environment.map       ? environment.file
+            : environment.black() ? "Black: no light from outside"
+                                  : "The same from everywhere");
     section_widgets(w, "environment");
     action_button(w, "environment.load");
   }

@@ -1,6 +1,9 @@
 // What is in the scene, and where is the thing that I see?
 #include <imgui.h>
 
+#include <algorithm>
+
+#include "scene/rotation.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 
@@ -27,6 +30,26 @@ bool hides(const scene::Scene& scene, int index, int wanted) {
   return false;
 }
 
+bool is_animated(const scene::Scene& scene, int index) {
+  const auto moves = [&](const scene::AnimationChannel& c) {
+    return c.node == index && c.path != scene::AnimatedPath::weights;
+  };
+  return std::any_of(scene.animations.begin(), scene.animations.end(), [&](const auto& animation) {
+    return std::any_of(animation->channels.begin(), animation->channels.end(), moves);
+  });
+}
+
+void draw_selected(Workbench& w, const scene::Scene& scene, int index) {
+  const std::string section = "node." + std::to_string(index);
+  section_widgets(w, section);
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  if (!scene::in_parts(node.transform))
+    note(w, "Its matrix shears or flattens: there is no rotation and scale to edit.");
+  if (is_animated(scene, index)) note(w, "An animation moves it: what the animation sets does not listen to these.");
+  if (node.camera >= 0) note(w, "The picture's own camera is in the Camera tab.");
+  action_button(w, "view.frame-selection");
+}
+
 void draw_node(Workbench& w, const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
   const std::string section = "node." + std::to_string(index);
@@ -40,7 +63,8 @@ void draw_node(Workbench& w, const scene::Scene& scene, int index) {
   w.items.place("scene." + section + ".visible");
   if (ImGui::IsItemHovered()) tooltip(w, "Visible: hidden objects are not in the scene at all");
   ImGui::SameLine();
-  ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen;
+  ImGuiTreeNodeFlags flags =
+      ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen;
   if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
   if (w.selection.node == index) flags |= ImGuiTreeNodeFlags_Selected;
   if (w.selection.node >= 0 && hides(scene, index, w.selection.node)) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
@@ -73,8 +97,7 @@ void draw_scene_panel(Workbench& w) {
   }
   if (!chosen) return;
   if (group(w, name_of(*scene, w.selection.node).c_str(), "node.")) {
-    section_widgets(w, "node." + std::to_string(w.selection.node));
-    action_button(w, "view.frame-selection");
+    draw_selected(w, *scene, w.selection.node);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "integrator/integrator.h"
+#include "viewer/fields.h"
 #include "viewer/panels.h"
 #include "viewer/script.h"
 #include "viewer/widgets.h"
@@ -21,21 +22,27 @@ json percentiles(std::vector<double> values) {
   json j{{"count", values.size()}};
   if (values.empty()) return j;
   std::sort(values.begin(), values.end());
-  const auto at = [&](double q) { return values[static_cast<size_t>(q * static_cast<double>(values.size() - 1) + 0.5)]; };
+  const auto at = [&](double q) {
+    return values[static_cast<size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
+  };
   j["p50"] = at(0.5), j["p95"] = at(0.95), j["p99"] = at(0.99), j["max"] = values.back();
   return j;
 }
 
 json describe(const ParameterInfo& p) {
-  json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)}, {"unit", p.unit}, {"min", nullptr}, {"max", nullptr},
-         {"default", to_json(p.default_value)}, {"doc", p.doc}};
+  json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)},           {"unit", p.unit},
+         {"min", nullptr}, {"max", nullptr},   {"default", to_json(p.default_value)}, {"doc", p.doc}};
   if (p.type == ParameterType::integer || p.type == ParameterType::number) j["min"] = p.min, j["max"] = p.max;
   if (p.type == ParameterType::choice) j["options"] = p.options;
   return j;
 }
 
 json parameter(const ParameterInfo& p) {
-  return {{"name", p.name}, {"label", p.label}, {"doc", p.doc}, {"kind", "parameter"}, {"parameters", json::array({describe(p)})}};
+  return {{"name", p.name},
+          {"label", p.label},
+          {"doc", p.doc},
+          {"kind", "parameter"},
+          {"parameters", json::array({describe(p)})}};
 }
 
 json item(const std::string& name, const std::string& label, const std::string& doc) {
@@ -88,26 +95,28 @@ std::string state_report(Workbench& w) {
   const auto& d = w.editor.document();
   if (!w.editor.empty())
     for (const auto& section : render::sections(d))
-      for (const auto& binding : render::bindings(d, section)) parameters[binding.info.name] = to_json(binding.info.default_value);
+      for (const auto& binding : render::bindings(d, section))
+        parameters[binding.info.name] = to_json(binding.info.default_value);
   parameters["view.false-color"] = w.view.false_color;
   parameters["view.aov"] = w.view.aov.empty() ? "picture" : w.view.aov;
   const render::Status status = w.session.status();
-  json state{{"parameters", parameters},
-             {"undo_depth", w.editor.undo_depth()},
-             {"redo_depth", w.editor.redo_depth()},
-             {"undo", w.editor.undo_name()},
-             {"redo", w.editor.redo_name()},
-             {"samples", status.version == w.editor.version() ? status.samples : 0},
-             {"seconds", status.seconds},
-             {"paused", w.session.paused()},
-             {"phase", status.phase},
-             {"scene", d.scene_name},
-             {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
-             {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
-             {"interface_share", w.pace.share},
-             {"first_picture_seconds", w.first_picture_seconds},
-             {"latency_ms", percentiles(w.session.take_latencies())},
-             {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
+  json state{
+      {"parameters", parameters},
+      {"undo_depth", w.editor.undo_depth()},
+      {"redo_depth", w.editor.redo_depth()},
+      {"undo", w.editor.undo_name()},
+      {"redo", w.editor.redo_name()},
+      {"samples", status.version == w.editor.version() ? status.samples : 0},
+      {"seconds", status.seconds},
+      {"paused", w.session.paused()},
+      {"phase", status.phase},
+      {"scene", d.scene_name},
+      {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
+      {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
+      {"interface_share", w.pace.share},
+      {"first_picture_seconds", w.first_picture_seconds},
+      {"latency_ms", percentiles(w.session.take_latencies())},
+      {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
   if (status.error.known) state["rmse"] = status.error.rmse;
   return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -131,6 +140,8 @@ std::string widgets_json() {
     const size_t dot = section.find('.');
     if (dot != std::string::npos && section.substr(dot + 1) != "0") continue;
     for (const auto& binding : render::bindings(d, section)) list.push_back(parameter(binding.info));
+    if (section.starts_with("node."))
+      for (const auto& info : euler_parameters(section, Vec3(0))) list.push_back(parameter(info));
   }
   return list.dump(2);
 }

@@ -38,8 +38,12 @@ class Wait final : public Step {
     const auto status = w.session.status();
     if (status.version != w.editor.version() || !w.frame) return kGoingOn;
     if (status.samples >= samples_) return {w.frame->version == w.editor.version() && w.frame->samples >= samples_, {}};
-    if (w.session.paused()) return impossible("the rendering is paused at " + std::to_string(status.samples) + " samples; let it go on first");
-    if (status.finished) return impossible("the rendering ends at " + std::to_string(status.samples) + " samples; raise the limit or wait for less");
+    if (w.session.paused())
+      return impossible("the rendering is paused at " + std::to_string(status.samples) +
+                        " samples; let it go on first");
+    if (status.finished)
+      return impossible("the rendering ends at " + std::to_string(status.samples) +
+                        " samples; raise the limit or wait for less");
     return kGoingOn;
   }
   bool hurries() const override { return false; }
@@ -69,7 +73,8 @@ class Set final : public Step {
     if (frames_ <= kLookingFrames) return kGoingOn;
     w.items.cancel();
     const auto known = render::get(w.editor.document(), name_);
-    return impossible(known ? "its widget is not on screen: another integrator, sampler or object is chosen" : known.error().message);
+    return impossible(known ? "its widget is not on screen: another integrator, sampler or object is chosen"
+                            : known.error().message);
   }
 
  private:
@@ -89,7 +94,8 @@ class Pointer final : public Step {
     if (frame_ == 0) events.push({.type = Event::Type::move, .position = from_});
     if (frame_ == 2) events.push({.type = Event::Type::button, .button = button_, .down = true});
     if (frame_ > 3 && frame_ <= 3 + kMoves && from_ != to_)
-      events.push({.type = Event::Type::move, .position = glm::mix(from_, to_, static_cast<float>(frame_ - 3) / kMoves)});
+      events.push(
+          {.type = Event::Type::move, .position = glm::mix(from_, to_, static_cast<float>(frame_ - 3) / kMoves)});
     const int release = from_ == to_ ? 4 : 5 + kMoves;
     if (frame_ == release) events.push({.type = Event::Type::button, .button = button_, .down = false});
     return {frame_++ > release + 2, {}};
@@ -122,7 +128,8 @@ class Click final : public Step {
       return kGoingOn;
     }
     if (!w.view.interface) w.view.interface = true;
-    return ++frames_ <= kLookingFrames ? kGoingOn : impossible("nothing of that name is on screen; see etendue list widgets");
+    return ++frames_ <= kLookingFrames ? kGoingOn
+                                       : impossible("nothing of that name is on screen; see etendue list widgets");
   }
 
  private:
@@ -131,6 +138,28 @@ class Click final : public Step {
   int frames_ = 0;
   bool ran_ = false;
   Rest rest_{2};
+};
+
+// A drag that starts on an item.
+class DragItem final : public Step {
+ public:
+  DragItem(std::string item, Vec2 by) : item_(std::move(item)), by_(by) {}
+  Progress advance(Workbench& w, Picture& picture) override {
+    if (!pointer_) {
+      const Placement* place = w.items.find(item_);
+      if (!place && ++frames_ <= kLookingFrames) return kGoingOn;
+      if (!place) return impossible("nothing of that name is on screen; see etendue list widgets");
+      const Vec2 middle = place->corner + place->size * 0.5f;
+      pointer_ = std::make_unique<Pointer>(middle, middle + by_, Button::left);
+    }
+    return pointer_->advance(w, picture);
+  }
+
+ private:
+  std::string item_;
+  Vec2 by_;
+  std::unique_ptr<Pointer> pointer_;
+  int frames_ = 0;
 };
 
 class Scroll final : public Step {
@@ -152,7 +181,9 @@ class Key final : public Step {
  public:
   explicit Key(Chord chord) : chord_(chord) {}
   Progress advance(Workbench& w, Picture&) override {
-    const auto push = [&](int key, bool down) { w.platform.events().push({.type = Event::Type::key, .key = key, .down = down}); };
+    const auto push = [&](int key, bool down) {
+      w.platform.events().push({.type = Event::Type::key, .key = key, .down = down});
+    };
     constexpr int kControl = 341, kShift = 340, kAlt = 342;  // as GLFW numbers them
     const auto modifiers = [&](bool down) {
       if (chord_.control) push(kControl, down);
@@ -163,7 +194,9 @@ class Key final : public Step {
       modifiers(true), push(chord_.key, true);
       // A text field hears characters, not keys.
       if (!chord_.control && !chord_.alt && chord_.key >= 32 && chord_.key < 127 && ImGui::GetIO().WantTextInput)
-        w.platform.events().push({.type = Event::Type::text, .character = static_cast<unsigned>(chord_.shift ? chord_.key : std::tolower(chord_.key))});
+        w.platform.events().push(
+            {.type = Event::Type::text,
+             .character = static_cast<unsigned>(chord_.shift ? chord_.key : std::tolower(chord_.key))});
     }
     if (frame_ == 2) push(chord_.key, false), modifiers(false);
     return {frame_++ > 4, {}};
@@ -219,7 +252,8 @@ class Screenshot final : public Step {
   Progress advance(Workbench& w, Picture&) override {
     if (!rest_.over()) return kGoingOn;
     const Vec2i size = w.platform.size();
-    const auto written = image::write_png(file_, size.x, size.y, read_window(w.platform.gl(), w.platform.framebuffer(), size));
+    const auto written =
+        image::write_png(file_, size.x, size.y, read_window(w.platform.gl(), w.platform.framebuffer(), size));
     return written ? kDone : impossible(written.error().message);
   }
 
@@ -281,6 +315,8 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));
     if (action == "set") return made(std::make_unique<Set>(j.at("name").get<std::string>(), value_text(j.at("value"))));
     if (action == "click") return made(std::make_unique<Click>(j.at("item").get<std::string>()));
+    if (action == "drag" && j.contains("item"))
+      return made(std::make_unique<DragItem>(j["item"].get<std::string>(), point(j.at("by"))));
     if (action == "drag") return made(std::make_unique<Pointer>(point(j.at("from")), point(j.at("to")), button_of(j)));
     if (action == "scroll") return made(std::make_unique<Scroll>(point(j.at("at")), j.at("by").get<float>()));
     if (action == "pick") return made(std::make_unique<Pick>(point(j.at("at"))));
@@ -293,7 +329,8 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
       if (!chord) return chord.error();
       return made(std::make_unique<Key>(*chord));
     }
-    return usage_error("there is no '" + action + "'; give wait, set, click, drag, scroll, key, pick, open, screenshot, image or state");
+    return usage_error("there is no '" + action +
+                       "'; give wait, set, click, drag, scroll, key, pick, open, screenshot, image or state");
   } catch (const json::exception& error) {
     return usage_error(std::string("is not a complete step (") + error.what() + "); see the script reference");
   }

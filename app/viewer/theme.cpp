@@ -17,11 +17,14 @@ struct Palette {
   unsigned ground, panel, field, field_hover, field_active, text, quiet, border, accent, accent_ground, grab, warning;
 };
 
-constexpr Palette kDark{0x16181b, 0x1e2125, 0x2b3036, 0x363d45, 0x424b55, 0xe4e7ea, 0xa9b1ba, 0x353b42, 0x6cb6e8, 0x2a5574, 0x34678e, 0xe8b04a};
-constexpr Palette kLight{0xd9dcdf, 0xf3f4f5, 0xffffff, 0xe6eef5, 0xd3e3f0, 0x1c1f23, 0x4d555e, 0xbfc5cb, 0x0b5c94, 0xb9d9ef, 0x9fcbe9, 0x8a5200};
+constexpr Palette kDark{0x16181b, 0x1e2125, 0x2b3036, 0x363d45, 0x424b55, 0xe4e7ea,
+                        0xa9b1ba, 0x353b42, 0x6cb6e8, 0x2a5574, 0x34678e, 0xe8b04a};
+constexpr Palette kLight{0xd9dcdf, 0xf3f4f5, 0xffffff, 0xe6eef5, 0xd3e3f0, 0x1c1f23,
+                         0x4d555e, 0xbfc5cb, 0x0b5c94, 0xb9d9ef, 0x9fcbe9, 0x8a5200};
 
 ImFont* first_of(std::initializer_list<const char*> files, float pixels) {
-  static const ImWchar kRanges[] = {0x0020, 0x024f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2190, 0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
+  static const ImWchar kRanges[] = {0x0020, 0x024f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2190,
+                                    0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
   ImGuiIO& io = ImGui::GetIO();
   for (const char* file : files) {
     std::error_code code;
@@ -63,7 +66,8 @@ Theme apply_theme(bool dark, float scale) {
     ImGui::StyleColorsLight(&style);
   c[ImGuiCol_Text] = hex(p.text);
   c[ImGuiCol_TextDisabled] = hex(p.quiet);
-  c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = hex(p.panel);
+  c[ImGuiCol_WindowBg] = hex(p.panel);
+  c[ImGuiCol_ChildBg] = hex(p.panel, 0);  // what they lie on has been painted
   c[ImGuiCol_PopupBg] = hex(p.panel);
   c[ImGuiCol_MenuBarBg] = hex(p.ground);
   c[ImGuiCol_Border] = c[ImGuiCol_Separator] = hex(p.border);
@@ -88,9 +92,10 @@ Theme apply_theme(bool dark, float scale) {
 Faces load_faces(float scale) {
   ImGui::GetIO().Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   Faces faces;
-  faces.text = first_of({"/usr/share/fonts/opentype/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
-                         "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
-                        16 * scale);
+  faces.text =
+      first_of({"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
+                "/usr/share/fonts/truetype/inter/Inter-Regular.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
+               16 * scale);
   faces.figures = first_of({"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
                             "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"},
                            16 * scale);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "viewer/imgui_host.h"
+#include "viewer/pacing.h"
 #include "viewer/panels.h"
 #include "viewer/process_age.h"
 #include "viewer/script.h"
@@ -18,14 +19,8 @@ using Clock = std::chrono::steady_clock;
 // ImGui needs some frames until everything that an event caused has its place.
 constexpr int kSettlingFrames = 3;
 
-double seconds_between(Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double>(b - a).count(); }
-
-// How long a new frame may wait to be shown: the more samples it has, the less it differs from the one on screen; and
-// drawing, which took `cost` seconds the last time, must leave most of the time to rendering.
-double present_interval(uint32_t samples, double cost) {
-  const double worthwhile = samples < 32 ? 0.1 : samples < 256 ? 0.25 : 0.5;
-  constexpr double kLeastRatio = 7, kLongest = 1;
-  return std::clamp(kLeastRatio * cost, worthwhile, kLongest);
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
 }
 
 int fail(const Error& error) {
@@ -35,7 +30,8 @@ int fail(const Error& error) {
 
 class Application {
  public:
-  Application(Platform& platform, const ViewOptions& options) : platform_(platform), w_(platform, options), picture_(platform.gl()) {}
+  Application(Platform& platform, const ViewOptions& options)
+      : platform_(platform), w_(platform, options), picture_(platform.gl()) {}
 
   Result<void> start(const Settings& settings, const std::string& note) {
     if (auto started = host_.start(); !started) return started;
@@ -91,8 +87,9 @@ class Application {
     for (const auto& file : w_.input.dropped) w_.open(file);
     const auto frame = w_.session.frame();
     const bool new_frame = frame && frame != w_.frame;
-    const bool hurry = new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
-    const bool time_for_it = since_last >= present_interval(frame ? frame->samples : 0, cost_);
+    const bool hurry =
+        new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
+    const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
     wait_for_frame_ = new_frame && !hurry && !time_for_it;
     // Status figures move on even when no frame comes.
     const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || since_last >= 1 || w_.loader.busy() ||
@@ -119,7 +116,8 @@ class Application {
     if (!w_.editor.empty() && w_.frame) {
       const auto& display = w_.editor.document().display;
       const bool layer = !w_.view.aov.empty() && w_.aov.picture().name == w_.view.aov;
-      picture_.draw(platform_.framebuffer(), size_, w_.view.picture, layer ? Shown{} : Shown{display.exposure, display.curve, w_.view.false_color});
+      picture_.draw(platform_.framebuffer(), size_, w_.view.picture,
+                    layer ? Shown{} : Shown{display.exposure, display.curve, w_.view.false_color});
     }
     gl.Viewport(0, 0, size_.x, size_.y);
     host_.end_frame();
@@ -132,13 +130,15 @@ class Application {
     w_.input.wheel = 0;
     w_.input.text.clear();
     w_.input.dropped.clear();
-    cost_ = seconds_between(start, Clock::now());
-    w_.pace.busy += cost_;
+    const double took = seconds_between(start, Clock::now());
+    pacing_.drew(took);
+    w_.pace.busy += took;
   }
 
   void measure(Clock::time_point now) {
     const double passed = seconds_between(measured_, now);
-    if (passed < 1) return;
+    constexpr double kMeasured = 2;  // long enough for several drawings
+    if (passed < kMeasured) return;
     w_.pace.share = w_.pace.busy / passed;
     w_.pace.busy = 0;
     measured_ = now;
@@ -151,7 +151,7 @@ class Application {
   Vec2i size_{0};
   int frames_wanted_ = kSettlingFrames;
   bool fading_ = false, wait_for_frame_ = false;
-  double cost_ = 0;  // seconds that the last frame took to draw
+  Pacing pacing_;
   Clock::time_point last_ = Clock::now(), measured_ = Clock::now(), touched_ = Clock::now();
 };
 

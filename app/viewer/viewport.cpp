@@ -14,9 +14,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr float kClickSlack = 4;         // pixels that a click may wander
-constexpr double kDoubleClick = 0.35;    // seconds
-constexpr double kWheelGesture = 0.6;    // seconds of rest that end a step
+constexpr float kClickSlack = 4;       // pixels that a click may wander
+constexpr double kDoubleClick = 0.35;  // seconds
+constexpr double kWheelGesture = 0.6;  // seconds of rest that end a step
 
 // One hand: what it holds and since when.
 struct Hold {
@@ -74,9 +74,13 @@ void drag(Workbench& w, Hold& hold) {
 }
 
 void fly(Workbench& w, float seconds) {
-  const auto axis = [&](int forth, int back) { return (w.input.keys[static_cast<size_t>(forth)] ? 1.0f : 0.0f) - (w.input.keys[static_cast<size_t>(back)] ? 1.0f : 0.0f); };
+  const auto axis = [&](int forth, int back) {
+    return (w.input.keys[static_cast<size_t>(forth)] ? 1.0f : 0.0f) -
+           (w.input.keys[static_cast<size_t>(back)] ? 1.0f : 0.0f);
+  };
   const Vec3 direction(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_S, GLFW_KEY_W));
-  if (direction != Vec3(0)) w.edit_camera(w.hand.fly(w.editor.document().camera, direction, std::min(seconds, 0.2f)), "Fly", "camera.fly");
+  if (direction != Vec3(0))
+    w.edit_camera(w.hand.fly(w.editor.document().camera, direction, std::min(seconds, 0.2f)), "Fly", "camera.fly");
 }
 
 void let_go(Workbench& w, Hold& hold) {
@@ -98,7 +102,8 @@ void wheel(Workbench& w, Hold& hold) {
   const auto picked = picked_at(w, w.input.mouse);
   if (seconds_since(hold.wheeled) > kWheelGesture) w.editor.end_gesture();
   hold.wheeled = Clock::now();
-  w.edit_camera(w.hand.dolly(w.editor.document().camera, picked ? picked->position : w.hand.pivot(), w.input.wheel), "Dolly", "camera.dolly");
+  w.edit_camera(w.hand.dolly(w.editor.document().camera, picked ? picked->position : w.hand.pivot(), w.input.wheel),
+                "Dolly", "camera.dolly");
 }
 
 void outline(const Workbench& w, ImDrawList* draw) {
@@ -106,38 +111,60 @@ void outline(const Workbench& w, ImDrawList* draw) {
   if (w.selection.node < 0 || !scene || w.view.picture.size.x < 2) return;
   const Bounds b = bounds_of_node(*scene, w.selection.node);
   if (b.empty()) return;
-  const auto corner = [&](int i) { return Vec3(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z); };
-  const ImU32 color = ImGui::GetColorU32(w.theme.accent);
-  for (int i = 0; i < 8; ++i)
-    for (int bit : {1, 2, 4}) {
-      if (i & bit) continue;
-      const auto from = project(w.editor.document().camera, w.view.picture, corner(i));
-      const auto to = project(w.editor.document().camera, w.view.picture, corner(i | bit));
-      if (from && to) draw->AddLine({from->x, from->y}, {to->x, to->y}, color, 1.5f);
-    }
+  const auto corner = [&](int i) {
+    return Vec3(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z);
+  };
+  // It lies on the picture, whose brightness no theme knows: a bright line in a dark one is seen on everything.
+  struct Stroke {
+    ImU32 color;
+    float width;
+  };
+  for (const Stroke& stroke : {Stroke{IM_COL32(0, 0, 0, 140), 3.5f}, Stroke{IM_COL32(120, 190, 240, 255), 1.5f}})
+    for (int i = 0; i < 8; ++i)
+      for (int bit : {1, 2, 4}) {
+        if (i & bit) continue;
+        const auto from = project(w.editor.document().camera, w.view.picture, corner(i));
+        const auto to = project(w.editor.document().camera, w.view.picture, corner(i | bit));
+        if (from && to) draw->AddLine({from->x, from->y}, {to->x, to->y}, stroke.color, stroke.width);
+      }
+}
+
+// Figures whose upper edge has its middle at `at`; letters of another size would blur.
+void centred(const Workbench& w, ImDrawList* draw, Vec2 at, const char* text) {
+  ImFont* font = w.faces.figures;
+  const float width = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text).x;
+  draw->AddText(font, font->FontSize, {at.x - width * 0.5f, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
+}
+
+void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size) {
+  constexpr int kSteps = 64;
+  for (int i = 0; i < kSteps; ++i) {
+    const Rgb c = viridis((static_cast<float>(i) + 0.5f) / kSteps);
+    const float x = corner.x + size.x * static_cast<float>(i) / kSteps;
+    draw->AddRectFilled({x, corner.y}, {x + size.x / kSteps + 1, corner.y + size.y},
+                        ImGui::GetColorU32({c.r, c.g, c.b, 1}));
+  }
 }
 
 // The scale of false colour, with the luminances at its ends and in between.
 void legend(const Workbench& w, ImDrawList* draw) {
   const float em = ImGui::GetFontSize();
+  const float margin = em * 2;  // half of the widest figure stands out at both ends
   const Placement& p = w.view.picture;
   const Vec2 size(em * 16, em * 0.8f);
-  const Vec2 corner(p.corner.x + p.size.x - size.x - em * 1.5f, p.corner.y + em * 1.2f);
-  draw->AddRectFilled({corner.x - em, corner.y - em * 0.6f}, {corner.x + size.x + em, corner.y + size.y + em * 2.2f}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
-  constexpr int kSteps = 64;
-  for (int i = 0; i < kSteps; ++i) {
-    const Rgb c = viridis((static_cast<float>(i) + 0.5f) / kSteps);
-    const float x = corner.x + size.x * static_cast<float>(i) / kSteps;
-    draw->AddRectFilled({x, corner.y}, {x + size.x / kSteps + 1, corner.y + size.y}, ImGui::GetColorU32({c.r, c.g, c.b, 1}));
-  }
+  const Vec2 corner(p.corner.x + p.size.x - size.x - margin - em * 0.5f, p.corner.y + em * 1.2f);
+  draw->AddRectFilled({corner.x - margin, corner.y - em * 0.6f},
+                      {corner.x + size.x + margin, corner.y + size.y + em * 3.3f},
+                      ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
+  color_bar(draw, corner, size);
   const Vec2 stops = false_color_stops(w.editor.document().display.exposure);
   for (int i = 0; i <= 4; ++i) {
     const float at = static_cast<float>(i) / 4;
     char text[24];
     std::snprintf(text, sizeof text, "%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * at)));
-    const float width = w.faces.figures->CalcTextSizeA(em * 0.85f, 1e6f, 0, text).x;
-    draw->AddText(w.faces.figures, em * 0.85f, {corner.x + size.x * at - width * 0.5f, corner.y + size.y + em * 0.4f}, ImGui::GetColorU32(ImGuiCol_Text), text);
+    centred(w, draw, {corner.x + size.x * at, corner.y + size.y + em * 0.4f}, text);
   }
+  centred(w, draw, {corner.x + size.x * 0.5f, corner.y + size.y + em * 1.8f}, "luminance, W/(m\u00b2 sr)");
 }
 
 }  // namespace
@@ -167,7 +194,8 @@ void draw_viewport_overlay(Workbench& w) {
     const std::string text = w.view.aov + (w.aov.busy() ? " ..." : "");
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at{w.view.picture.corner.x + em, w.view.picture.corner.y + em};
-    draw->AddRectFilled({at.x - em * 0.5f, at.y - em * 0.3f}, {at.x + size.x + em * 0.5f, at.y + size.y + em * 0.3f}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
+    draw->AddRectFilled({at.x - em * 0.5f, at.y - em * 0.3f}, {at.x + size.x + em * 0.5f, at.y + size.y + em * 0.3f},
+                        ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
     draw->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   }
   draw->PopClipRect();

@@ -6,62 +6,21 @@
 #include <cmath>
 
 #include "render/aov.h"
-#include "viewer/number_widget.h"
+#include "viewer/fields.h"
 
 namespace etendue::viewer {
 namespace {
 
-bool ends_with_channel(const std::string& name) { return name.ends_with(".r") || name.ends_with(".g") || name.ends_with(".b"); }
+bool ends_with_channel(const std::string& name) {
+  return name.ends_with(".r") || name.ends_with(".g") || name.ends_with(".b");
+}
 
 std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
-
-// What a script asks for goes the same way as what a hand enters.
-std::optional<Value> from_script(Workbench& w, const ParameterInfo& info) {
-  const auto text = w.items.take(info.name);
-  if (!text) return std::nullopt;
-  auto value = parse_value(info, *text);
-  w.items.answer(value ? "" : value.error().message);
-  if (!value) return std::nullopt;
-  w.editor.end_gesture();
-  return *value;
-}
-
-void describe(Workbench& w, const ParameterInfo& info) {
-  w.items.place(info.name);
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
-  std::string text = info.doc;
-  if (info.type == ParameterType::number || info.type == ParameterType::integer) {
-    char range[96];
-    std::snprintf(range, sizeof range, "\n%g to %g%s%s", info.min, info.max, info.unit.empty() ? "" : " ", info.unit.c_str());
-    text += range;
-    text += "\nDouble click types a number, Ctrl+click resets";
-  }
-  tooltip(w, text + "\n" + info.name);
-}
-
-// The value that the opened file had.
-std::optional<Value> original(const Workbench& w, const std::string& name) {
-  const auto& origin = w.editor.document().origin;
-  if (!origin) return std::nullopt;
-  const auto value = render::get(*origin, name);
-  return value ? std::optional(*value) : std::nullopt;
-}
-
-struct Change {
-  std::optional<Value> value;
-  bool reset = false, forget = false, ended = false;
-};
-
-// Vectors are three settings with one label: the axis tells them apart.
-std::string full_label(const ParameterInfo& info) {
-  const bool axis = info.name.ends_with(".x") || info.name.ends_with(".y") || info.name.ends_with(".z");
-  return axis ? info.label + " " + info.name.back() : info.label;
-}
 
 Change one_widget(Workbench& w, const ParameterInfo& info) {
   Change change;
   ImGui::PushID(info.name.c_str());
-  label_column(full_label(info));
+  label_column(info.label);
   switch (info.type) {
     case ParameterType::toggle: {
       bool on = std::get<bool>(info.default_value);
@@ -80,15 +39,12 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
       break;
     }
     case ParameterType::integer:
-    case ParameterType::number: {
-      ImGui::PushFont(w.faces.figures);
-      const NumberEdit edit = number_widget(info);
-      ImGui::PopFont();
-      change = {edit.value, edit.reset, edit.starts_typing, edit.ended};
-      break;
-    }
+    case ParameterType::number:
+      change = number_field(w, info);
+      ImGui::PopID();
+      return change;
   }
-  describe(w, info);
+  describe_field(w, info);
   ImGui::PopID();
   if (!change.value) change.value = from_script(w, info);
   return change;
@@ -96,14 +52,7 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
 
 void binding_widget(Workbench& w, const render::Binding& binding) {
   const Change change = one_widget(w, binding.info);
-  // The first click of a double click has moved the slider: that was not meant.
-  if (change.forget) w.editor.forget(binding.info.name);
-  if (change.reset) {
-    if (const auto value = original(w, binding.info.name); value && *value != binding.info.default_value) w.edit(binding, *value);
-  } else if (change.value && *change.value != binding.info.default_value) {
-    w.edit(binding, *change.value, binding.info.name);
-  }
-  if (change.ended) w.editor.end_gesture();
+  commit(w, binding, change);
   const bool at_once = binding.info.type == ParameterType::toggle || binding.info.type == ParameterType::choice;
   if (at_once && change.value) w.editor.end_gesture();
 }
@@ -119,30 +68,33 @@ void color_widget(Workbench& w, std::span<const render::Binding> rgb) {
   ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip;
   if (rgb[0].info.max > 1) flags |= ImGuiColorEditFlags_HDR;
   const bool control_click = ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) &&
-                             ImGui::IsMouseHoveringRect(ImGui::GetCursorScreenPos(), {ImGui::GetCursorScreenPos().x + ImGui::CalcItemWidth(), ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()});
+                             ImGui::IsMouseHoveringRect(ImGui::GetCursorScreenPos(),
+                                                        {ImGui::GetCursorScreenPos().x + ImGui::CalcItemWidth(),
+                                                         ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()});
   const bool edited = !control_click && ImGui::ColorEdit3("##", now, flags);
-  if (control_click) ImGui::ColorButton("##", {now[0], now[1], now[2], 1}, flags, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
+  if (control_click)
+    ImGui::ColorButton("##", {now[0], now[1], now[2], 1}, flags, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
   const bool ended = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopFont();
   ParameterInfo shown = rgb[0].info;
   shown.name = stem;
-  describe(w, shown);
+  describe_field(w, shown);
   bool scripted = false;
   for (size_t c = 0; c < 3; ++c) {
     w.items.place(rgb[c].info.name);
-    if (const auto value = from_script(w, rgb[c].info)) now[c] = static_cast<float>(std::get<double>(*value)), scripted = true;
+    if (const auto value = from_script(w, rgb[c].info))
+      now[c] = static_cast<float>(std::get<double>(*value)), scripted = true;
     if (const auto before = control_click ? original(w, rgb[c].info.name) : std::nullopt)
       now[c] = static_cast<float>(std::get<double>(*before));
   }
   if (edited || scripted || control_click) {
-    render::Document changed = w.editor.document();
+    Value values[3];
     bool differs = false;
     for (size_t c = 0; c < 3; ++c) {
-      const double value = std::clamp(static_cast<double>(now[c]), rgb[c].info.min, rgb[c].info.max);
-      differs = differs || value != std::get<double>(rgb[c].info.default_value);
-      rgb[c].assign(changed, value);
+      values[c] = std::clamp(static_cast<double>(now[c]), rgb[c].info.min, rgb[c].info.max);
+      differs = differs || values[c] != rgb[c].info.default_value;
     }
-    if (differs) w.edit(std::move(changed), rgb[0].info.label, stem);
+    if (differs) w.edit(rgb, values, stem);
   }
   if (ended || scripted || control_click) w.editor.end_gesture();
   ImGui::PopID();
@@ -151,6 +103,15 @@ void color_widget(Workbench& w, std::span<const render::Binding> rgb) {
 bool names_color(const std::vector<render::Binding>& list, size_t i) {
   return i + 2 < list.size() && ends_with_channel(list[i].info.name) && list[i].info.name.ends_with(".r") &&
          stem_of(list[i + 2].info.name) == stem_of(list[i].info.name);
+}
+
+// How many settings from here on make a vector (3), a quaternion (4), or neither (0).
+size_t vector_length(const std::vector<render::Binding>& list, size_t i) {
+  constexpr const char* kEnds[4] = {".x", ".y", ".z", ".w"};
+  const std::string stem = stem_of(list[i].info.name);
+  size_t n = 0;
+  while (n < 4 && i + n < list.size() && list[i + n].info.name == stem + kEnds[n]) ++n;
+  return n >= 3 ? n : 0;
 }
 
 template <class Wanted>
@@ -162,6 +123,10 @@ void widgets(Workbench& w, const std::string& section, Wanted wanted) {
     if (names_color(list, i)) {
       color_widget(w, std::span(list).subspan(i, 3));
       i += 2;
+    } else if (const size_t length = vector_length(list, i)) {
+      const auto parts = std::span(list).subspan(i, length);
+      length == 4 ? rotation_row(w, parts) : vector_row(w, parts);
+      i += length - 1;
     } else {
       binding_widget(w, list[i]);
     }
@@ -175,11 +140,13 @@ void section_widgets(Workbench& w, const std::string& section) {
 }
 
 void some_widgets(Workbench& w, const std::string& section, const std::vector<std::string>& names) {
-  widgets(w, section, [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); });
+  widgets(w, section,
+          [&](const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); });
 }
 
 void other_widgets(Workbench& w, const std::string& section, const std::vector<std::string>& names) {
-  widgets(w, section, [&](const std::string& name) { return std::find(names.begin(), names.end(), name) == names.end(); });
+  widgets(w, section,
+          [&](const std::string& name) { return std::find(names.begin(), names.end(), name) == names.end(); });
 }
 
 std::optional<Value> loose_widget(Workbench& w, const ParameterInfo& info) { return one_widget(w, info).value; }

@@ -44,6 +44,14 @@ void Workbench::edit(const render::Binding& binding, const Value& value, const s
   editor.apply(std::move(changed), binding.info.label + name_of_object(editor.document(), binding.section), gesture);
 }
 
+void Workbench::edit(std::span<const render::Binding> bindings, std::span<const Value> values,
+                     const std::string& gesture) {
+  render::Document changed = editor.document();
+  for (size_t i = 0; i < bindings.size(); ++i) bindings[i].assign(changed, values[i]);
+  const render::Binding& first = bindings.front();
+  editor.apply(std::move(changed), first.info.label + name_of_object(editor.document(), first.section), gesture);
+}
+
 void Workbench::edit_camera(const Camera& camera, const std::string& name, const std::string& gesture) {
   render::Document changed = editor.document();
   changed.camera = camera;
@@ -83,7 +91,8 @@ void Workbench::frame_scene() {
   const auto scene = session.scene();
   if (editor.empty() || !scene) return;
   const auto& d = editor.document();
-  edit_camera(hand.frame(d.camera, scene->bounds(), static_cast<float>(d.width) / static_cast<float>(d.height)), "Frame all", "");
+  edit_camera(hand.frame(d.camera, scene->bounds(), static_cast<float>(d.width) / static_cast<float>(d.height)),
+              "Frame all", "");
 }
 
 void Workbench::frame_selection() {
@@ -92,7 +101,8 @@ void Workbench::frame_selection() {
   const Bounds bounds = bounds_of_node(*scene, selection.node);
   const auto& d = editor.document();
   if (bounds.empty()) return frame_scene();
-  edit_camera(hand.frame(d.camera, bounds, static_cast<float>(d.width) / static_cast<float>(d.height)), "Frame selection", "");
+  edit_camera(hand.frame(d.camera, bounds, static_cast<float>(d.width) / static_cast<float>(d.height)),
+              "Frame selection", "");
 }
 
 void Workbench::take_opened(Result<Opened> opened) {
@@ -139,8 +149,10 @@ bool Workbench::advance(Picture& on_screen) {
     redraw = true;
   }
   if (latest && (latest != frame || shows_aov_ != shows_aov)) {
+    // An edit that changes no light gives the same pixels another version.
+    const bool uploaded = frame && frame->pixels == latest->pixels && shows_aov_ == shows_aov;
     frame = latest;
-    if (!shows_aov) on_screen.upload(frame->width, frame->height, frame->pixels);
+    if (!shows_aov && !uploaded) on_screen.upload(frame->width, frame->height, *frame->pixels);
     redraw = true;
   }
   shows_aov_ = shows_aov;

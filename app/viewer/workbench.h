@@ -1,6 +1,7 @@
 // Everything the viewer has on its desk; panels, actions and scripts work on this.
 #pragma once
 #include <chrono>
+#include <span>
 
 #include "render/session.h"
 #include "viewer/actions.h"
@@ -29,18 +30,26 @@ struct View {
   Placement region;   // of the window, for the picture
   Placement picture;  // the picture in it
   bool interface = true, help = false, palette = false;
+  bool covered = false;  // something lies over the interface that Escape closes
   bool false_color = false;
   std::string aov;  // the layer shown instead of the picture
   Tab tab = Tab::render;
-  std::optional<Tab> reveal;     // the tab to bring to the front in the next frame
-  bool focus_by_click = false;   // the next click sets the focus
-  float column = 0;              // width of the right column, pixels
+  std::optional<Tab> reveal;    // the tab to bring to the front in the next frame
+  bool focus_by_click = false;  // the next click sets the focus
+  float column = 0;             // width of the right column, pixels
 };
 
 // How the interface spends its time.
 struct Pace {
   double busy = 0, since_start = 0;  // seconds of this measurement
   double share = 0;                  // of the last one
+};
+
+// The angles that the hand gave to a rotation, for as long as it is still that one.
+struct Turned {
+  std::string name;
+  Vec4 rotation{0};
+  Vec3 degrees{0};
 };
 
 struct Workbench {
@@ -52,6 +61,8 @@ struct Workbench {
 
   // All edits end here. `gesture` as in Editor.
   void edit(const render::Binding& binding, const Value& value, const std::string& gesture = "");
+  // Several settings of one thing in one step; the first gives it its name.
+  void edit(std::span<const render::Binding> bindings, std::span<const Value> values, const std::string& gesture);
   void edit(render::Document changed, const std::string& name, const std::string& gesture = "") {
     editor.apply(std::move(changed), name, gesture);
   }
@@ -82,6 +93,7 @@ struct Workbench {
   CameraHand hand;
   FileDialog files;
   Selection selection;
+  Turned turned;
   View view;
   Theme theme;
   Faces faces;

@@ -1,5 +1,6 @@
 // Sections: camera, environment, material.N, light.N, node.N.
 #include "render/bindings.h"
+#include "scene/rotation.h"
 
 namespace etendue::render {
 namespace {
@@ -36,6 +37,31 @@ Binding of_light(const std::string& section, size_t index, const Knob& knob, Mem
   return binding(section, knob, [index, member](Document& document, const auto& v) {
     edit_scene(document, [&](scene::Scene& s) { s.lights[index].*member = v; });
   });
+}
+
+// Rotation and scale, which only exist where the transform has these parts. The first edit takes a matrix apart.
+void add_parts(std::vector<Binding>& list, const std::string& section, size_t index,
+               const scene::Transform& transform) {
+  const auto parts = scene::in_parts(transform);
+  if (!parts) return;
+  const auto edit = [index](Document& d, auto change) {
+    edit_scene(d, [&](scene::Scene& s) {
+      auto& t = s.nodes[index].transform;
+      if (const auto taken_apart = scene::in_parts(t)) change(t = *taken_apart);
+    });
+  };
+  static constexpr const char* kRotation[4] = {"rotation.x", "rotation.y", "rotation.z", "rotation.w"};
+  for (int c = 0; c < 4; ++c)
+    list.push_back(binding(section,
+                           Number<float>{kRotation[c],
+                                         "Rotation",
+                                         parts->rotation[c],
+                                         {-1.001f, 1.001f},
+                                         "A quaternion relative to the parent; it is made a unit where it is used"},
+                           [edit, c](Document& d, float v) { edit(d, [&](auto& t) { t.rotation[c] = v; }); }));
+  add_vector(list, section, {"scale.x", "scale.y", "scale.z"}, "Scale", parts->scale, 1e6f,
+             "Relative to the parent; negative mirrors, 0 hides", "",
+             [edit](Document& d, int c, float v) { edit(d, [&](auto& t) { t.scale[c] = v; }); });
 }
 
 }  // namespace
@@ -153,6 +179,7 @@ std::vector<Binding> node_bindings(const Document& document, size_t index, const
                    t.translation[c] = v;
                });
              });
+  add_parts(list, section, index, n.transform);
   return list;
 }
 

@@ -8,15 +8,10 @@ namespace {
 
 using Row = std::span<Rgb>;
 
-Row row_of(Frame& frame, int y) {
-  const auto width = static_cast<size_t>(frame.width);
-  return {&frame.pixels[static_cast<size_t>(y) * width], width};
-}
-
 std::span<const Rgb> blocks_behind(const Frame& coarse, int y) {
   const int row = std::min(y / coarse.coarseness, coarse.height - 1);
   const auto width = static_cast<size_t>(coarse.width);
-  return {&coarse.pixels[static_cast<size_t>(row) * width], width};
+  return std::span(*coarse.pixels).subspan(static_cast<size_t>(row) * width, width);
 }
 
 void enlarge(std::span<const Rgb> blocks, int coarseness, Row row) {
@@ -58,54 +53,66 @@ struct FrameMaker::Pool {
   std::vector<std::vector<Rgb>> spare;
 };
 
+// A frame while it is painted.
+struct FrameMaker::Canvas {
+  std::shared_ptr<Frame> frame;
+  std::vector<Rgb>* pixels;  // the frame's
+
+  Row row(int y) const {
+    const auto width = static_cast<size_t>(frame->width);
+    return std::span(*pixels).subspan(static_cast<size_t>(y) * width, width);
+  }
+};
+
 FrameMaker::FrameMaker(Workers& workers) : workers_(workers), pool_(std::make_shared<Pool>()) {}
 
-std::shared_ptr<Frame> FrameMaker::blank(int width, int height) {
-  const auto give_back = [pool = pool_](Frame* frame) {
-    pool->give_back(std::move(frame->pixels));
-    delete frame;
+FrameMaker::Canvas FrameMaker::blank(int width, int height) {
+  const auto give_back = [pool = pool_](std::vector<Rgb>* pixels) {
+    pool->give_back(std::move(*pixels));
+    delete pixels;
   };
-  std::shared_ptr<Frame> frame(new Frame, give_back);
-  frame->width = width, frame->height = height;
-  frame->pixels = pool_->take(static_cast<size_t>(width) * static_cast<size_t>(height));
-  return frame;
+  auto taken =
+      std::make_unique<std::vector<Rgb>>(pool_->take(static_cast<size_t>(width) * static_cast<size_t>(height)));
+  const std::shared_ptr<std::vector<Rgb>> pixels(taken.release(), give_back);
+  auto frame = std::make_shared<Frame>();
+  frame->width = width, frame->height = height, frame->pixels = pixels;
+  return {std::move(frame), pixels.get()};
 }
 
 std::shared_ptr<const Frame> FrameMaker::coarse(const film::Film& film, int coarseness) {
   auto frame = std::make_shared<Frame>();
-  frame->width = film.width(), frame->height = film.height(), frame->coarseness = coarseness;
-  frame->pixels.resize(film.pixels().size());
-  for (int y = 0; y < frame->height; ++y) fill_from(film, y, false, row_of(*frame, y));
+  auto pixels = std::make_shared<std::vector<Rgb>>(film.pixels().size());
+  frame->width = film.width(), frame->height = film.height(), frame->coarseness = coarseness, frame->pixels = pixels;
+  const Canvas canvas{frame, pixels.get()};
+  for (int y = 0; y < frame->height; ++y) fill_from(film, y, false, canvas.row(y));
   return frame;
 }
 
 std::shared_ptr<Frame> FrameMaker::enlarged(const Frame& coarse, int width, int height) {
-  auto frame = blank(width, height);
-  frame->coarseness = coarse.coarseness;
+  const Canvas canvas = blank(width, height);
+  canvas.frame->coarseness = coarse.coarseness;
   workers_.for_bands(height, [&](int first, int end) {
     for (int y = first; y < end; ++y) {
-      const Row row = row_of(*frame, y);
       const bool same = y > first && blocks_behind(coarse, y).data() == blocks_behind(coarse, y - 1).data();
       if (same)
-        std::ranges::copy(row_of(*frame, y - 1), row.begin());
+        std::ranges::copy(canvas.row(y - 1), canvas.row(y).begin());
       else
-        enlarge(blocks_behind(coarse, y), coarse.coarseness, row);
+        enlarge(blocks_behind(coarse, y), coarse.coarseness, canvas.row(y));
     }
   });
-  return frame;
+  return canvas.frame;
 }
 
 std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Frame* coarse) {
-  auto frame = blank(film.width(), film.height());
-  frame->coarseness = coarse ? coarse->coarseness : 1;
+  const Canvas canvas = blank(film.width(), film.height());
+  canvas.frame->coarseness = coarse ? coarse->coarseness : 1;
   workers_.for_bands(film.height(), [&](int first, int end) {
     for (int y = first; y < end; ++y) {
-      const Row row = row_of(*frame, y);
-      if (coarse) enlarge(blocks_behind(*coarse, y), coarse->coarseness, row);
-      fill_from(film, y, coarse != nullptr, row);
+      if (coarse) enlarge(blocks_behind(*coarse, y), coarse->coarseness, canvas.row(y));
+      fill_from(film, y, coarse != nullptr, canvas.row(y));
     }
   });
-  return frame;
+  return canvas.frame;
 }
 
 }  // namespace etendue::render

@@ -11,7 +11,8 @@ namespace etendue::render {
 
 struct Frame {
   int width = 0, height = 0;
-  std::vector<Rgb> pixels;  // linear radiance, row 0 on top
+  // Linear radiance, row 0 on top. Frames that differ only in what they say of it share it.
+  std::shared_ptr<const std::vector<Rgb>> pixels;
   uint64_t version = 0;
   uint32_t samples = 0;  // complete samples of every pixel; 0 while coarse parts show
   int coarseness = 1;    // pixels are blocks of this size; 1 is full resolution
@@ -32,7 +33,8 @@ class FrameMaker {
 
  private:
   struct Pool;
-  std::shared_ptr<Frame> blank(int width, int height);
+  struct Canvas;
+  Canvas blank(int width, int height);
 
   Workers& workers_;
   std::shared_ptr<Pool> pool_;

@@ -203,7 +203,7 @@ class Session::Impl {
     film_stale_ = !edit.start;
     if (edit.start) film_ = std::move(*edit.start);
     runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height);
-    counters_.rays = 0, counters_.paths = 0;
+    counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
     complete_ = film_stale_ ? 0 : least_samples();
     error_ = {}, error_at_ = 0;
@@ -275,7 +275,11 @@ class Session::Impl {
     rendering_seconds_ += took;
     if (first) note_rate(counters_.paths - before, took);
     update_status();
-    if (options_.interactive && !cut()) publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get()));
+    // Nothing is new where the limit was reached before: the frame that stands goes on.
+    if (!options_.interactive || cut()) return;
+    if (!awaiting_first_frame_ && counters_.paths == shown_paths_ && frame_->samples == complete_) return;
+    shown_paths_ = counters_.paths;
+    publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get()));
   }
 
   // The film is emptied only here, after the coarse frames: it is too large to keep an edit waiting for it.
@@ -403,6 +407,7 @@ class Session::Impl {
   film::Film film_;
   bool film_stale_ = false;  // it still shows what was before the last edit
   PassRunner::Counters counters_;
+  uint64_t shown_paths_ = 0;  // that the last frame was made of
   std::shared_ptr<const Frame> coarse_;
   uint32_t complete_ = 0;
   film::ErrorEstimate error_;

@@ -6,9 +6,15 @@
 
 #include <thread>
 
+#include "base/handover.h"
 #include "geometry/accel.h"
 
 namespace etendue::render {
+namespace {
+
+Handover g_handover;
+
+}  // namespace
 
 struct Workers::Arena {
   explicit Arena(int n)
@@ -38,7 +44,14 @@ int Workers::run(int first, int count, const std::function<void(int)>& task, con
   };
   arena_->arena.execute([&] {
     tbb::task_group group;
-    for (int i = 1; i < arena_->threads; ++i) group.run(work);
+    for (int i = 1; i < arena_->threads; ++i) {
+      auto task_of_worker = group.defer([&work] {
+        g_handover.take();
+        work();
+      });
+      g_handover.give();
+      group.run(std::move(task_of_worker));
+    }
     work();
     group.wait();
   });

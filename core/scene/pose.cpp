@@ -8,7 +8,15 @@
 namespace etendue::scene {
 namespace {
 
-Mat4 rotation_matrix(const Vec4& q) {
+// Edits that set one component after the other leave quaternions that are no units on the way.
+Vec4 unit(const Vec4& q) {
+  const float squared = glm::dot(q, q);
+  const bool is_unit = std::abs(squared - 1) < 1e-5f;
+  return is_unit || !(squared > 0) ? q : q / std::sqrt(squared);
+}
+
+Mat4 rotation_matrix(const Vec4& rotation) {
+  const Vec4 q = unit(rotation);
   const float x = q.x, y = q.y, z = q.z, w = q.w;
   Mat4 m(1);
   m[0] = Vec4(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0);

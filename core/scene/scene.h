@@ -50,7 +50,7 @@ struct Transform {
   Vec3 translation{0};
   Vec4 rotation{0, 0, 0, 1};
   Vec3 scale{1};
-  std::optional<Mat4> matrix;
+  std::optional<Mat4> matrix = std::nullopt;
 
   Mat4 to_matrix() const;
   friend bool operator==(const Transform&, const Transform&) = default;

@@ -126,11 +126,13 @@ TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
 
 TEST(State, EverySettingComesBack) {
   auto d = cornell(40);
-  const std::pair<const char*, const char*> edits[] = {{"render.integrator", "path-pure"}, {"path.roulette-start", "7"},
-                                                       {"stratified.side", "5"},           {"film.filter", "tent"},
-                                                       {"camera.exposure", "1.25"},        {"camera.eye.x", "0.3"},
-                                                       {"material.5.roughness", "0.31"},   {"model.media", "on"},
-                                                       {"node.6.visible", "false"}};
+  const std::pair<const char*, const char*> edits[] = {
+      {"render.integrator", "path-pure"}, {"path.roulette-start", "7"},
+      {"stratified.side", "5"},           {"film.filter", "tent"},
+      {"camera.exposure", "1.25"},        {"camera.eye.x", "0.3"},
+      {"material.5.roughness", "0.31"},   {"model.media", "on"},
+      {"node.6.visible", "false"},        {"node.5.rotation.y", "0.25"},
+      {"node.5.scale.z", "-2"},           {"node.8.rotation.x", "0.5"}};
   for (const auto& [name, value] : edits) {
     auto edited = render::with_text(d, name, value);
     ASSERT_TRUE(edited) << edited.error().message;
@@ -140,6 +142,8 @@ TEST(State, EverySettingComesBack) {
   ASSERT_TRUE(back) << back.error().message;
   for (const auto& [name, value] : edits) EXPECT_EQ(*render::get(*back, name), *render::get(d, name)) << name;
   EXPECT_EQ(back->width, 40);
+  for (size_t i = 0; i < d.scene->nodes.size(); ++i)
+    EXPECT_EQ(back->scene->nodes[i].transform, d.scene->nodes[i].transform) << i;
 }
 
 TEST(Settings, WrongNamesAndValuesSayWhatWouldBeRight) {
