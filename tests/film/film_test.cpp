@@ -82,6 +82,18 @@ TEST_P(EveryFilter, SamplesFollowTheFilter) {
   EXPECT_GT(test::chi_square_tail(statistic, kCells - 1), 0.0025);
 }
 
+TEST_P(EveryFilter, ManySamplesAreThoseOfEachAlone) {
+  const Filter filter(GetParam());
+  alignas(64) std::array<float, 32> u{};
+  std::array<float, 21> alone;
+  for (size_t i = 0; i < alone.size(); ++i) {
+    u[i] = std::min(static_cast<float>(i) / (alone.size() - 1), kOneMinusEpsilon);
+    alone[i] = filter.sample({u[i], 0.5f}).x;
+  }
+  filter.sample_all(u.data(), alone.size());
+  for (size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(u[i], alone[i]);
+}
+
 INSTANTIATE_TEST_SUITE_P(Filters, EveryFilter,
                          testing::Values(FilterKind::box, FilterKind::tent, FilterKind::gaussian,
                                          FilterKind::blackman_harris));

@@ -28,6 +28,21 @@ TEST_P(EverySampler, ValuesAreInTheUnitIntervalAndRepeatable) {
   }
 }
 
+TEST_P(EverySampler, ManyPixelsAtOnceHaveTheirOwnNumbers) {
+  std::array<uint32_t, 53> seeds;
+  for (size_t i = 0; i < seeds.size(); ++i) seeds[i] = mix_bits(static_cast<uint32_t>(i) + 3);
+  const auto table = std::make_unique<SampleTable>();
+  for (const uint32_t sample : {0U, 5U, 127U, 1000U})
+    for (const uint32_t block : {0U, 1U, 7U, 8U, 40U}) {
+      sampler_->blocks(seeds, sample, block, *table);
+      for (size_t i = 0; i < seeds.size(); ++i) {
+        SampleBlock alone;
+        sampler_->block(seeds[i], sample, block, alone);
+        for (size_t k = 0; k < alone.size(); ++k) ASSERT_EQ(table->values[k][i], alone[k]);
+      }
+    }
+}
+
 // Sixteen bins over many pixels, each dimension of a sample alone: 1 % false alarms over all dimensions and samples.
 TEST_P(EverySampler, EachDimensionIsUniform) {
   constexpr int kBins = 16, kPixels = 4096, kDimensions = 96;

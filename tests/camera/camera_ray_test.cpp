@@ -1,0 +1,74 @@
+// Camera rays: where they start, where they meet, and that many at once are those of each alone.
+#include "camera/camera_ray.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "base/wide.h"
+
+namespace etendue {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 90;
+
+Camera camera_of(Projection projection, float lens_radius) {
+  Camera camera = look_at({1, 2, 5}, {0, 1, 0}, {0, 1, 0}, 0.7f);
+  camera.projection = projection;
+  camera.lens_radius = lens_radius, camera.focus_distance = 3;
+  camera.near_clip = 0.1f, camera.far_clip = 100;
+  return camera;
+}
+
+TEST(CameraRays, GoThroughTheMiddleOfThePicture) {
+  const Camera camera = camera_of(Projection::perspective, 0);
+  const Ray ray = CameraRays(camera, kWidth, kHeight).ray({kWidth / 2.0f, kHeight / 2.0f}, Vec2(0.5f));
+  EXPECT_LT(glm::length(ray.direction - glm::normalize(Vec3(-1, -1, -5))), 1e-6f);
+  EXPECT_EQ(ray.origin, Vec3(1, 2, 5));
+  EXPECT_NEAR(ray.tnear, 0.1f, 1e-6f);
+}
+
+TEST(CameraRays, OfAPixelMeetInTheFocalPlane) {
+  const CameraRays rays(camera_of(Projection::perspective, 0.2f), kWidth, kHeight);
+  const auto at_focus = [&](Vec2 lens) {
+    const Ray ray = rays.ray({20, 30}, lens);
+    const float axial = glm::dot(ray.direction, glm::normalize(Vec3(-1, -1, -5)));
+    const float start = glm::dot(ray.origin - Vec3(1, 2, 5), glm::normalize(Vec3(-1, -1, -5)));
+    return ray.origin + ray.direction * ((3 - start) / axial);
+  };
+  const Vec3 middle = at_focus(Vec2(0.5f));
+  for (const Vec2 lens : {Vec2(0, 0), Vec2(0.9f, 0.1f), Vec2(0.3f, 0.8f)})
+    EXPECT_LT(glm::length(at_focus(lens) - middle), 1e-5f);
+  EXPECT_GT(glm::length(rays.ray({20, 30}, {0, 0}).origin - rays.ray({20, 30}, {0.9f, 0.9f}).origin), 0.3f);
+}
+
+TEST(CameraRays, AreParallelInAnOrthographicPicture) {
+  const CameraRays rays(camera_of(Projection::orthographic, 0), kWidth, kHeight);
+  EXPECT_EQ(rays.ray({0, 0}, Vec2(0)).direction, rays.ray({150, 80}, Vec2(0)).direction);
+  EXPECT_NE(rays.ray({0, 0}, Vec2(0)).origin, rays.ray({150, 80}, Vec2(0)).origin);
+}
+
+TEST(CameraRays, ManyAtOnceAreThoseOfEachAlone) {
+  constexpr size_t kRays = 37;
+  std::mt19937 engine(2);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  alignas(64) std::array<float, 48> x{}, y{}, u{}, v{};
+  for (size_t i = 0; i < kRays; ++i)
+    x[i] = kWidth * uniform(engine), y[i] = kHeight * uniform(engine), u[i] = uniform(engine), v[i] = uniform(engine);
+  for (const auto projection : {Projection::perspective, Projection::orthographic})
+    for (const float radius : {0.0f, 0.3f}) {
+      const CameraRays rays(camera_of(projection, radius), kWidth, kHeight);
+      std::array<Ray, kRays> many;
+      rays.rays({x.data(), y.data()}, {u.data(), v.data()}, kRays, many.data());
+      for (size_t i = 0; i < kRays; ++i) {
+        const Ray one = rays.ray({x[i], y[i]}, {u[i], v[i]});
+        EXPECT_EQ(many[i].origin, one.origin);
+        EXPECT_EQ(many[i].direction, one.direction);
+        EXPECT_EQ(many[i].tnear, one.tnear);
+        EXPECT_EQ(many[i].tfar, one.tfar);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,107 @@
+// Sampling lights: directions lead to them, and densities are those that `pdf_triangle` says.
+#include "light/light_table.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace etendue {
+namespace {
+
+EmissiveTriangle triangle(const Vec3& p0, const Vec3& p1, const Vec3& p2, float radiance, bool double_sided) {
+  EmissiveTriangle t{p0, p1 - p0, p2 - p0, 0, 0, Rgb(radiance), double_sided};
+  t.cross = glm::cross(t.e1, t.e2);
+  return t;
+}
+
+struct Queries {
+  static constexpr size_t kCount = 150;  // more than one batch, no whole number of registers
+  WideVec3<160> from;
+  alignas(64) std::array<float, 160> choice{}, u0{}, u1{};
+
+  explicit Queries(const Vec3& around) {
+    std::mt19937 engine(8);
+    std::uniform_real_distribution<float> uniform(0, 0.99999f);
+    for (size_t i = 0; i < from.x.size(); ++i) {
+      from.set(i, around + Vec3(uniform(engine), uniform(engine), uniform(engine)));
+      choice[i] = uniform(engine), u0[i] = uniform(engine), u1[i] = uniform(engine);
+    }
+  }
+
+  std::vector<LightSample> sample(const LightTable& table) {
+    std::vector<LightSample> samples(kCount);
+    table.sample({from, choice.data(), u0.data(), u1.data(), kCount}, samples.data());
+    return samples;
+  }
+};
+
+Bounds bounds() {
+  Bounds b;
+  b.extend(Vec3(-5)), b.extend(Vec3(5));
+  return b;
+}
+
+// Both face down, towards the receivers.
+std::vector<EmissiveTriangle> ceiling() {
+  return {triangle({0, 3, 0}, {1, 3, 0}, {0, 3, 1}, 1, false), triangle({2, 4, 0}, {3, 4, 0}, {2, 4, 2}, 5, true)};
+}
+
+TEST(LightTable, SamplesPointsOnItsTrianglesWithTheDensityItStates) {
+  const LightTable table(ceiling(), {}, Environment{}, bounds());
+  Queries queries(Vec3(0));
+  int of_each[2] = {0, 0};
+  const auto samples = queries.sample(table);
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const LightSample& s = samples[i];
+    ASSERT_GT(s.pdf, 0);
+    ASSERT_EQ(s.kind, LightKind::triangle);
+    ++of_each[s.light];
+    const Vec3 point = queries.from[i] + s.wi * s.distance;
+    const EmissiveTriangle& t = table.triangles()[s.light];
+    const Vec3 expected = t.p0 + s.barycentric.x * t.e1 + s.barycentric.y * t.e2;
+    EXPECT_LT(glm::length(point - expected), 1e-5f);
+    EXPECT_NEAR(s.pdf / table.pdf_triangle(s.light, queries.from[i], expected), 1, 1e-4f);
+  }
+  EXPECT_GT(of_each[0], 0);
+  EXPECT_GT(of_each[1], of_each[0]) << "the brighter one is chosen more often";
+}
+
+TEST(LightTable, SendsNothingFromTheBackOfASingleSidedTriangle) {
+  const LightTable table(ceiling(), {}, Environment{}, bounds());
+  Queries queries(Vec3(0, 4, 0));  // above both
+  for (const LightSample& s : queries.sample(table)) EXPECT_EQ(s.pdf > 0, s.light == 1);
+}
+
+TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
+  PlacedLight lamp;
+  lamp.light.type = LightType::point;
+  lamp.light.color = Rgb(1), lamp.light.intensity = 5;
+  lamp.position = Vec3(0.5f, 2, 0.5f);
+  Environment sky;
+  sky.tint = Rgb(0.01f);
+  const LightTable table(ceiling(), {lamp}, sky, bounds());
+  Queries queries(Vec3(0));
+  int of_kind[3] = {0, 0, 0};
+  const auto samples = queries.sample(table);
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const LightSample& s = samples[i];
+    ++of_kind[static_cast<size_t>(s.kind)];
+    EXPECT_EQ(s.delta, s.kind == LightKind::placed);
+    EXPECT_FALSE(s.textured);
+    if (s.kind == LightKind::placed) {
+      EXPECT_LT(glm::length(queries.from[i] + s.wi * s.distance - lamp.position), 1e-5f);
+    }
+  }
+  for (const int n : of_kind) EXPECT_GT(n, 0);
+}
+
+TEST(LightTable, WithoutLightsHasNoSamples) {
+  Environment dark;
+  dark.tint = Rgb(0);
+  const LightTable table({}, {}, dark, bounds());
+  Queries queries(Vec3(0));
+  for (const LightSample& s : queries.sample(table)) EXPECT_EQ(s.pdf, 0);
+}
+
+}  // namespace
+}  // namespace etendue
