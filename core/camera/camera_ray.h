@@ -13,6 +13,9 @@ class CameraRays {
  public:
   CameraRays(const Camera& camera, int width, int height);
 
+  // Whether rays depend on a point of the lens.
+  bool has_lens() const { return camera_.lens_radius > 0; }
+
   // `raster` is in pixels, (0, 0) the upper left corner of the picture; `lens` in the unit square.
   Ray ray(Vec2 raster, Vec2 lens) const;
   // The same for many; the arrays have room for whole registers.

@@ -35,7 +35,8 @@ class Filter {
   [[gnu::always_inline]] float inverse(float u) const {
     const float side = u - 0.5f;
     const float at = kTable * std::sqrt(std::sqrt(1 - 2 * std::abs(side)));
-    const int cell = std::min(static_cast<int>(at), kTable - 1);
+    // Clamped from below too: what stands beyond the last point of a whole register may be no number.
+    const int cell = std::max(0, std::min(static_cast<int>(at), kTable - 1));
     const auto i = static_cast<size_t>(cell);
     const float x = positions_[i] + (positions_[i + 1] - positions_[i]) * (at - static_cast<float>(cell));
     return std::copysign(x, side);

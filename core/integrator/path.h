@@ -31,10 +31,12 @@ class Path final : public Gathering<Path> {
     using namespace transport;
     while (front.advance()) {
       add_environment(front, heuristic);
-      add_emission(front, heuristic);
-      if (at_limit(front.length())) break;
-      add_direct_light(front, heuristic);
-      scatter(front, roulette_start);
+      while (front.arrive()) {
+        add_emission(front, heuristic);
+        if (at_limit(front.length())) continue;
+        add_direct_light(front, heuristic);
+        scatter(front, roulette_start);
+      }
     }
   }
 };

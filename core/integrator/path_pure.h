@@ -28,9 +28,10 @@ class PathPure final : public Gathering<PathPure> {
     using namespace transport;
     while (front.advance()) {
       add_environment(front);
-      add_emission(front);
-      if (at_limit(front.length())) break;
-      scatter(front, roulette_start);
+      while (front.arrive()) {
+        add_emission(front);
+        if (!at_limit(front.length())) scatter(front, roulette_start);
+      }
     }
   }
 };

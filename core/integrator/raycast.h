@@ -29,8 +29,10 @@ class Raycast final : public Gathering<Raycast> {
     using namespace transport;
     if (!front.advance()) return;
     add_environment(front);
-    add_emission(front);
-    if (local && !at_limit(1)) add_direct_light(front, {}, Shadows::ignored);
+    while (front.arrive()) {
+      add_emission(front);
+      if (local && !at_limit(1)) add_direct_light(front, {}, Shadows::ignored);
+    }
   }
 };
 

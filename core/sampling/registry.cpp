@@ -51,12 +51,14 @@ const SamplerInfo* find_sampler(std::string_view name) {
   return nullptr;
 }
 
-void Sampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, SampleTable& out) const {
+DimensionSet Sampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, DimensionSet,
+                             SampleTable& out) const {
   SampleBlock one;
   for (size_t i = 0; i < pixel_seeds.size(); ++i) {
     this->block(pixel_seeds[i], sample, block, one);
     for (size_t k = 0; k < one.size(); ++k) out.values[k][i] = one[k];
   }
+  return dimensions(0, kBlockSize);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view name, const std::vector<Setting>& settings) {

@@ -20,6 +20,10 @@ namespace etendue {
 inline constexpr int kBlockSize = 8;
 using SampleBlock = std::array<float, kBlockSize>;
 
+// Some dimensions of a block.
+using DimensionSet = uint32_t;
+constexpr DimensionSet dimensions(int first, int count) { return ((1U << count) - 1) << first; }
+
 // The layout of block 0.
 namespace camera_dimension {
 inline constexpr int kPixel = 0;  // 2: position under the pixel filter
@@ -27,14 +31,13 @@ inline constexpr int kLens = 2;   // 2
 inline constexpr int kTime = 4;   // 1
 }  // namespace camera_dimension
 
-// The layout of block 1 + k, path vertex k (0 is the first hit).
+// The layout of block 1 + k, path vertex k (0 is the first hit). One number is spare.
 namespace vertex_dimension {
 inline constexpr int kBsdfDirection = 0;  // 2
 inline constexpr int kLightPoint = 2;     // 2
 inline constexpr int kLightChoice = 4;    // 1
 inline constexpr int kBsdfLobe = 5;       // 1
 inline constexpr int kRoulette = 6;       // 1
-inline constexpr int kSpare = 7;          // 1: lobe of the light sample's own decisions
 }  // namespace vertex_dimension
 
 // One block of many paths, number by number: values[k] holds the k-th number of each.
@@ -61,8 +64,10 @@ class Sampler {
   // user's seed: pixels with different seeds are independent replicates of each other.
   virtual void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const = 0;
 
-  // The same for up to SampleTable::kPaths pixels at once, which are all at the same sample and block.
-  virtual void blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, SampleTable& out) const;
+  // The same for up to SampleTable::kPaths pixels at once, which are all at the same sample and block. Returns the
+  // dimensions that it wrote: those that are wanted, or more where they come together.
+  virtual DimensionSet blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
+                              DimensionSet wanted, SampleTable& out) const;
 };
 
 struct Setting {

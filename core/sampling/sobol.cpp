@@ -72,10 +72,11 @@ void scramble(const Reversed& reversed, uint32_t block_seed, SampleBlock& out) {
 
 // The same point for many pixels.
 ETENDUE_WIDE void scramble_all(const uint32_t* reversed, const uint32_t* pixel_seeds, size_t count, uint32_t block,
-                               SampleTable& out) {
+                               DimensionSet wanted, SampleTable& out) {
   std::array<uint32_t, SampleTable::kPaths> seeds{};
   for (size_t i = 0; i < count; ++i) seeds[i] = hash_combine(pixel_seeds[i], block);
   for (uint32_t k = 0; k < kBlockSize; ++k) {
+    if ((wanted >> k & 1U) == 0) continue;
     const uint32_t coordinate = reversed[k];
     float* values = out.values[k].data();
     for (size_t i = 0; i < whole_registers(count); ++i) values[i] = scrambled(coordinate, seeds[i], k);
@@ -112,10 +113,11 @@ void SobolSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, S
   scramble(reversed_point(owen_scramble(sample, mix_bits(~seed)), 0), seed, out);
 }
 
-void SobolSampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
-                          SampleTable& out) const {
-  if (block >= kBlocks) return Sampler::blocks(pixel_seeds, sample, block, out);
-  scramble_all(reversed(sample, block).data(), pixel_seeds.data(), pixel_seeds.size(), block, out);
+DimensionSet SobolSampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
+                                  DimensionSet wanted, SampleTable& out) const {
+  if (block >= kBlocks) return Sampler::blocks(pixel_seeds, sample, block, wanted, out);
+  scramble_all(reversed(sample, block).data(), pixel_seeds.data(), pixel_seeds.size(), block, wanted, out);
+  return wanted;
 }
 
 }  // namespace etendue

@@ -26,7 +26,8 @@ class SobolSampler final : public Sampler {
 
   void prepare(uint32_t first, uint32_t count) override;
   void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
-  void blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, SampleTable& out) const override;
+  DimensionSet blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, DimensionSet wanted,
+                      SampleTable& out) const override;
 
   // The unscrambled coordinate as 32 bits, the highest worth one half.
   static uint32_t point(uint32_t sample, uint32_t dimension);

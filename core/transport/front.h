@@ -29,27 +29,29 @@ template <class M>
 class Front {
  public:
   using Color = typename M::Color;
-  static constexpr int kCapacity = SampleTable::kPaths;
+  static constexpr int kCapacity = SampleTable::kPaths, kArrivals = 64;
 
   // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
              const std::function<bool()>* wanted = nullptr) {
     wanted_ = wanted, given_up_ = false;
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
-    size_ = travelling_ = arrived_ = escaped_ = connections_ = length_ = 0;
+    size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = length_ = 0;
     rays_traced_ = 0;
     seeded_ = scene.has_transparency();
   }
 
   // Adds a path for the pixel with this seed; the next number is its own.
-  void add(uint32_t pixel_seed) { seeds_[static_cast<size_t>(size_++)] = pixel_seed; }
-  // The numbers of block 0 of all paths, which belong to the camera.
-  SampleTable& draw_camera() {
-    draw(size_, 0);
+  void add(uint32_t pixel_seed) { states_[static_cast<size_t>(size_++)].seed = pixel_seed; }
+  // Numbers of block 0 of all paths, which belong to the camera.
+  SampleTable& draw_camera(DimensionSet wanted) {
+    PerPath<uint32_t>& seeds = lane_seeds_;
+    for (int i = 0; i < size_; ++i) seeds[static_cast<size_t>(i)] = state(i).seed;
+    draw({seeds.data(), static_cast<size_t>(size_)}, 0, wanted);
     return random_;
   }
   void launch(int path, const Ray& ray) {
-    state(path) = {Color(1), Color(0), Vec3(0), 0, 1, seeds_[static_cast<size_t>(path)], true};
+    state(path) = {Color(1), Color(0), Vec3(0), 0, 1, state(path).seed, true};
     travel(path, ray);
   }
 
@@ -58,18 +60,25 @@ class Front {
   uint64_t rays_traced() const { return rays_traced_; }
   const scene::CompiledScene& scene() const { return *scene_; }
 
-  // Traces all rays that travel; false if there are none.
+  // Traces all rays that travel, and those that connections asked for; false if no walk goes on.
   bool advance() {
+    settle_connections();
     if (travelling_ == 0 || given_up_) return false;
     given_up_ = wanted_ && !(*wanted_)();
     if (given_up_) return false;
     ++length_;
     trace();
-    arrive();
-    draw(arrived_, static_cast<uint32_t>(length_));
-    squares_to_cosine_hemisphere(random_.values[vertex_dimension::kBsdfDirection].data(),
-                                 random_.values[vertex_dimension::kBsdfDirection + 1].data(),
-                                 static_cast<size_t>(arrived_), cosine_directions_);
+    return true;
+  }
+
+  // Takes the next of the vertices that were reached; false if there are none left. A few at a time, so that what is
+  // known of them stays near the processor.
+  bool arrive() {
+    visited_ += arrived_;
+    arrived_ = std::min(kArrivals, reached_ - visited_);
+    if (arrived_ == 0) return false;
+    shade();
+    drawn_ = 0;
     return true;
   }
 
@@ -79,13 +88,25 @@ class Front {
   // Edges from the camera to the present vertices.
   int length() const { return length_; }
 
-  // The vertices that the last advance reached.
+  // The vertices that `arrive` took.
   int arrived() const { return arrived_; }
-  int path_at(int arrival) const { return arrivals_[static_cast<size_t>(arrival)]; }
+  int path_at(int arrival) const { return reached_by_[static_cast<size_t>(visited_ + arrival)]; }
   PathState<Color>& state_at(int arrival) { return state(path_at(arrival)); }
   const scene::SurfacePoint& point(int arrival) const { return points_[static_cast<size_t>(arrival)]; }
   const Bsdf<M>& bsdf(int arrival) const { return bsdfs_[static_cast<size_t>(arrival)]; }
-  const Vec3& wo(int arrival) const { return wo_[static_cast<size_t>(arrival)]; }
+  const Vec3& wo(int arrival) const { return wo_[static_cast<size_t>(visited_ + arrival)]; }
+  // Draws these of the numbers that the present vertices own, for `random` to give out.
+  void draw(DimensionSet wanted) {
+    if ((wanted & ~drawn_) == 0) return;
+    drawn_ |= draw({pixel_seeds_.data(), static_cast<size_t>(arrived_)}, static_cast<uint32_t>(length_), wanted);
+  }
+  // Draws the numbers of `lobe_draw`.
+  void draw_lobes() {
+    using namespace vertex_dimension;
+    draw(dimensions(kBsdfDirection, 2) | (M::kDiffuse ? 0 : dimensions(kBsdfLobe, 1)));
+    squares_to_cosine_hemisphere(random_.values[kBsdfDirection].data(), random_.values[kBsdfDirection + 1].data(),
+                                 static_cast<size_t>(arrived_), cosine_directions_);
+  }
   // Number `dimension` of the block that the vertex owns.
   float random(int dimension, int arrival) const {
     return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(arrival)];
@@ -94,12 +115,13 @@ class Front {
     return Vec2(random(dimension, arrival), random(dimension + 1, arrival));
   }
   LobeDraw lobe_draw(int arrival) const {
-    return {random(vertex_dimension::kBsdfLobe, arrival), random_2d(vertex_dimension::kBsdfDirection, arrival),
-            cosine_directions_[static_cast<size_t>(arrival)]};
+    return {M::kDiffuse ? 0 : random(vertex_dimension::kBsdfLobe, arrival),
+            random_2d(vertex_dimension::kBsdfDirection, arrival), cosine_directions_[static_cast<size_t>(arrival)]};
   }
 
   // A point on a light for each arrival.
   std::span<const LightSample> sample_lights() {
+    draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
     const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
     scene_->lights().sample(
         {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
@@ -120,8 +142,8 @@ class Front {
     travel(path_at(arrival), ray);
   }
 
-  // What the path gains unless something lies between the arrival and `distance` along `direction`; decided for all at
-  // once by `settle_connections`, which may also take it that there is nothing.
+  // A sum, zero at first, that the path gains unless something lies between the arrival and `distance` along
+  // `direction`; decided for all at once by the next `advance`.
   Color& connect(int arrival, const Vec3& direction, float distance) {
     const auto slot = static_cast<size_t>(connections_++);
     // Ends short of the light by more than rounding can have moved either end.
@@ -129,9 +151,8 @@ class Front {
     point(arrival).spawn(direction, distance * (1 - 1e-4f), ray);
     connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
     connected_[slot] = static_cast<uint16_t>(path_at(arrival));
-    return contributions_[slot];
+    return contributions_[slot] = Color(0);
   }
-  void settle_connections(bool trace);
 
  private:
   // A little more than is used: processors take a store for the source of a load where addresses agree in their last
@@ -147,9 +168,8 @@ class Front {
     travellers_[slot] = static_cast<uint16_t>(path);
   }
 
-  // The numbers of the present paths: of those that arrived, or of all at the camera.
-  void draw(int count, uint32_t block) {
-    sampler_->blocks({seeds_.data(), static_cast<size_t>(count)}, sample_, block, random_);
+  DimensionSet draw(std::span<const uint32_t> pixel_seeds, uint32_t block, DimensionSet wanted) {
+    return sampler_->blocks(pixel_seeds, sample_, block, wanted, random_);
   }
 
   // Seeds for the rays of these paths, where stochastic opacity asks for them.
@@ -162,30 +182,32 @@ class Front {
 
   void trace();
   void trace_connections();
-  void arrive();
+  void settle_connections();
+  void shade();
   void absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const;
 
   const scene::CompiledScene* scene_ = nullptr;
   const Sampler* sampler_ = nullptr;
   uint32_t sample_ = 0;
-  int size_ = 0, travelling_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
+  int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
   uint64_t rays_traced_ = 0;
   bool seeded_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
 
   // By path.
   PerPath<PathState<Color>> states_;
-  // By arrival (seeds before the first: by path).
-  PerPath<scene::SurfacePoint> points_;
-  PerPath<Bsdf<M>> bsdfs_;
-  PerPath<uint32_t> seeds_;
-  PerPath<uint16_t> arrivals_;
-  SampleTable random_;
-  WideVec3<kCapacity> cosine_directions_;
+  // By vertex reached.
+  PerPath<uint16_t> reached_by_;
   PerPath<Hit> hits_;
   PerPath<Vec3> wo_;
-  WideVec3<kCapacity> positions_;
-  PerPath<LightSample> light_samples_;
+  // By arrival (random numbers before the first: by path).
+  std::array<scene::SurfacePoint, kArrivals> points_;
+  std::array<Bsdf<M>, kArrivals> bsdfs_;
+  std::array<uint32_t, kArrivals> pixel_seeds_;
+  SampleTable random_;
+  DimensionSet drawn_ = 0;
+  WideVec3<kArrivals> cosine_directions_, positions_;
+  std::array<LightSample, kArrivals> light_samples_;
   // By escape.
   PerPath<uint16_t> escapes_;
   PerPath<Vec3> escape_directions_;
@@ -208,13 +230,13 @@ void Front<M>::trace() {
                       std::min(RayPacket::kSize, travelling_ - first), length_ == 1,
                       &lane_seeds_[static_cast<size_t>(first)]);
   rays_traced_ += static_cast<uint64_t>(travelling_);
-  arrived_ = escaped_ = 0;
+  reached_ = visited_ = arrived_ = escaped_ = 0;
   for (int i = 0; i < travelling_; ++i) {
     const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
     const int lane = i % RayPacket::kSize;
     if (packet.met(lane)) {
-      const auto slot = static_cast<size_t>(arrived_++);
-      arrivals_[slot] = travellers_[static_cast<size_t>(i)];
+      const auto slot = static_cast<size_t>(reached_++);
+      reached_by_[slot] = travellers_[static_cast<size_t>(i)];
       packet.get(lane, hits_[slot]);
       wo_[slot] = -packet.direction(lane);
     } else {
@@ -227,13 +249,14 @@ void Front<M>::trace() {
 }
 
 template <class M>
-void Front<M>::arrive() {
-  const auto count = static_cast<size_t>(arrived_);
-  scene_->surfaces({wo_.data(), count}, {hits_.data(), count}, points_.data(), positions_);
+void Front<M>::shade() {
+  const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(arrived_);
+  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), positions_);
   for (size_t i = 0; i < count; ++i) {
+    PathState<Color>& path = states_[reached_by_[first + i]];
     scene_->template bsdf<M>(points_[i], bsdfs_[i]);
-    seeds_[i] = state(arrivals_[i]).seed;
-    if constexpr (M::kAbsorbing) absorb(state(arrivals_[i]), points_[i], hits_[i].t);
+    pixel_seeds_[i] = path.seed;
+    if constexpr (M::kAbsorbing) absorb(path, points_[i], hits_[first + i].t);
   }
 }
 
@@ -248,11 +271,11 @@ void Front<M>::absorb(PathState<Color>& state, const scene::SurfacePoint& point,
 }
 
 template <class M>
-void Front<M>::settle_connections(bool trace) {
-  if (trace) trace_connections();
+void Front<M>::settle_connections() {
+  trace_connections();
   for (int i = 0; i < connections_; ++i) {
     const auto slot = static_cast<size_t>(i);
-    if (!trace || !connecting_[slot / RayPacket::kSize].blocked(i % RayPacket::kSize))
+    if (!connecting_[slot / RayPacket::kSize].blocked(i % RayPacket::kSize))
       state(connected_[slot]).radiance += contributions_[slot];
   }
   connections_ = 0;

@@ -71,10 +71,9 @@ void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Sha
     const float weight =
         shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
     auto& path = front.state_at(i);
-    auto& gain = front.connect(i, light.wi, light.distance);
-    gain = path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
+    auto& gain = shadows == Shadows::cast ? front.connect(i, light.wi, light.distance) : path.radiance;
+    gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
-  front.settle_connections(shadows == Shadows::cast);
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
@@ -92,6 +91,8 @@ bool survives_roulette(PathState<Color>& path, float random) {
 template <class M>
 void scatter(Front<M>& front, int roulette_from) {
   const bool roulette = front.length() >= roulette_from;
+  front.draw_lobes();
+  if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
   for (int i = 0; i < front.arrived(); ++i) {
     LobeSample<typename M::Color> s;
     if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), Transport::radiance, s)) continue;

@@ -84,7 +84,8 @@ TEST_P(EveryFilter, SamplesFollowTheFilter) {
 
 TEST_P(EveryFilter, ManySamplesAreThoseOfEachAlone) {
   const Filter filter(GetParam());
-  alignas(64) std::array<float, 32> u{};
+  alignas(64) std::array<float, 32> u;
+  u.fill(std::numeric_limits<float>::quiet_NaN());  // what stands beyond the last one must not matter
   std::array<float, 21> alone;
   for (size_t i = 0; i < alone.size(); ++i) {
     u[i] = std::min(static_cast<float>(i) / (alone.size() - 1), kOneMinusEpsilon);

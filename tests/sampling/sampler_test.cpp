@@ -34,7 +34,7 @@ TEST_P(EverySampler, ManyPixelsAtOnceHaveTheirOwnNumbers) {
   const auto table = std::make_unique<SampleTable>();
   for (const uint32_t sample : {0U, 5U, 127U, 1000U})
     for (const uint32_t block : {0U, 1U, 7U, 8U, 40U}) {
-      sampler_->blocks(seeds, sample, block, *table);
+      sampler_->blocks(seeds, sample, block, dimensions(0, kBlockSize), *table);
       for (size_t i = 0; i < seeds.size(); ++i) {
         SampleBlock alone;
         sampler_->block(seeds[i], sample, block, alone);
