@@ -113,12 +113,28 @@ struct Registry {
   const char* name;
   json (*make)();
 };
-constexpr Registry kRegistries[] = {{"integrators", integrators},
-                                    {"samplers", samplers},
-                                    {"materials", materials},
-                                    {"lights", lights},
-                                    {"media", media},
-                                    {"widgets", widgets}};
+constexpr Registry kRegistries[] = {{"integrators", integrators}, {"samplers", samplers}, {"materials", materials},
+                                    {"lights", lights},           {"media", media},       {"widgets", widgets}};
+
+// Numbers as people write them: settings are floats, and six digits name a float.
+std::string words(const json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_number_float()) return value.dump();
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value.get<double>());
+  return text;
+}
+
+void print_parameter(const json& p) {
+  std::string range;
+  if (!p["min"].is_null()) range = words(p["min"]) + " to " + words(p["max"]);
+  if (p.contains("options"))
+    for (const auto& option : p["options"]) range += (range.empty() ? "" : ", ") + words(option);
+  if (range.empty()) range = "true, false";
+  const std::string unit = words(p["unit"]);
+  std::printf("    %-22s %s [%s] default %s%s\n", words(p["name"]).c_str(), words(p["doc"]).c_str(), range.c_str(),
+              words(p["default"]).c_str(), unit.empty() ? "" : (" " + unit).c_str());
+}
 
 void print(const json& list) {
   for (const auto& e : list) {
@@ -127,15 +143,7 @@ void print(const json& list) {
     if (e.contains("paths"))
       std::printf("  paths %s, %s\n  fails: %s\n", e["paths"].get<std::string>().c_str(),
                   e["bias"].get<std::string>().c_str(), e["fails"].get<std::string>().c_str());
-    for (const auto& p : e["parameters"]) {
-      std::string range;
-      if (!p["min"].is_null()) range = p["min"].dump() + " to " + p["max"].dump();
-      if (p.contains("options"))
-        for (const auto& option : p["options"]) range += (range.empty() ? "" : ", ") + option.get<std::string>();
-      std::printf("    %-22s %s [%s] default %s %s\n", p["name"].get<std::string>().c_str(),
-                  p["doc"].get<std::string>().c_str(), range.c_str(), p["default"].dump().c_str(),
-                  p["unit"].get<std::string>().c_str());
-    }
+    for (const auto& p : e["parameters"]) print_parameter(p);
   }
 }
 

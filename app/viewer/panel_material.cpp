@@ -14,7 +14,7 @@ std::string name_of(const scene::Scene& scene, size_t index) {
 
 bool has_textures(const Material& m) {
   for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
-                                &m.specular_texture, &m.specular_color_texture, &m.transmission_texture})
+                                &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.anisotropy_texture})
     if (use->texture >= 0) return true;
   return false;
 }

@@ -115,6 +115,8 @@ std::vector<Binding> material_bindings(const Document& document, size_t index, c
   number("attenuation-distance", "Attenuation distance", &Material::attenuation_distance, {1e-6f, kFar},
          "Where the attenuation colour is reached", "m", Scale::logarithmic);
   number("anisotropy", "Anisotropy", &Material::anisotropy, {0, 1}, "Stretches the specular lobe along the tangent");
+  number("anisotropy-rotation", "Anisotropy rotation", &Material::anisotropy_rotation, {-6.2831853f, 6.2831853f},
+         "Turns the stretched lobe, counter-clockwise from the tangent", "rad");
   add_color(list, section, {"emission.r", "emission.g", "emission.b"}, "Emission", m.emission, 1e6f,
             "Emitted radiance, W/(m^2 sr)", color(&Material::emission));
   number("alpha", "Opacity", &Material::alpha, {0, 1}, "Counts where the alpha mode is mask or blend");
