@@ -27,6 +27,7 @@ constexpr Subcommand kSubcommands[] = {
     {"compare", "Measure how far an image is from a reference", add_compare},
     {"inspect", "Say what is in a scene and what model it needs", add_inspect},
     {"list", "List integrators, samplers and what else there is", add_list},
+    {"stress", "Try methods where they are known to fail, and say whether they do", add_stress},
     {"view", "Open the workbench; what etendue does without a subcommand", add_view},
 };
 

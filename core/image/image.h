@@ -61,5 +61,7 @@ Result<void> write_hdr(const std::filesystem::path& path, int width, int height,
 // 8-bit RGB, already display-encoded; the attributes become PNG text chunks.
 Result<void> write_png(const std::filesystem::path& path, int width, int height, std::span<const uint8_t> rgb,
                        const std::map<std::string, std::string>& attributes = {});
+// The same into memory, without text.
+Result<std::vector<std::byte>> encode_png(int width, int height, std::span<const uint8_t> rgb);
 
 }  // namespace etendue::image

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 
@@ -53,8 +54,8 @@ bool is_keyword(const std::string& keyword) {
          keyword.find("  ") == std::string::npos && std::ranges::all_of(keyword, printable);
 }
 
-bool write_picture(Writer& writer, png_uint_32 width, png_uint_32 height, png_bytepp rows, png_const_textp texts,
-                   int text_count) {
+bool write_chunks(Writer& writer, png_uint_32 width, png_uint_32 height, png_bytepp rows, png_const_textp texts,
+                  int text_count) {
   writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
   if (writer.png) writer.info = png_create_info_struct(writer.png);
   if (!writer.info) return false;
@@ -71,28 +72,53 @@ bool write_picture(Writer& writer, png_uint_32 width, png_uint_32 height, png_by
   return true;
 }
 
+bool write_picture(Writer& writer, int width, int height, std::span<const uint8_t> rgb,
+                   const std::vector<png_text>& texts) {
+  std::vector<png_bytep> rows;
+  for (size_t y = 0; y < static_cast<size_t>(height); ++y)
+    rows.push_back(const_cast<png_bytep>(&rgb[y * static_cast<size_t>(width) * 3]));  // only read from
+  return write_chunks(writer, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), rows.data(),
+                      texts.data(), static_cast<int>(texts.size()));
+}
+
+Result<void> check_size(const std::string& name, int width, int height, std::span<const uint8_t> rgb) {
+  const size_t w = static_cast<size_t>(std::max(width, 0)), h = static_cast<size_t>(std::max(height, 0));
+  if (!rgb.empty() && rgb.size() == w * h * 3) return {};
+  return output_error(name + ": the pixels do not fill " + std::to_string(width) + " x " + std::to_string(height) +
+                      " RGB");
+}
+
 }  // namespace
+
+Result<std::vector<std::byte>> encode_png(int width, int height, std::span<const uint8_t> rgb) {
+  if (auto ok = check_size("PNG", width, height, rgb); !ok) return ok.error();
+  char* bytes = nullptr;
+  size_t size = 0;
+  File file(open_memstream(&bytes, &size), std::fclose);
+  if (!file) return output_error("PNG: not enough memory");
+  Writer writer(file.get());
+  const bool written = write_picture(writer, width, height, rgb, {});
+  file.reset();  // only now are bytes and size those of the whole
+  const std::unique_ptr<char, void (*)(void*)> owner(bytes, std::free);
+  if (!written) return output_error(std::string("PNG: ") + writer.message);
+  const auto* first = reinterpret_cast<const std::byte*>(bytes);
+  return std::vector<std::byte>(first, first + size);
+}
 
 Result<void> write_png(const std::filesystem::path& path, int width, int height, std::span<const uint8_t> rgb,
                        const std::map<std::string, std::string>& attributes) {
-  const size_t w = static_cast<size_t>(std::max(width, 0)), h = static_cast<size_t>(std::max(height, 0));
-  if (rgb.empty() || rgb.size() != w * h * 3)
-    return output_error(path.string() + ": the pixels do not fill " + std::to_string(width) + " x " +
-                        std::to_string(height) + " RGB");
+  if (auto ok = check_size(path.string(), width, height, rgb); !ok) return ok;
   std::vector<png_text> texts;
   for (const auto& [keyword, text] : attributes) {
     if (!is_keyword(keyword))
       return output_error(path.string() + ": '" + keyword + "' cannot be the keyword of a PNG text");
     texts.push_back(text_chunk(keyword, text));
   }
-  std::vector<png_bytep> rows(h);
-  for (size_t y = 0; y < h; ++y) rows[y] = const_cast<png_bytep>(&rgb[y * w * 3]);  // only read from
   return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
     File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
     if (!file) return output_error(path.string() + ": cannot be written: " + std::strerror(errno));
     Writer writer(file.get());
-    if (!write_picture(writer, static_cast<png_uint_32>(w), static_cast<png_uint_32>(h), rows.data(), texts.data(),
-                       static_cast<int>(texts.size())))
+    if (!write_picture(writer, width, height, rgb, texts))
       return output_error(path.string() + ": cannot be written as PNG: " + writer.message);
     if (std::fclose(file.release()) != 0)
       return output_error(path.string() + ": cannot be written to its end; is the disk full?");

@@ -44,13 +44,26 @@ struct SurfacePoint {
   bool front = true;  // the side the ray came from
 
   // A ray that leaves towards `direction` and does not hit the surface it starts on.
-  void spawn(const Vec3& direction, float distance, Ray& ray) const {
-    const float side = glm::dot(direction, ng) >= 0 ? offset : -offset;
-    ray.origin = position + ng * side;
+  void spawn(const Vec3& direction, Ray& ray) const {
+    ray.origin = position + off_surface(direction);
     ray.tnear = 0;
     ray.direction = direction;
-    ray.tfar = distance;
+    ray.tfar = kInfinity;
   }
+
+  // The segment towards what lies at `distance` along `direction`, short of it by more than rounding can have moved
+  // either end; its direction is as long as it is.
+  void spawn_segment(const Vec3& direction, float distance, Ray& ray) const {
+    if (std::isinf(distance)) return spawn(direction, ray);
+    const Vec3 off = off_surface(direction);
+    ray.origin = position + off;
+    ray.tnear = 0;
+    ray.direction = direction * std::max(0.0f, distance * (1 - 1e-4f) - 2 * offset) - off;
+    ray.tfar = 1;
+  }
+
+ private:
+  Vec3 off_surface(const Vec3& direction) const { return ng * (glm::dot(direction, ng) >= 0 ? offset : -offset); }
 };
 
 struct BuildReport {

@@ -138,7 +138,7 @@ class Front {
   // The path goes on from an arrival in this direction.
   void depart(int arrival, const Vec3& direction) {
     Ray ray;
-    point(arrival).spawn(direction, kInfinity, ray);
+    point(arrival).spawn(direction, ray);
     travel(path_at(arrival), ray);
   }
 
@@ -146,9 +146,8 @@ class Front {
   // `direction`; decided for all at once by the next `advance`.
   Color& connect(int arrival, const Vec3& direction, float distance) {
     const auto slot = static_cast<size_t>(connections_++);
-    // Ends short of the light by more than rounding can have moved either end.
     Ray ray;
-    point(arrival).spawn(direction, distance * (1 - 1e-4f), ray);
+    point(arrival).spawn_segment(direction, distance, ray);
     connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
     connected_[slot] = static_cast<uint16_t>(path_at(arrival));
     return contributions_[slot] = Color(0);

@@ -161,4 +161,18 @@ TEST_F(Cli, AKilledRenderingGoesOnToTheSameImage) {
   EXPECT_FALSE(fs::exists(folder_ / "cut.exr.checkpoint"));
 }
 
+TEST_F(Cli, StressListsItsCasesRunsThoseThatAreNamedAndWritesThem) {
+  const Outcome list = run("stress --list");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_NE(list.out.find("depth-cut-off"), std::string::npos);
+  const Outcome one = run("stress point-light-unseen --json --out matrix");
+  EXPECT_EQ(one.code, 0) << one.err;
+  const auto json = nlohmann::json::parse(one.out);
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(json[0]["case"], "point-light-unseen");
+  EXPECT_EQ(nlohmann::json::parse(slurp(folder_ / "matrix/matrix.json")), json);
+  EXPECT_NE(slurp(folder_ / "matrix/matrix.html").find("data:image/png;base64,"), std::string::npos);
+  expect_error("stress no-such-case", 2, "no-such-case");
+}
+
 }  // namespace

@@ -1,0 +1,127 @@
+#include "stress/lab.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "image/display.h"
+#include "integrator/integrator.h"
+#include "render/session.h"
+
+namespace etendue::stress {
+namespace {
+
+Thumbnail thumbnail_of(const film::Film& film) {
+  std::vector<float> pixels;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      for (int c = 0; c < 3; ++c) pixels.push_back(film.mean(x, y)[c]);
+  return {film.width(), film.height(), image::display_pixels(pixels, 0, image::ToneCurve::none)};
+}
+
+std::string at(const std::string& point, const std::string& text) { return point.empty() ? text : point + ": " + text; }
+
+}  // namespace
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::vector<std::string> unbiased_methods() {
+  std::vector<std::string> names;
+  for (const auto& info : integrator::integrator_infos())
+    if (info.bias == integrator::Bias::unbiased) names.push_back(info.name);
+  return names;
+}
+
+Camera telescope(const Vec3& eye, const Vec3& target) { return look_at(eye, target, {0, 1, 0}, 1e-4f); }
+
+render::Document Lab::document(scene::Scene scene, const Camera& camera) const {
+  if (scene.materials.empty()) scene.materials.emplace_back();
+  render::Document d;
+  d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+  d.camera = camera;
+  d.width = d.height = options_.size;
+  d.seed = options_.seed;
+  return d;
+}
+
+render::Document Lab::with_method(render::Document document, const std::string& method) {
+  size_t end = method.find(':');
+  document.method = {};
+  document.method.integrator = method.substr(0, end);
+  while (end != std::string::npos) {
+    const size_t start = end + 1;
+    end = method.find(':', start);
+    const std::string setting = method.substr(start, end - start);
+    const size_t equals = setting.find('=');
+    const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
+    if (name == "sampler")
+      document.method.sampler = value;
+    else
+      document = *render::with_text(document, name, value);
+  }
+  return document;
+}
+
+film::Film Lab::render(const render::Document& document, uint32_t samples) {
+  render::Document limited = document;
+  limited.limits = {samples, 0, 0};
+  render::SessionOptions options;
+  options.threads = options_.threads;
+  render::Session session(options);
+  session.submit(limited);
+  session.finish();
+  film::Film film = session.film_copy();
+  picture_ = thumbnail_of(film);
+  return film;
+}
+
+Mean Lab::mean_of(const film::Film& film) {
+  double sum = 0, squares = 0;
+  const double n = static_cast<double>(film.width()) * film.height();
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      const double v = average(film.mean(x, y));
+      sum += v, squares += v * v;
+    }
+  Mean mean;
+  mean.value = sum / n;
+  mean.variance = std::max(0.0, squares / n - mean.value * mean.value) * n / (n - 1);
+  mean.standard_error = std::sqrt(mean.variance / n);
+  return mean;
+}
+
+void Lab::add(const std::string& method, const std::string& point, std::string expectation, double measured, bool ok) {
+  findings_.push_back({method, at(point, expectation), measured, ok, picture_});
+}
+
+void Lab::expect_near(const std::string& method, const std::string& point, double measured, double expected,
+                      double relative) {
+  add(method, point, number(expected) + " within " + number(100 * relative) + " %", measured,
+      std::abs(measured - expected) <= relative * std::abs(expected));
+}
+
+void Lab::expect_mean(const std::string& method, const std::string& point, const Mean& measured, double expected) {
+  // Rounding errors of float sums stand where there is no noise.
+  const double margin = kSigmas * measured.standard_error + 2e-5 * std::abs(expected);
+  add(method, point, number(expected) + " +- " + number(margin), measured.value,
+      std::abs(measured.value - expected) <= margin);
+}
+
+void Lab::expect_between(const std::string& method, const std::string& point, double measured, double least,
+                         double most) {
+  add(method, point, number(least) + " to " + number(most), measured, measured >= least && measured <= most);
+}
+
+void Lab::expect_zero(const std::string& method, const std::string& point, double measured) {
+  add(method, point, "0", measured, measured == 0);
+}
+
+std::vector<Finding> Lab::take_findings() {
+  picture_ = {};
+  return std::exchange(findings_, {});
+}
+
+}  // namespace etendue::stress

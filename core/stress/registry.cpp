@@ -1,0 +1,92 @@
+// Every case, by kind; one line each.
+#include "stress/case.h"
+#include "stress/cases/albedo_of_one.h"
+#include "stress/cases/all_scales.h"
+#include "stress/cases/camera_inside_glass.h"
+#include "stress/cases/caustic_of_a_point_light.h"
+#include "stress/cases/coincident_lights.h"
+#include "stress/cases/depth_cut_off.h"
+#include "stress/cases/far_from_the_origin.h"
+#include "stress/cases/grazing_albedo.h"
+#include "stress/cases/late_dimensions.h"
+#include "stress/cases/index_of_one.h"
+#include "stress/cases/infinite_emission.h"
+#include "stress/cases/inverted_normals.h"
+#include "stress/cases/light_of_a_micrometre.h"
+#include "stress/cases/lossless_glass.h"
+#include "stress/cases/nan_in_a_sky.h"
+#include "stress/cases/narrow_lobe_and_small_light.h"
+#include "stress/cases/optical_depth.h"
+#include "stress/cases/point_light_unseen.h"
+#include "stress/cases/roughness_at_its_ends.h"
+#include "stress/cases/roulette_of_a_bright_room.h"
+#include "stress/cases/seeds_and_pixels.h"
+#include "stress/cases/settings_that_are_no_numbers.h"
+#include "stress/cases/shadows_ignored.h"
+#include "stress/cases/slivers.h"
+#include "stress/cases/small_light_by_chance.h"
+#include "stress/cases/thirty_stops.h"
+
+namespace etendue::stress {
+
+std::string_view kind_name(Kind kind) {
+  switch (kind) {
+    case Kind::blind_spots:
+      return "blind spots";
+    case Kind::heavy_tails:
+      return "heavy tails";
+    case Kind::bias:
+      return "bias";
+    case Kind::correlation:
+      return "correlation";
+    case Kind::parameters:
+      return "limits of parameters";
+    case Kind::geometry:
+      return "limits of geometry";
+    case Kind::broken_physics:
+      return "broken physics";
+    case Kind::bad_numbers:
+      return "bad numbers";
+  }
+  return "";
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      kCausticOfAPointLight,
+      kPointLightUnseen,
+      kSmallLightByChance,
+      kNarrowLobeAndSmallLight,
+      kShadowsIgnored,
+      kDepthCutOff,
+      kRouletteOfABrightRoom,
+      kSeedsAndPixels,
+      kLateDimensions,
+      kIndexOfOne,
+      kLosslessGlass,
+      kRoughnessAtItsEnds,
+      kAlbedoOfOne,
+      kOpticalDepth,
+      kLightOfAMicrometre,
+      kThirtyStops,
+      kAllScales,
+      kFarFromTheOrigin,
+      kSlivers,
+      kCoincidentLights,
+      kInvertedNormals,
+      kCameraInsideGlass,
+      kGrazingAlbedo,
+      kInfiniteEmission,
+      kNanInASky,
+      kSettingsThatAreNoNumbers,
+  };
+  return all;
+}
+
+const Case* find_case(std::string_view name) {
+  for (const Case& c : cases())
+    if (c.name == name) return &c;
+  return nullptr;
+}
+
+}  // namespace etendue::stress
