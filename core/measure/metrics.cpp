@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "spectrum/colormap.h"
-
 namespace etendue::measure {
 namespace {
 
@@ -49,21 +47,6 @@ Result<Metrics> compare(const image::LayeredImage& picture, const image::Layered
   m.rmse = std::sqrt(m.mse);
   m.psnr = m.mse > 0 ? 10 * std::log10(peak * peak / m.mse) : INFINITY;
   return m;
-}
-
-std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference) {
-  const auto &x = pixels_of(picture), &r = pixels_of(reference);
-  double mean = 0;
-  for (const float v : r) mean += v;
-  mean = std::max(mean / static_cast<double>(r.size()), 1e-30);
-  std::vector<uint8_t> bytes(x.size());
-  for (size_t i = 0; i + 2 < x.size(); i += 3) {
-    double d = 0;
-    for (size_t c = 0; c < 3; ++c) d += std::abs(static_cast<double>(x[i + c]) - r[i + c]) / 3;
-    const Rgb color = viridis(static_cast<float>(d / mean));
-    for (size_t c = 0; c < 3; ++c) bytes[i + c] = static_cast<uint8_t>(color[static_cast<int>(c)] * 255 + 0.5f);
-  }
-  return bytes;
 }
 
 }  // namespace etendue::measure

@@ -7,10 +7,6 @@
 //   bias    mean of x - r
 // All means are over pixels and channels, in double.
 #pragma once
-#include <cstdint>
-#include <span>
-#include <vector>
-
 #include "base/result.h"
 #include "image/image.h"
 
@@ -23,8 +19,5 @@ struct Metrics {
 // Two beauty layers of equal size; anything else is an input error. A pixel that is not finite in either is an input
 // error too: a mean over the rest would hide it.
 Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference);
-
-// The absolute difference, relative to the reference's mean, through viridis: 8-bit RGB, one is yellow.
-std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference);
 
 }  // namespace etendue::measure

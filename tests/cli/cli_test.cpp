@@ -89,6 +89,31 @@ TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
   EXPECT_TRUE(fs::exists(folder_ / "h.png"));
 }
 
+TEST_F(Cli, CompareMeasuresFlipAsTheReferenceIsShown) {
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 2 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 2 --seed 1 -o plain.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 2 --seed 1 --exposure -12 -o dark.exr").code, 0);
+  const auto flip = [&](const std::string& reference) {
+    return nlohmann::json::parse(run("compare a.exr " + reference + " --json").out)["flip"].get<double>();
+  };
+  EXPECT_EQ(flip("a.exr"), 0);
+  EXPECT_GT(flip("plain.exr"), 0.01);
+  EXPECT_LT(flip("dark.exr"), 0.1 * flip("plain.exr"));
+  EXPECT_NE(run("compare a.exr plain.exr").out.find("\nflip "), std::string::npos);
+}
+
+TEST_F(Cli, HeatMapsShowWhatIsAskedFor) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
+  ASSERT_EQ(run("compare a.exr b.exr --heatmap usual.png").code, 0);
+  for (const char* kind : {"absolute", "relmse", "signed", "flip"}) {
+    const std::string file = std::string(kind) + ".png";
+    ASSERT_EQ(run(std::string("compare a.exr b.exr --heatmap-of ") + kind + " --heatmap " + file).code, 0) << kind;
+    EXPECT_EQ(slurp(folder_ / file) == slurp(folder_ / "usual.png"), std::string(kind) == "absolute") << kind;
+  }
+  expect_error("compare a.exr b.exr --heatmap h.png --heatmap-of smell", 2, "flip");
+}
+
 TEST_F(Cli, WrongUsageIsTwo) {
   expect_error("render cornell", 2, "no output");
   expect_error("render cornell -o a.tiff", 2, ".exr, .hdr or .png");
