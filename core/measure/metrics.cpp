@@ -23,18 +23,11 @@ double relative_difference(double x, double r) {
 
 }  // namespace
 
-Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
-  if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
-  if (picture.width != reference.width || picture.height != reference.height)
-    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
-                       "; give images of one size");
-  const auto &x = pixels_of(picture), &r = pixels_of(reference);
+Metrics metrics_of(std::span<const float> x, std::span<const float> r) {
   Metrics m;
   double peak = 0;
   for (size_t i = 0; i < x.size(); ++i) {
     const double a = x[i], b = r[i], d = a - b;
-    if (!std::isfinite(a) || !std::isfinite(b))
-      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
     m.mse += d * d;
     m.relmse += d * d / (b * b + 0.01);
     m.mae += std::abs(d);
@@ -47,6 +40,18 @@ Result<Metrics> compare(const image::LayeredImage& picture, const image::Layered
   m.rmse = std::sqrt(m.mse);
   m.psnr = m.mse > 0 ? 10 * std::log10(peak * peak / m.mse) : INFINITY;
   return m;
+}
+
+Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
+  if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
+  if (picture.width != reference.width || picture.height != reference.height)
+    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
+                       "; give images of one size");
+  const auto &x = pixels_of(picture), &r = pixels_of(reference);
+  for (size_t i = 0; i < x.size(); ++i)
+    if (!std::isfinite(x[i]) || !std::isfinite(r[i]))
+      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
+  return metrics_of(x, r);
 }
 
 }  // namespace etendue::measure
