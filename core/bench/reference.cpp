@@ -74,7 +74,7 @@ bool extend(render::Session& session, render::Document d, const Effort& effort, 
   const bool begun = have.film.width() > 0;
   const uint64_t version = begun ? session.submit(d, std::move(have.film)) : session.submit(d);
   const bool whole = wait_for(session, version, [&](const render::Status& s) {
-    return watch(s.version == version ? s.progress : 0, "reference, " + std::to_string(s.samples) + " spp");
+    return watch(s.progress, "reference, " + std::to_string(s.samples) + " spp");
   });
   have.film = session.film_copy();
   have.seconds = before + session.status().seconds;

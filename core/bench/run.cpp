@@ -42,6 +42,7 @@ class Runner {
     std::vector<float> picture;
     render::Status status;
     for (uint32_t count = 1;; count = next_count(count)) {
+      if (!report(method, repeat, status)) return false;  // steps may be over before anyone is asked
       const bool last = plan_.samples > 0 && count >= plan_.samples;
       d.limits = {last ? plan_.samples : count, plan_.seconds, 0};
       if (!wait_for(session_, session_.submit(d), [&](const auto& s) { return report(method, repeat, s); }))

@@ -22,7 +22,7 @@ std::vector<LogAxis::Tick> LogAxis::ticks() const {
     for (int digit = 1; digit < 10; ++digit) {
       const double value = digit * std::pow(10.0, power);
       if (value < low_ * (1 - 1e-9) || value > high_ * (1 + 1e-9)) continue;
-      const bool round = digit == 1 ? power % apart == 0 : decades < 2 && (digit == 2 || digit == 5);
+      const bool round = digit == 1 ? power % apart == 0 : decades < 2.9 && (digit == 2 || digit == 5);
       // Less than a decade may hold no round value at all.
       const bool labelled = round || decades < 0.5;
       ticks.push_back({value, labelled ? short_number(value) : ""});

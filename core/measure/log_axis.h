@@ -18,7 +18,7 @@ class LogAxis {
     double value;
     std::string label;  // empty for a thin line between two labels
   };
-  // Powers of ten with labels, and the eight values in between; where the axis is too short for two powers, 2 and 5
+  // Powers of ten with labels, and the eight values in between; where the axis is shorter than three powers, 2 and 5
   // have labels too.
   std::vector<Tick> ticks() const;
 
