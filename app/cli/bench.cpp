@@ -2,9 +2,11 @@
 #include "bench/report.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "bench/run.h"
@@ -33,14 +35,6 @@ Result<render::Document> open(const Options& o) {
   if (auto r = set_environment(*document, o.env); !r) return r.error();
   if (auto r = set_all(*document, o.sets); !r) return r.error();
   return document;
-}
-
-// Before anything is rendered for a place where nothing can be written.
-Result<void> make_folder(const std::string& folder) {
-  std::error_code code;
-  std::filesystem::create_directories(folder, code);
-  if (std::filesystem::is_directory(folder, code)) return {};
-  return output_error(folder + ": this is no folder, and none can be made there");
 }
 
 // As long as all methods together, unless something else is asked for.
@@ -85,43 +79,57 @@ void say_what_is_uncertain(const bench::Outcome& outcome, const bench::Reference
                reference.standard_error(), advice.c_str());
 }
 
-int run(const Options& o) {
-  if (o.budget <= 0 && o.samples == 0)
-    return fail(usage_error("bench: no budget; give --budget SECONDS or --samples N"));
-  auto document = open(o);
-  if (!document) return fail(document.error());
-  auto methods = bench::parse_methods(o.methods, *document);
-  if (!methods) return fail(methods.error());
-  bench::Reference reference;
-  if (!o.reference.empty()) {
-    auto read = bench::read_reference(o.reference, document->width, document->height);
-    if (!read) return fail(read.error());
-    reference = std::move(*read);
-  }
-  if (auto ok = make_folder(o.out); !ok) return fail(ok.error());
-  for (const auto& warning : document->scene->warnings)
-    std::fprintf(stderr, "etendue: %s: %s\n", document->scene_name.c_str(), warning.c_str());
+// Everything that is decided before the first ray: what cannot work fails before anything was rendered or written.
+struct Job {
+  render::Document document;
+  bench::Plan plan;
+  std::optional<bench::Reference> given;
+};
 
-  const std::atomic<bool>& interrupted = watch_interrupts();
-  Meter meter(interrupted);
+Result<Job> prepare(const Options& o) {
+  if (o.budget <= 0 && o.samples == 0) return usage_error("bench: no budget; give --budget SECONDS or --samples N");
+  auto document = open(o);
+  if (!document) return document.error();
+  auto methods = bench::parse_methods(o.methods, *document);
+  if (!methods) return methods.error();
+  Job job{std::move(*document), {std::move(*methods), o.budget, o.samples, o.repeats, o.seed}, {}};
+  if (!o.reference.empty()) {
+    auto read = bench::read_reference(o.reference, job.document.width, job.document.height);
+    if (!read) return read.error();
+    job.given = std::move(*read);
+  }
+  if (auto ok = bench::make_folder(o.out); !ok) return ok.error();
+  return job;
+}
+
+// A reference that was made is left beside the report.
+Result<void> write(const Options& o, const Job& job, bench::Reference& reference, const bench::Outcome& outcome) {
+  if (!job.given) {
+    reference.file = (std::filesystem::path(o.out) / "reference.exr").string();
+    if (auto ok = image::write_exr(reference.file, reference.picture); !ok) return ok;
+  }
+  const int threads = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
+  return bench::write_report(o.out, {job.document, job.plan, reference, outcome, threads});
+}
+
+int run(const Options& o) {
+  const auto job = prepare(o);
+  if (!job) return fail(job.error());
+  for (const auto& warning : job->document.scene->warnings)
+    std::fprintf(stderr, "etendue: %s: %s\n", job->document.scene_name.c_str(), warning.c_str());
+
+  Meter meter(watch_interrupts());
   render::SessionOptions session_options;
   session_options.threads = o.threads;
   render::Session session(session_options);
-  if (o.reference.empty())
-    reference = bench::made_reference(session, *document, effort_of(o, methods->size()),
-                                      o.no_cache ? "" : bench::cache_folder(), meter.part(0, 0.5));
-  const bench::Plan plan{std::move(*methods), o.budget, o.samples, o.repeats, o.seed};
-  const auto outcome = bench::run(session, plan, reference, meter.part(o.reference.empty() ? 0.5 : 0, 1));
+  const double begin = job->given ? 0 : 0.5;
+  auto reference = job->given ? *job->given
+                              : bench::made_reference(session, job->document, effort_of(o, job->plan.methods.size()),
+                                                      o.no_cache ? "" : bench::cache_folder(), meter.part(0, begin));
+  const auto outcome = bench::run(session, job->plan, reference, meter.part(begin, 1));
   meter.finish();
 
-  const int threads = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
-  if (reference.file.empty() || o.reference.empty()) {
-    const std::string file = (std::filesystem::path(o.out) / "reference.exr").string();
-    if (auto ok = image::write_exr(file, reference.picture); !ok) return fail(ok.error());
-    reference.file = file;
-  }
-  if (auto ok = bench::write_report(o.out, {*document, plan, reference, outcome, threads}); !ok)
-    return fail(ok.error());
+  if (auto ok = write(o, *job, reference, outcome); !ok) return fail(ok.error());
   if (outcome.interrupted) {
     std::fprintf(stderr, "etendue: interrupted; %s holds what was whole by then\n", o.out.c_str());
     return static_cast<int>(Fault::interrupted);

@@ -159,11 +159,15 @@ std::string summary_json(const Report& r) {
   return j.dump(2) + "\n";
 }
 
-Result<void> write_report(const fs::path& folder, const Report& report) {
+Result<void> make_folder(const fs::path& folder) {
   std::error_code code;
   fs::create_directories(folder, code);
-  if (!fs::is_directory(folder))
-    return output_error(folder.string() + ": this is no folder, and none can be made there");
+  if (fs::is_directory(folder, code)) return {};
+  return output_error(folder.string() + ": this is no folder, and none can be made there");
+}
+
+Result<void> write_report(const fs::path& folder, const Report& report) {
+  if (auto ok = make_folder(folder); !ok) return ok;
   if (auto ok = write_text(folder / "curves.csv", curves_csv(report)); !ok) return ok;
   if (auto ok = write_text(folder / "summary.json", summary_json(report)); !ok) return ok;
   if (auto ok = write_charts(folder, report); !ok) return ok;

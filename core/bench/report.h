@@ -34,6 +34,9 @@ std::string report_html(const Report& report, const std::vector<PagePicture>& pi
 // it is not there.
 Result<void> write_report(const std::filesystem::path& folder, const Report& report);
 
+// Makes the folder if it is not there; an output error if that cannot be.
+Result<void> make_folder(const std::filesystem::path& folder);
+
 // RFC 4648.
 std::string base64(std::span<const std::byte> bytes);
 

@@ -141,7 +141,9 @@ Figure slope_of(const MethodCurves& corrected, Abscissa along, const ReferenceNo
 }
 
 Figure efficiency_of(const MethodCurves& corrected) {
-  return figure_of_ends(corrected, [](const ErrorPoint& p) { return 1 / (p.mse * p.seconds); });
+  const Figure cost = figure_of_ends(corrected, [](const ErrorPoint& p) { return p.mse * p.seconds; });
+  if (!cost.known || !(cost.value > 0)) return {};
+  return {1 / cost.value, cost.standard_error / (cost.value * cost.value), cost.degrees, true};
 }
 
 Figure bias_of(const MethodCurves& method, double reference_error) {

@@ -94,7 +94,8 @@ Figure figure_of(std::span<const double> values);
 // knows of no correlation: too small, and degrees is 0 to say so.
 Figure slope_of(const MethodCurves& corrected, Abscissa along, const ReferenceNoise& noise = {});
 
-// 1 / (MSE * seconds) at the end of each repeat: what it costs does not depend on how long it ran, for Monte Carlo.
+// 1 over the mean of MSE * seconds at the end of the repeats: for Monte Carlo it does not depend on how long they ran.
+// The mean of the inverses would favour methods whose errors scatter. Unknown where no error is left.
 Figure efficiency_of(const MethodCurves& corrected);
 
 // The bias at the end of each repeat. `reference_error` is the standard error of the reference's mean over the image,

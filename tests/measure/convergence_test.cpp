@@ -210,6 +210,11 @@ TEST(Convergence, EfficiencyOfMonteCarloIsThatOfAnyTime) {
   const Figure e = efficiency_of(method_of({power_law(0.1, -0.5), power_law(0.1, -0.5, 3)}));
   EXPECT_NEAR(e.value, 100, 1e-9);
   EXPECT_NEAR(e.standard_error, 0, 1e-9);
+  // Costs of 1 and 3: the mean is 2 +- 1.
+  const Figure scattered = efficiency_of(method_of({power_law(1, -0.5), power_law(std::sqrt(3.0), -0.5)}));
+  EXPECT_NEAR(scattered.value, 0.5, 1e-9);
+  EXPECT_NEAR(scattered.standard_error, 0.25, 1e-9);
+  EXPECT_FALSE(efficiency_of(method_of({power_law(0, -0.5)})).known);
 }
 
 // Eight repeats of 16 pixels with unit variance and a bias of 0.2: the split finds both. The mean of 500 estimates lies
