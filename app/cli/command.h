@@ -16,6 +16,7 @@ using Command = std::function<int()>;
 
 Command add_render(CLI::App& app);
 Command add_compare(CLI::App& app);
+Command add_bench(CLI::App& app);
 Command add_inspect(CLI::App& app);
 Command add_list(CLI::App& app);
 Command add_view(CLI::App& app);

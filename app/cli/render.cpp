@@ -1,7 +1,6 @@
 // etendue render: a scene to a file, until enough samples, time or accuracy.
 #include <CLI/CLI.hpp>
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,13 +8,14 @@
 
 #include "base/file.h"
 #include "command.h"
+#include "interrupt.h"
 #include "memory.h"
 #include "output.h"
 #include "progress.h"
-#include "size.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
 #include "render/session.h"
+#include "settings.h"
 
 namespace etendue::cli {
 namespace {
@@ -31,25 +31,11 @@ struct Options {
   double exposure = NAN;
 };
 
-// The first Ctrl-C asks to stop and save; a second one is left to the system.
-std::atomic<bool> interrupted{false};
-void on_interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, SIG_DFL);
-}
-
 struct Start {
   render::Document document;
   std::optional<film::Film> film;
   double seconds = 0;
 };
-
-Result<void> set(render::Document& document, const std::string& name, const std::string& value) {
-  auto changed = render::with_text(document, name, value);
-  if (!changed) return changed.error();
-  document = std::move(*changed);
-  return {};
-}
 
 // Where a rendering starts: a checkpoint, a snapshot, or a scene with defaults.
 Result<Start> starting_point(const Options& o) {
@@ -82,26 +68,13 @@ Result<Start> starting_point(const Options& o) {
 
 Result<void> apply(const Options& o, render::Document& d) {
   const auto give = [&](const std::string& name, const std::string& value) { return set(d, name, value); };
-  if (!o.size.empty()) {
-    const auto size = parse_size(o.size);
-    if (!size) return size.error();
-    if (auto r = give("film.width", std::to_string(size->x)); !r) return r;
-    if (auto r = give("film.height", std::to_string(size->y)); !r) return r;
-  }
+  if (auto r = set_size(d, o.size); !r) return r;
   if (!o.integrator.empty())
     if (auto r = give("render.integrator", o.integrator); !r) return r;
   if (!o.sampler.empty())
     if (auto r = give("render.sampler", o.sampler); !r) return r;
-  if (!o.env.empty()) {
-    auto lit = render::with_environment(d, o.env);
-    if (!lit) return lit.error();
-    d = std::move(*lit);
-  }
-  for (const auto& assignment : o.sets) {
-    const size_t equals = assignment.find('=');
-    if (equals == std::string::npos) return usage_error("--set: '" + assignment + "' has no '='; give NAME=VALUE");
-    if (auto r = give(assignment.substr(0, equals), assignment.substr(equals + 1)); !r) return r;
-  }
+  if (auto r = set_environment(d, o.env); !r) return r;
+  if (auto r = set_all(d, o.sets); !r) return r;
   if (o.max_depth >= 0)
     if (auto r = give("max-depth", std::to_string(o.max_depth)); !r) return r;
   if (o.seed >= 0)
@@ -187,8 +160,7 @@ int run(const Options& o) {
   for (const auto& warning : d.scene->warnings)
     std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
 
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  const std::atomic<bool>& interrupted = watch_interrupts();
   render::SessionOptions session_options;
   session_options.threads = o.threads;
   render::Session session(session_options);

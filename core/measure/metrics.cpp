@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "spectrum/colormap.h"
-
 namespace etendue::measure {
 namespace {
 
@@ -25,18 +23,11 @@ double relative_difference(double x, double r) {
 
 }  // namespace
 
-Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
-  if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
-  if (picture.width != reference.width || picture.height != reference.height)
-    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
-                       "; give images of one size");
-  const auto &x = pixels_of(picture), &r = pixels_of(reference);
+Metrics metrics_of(std::span<const float> x, std::span<const float> r) {
   Metrics m;
   double peak = 0;
   for (size_t i = 0; i < x.size(); ++i) {
     const double a = x[i], b = r[i], d = a - b;
-    if (!std::isfinite(a) || !std::isfinite(b))
-      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
     m.mse += d * d;
     m.relmse += d * d / (b * b + 0.01);
     m.mae += std::abs(d);
@@ -51,19 +42,16 @@ Result<Metrics> compare(const image::LayeredImage& picture, const image::Layered
   return m;
 }
 
-std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference) {
+Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
+  if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
+  if (picture.width != reference.width || picture.height != reference.height)
+    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
+                       "; give images of one size");
   const auto &x = pixels_of(picture), &r = pixels_of(reference);
-  double mean = 0;
-  for (const float v : r) mean += v;
-  mean = std::max(mean / static_cast<double>(r.size()), 1e-30);
-  std::vector<uint8_t> bytes(x.size());
-  for (size_t i = 0; i + 2 < x.size(); i += 3) {
-    double d = 0;
-    for (size_t c = 0; c < 3; ++c) d += std::abs(static_cast<double>(x[i + c]) - r[i + c]) / 3;
-    const Rgb color = viridis(static_cast<float>(d / mean));
-    for (size_t c = 0; c < 3; ++c) bytes[i + c] = static_cast<uint8_t>(color[static_cast<int>(c)] * 255 + 0.5f);
-  }
-  return bytes;
+  for (size_t i = 0; i < x.size(); ++i)
+    if (!std::isfinite(x[i]) || !std::isfinite(r[i]))
+      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
+  return metrics_of(x, r);
 }
 
 }  // namespace etendue::measure

@@ -7,9 +7,7 @@
 //   bias    mean of x - r
 // All means are over pixels and channels, in double.
 #pragma once
-#include <cstdint>
 #include <span>
-#include <vector>
 
 #include "base/result.h"
 #include "image/image.h"
@@ -20,11 +18,11 @@ struct Metrics {
   double mse = 0, rmse = 0, relmse = 0, mae = 0, smape = 0, psnr = 0, bias = 0;
 };
 
+// Of numbers in the same order. What is not finite makes them so.
+Metrics metrics_of(std::span<const float> picture, std::span<const float> reference);
+
 // Two beauty layers of equal size; anything else is an input error. A pixel that is not finite in either is an input
 // error too: a mean over the rest would hide it.
 Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference);
-
-// The absolute difference, relative to the reference's mean, through viridis: 8-bit RGB, one is yellow.
-std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference);
 
 }  // namespace etendue::measure

@@ -87,6 +87,8 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
 // What differs from the document's origin: the JSON text that a snapshot carries, and its way back.
 std::string state_json(const Document& document, uint32_t samples);
 Result<Document> document_from_state(const std::string& json, const std::string& source, uint32_t* samples = nullptr);
+// How a snapshot was shown, without opening its scene; what its text does not say is as a new document has it.
+Display display_from_state(const std::string& json);
 
 // Sets the environment from a .hdr or .exr file.
 Result<Document> with_environment(const Document& document, const std::string& file);

@@ -64,4 +64,18 @@ Result<Document> document_from_state(const std::string& text, const std::string&
   return document;
 }
 
+Display display_from_state(const std::string& text) {
+  Display display;
+  const json state = json::parse(text, nullptr, false);
+  if (!state.is_object() || !state.contains("settings") || !state["settings"].is_object()) return display;
+  const json& settings = state["settings"];
+  if (settings.contains("camera.exposure") && settings["camera.exposure"].is_number())
+    display.exposure = settings["camera.exposure"].get<float>();
+  if (!settings.contains("display.curve")) return display;
+  const auto& curves = Options<image::ToneCurve>::kOptions;
+  for (size_t i = 0; i < curves.size(); ++i)
+    if (settings["display.curve"] == curves[i].name) display.curve = static_cast<image::ToneCurve>(i);
+  return display;
+}
+
 }  // namespace etendue::render

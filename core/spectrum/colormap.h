@@ -7,4 +7,7 @@ namespace etendue {
 // Display-encoded colour of x in [0, 1], clamped outside.
 Rgb viridis(float x);
 
+// Display-encoded colour of x in [-1, 1], clamped outside: blue below, white at zero, red above, as dark on both sides.
+Rgb signed_colors(float x);
+
 }  // namespace etendue

@@ -8,26 +8,12 @@
 #include "base/base64.h"
 #include "base/file.h"
 #include "image/image.h"
+#include "measure/svg_chart.h"
 
 namespace etendue::stress {
 namespace {
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
+using measure::escaped;
 
 std::string picture_tag(const Thumbnail& picture) {
   if (picture.rgb.empty()) return "";

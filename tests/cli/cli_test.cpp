@@ -1,61 +1,10 @@
 // The command line as scripts use it: exit codes, one-line errors, results on standard output, nothing half-written.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
 
+#include "cli/cli.h"
+
+namespace etendue::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-  int code;
-  std::string out, err;
-};
-
-std::string slurp(const fs::path& path) {
-  std::string text;
-  if (std::FILE* f = std::fopen(path.c_str(), "rb")) {
-    std::array<char, 4096> buffer;
-    while (const size_t n = std::fread(buffer.data(), 1, buffer.size(), f)) text.append(buffer.data(), n);
-    std::fclose(f);
-  }
-  return text;
-}
-
-class Cli : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("etendue-cli-" + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  Outcome run(const std::string& arguments) const {
-    const fs::path out = folder_ / "out.txt", err = folder_ / "err.txt";
-    const std::string command = "cd " + folder_.string() + " && " + ETENDUE_BINARY + " " + arguments + " >" +
-                                out.string() + " 2>" + err.string();
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
-  }
-
-  // Exit code and a single line on standard error that begins with the program's name and holds `part`.
-  void expect_error(const std::string& arguments, int code, const std::string& part) const {
-    const Outcome r = run(arguments);
-    EXPECT_EQ(r.code, code) << arguments << "\n" << r.err;
-    EXPECT_TRUE(r.err.starts_with("etendue: ")) << r.err;
-    EXPECT_NE(r.err.find(part), std::string::npos) << r.err;
-    EXPECT_EQ(r.err.find('\n'), r.err.size() - 1) << r.err;
-    EXPECT_TRUE(r.out.empty()) << r.out;
-  }
-
-  fs::path folder_;
-};
 
 TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
   const Outcome r = run("render cornell --size 24x24 --spp 4 --seed 3 -o a.exr --json -");
@@ -87,6 +36,31 @@ TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
   EXPECT_EQ(run("compare a.exr b.exr --max-rmse 1e-9").code, 1);
   EXPECT_EQ(run("compare a.exr b.exr --max-rmse 1e9 --heatmap h.png").code, 0);
   EXPECT_TRUE(fs::exists(folder_ / "h.png"));
+}
+
+TEST_F(Cli, CompareMeasuresFlipAsTheReferenceIsShown) {
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 2 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 2 --seed 1 -o plain.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 2 --seed 1 --exposure -12 -o dark.exr").code, 0);
+  const auto flip = [&](const std::string& reference) {
+    return nlohmann::json::parse(run("compare a.exr " + reference + " --json").out)["flip"].get<double>();
+  };
+  EXPECT_EQ(flip("a.exr"), 0);
+  EXPECT_GT(flip("plain.exr"), 0.01);
+  EXPECT_LT(flip("dark.exr"), 0.1 * flip("plain.exr"));
+  EXPECT_NE(run("compare a.exr plain.exr").out.find("\nflip "), std::string::npos);
+}
+
+TEST_F(Cli, HeatMapsShowWhatIsAskedFor) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
+  ASSERT_EQ(run("compare a.exr b.exr --heatmap usual.png").code, 0);
+  for (const char* kind : {"absolute", "relmse", "signed", "flip"}) {
+    const std::string file = std::string(kind) + ".png";
+    ASSERT_EQ(run(std::string("compare a.exr b.exr --heatmap-of ") + kind + " --heatmap " + file).code, 0) << kind;
+    EXPECT_EQ(slurp(folder_ / file) == slurp(folder_ / "usual.png"), std::string(kind) == "absolute") << kind;
+  }
+  expect_error("compare a.exr b.exr --heatmap h.png --heatmap-of smell", 2, "flip");
 }
 
 TEST_F(Cli, WrongUsageIsTwo) {
@@ -176,3 +150,4 @@ TEST_F(Cli, StressListsItsCasesRunsThoseThatAreNamedAndWritesThem) {
 }
 
 }  // namespace
+}  // namespace etendue::test

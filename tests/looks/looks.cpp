@@ -14,6 +14,7 @@
 
 #include "looks/assets.h"
 #include "looks/sheet.h"
+#include "measure/heat_map.h"
 #include "measure/metrics.h"
 #include "support/scenes.h"
 

@@ -1,30 +1,16 @@
 #include "looks/sheet.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 
 #include "base/file.h"
+#include "image/tiny_text.h"
 
 namespace etendue::looks {
 namespace {
 
-constexpr int kGlyphWidth = 3, kGlyphHeight = 5, kAdvance = kGlyphWidth + 1, kTextHeight = kGlyphHeight + 3;
+using image::kGlyphHeight, image::kGlyphWidth;
+constexpr int kAdvance = image::kGlyphAdvance, kTextHeight = kGlyphHeight + 3;
 constexpr int kGap = 2;
-
-// Three by five pixels a letter, five rows of three bits from the top.
-constexpr const char* kLetters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ-_/. ";
-constexpr std::array<uint16_t, 41> kGlyphs{
-    075557, 026227, 071747, 071717, 055711, 074717, 074757, 071111, 075757, 075717,          // digits
-    025755, 065656, 034443, 065556, 074647, 074644, 034553, 055755, 072227, 011152, 055655,  // A to K
-    044447, 057755, 065555, 025552, 065644, 025563, 065655, 034216, 072222, 055557, 055552,  // L to V
-    055775, 055255, 055222, 071247, 000700, 000007, 011244, 000002, 000000};                 // W to Z, signs
-
-uint16_t glyph(char c) {
-  const std::string letters(kLetters);
-  const size_t at = letters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
-  return at == std::string::npos ? 0 : kGlyphs[at];
-}
 
 void put(Picture& on, int x, int y, const uint8_t* rgb) {
   if (x < 0 || y < 0 || x >= on.width || y >= on.height) return;
@@ -34,7 +20,7 @@ void put(Picture& on, int x, int y, const uint8_t* rgb) {
 void write_text(Picture& on, int x, int y, const std::string& text) {
   constexpr uint8_t kInk[3] = {230, 230, 230};
   for (const char c : text) {
-    const uint16_t bits = glyph(c);
+    const uint16_t bits = image::tiny_glyph(c);
     for (int i = 0; i < kGlyphWidth * kGlyphHeight; ++i)
       if (bits >> (kGlyphWidth * kGlyphHeight - 1 - i) & 1) put(on, x + i % kGlyphWidth, y + i / kGlyphWidth, kInk);
     x += kAdvance;

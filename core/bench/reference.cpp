@@ -1,0 +1,143 @@
+#include "bench/reference.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "bench/key.h"
+#include "film/picture.h"
+#include "render/checkpoint.h"
+
+namespace etendue::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Errors from the variance of each number, taken as independent of each other.
+void know_error(Reference& reference) {
+  const image::Layer* variance = reference.picture.find("variance");
+  const auto& r = reference.rgb();
+  if (!variance || variance->pixels.size() != r.size() || r.empty()) return;
+  measure::ReferenceNoise noise;
+  for (size_t i = 0; i < r.size(); ++i) {
+    const double v = variance->pixels[i], x = r[i];
+    noise.mse += v, noise.relmse += v / (x * x + 0.01);
+  }
+  const auto n = static_cast<double>(r.size());
+  noise.mse /= n, noise.relmse /= n;
+  if (!std::isfinite(noise.mse)) return;
+  reference.noise = noise;
+  reference.mean_error = std::sqrt(noise.mse / n);
+}
+
+// A seed that users' small numbers do not meet, the same every time.
+uint64_t reference_seed(uint64_t key) { return (key & 0x3fffffff) | 0x40000000; }
+
+fs::path cache_file(const fs::path& cache, uint64_t key) {
+  char name[40];
+  std::snprintf(name, sizeof name, "%016llx.reference", static_cast<unsigned long long>(key));
+  return cache / "references" / name;
+}
+
+render::Document reference_document(const render::Document& base) {
+  render::Document d = base;
+  d.method.integrator = "path", d.method.sampler = "sobol";
+  d.limits = {}, d.seed = 0;
+  return d;
+}
+
+std::optional<render::Checkpoint> cached(const fs::path& file, const render::Document& d) {
+  if (file.empty()) return {};
+  auto checkpoint = render::read_checkpoint(file);
+  if (!checkpoint || checkpoint->film.width() != d.width || checkpoint->film.height() != d.height) return {};
+  return std::move(*checkpoint);
+}
+
+uint32_t samples_of(const film::Film& film) {
+  if (film.pixels().empty()) return 0;
+  uint32_t least = UINT32_MAX;
+  for (const auto& p : film.pixels()) least = std::min(least, p.count[0] + p.count[1]);
+  return least;
+}
+
+bool enough(const render::Checkpoint& have, const Effort& effort) {
+  if (samples_of(have.film) < film::kReplicates) return false;
+  return (effort.seconds > 0 && have.seconds >= effort.seconds) ||
+         (effort.samples > 0 && samples_of(have.film) >= effort.samples);
+}
+
+// Goes on from what there is. Returns false if it was cut short.
+bool extend(render::Session& session, render::Document d, const Effort& effort, const Watch& watch,
+            render::Checkpoint& have) {
+  const double before = have.seconds;
+  d.limits = {effort.samples, effort.seconds > 0 ? effort.seconds - before : 0, 0};
+  const bool begun = have.film.width() > 0;
+  const uint64_t version = begun ? session.submit(d, std::move(have.film)) : session.submit(d);
+  const bool whole = wait_for(session, version, [&](const render::Status& s) {
+    return watch(s.progress, "reference, " + std::to_string(s.samples) + " spp");
+  });
+  have.film = session.film_copy();
+  have.seconds = before + session.status().seconds;
+  return whole;
+}
+
+void keep(const fs::path& file, const render::Document& d, render::Checkpoint& have) {
+  if (file.empty()) return;
+  std::error_code code;
+  fs::create_directories(file.parent_path(), code);
+  have.state = render::state_json(d, samples_of(have.film));
+  if (const auto kept = render::write_checkpoint(file, have); !kept)
+    std::fprintf(stderr, "etendue: %s; the reference is not kept\n", kept.error().message.c_str());
+}
+
+}  // namespace
+
+double Reference::standard_error() const { return noise ? std::sqrt(noise->mse) : NAN; }
+
+Result<Reference> read_reference(const std::string& file, int width, int height) {
+  auto picture = image::read_linear(file);
+  if (!picture) return picture.error();
+  if (picture->width != width || picture->height != height)
+    return input_error(file + ": is " + std::to_string(picture->width) + "x" + std::to_string(picture->height) +
+                       ", the methods render " + std::to_string(width) + "x" + std::to_string(height) +
+                       "; give --size, or a reference of that size");
+  Reference reference;
+  reference.file = file;
+  reference.picture = std::move(*picture);
+  for (const float v : reference.rgb())
+    if (!std::isfinite(v)) return input_error(file + ": has pixels that are not finite; nothing can be measured on it");
+  know_error(reference);
+  return reference;
+}
+
+Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
+                         const fs::path& cache, const Watch& watch) {
+  render::Document d = reference_document(base);
+  const uint64_t key = picture_key(d);
+  d.seed = reference_seed(key);
+  const fs::path file = cache.empty() ? fs::path() : cache_file(cache, key);
+  render::Checkpoint have;
+  if (auto found = cached(file, d)) have = std::move(*found);
+  if (!enough(have, effort)) {
+    extend(session, d, effort, watch, have);
+    keep(file, d, have);
+  }
+  Reference reference;
+  reference.file = file.string();
+  reference.picture = film::picture_of(have.film);
+  reference.samples = samples_of(have.film), reference.seconds = have.seconds;
+  // One half alone says nothing of the error.
+  if (reference.samples < film::kReplicates) reference.picture.layers.resize(1);
+  know_error(reference);
+  return reference;
+}
+
+fs::path cache_folder() {
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const char* home = std::getenv("HOME");
+  // The specification has relative values ignored.
+  if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "etendue";
+  return home && *home ? fs::path(home) / ".cache" / "etendue" : fs::path();
+}
+
+}  // namespace etendue::bench

@@ -1,0 +1,25 @@
+// FLIP of a megapixel on one thread: below a second.
+#include <benchmark/benchmark.h>
+
+#include "base/hash.h"
+#include "measure/flip.h"
+
+namespace {
+
+using namespace etendue;
+
+void flip(benchmark::State& state) {
+  constexpr int kSide = 1024;
+  std::vector<float> a(size_t{3} * kSide * kSide), b(a.size());
+  for (size_t i = 0; i < a.size(); ++i) {
+    a[i] = to_unit_float(hash_combine(1, static_cast<uint32_t>(i)));
+    b[i] = to_unit_float(hash_combine(2, static_cast<uint32_t>(i)));
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(measure::flip_map(kSide, kSide, a, b));
+  state.SetItemsProcessed(state.iterations() * kSide * kSide);
+}
+BENCHMARK(flip)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
