@@ -9,13 +9,14 @@
 
 #include "base/file.h"
 #include "command.h"
+#include "integrator/integrator.h"
 #include "memory.h"
 #include "output.h"
 #include "progress.h"
-#include "size.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
 #include "render/session.h"
+#include "size.h"
 
 namespace etendue::cli {
 namespace {
@@ -102,6 +103,8 @@ Result<void> apply(const Options& o, render::Document& d) {
     if (equals == std::string::npos) return usage_error("--set: '" + assignment + "' has no '='; give NAME=VALUE");
     if (auto r = give(assignment.substr(0, equals), assignment.substr(equals + 1)); !r) return r;
   }
+  if (!o.paths.empty())
+    if (auto r = give("film.paths", o.paths); !r) return r;
   if (o.max_depth >= 0)
     if (auto r = give("max-depth", std::to_string(o.max_depth)); !r) return r;
   if (o.seed >= 0)
@@ -114,7 +117,7 @@ Result<void> apply(const Options& o, render::Document& d) {
 // What a resumed rendering may not change: everything that the film depends on.
 bool changes_light(const Options& o) {
   return !o.size.empty() || !o.integrator.empty() || !o.sampler.empty() || !o.env.empty() || !o.sets.empty() ||
-         o.max_depth >= 0 || o.seed >= 0 || !o.camera.empty();
+         !o.paths.empty() || o.max_depth >= 0 || o.seed >= 0 || !o.camera.empty();
 }
 
 void set_limits(const Options& o, bool inherits, render::Document& d) {
@@ -171,7 +174,6 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
 
 int run(const Options& o) {
   if (o.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
-  if (!o.paths.empty()) return fail(usage_error("--paths: filtering by path class is not available in this version"));
   if (auto ok = check_output_name(o.out); !ok) return fail(ok.error());
   if (!o.png.empty())
     if (auto ok = check_output_name(o.png); !ok) return fail(ok.error());
@@ -186,6 +188,12 @@ int run(const Options& o) {
   set_limits(o, !o.like.empty() || !o.resume.empty(), d);
   for (const auto& warning : d.scene->warnings)
     std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
+
+  if (const auto* info = integrator::find_integrator(d.method.integrator);
+      !integrator::finds_any(*info, d.method.paths))
+    std::fprintf(stderr,
+                 "etendue: film.paths: %s finds %s, none of %s: the picture will be black; take another integrator\n",
+                 info->name.c_str(), info->paths.c_str(), d.method.paths.c_str());
 
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
@@ -268,7 +276,7 @@ Command add_render(CLI::App& app) {
   app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
   app.add_option("--max-depth", o->max_depth, "Path segments from camera to light; 0 is no limit")
       ->check(CLI::Range(0, 1000));
-  app.add_option("--paths", o->paths, "Only paths that match this expression");
+  app.add_option("--paths", o->paths, "Only light paths that match this expression, e.g. 'E(D|G)L' or 'EDS+L'");
   app.add_option("--aov", o->aov, "Layers to add, comma separated, or 'all'");
   app.add_option("--env", o->env, "Environment map, .hdr or .exr");
   app.add_option("--exposure", o->exposure, "EV, for .png")->check(CLI::Range(-30.0, 30.0));
