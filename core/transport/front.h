@@ -26,7 +26,7 @@ struct alignas(64) PathState {
 };
 
 // Classes of paths are kept elsewhere: who does not ask for them does not carry them.
-static_assert(sizeof(PathState<Rgb>) == 64);
+static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<AnyVacuum<false>>>);
 
 template <class M>
 class Front {

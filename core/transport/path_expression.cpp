@@ -63,6 +63,11 @@ class Parser {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     return at_ == text_.size();
   }
+  // The last character before this one that means something.
+  char previous() const {
+    const size_t last = text_.substr(0, at_).find_last_not_of(' ');
+    return last == std::string_view::npos ? '\0' : text_[last];
+  }
   char peek() { return at_end() ? '\0' : text_[at_]; }
 
   // The first problem counts. Columns count from 1.
@@ -103,7 +108,7 @@ class Parser {
     const char c = peek();
     if (c == '\0' && at_ == 0) return fail(0, "it is empty; E(D|G|S)*L is every path");
     if (c == '\0') return fail(at_, "something is missing at the end; give a letter or a bracket");
-    if (c == '|' || text_[at_ - 1] == '|') return fail(at_, "one side of '|' is empty; [A|B] allows nothing too");
+    if (c == '|' || previous() == '|') return fail(at_, "one side of '|' is empty; [A|B] allows nothing too");
     if (open_ == 0) return fail(at_, closing_without_opening());
     return fail(at_, "there is nothing between the brackets; give a letter");
   }

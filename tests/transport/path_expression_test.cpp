@@ -215,6 +215,8 @@ TEST(PathExpression, ErrorsSayWhatWhereAndWhatWouldBeRight) {
                         {")", "column 1", "closes nothing"},
                         {"E()L", "column 3", "nothing between"},
                         {"E(D|)L", "column 5", "one side of '|' is empty"},
+                        {"E(D| )L", "column 6", "one side of '|' is empty"},
+                        {" )", "column 2", "closes nothing"},
                         {"E(|D)L", "column 3", "one side of '|' is empty"},
                         {"ED|", "column 4", "missing"},
                         {"*DL", "column 1", "nothing to repeat"},
