@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "command.h"
+#include "integrator/integrator.h"
 #include "interrupt.h"
 #include "memory.h"
 #include "output.h"
@@ -75,6 +76,8 @@ Result<void> apply(const Options& o, render::Document& d) {
     if (auto r = give("render.sampler", o.sampler); !r) return r;
   if (auto r = set_environment(d, o.env); !r) return r;
   if (auto r = set_all(d, o.sets); !r) return r;
+  if (!o.paths.empty())
+    if (auto r = give("film.paths", o.paths); !r) return r;
   if (o.max_depth >= 0)
     if (auto r = give("max-depth", std::to_string(o.max_depth)); !r) return r;
   if (o.seed >= 0)
@@ -87,7 +90,7 @@ Result<void> apply(const Options& o, render::Document& d) {
 // What a resumed rendering may not change: everything that the film depends on.
 bool changes_light(const Options& o) {
   return !o.size.empty() || !o.integrator.empty() || !o.sampler.empty() || !o.env.empty() || !o.sets.empty() ||
-         o.max_depth >= 0 || o.seed >= 0 || !o.camera.empty();
+         !o.paths.empty() || o.max_depth >= 0 || o.seed >= 0 || !o.camera.empty();
 }
 
 void set_limits(const Options& o, bool inherits, render::Document& d) {
@@ -144,7 +147,6 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
 
 int run(const Options& o) {
   if (o.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
-  if (!o.paths.empty()) return fail(usage_error("--paths: filtering by path class is not available in this version"));
   if (auto ok = check_output_name(o.out); !ok) return fail(ok.error());
   if (!o.png.empty())
     if (auto ok = check_output_name(o.png); !ok) return fail(ok.error());
@@ -159,6 +161,12 @@ int run(const Options& o) {
   set_limits(o, !o.like.empty() || !o.resume.empty(), d);
   for (const auto& warning : d.scene->warnings)
     std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
+
+  if (const auto* info = integrator::find_integrator(d.method.integrator);
+      !integrator::finds_any(*info, d.method.paths))
+    std::fprintf(stderr,
+                 "etendue: film.paths: %s finds %s, none of %s: the picture will be black; take another integrator\n",
+                 info->name.c_str(), info->paths.c_str(), d.method.paths.c_str());
 
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::SessionOptions session_options;
@@ -240,7 +248,7 @@ Command add_render(CLI::App& app) {
   app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
   app.add_option("--max-depth", o->max_depth, "Path segments from camera to light; 0 is no limit")
       ->check(CLI::Range(0, 1000));
-  app.add_option("--paths", o->paths, "Only paths that match this expression");
+  app.add_option("--paths", o->paths, "Only light paths that match this expression, e.g. 'E(D|G)L' or 'EDS+L'");
   app.add_option("--aov", o->aov, "Layers to add, comma separated, or 'all'");
   app.add_option("--env", o->env, "Environment map, .hdr or .exr");
   app.add_option("--exposure", o->exposure, "EV, for .png")->check(CLI::Range(-30.0, 30.0));

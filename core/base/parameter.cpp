@@ -101,6 +101,11 @@ Result<Value> checked_value(const ParameterInfo& info, const Value& value) {
     case ParameterType::choice:
       for (const auto& option : info.options)
         if (std::holds_alternative<std::string>(value) && option == text) return value;
+      if (info.accepts_text && std::holds_alternative<std::string>(value)) {
+        if (auto accepted = info.accepts_text(text); !accepted)
+          return usage_error(info.name + ": " + accepted.error().message);
+        return value;
+      }
       return wrong(info, text, "one of " + joined(info.options));
   }
   return value;

@@ -32,6 +32,8 @@ struct ParameterInfo {
   bool logarithmic = false;                         // the quantity is naturally seen on a logarithmic slider
   Value default_value = false;                      // a choice's value is the name of the option
   std::vector<std::string> options, option_labels;  // choices only
+  // A choice with this also takes a text that is none of its options, if it passes; else the error says why not.
+  Result<void> (*accepts_text)(std::string_view) = nullptr;
 };
 
 std::string to_string(const Value& value);

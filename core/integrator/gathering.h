@@ -71,6 +71,7 @@ class Gathering : public Integrator {
   static void launch(const Pass& pass, const PixelBlock& block, const BlockOrder& order, transport::Front<M>& front) {
     const uint32_t replicate = block.sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, pass.wanted);
+    if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
     for (int i = 0; i < order.size(); ++i)
       front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
     SampleTable& random = front.draw_camera(dimensions(camera_dimension::kPixel, 2) |

@@ -61,6 +61,10 @@ class Integrator {
 const std::vector<IntegratorInfo>& integrator_infos();
 const IntegratorInfo* find_integrator(std::string_view name);
 
+// Whether an integrator finds any of the paths that an expression (PathExpression::parse_paths takes it, or it is
+// empty) stands for. What it does not find is missing from its image, or black.
+bool finds_any(const IntegratorInfo& info, std::string_view paths);
+
 // `settings` must have been checked; names the integrator does not have are ignored.
 std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::vector<Setting>& settings = {});
 

@@ -1,4 +1,5 @@
 // Every integrator, in the order of the thesis; one line each.
+#include <cassert>
 #include <functional>
 
 #include "integrator/path.h"
@@ -48,6 +49,16 @@ const IntegratorInfo* find_integrator(std::string_view name) {
   for (const auto& info : integrator_infos())
     if (info.name == name) return &info;
   return nullptr;
+}
+
+bool finds_any(const IntegratorInfo& info, std::string_view paths) {
+  if (paths.empty()) return true;
+  const auto found = transport::PathExpression::parse(info.paths),
+             asked = transport::PathExpression::parse_paths(paths);
+  assert(found && asked);
+  // Too many states for an automaton are not nothing.
+  const auto both = transport::Automaton::intersection(found->automaton(), asked->automaton());
+  return !both || !both->empty();
 }
 
 std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::vector<Setting>& settings) {

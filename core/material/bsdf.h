@@ -42,6 +42,18 @@ class LobeMix {
     return f;
   }
 
+  bool scatters(Scatter letter) const {
+    for (int i = 0; i < count_; ++i)
+      if (visit(i, [&](const auto& l) { return l.scatters(letter); })) return true;
+    return false;
+  }
+
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+    Color f(0);
+    for (int i = 0; i < count_; ++i) f += visit(i, [&](const auto& l) { return l.eval_part(letter, wo, wi, mode); });
+    return f;
+  }
+
   float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const {
     const Shares shares = lobe_shares(wo);
     float p = 0;
@@ -94,6 +106,10 @@ class DiffuseOnly {
   bool empty() const { return is_black(lobe_.albedo); }
   bool has_non_delta() const { return !empty(); }
   Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
+  bool scatters(Scatter letter) const { return lobe_.scatters(letter); }
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+    return lobe_.eval_part(letter, wo, wi, mode);
+  }
   float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.pdf(wo, wi, mode); }
   bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
     return lobe_.sample(wo, draw, mode, s);
@@ -124,6 +140,16 @@ class Bsdf {
   Color eval(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
     const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     return consistent(wo, wi, o, i) ? lobes.eval(o, i, mode) * adjoint_factor(wo, wi, o, i, mode) : Color(0);
+  }
+
+  // Whether `eval` can have a part of this letter; deltas are none of it.
+  bool scatters(Scatter letter) const { return lobes.scatters(letter); }
+
+  // The part of `eval` that is of one letter.
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+    const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
+    if (!consistent(wo, wi, o, i)) return Color(0);
+    return lobes.eval_part(letter, o, i, mode) * adjoint_factor(wo, wi, o, i, mode);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {

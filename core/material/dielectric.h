@@ -43,6 +43,11 @@ struct Dielectric {
     return passed(f) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
+  bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+    return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
+  }
+
   float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     Vec3 h;
     float f;

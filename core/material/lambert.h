@@ -16,6 +16,11 @@ struct Lambert {
 
   Color eval(const Vec3& wo, const Vec3& wi, Transport) const { return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0); }
 
+  bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(albedo); }
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+    return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);
+  }
+
   float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }

@@ -53,6 +53,18 @@ struct Layered {
     return f;
   }
 
+  bool scatters(Scatter letter) const {
+    return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && !is_black(f90);
+  }
+  // The base is D, the layer G.
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport) const {
+    if (!scatters(letter) || wo.z * wi.z <= 0) return Color(0);
+    const Vec3 h = glm::normalize(wo + wi);
+    const float c = std::abs(glm::dot(wo, h));
+    if (letter == Scatter::diffuse) return under(c) * kInvPi;
+    return fresnel(c) * (facets.d(h) * facets.g2(wo, wi) / (4 * wo.z * wi.z));
+  }
+
   float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     if (wo.z * wi.z <= 0) return 0;
     const float share = specular_share(wo);

@@ -8,6 +8,8 @@
 //   bool  sample(wo, LobeDraw, Transport, LobeSample<Color>&) const;    // false: absorbed
 //   float weight(wo) const;                                             // about its albedo: its share when sampling
 //   bool  is_delta() const;                                             // eval and pdf are zero
+//   bool  scatters(Scatter) const;                                      // eval has a part of this letter
+//   Color eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
 #pragma once
 #include "base/warp.h"
 

@@ -36,6 +36,11 @@ struct ThinSheet {
     return (reflection ? fresnel(c) : passed(c)) * (shape * share);
   }
 
+  bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+    return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
+  }
+
   float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
     if (smooth() || wo.z * wi.z == 0) return 0;
     const bool reflection = wo.z * wi.z > 0;

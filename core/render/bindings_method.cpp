@@ -69,6 +69,34 @@ std::vector<Binding> render_bindings(const Document& d) {
   return list;
 }
 
+Result<void> accepts_paths(std::string_view text) {
+  const auto parsed = transport::PathExpression::parse_paths(text);
+  return parsed ? Result<void>() : parsed.error();
+}
+
+// Any path expression; offered are classes that people ask for. The second to the fifth part all paths between them.
+Binding paths_binding(const Document& d) {
+  constexpr std::array<Option, 6> kOffered{{{"", "All"},
+                                            {"EL", "Light in view, EL"},
+                                            {"E(D|G)L", "Direct light, E(D|G)L"},
+                                            {"E(D|G).+L", "Indirect light, E(D|G).+L"},
+                                            {"ES.*L", "Seen in mirrors and glass, ES.*L"},
+                                            {"E.*DS+L", "Caustics, E.*DS+L"}}};
+  Binding b;
+  b.section = "film";
+  b.info.name = "film.paths", b.info.label = "Paths";
+  b.info.doc = "Only light paths that match count: E the eye, D diffuse, G glossy, S specular, L the light";
+  b.info.type = ParameterType::choice;
+  for (const Option& option : kOffered) {
+    b.info.options.emplace_back(option.name);
+    b.info.option_labels.emplace_back(option.label);
+  }
+  b.info.accepts_text = accepts_paths;
+  b.info.default_value = d.method.paths;
+  b.assign = [](Document& document, const Value& value) { document.method.paths = std::get<std::string>(value); };
+  return b;
+}
+
 std::vector<Binding> film_bindings(const Document& d) {
   constexpr int kMost = 16384;
   return {binding("film", Number<int>{"width", "Width", d.width, {1, kMost}, "Width of the picture", "px"},
@@ -78,7 +106,8 @@ std::vector<Binding> film_bindings(const Document& d) {
           binding("film",
                   Choice<film::FilterKind>{"filter", "Pixel filter", d.filter,
                                            "How samples are weighted around a pixel's centre"},
-                  [](Document& doc, film::FilterKind v) { doc.filter = v; })};
+                  [](Document& doc, film::FilterKind v) { doc.filter = v; }),
+          paths_binding(d)};
 }
 
 std::vector<Binding> display_bindings(const Document& d) {

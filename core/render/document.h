@@ -31,6 +31,7 @@ struct Limits {
 
 struct Method {
   std::string integrator = "path", sampler = "sobol";
+  std::string paths;  // the expression of the paths that count (transport/path_expression.h); empty if all do
   // Parameters by qualified name ("path.max-depth"), only those that differ from their defaults.
   std::vector<std::pair<std::string, Value>> settings;
 

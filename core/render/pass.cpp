@@ -15,7 +15,7 @@ int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
 PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
                        int height)
     : scene_(std::move(scene)),
-      model_(transport::model_for(*scene_, document.forced_flags)),
+      model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
       sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),

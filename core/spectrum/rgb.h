@@ -38,6 +38,11 @@ struct Rgb {
 // Relative luminance Y of Rec. 709.
 constexpr float luminance(const Rgb& c) { return 0.212671f * c.r + 0.715160f * c.g + 0.072169f * c.b; }
 constexpr float max_component(const Rgb& c) { return std::max(c.r, std::max(c.g, c.b)); }
+// a / b by component, zero where b is.
+constexpr Rgb ratio(const Rgb& a, const Rgb& b) {
+  const auto part = [](float x, float y) { return y == 0 ? 0 : x / y; };
+  return {part(a.r, b.r), part(a.g, b.g), part(a.b, b.b)};
+}
 constexpr float average(const Rgb& c) { return (c.r + c.g + c.b) * (1.0f / 3.0f); }
 // One test on the bits of all: three comparisons in a row cannot be foreseen.
 constexpr bool is_black(const Rgb& c) {

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "sampling/sampler.h"
-#include "transport/model.h"
+#include "transport/class_shares.h"
 
 namespace etendue::transport {
 
@@ -24,6 +24,9 @@ struct alignas(64) PathState {
   uint32_t seed;      // the pixel's
   bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
 };
+
+// Classes of paths are kept elsewhere: who does not ask for them does not carry them.
+static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<AnyVacuum<false>>>);
 
 template <class M>
 class Front {
@@ -50,7 +53,10 @@ class Front {
     draw({seeds.data(), static_cast<size_t>(size_)}, 0, wanted);
     return random_;
   }
+  // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
+  void admit(const Automaton& classes) { shares_.begin(classes); }
   void launch(int path, const Ray& ray) {
+    if constexpr (M::kClasses) shares_.launch(path);
     state(path) = {Color(1), Color(0), Vec3(0), 0, 1, state(path).seed, true};
     travel(path, ray);
   }
@@ -119,6 +125,9 @@ class Front {
             random_2d(vertex_dimension::kBsdfDirection, arrival), cosine_directions_[static_cast<size_t>(arrival)]};
   }
 
+  // Which part of what the walks carry belongs to the classes that are asked for; empty in a model without classes.
+  ClassShares<M>& shares() { return shares_; }
+
   // A point on a light for each arrival.
   std::span<const LightSample> sample_lights() {
     draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
@@ -132,7 +141,8 @@ class Front {
 
   // The paths that the last advance found to leave the scene.
   int escaped() const { return escaped_; }
-  PathState<Color>& escapee(int i) { return state(escapes_[static_cast<size_t>(i)]); }
+  int path_of_escape(int i) const { return escapes_[static_cast<size_t>(i)]; }
+  PathState<Color>& escapee(int i) { return state(path_of_escape(i)); }
   const Vec3& escape_direction(int i) const { return escape_directions_[static_cast<size_t>(i)]; }
 
   // The path goes on from an arrival in this direction.
@@ -219,6 +229,7 @@ class Front {
   Packets connecting_;
   // Of one or the other.
   PerPath<uint32_t> lane_seeds_;
+  [[no_unique_address]] ClassShares<M> shares_;
 };
 
 template <class M>

@@ -1,7 +1,8 @@
 // What gathering methods do at the vertices of a front of walks: the terms of thesis (9.26)-(9.29).
 //
 // Each goes over all vertices that the last step reached. A method that finds the same light in two ways names the
-// heuristic by which they share it; without one the way at hand counts alone.
+// heuristic by which they share it; without one the way at hand counts alone. In a model with path classes only the
+// part that belongs to the classes asked for is added (class_shares.h).
 #pragma once
 #include <optional>
 
@@ -25,6 +26,15 @@ float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& sc
   return mis_weight(*shared, path.pdf, scene.lights().pdf_triangle(light, path.from, point.position));
 }
 
+// The part of the throughput that counts if walk number `index` ends on a light here.
+template <class M>
+typename M::Color admitted(Front<M>& front, const PathState<typename M::Color>& path, int index) {
+  if constexpr (M::kClasses)
+    return path.throughput * front.shares().of_end(index);
+  else
+    return path.throughput;
+}
+
 // Light that surfaces emit towards the walks. An unlit surface shows itself and lights nothing.
 template <class M>
 void add_emission(Front<M>& front, Combination shared = {}) {
@@ -34,7 +44,8 @@ void add_emission(Front<M>& front, Combination shared = {}) {
     if (!point.material->shines) continue;
     auto& path = front.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
-    path.radiance += path.throughput * scene.emitted(point) * weight_of_hit(path, scene, point, shared);
+    path.radiance +=
+        admitted(front, path, front.path_at(i)) * scene.emitted(point) * weight_of_hit(path, scene, point, shared);
   }
 }
 
@@ -49,7 +60,7 @@ void add_environment(Front<M>& front, Combination shared = {}) {
     const Vec3& direction = front.escape_direction(i);
     const bool alone = !shared || path.pdf == 0;
     const float weight = alone ? 1 : mis_weight(*shared, path.pdf, lights.pdf_environment(direction));
-    path.radiance += path.throughput * map.radiance(direction) * weight;
+    path.radiance += admitted(front, path, front.path_of_escape(i)) * map.radiance(direction) * weight;
   }
 }
 
@@ -66,7 +77,9 @@ void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Sha
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = front.bsdf(i);
     if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
-    const auto scattered = bsdf.evaluate(front.wo(i), light.wi);
+    auto scattered = bsdf.evaluate(front.wo(i), light.wi);
+    if constexpr (M::kClasses)
+      scattered.f_cos = front.shares().of_connection(front.path_at(i), bsdf, front.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
     const float weight =
         shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
@@ -99,6 +112,8 @@ void scatter(Front<M>& front, int roulette_from) {
     auto& path = front.state_at(i);
     path.throughput *= s.weight;
     path.eta_scale *= sqr(s.eta);
+    if constexpr (M::kClasses)
+      if (!front.shares().scatter(front.path_at(i), front.bsdf(i), front.wo(i), s)) continue;
     if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
     path.pdf = s.delta ? 0 : s.pdf_solid_angle;
     path.from = front.point(i).position;

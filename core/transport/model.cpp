@@ -32,9 +32,19 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
   return d;
 }
 
+// Whether the expression leaves any path out.
+bool filters(std::string_view paths) {
+  return !paths.empty() && PathExpression::parse_paths(paths)->automaton() != PathExpression::all().automaton();
+}
+
+std::string reason_for_classes(std::string_view paths, bool filtered) {
+  if (paths.empty()) return "no expression says which paths count";
+  return "'" + std::string(paths) + (filtered ? "' leaves paths out" : "' takes every path");
+}
+
 }  // namespace
 
-std::vector<std::string> model_flags() { return {"surfaces", "media"}; }
+std::vector<std::string> model_flags() { return {"surfaces", "media", "classes"}; }
 
 std::string Model::summary() const {
   std::string text;
@@ -42,7 +52,7 @@ std::string Model::summary() const {
   return text;
 }
 
-Model model_for(const CompiledScene& scene, std::span<const std::string> forced) {
+Model model_for(const CompiledScene& scene, std::span<const std::string> forced, std::string_view paths) {
   const auto is_forced = [&](const char* flag) {
     return std::find(forced.begin(), forced.end(), flag) != forced.end();
   };
@@ -69,6 +79,14 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced)
   out.push_back({"lens", lens ? "thin lens" : "pinhole", lens ? "thin lens" : "pinhole",
                  lens ? "the camera's lens has a radius" : "the camera's lens radius is 0"});
 
+  const bool filtered = filters(paths);
+  out.push_back(decide("classes", filtered, "all paths", "path classes", reason_for_classes(paths, filtered),
+                       is_forced("classes")));
+
+  model.classes = filtered || is_forced("classes");
+  if (model.classes)
+    model.paths =
+        std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
   model.absorbing = out[2].value == "absorbing";
   model.diffuse = out[1].value == "diffuse" && !model.absorbing;
   return model;

@@ -6,29 +6,35 @@
 // user can force a flag to the larger model, which must not change the image.
 #pragma once
 #include <array>
-#include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "material/bsdf.h"
 #include "scene/compiled.h"
+#include "transport/path_expression.h"
 
 namespace etendue::transport {
 
 // Colour axis: Rgb. Spectral samples join here.
-// Surfaces axis: DiffuseOnly or every lobe. Media axis: vacuum, or absorption inside solids (Beer's law).
-template <class ColorType, template <class> class LobeSet, bool absorbing>
+// Surfaces axis: DiffuseOnly or every lobe. Media axis: vacuum, or absorption inside solids (Beer's law). Classes axis:
+// every path counts, or those of an expression (transport/class_shares.h).
+template <class ColorType, template <class> class LobeSet, bool absorbing, bool classes>
 struct ModelType {
   using Color = ColorType;
   using Lobes = LobeSet<ColorType>;
   static constexpr bool kDiffuse = std::is_same_v<Lobes, DiffuseOnly<Color>>;
   static constexpr bool kAbsorbing = absorbing;
+  static constexpr bool kClasses = classes;
 };
 
-using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, false>;
-using AnyVacuum = ModelType<Rgb, LobeMix, false>;
-using AnyAbsorbing = ModelType<Rgb, LobeMix, true>;
+template <bool classes>
+using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, false, classes>;
+template <bool classes>
+using AnyVacuum = ModelType<Rgb, LobeMix, false, classes>;
+template <bool classes>
+using AnyAbsorbing = ModelType<Rgb, LobeMix, true, classes>;
 
 struct Decision {
   std::string flag;    // "colour", "media", "surfaces", ...
@@ -38,8 +44,10 @@ struct Decision {
 };
 
 struct Model {
-  bool diffuse = false;    // every surface is Lambertian
-  bool absorbing = false;  // some solid absorbs
+  bool diffuse = false;                         // every surface is Lambertian
+  bool absorbing = false;                       // some solid absorbs
+  bool classes = false;                         // some paths do not count
+  std::shared_ptr<const PathExpression> paths;  // those that do; where `classes`
   std::vector<Decision> decisions;
 
   // "RGB, vacuum, diffuse, ..." for a status bar.
@@ -49,15 +57,23 @@ struct Model {
 // The flags that can be forced with `model.FLAG=on`.
 std::vector<std::string> model_flags();
 
-// `forced` lists the flags that are switched on whatever the scene needs.
-Model model_for(const scene::CompiledScene& scene, std::span<const std::string> forced = {});
+// `forced` lists the flags that are switched on whatever the scene needs. `paths` is the expression that paths have to
+// match; empty if all count. It must be one that PathExpression::parse_paths takes.
+Model model_for(const scene::CompiledScene& scene, std::span<const std::string> forced = {},
+                std::string_view paths = {});
+
+template <bool classes, class F>
+decltype(auto) with_surfaces(const Model& model, F& f) {
+  if (model.absorbing) return f(AnyAbsorbing<classes>{});
+  if (model.diffuse) return f(DiffuseVacuum<classes>{});
+  return f(AnyVacuum<classes>{});
+}
 
 // Calls `f` with a value of the model type that the flags ask for.
 template <class F>
 decltype(auto) with_model(const Model& model, F&& f) {
-  if (model.absorbing) return f(AnyAbsorbing{});
-  if (model.diffuse) return f(DiffuseVacuum{});
-  return f(AnyVacuum{});
+  if (model.classes) return with_surfaces<true>(model, f);
+  return with_surfaces<false>(model, f);
 }
 
 }  // namespace etendue::transport

@@ -30,6 +30,25 @@ TEST_F(Cli, LikeMakesTheSameImageAgain) {
   EXPECT_EQ(nlohmann::json::parse(r.out)["mse"], 0);
 }
 
+TEST_F(Cli, PathsAreChosenByAnExpressionThatSnapshotsKeep) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --paths 'E(D|G)L' -o a.exr").code, 0);
+  ASSERT_EQ(run("render --like a.exr --spp 4 -o b.exr").code, 0);
+  ASSERT_EQ(run("render --like a.exr --spp 4 --set film.paths= -o all.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 4 -o whole.exr").code, 0);
+  const auto mse = [&](const std::string& files) {
+    return nlohmann::json::parse(run("compare " + files + " --json").out)["mse"].get<double>();
+  };
+  EXPECT_EQ(mse("a.exr b.exr"), 0);
+  EXPECT_EQ(mse("all.exr whole.exr"), 0);
+  EXPECT_GT(mse("a.exr whole.exr"), 0);
+}
+
+TEST_F(Cli, AMethodThatFindsNoneOfThePathsSaysSo) {
+  const Outcome r = run("render cornell --size 8x8 --spp 1 --integrator raycast --paths EDDL -o a.exr");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("raycast finds E[D|G]L, none of EDDL"), std::string::npos) << r.err;
+}
+
 TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
@@ -77,6 +96,10 @@ TEST_F(Cli, WrongUsageIsTwo) {
   expect_error("render cornell -o a.exr --set roulette-start", 2, "NAME=VALUE");
   expect_error("render cornell -o a.exr --camera 7", 2, "there is no camera '7'");
   expect_error("render cornell -o a.exr --aov smell", 2, "albedo");
+  expect_error("render cornell -o a.exr --paths 'E(DL'", 2, "column 2");
+  expect_error("render cornell -o a.exr --paths DL", 2, "begins with E");
+  expect_error("render cornell -o a.exr --set film.paths=EVL", 2, "not available yet");
+  expect_error("render --resume a.checkpoint -o a.exr --paths EDL", 2, "its own settings");
   expect_error("list furniture", 2, "integrators");
   expect_error("render cornell --frobnicate", 2, "etendue --help");
 }

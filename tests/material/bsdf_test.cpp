@@ -219,5 +219,45 @@ TEST(Fresnel, KnownAngles) {
   EXPECT_LT(fresnel_dielectric(std::cos(0.7296f), 1 / 1.5f, cos_t), 1);
 }
 
+// D and G together are all that is not a delta, and what a surface does not scatter by is black.
+TEST(Bsdf, PartsOfTheLettersAddUp) {
+  Draw draw(3);
+  auto all = cases();
+  for (Case c : cases()) {
+    c.name += " smooth", c.material.roughness = 0;
+    all.push_back(c);
+  }
+  for (const auto& c : all) {
+    const auto lobes = lobes_of(c.material);
+    EXPECT_FALSE(lobes.scatters(Scatter::specular));
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
+      const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+      Rgb sum(0);
+      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
+        const Rgb part = lobes.eval_part(letter, wo, wi, Transport::radiance);
+        EXPECT_TRUE(lobes.scatters(letter) || is_black(part)) << c.name;
+        for (int k = 0; k < 3; ++k) EXPECT_GE(part[k], 0) << c.name;
+        sum += part;
+      }
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum[k], f[k], 1e-5f * f[k]) << c.name;
+    }
+  }
+}
+
+// A sample's letter is one that the surface scatters by.
+TEST(Bsdf, SamplesBearLettersOfTheirSurface) {
+  Draw draw(5);
+  for (const auto& c : cases()) {
+    const auto lobes = lobes_of(c.material);
+    for (int i = 0; i < 200; ++i) {
+      LobeSample<Rgb> s;
+      if (!lobes.sample(direction(80 * draw.one()), {draw.one(), draw.two()}, Transport::radiance, s)) continue;
+      EXPECT_EQ(s.delta, s.scatter == Scatter::specular) << c.name;
+      EXPECT_TRUE(s.delta || lobes.scatters(s.scatter)) << c.name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace etendue

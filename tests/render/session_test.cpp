@@ -44,7 +44,7 @@ TEST(Session, AnotherSeedIsAnotherImage) {
 TEST(Session, LargerModelsGiveTheSameImage) {
   auto d = cornell(48);
   const auto small = test::rendered(d, 16);
-  for (const char* flag : {"model.surfaces", "model.media"}) {
+  for (const char* flag : {"model.surfaces", "model.media", "model.classes"}) {
     const auto forced = *render::with_text(d, flag, "on");
     EXPECT_TRUE(same_bits(small, test::rendered(forced, 16))) << flag;
   }

@@ -1,0 +1,159 @@
+// Which part of a walk belongs to the classes of paths that are asked for.
+//
+// A surface scatters by several letters at once: f = f_D + f_G where a diffuse base lies under a glossy layer. A walk
+// that was carried on by f therefore stands for several words: its throughput
+//
+//   T = prod f_v cos_v / p_v       is the sum over words w = X_1 X_2 ... of       T_w = prod f_v,Xv cos_v / p_v
+//
+// and as p is the density of the whole mixture, positive wherever a part of f is, each T_w is an unbiased estimator for
+// its word, and all together are the very T of a rendering without classes. (The other way, to give a walk the letter
+// of the lobe that was sampled and to weight it by that lobe's density alone, is unbiased too, but gives up what the
+// lobes' densities do for each other.) Words that lead the automaton into one state have one future, so what is carried
+// is one number for each state that is alive, the share of T that its words have:
+//
+//   share'(q') = sum over q, X with next(q, X) = q' of share(q) f_X / f
+//
+// Deltas are chosen apart from everything else: a sampled delta is S with all its weight. A walk ends on a light, or is
+// connected to one by a letter X, with the shares of the states from which L, or X L, is accepted. The weights of
+// multiple importance sampling belong to directions, add up to one for each, and so serve every word alike. Walks go
+// exactly as they would without classes, roulette included; only one without any share left ends early. Shares of a
+// partition of all paths add up to one, so its images add up to the whole image up to rounding, sample by sample.
+//
+// Passing through a surface by stochastic opacity is no event.
+#pragma once
+#include <array>
+#include <bit>
+#include <vector>
+
+#include "sampling/sampler.h"
+#include "transport/model.h"
+
+namespace etendue::transport {
+
+template <class M, bool classes = M::kClasses>
+class ClassShares;
+
+template <class M>
+class ClassShares<M, false> {};
+
+template <class M>
+class ClassShares<M, true> {
+ public:
+  using Color = typename M::Color;
+
+  // `automaton` must stay where it is while walks go on.
+  void begin(const Automaton& automaton) {
+    automaton_ = &automaton, states_ = automaton.size();
+    shares_.resize(SampleTable::kPaths * states_);
+    moved_.resize(states_);
+    find_lit_states();
+  }
+  void launch(int path) {
+    const Automaton::State first = automaton_->next(automaton_->start(), Event::camera);
+    alive_[static_cast<size_t>(path)] = bit(first);
+    row(path)[first] = Color(1);
+  }
+
+  // Of the throughput, if the path ends on a light here.
+  Color of_end(int path) const { return sum(path, alive(path) & lit_); }
+
+  // Of f cos, if the path is connected to a light in direction wi: the same but for the letters that do not count.
+  Color of_connection(int path, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, const Color& f_cos) const {
+    const States diffuse = alive(path) & lit_after_diffuse_, glossy = alive(path) & lit_after_glossy_;
+    if (diffuse == glossy) return diffuse == 0 ? Color(0) : f_cos * sum(path, diffuse);
+    const Parts parts = parts_of(bsdf, wo, wi, Event::diffuse);
+    return f_cos * (parts.diffuse * sum(path, diffuse) + parts.glossy * sum(path, glossy));
+  }
+
+  // The path goes on as sampled; false if nothing that counts can come of it any more.
+  bool scatter(int path, const Bsdf<M>& bsdf, const Vec3& wo, const LobeSample<Color>& s) {
+    if (s.delta)
+      move(path, {Color(0), Color(0), Color(1)});
+    else if ((alive(path) & apart_) == 0)
+      move(path, {Color(1), Color(0), Color(0)});
+    else
+      move(path, parts_of(bsdf, wo, s.wi, event_of(s.scatter)));
+    return alive(path) != 0;
+  }
+
+ private:
+  using States = uint64_t;
+  static States bit(Automaton::State state) { return States{1} << state; }
+  static_assert(Automaton::kMostStates <= 64);
+
+  // Shares of the letters in one scattering event; together they are one.
+  struct Parts {
+    Color diffuse, glossy, specular;
+  };
+
+  States alive(int path) const { return alive_[static_cast<size_t>(path)]; }
+  Color* row(int path) { return &shares_[static_cast<size_t>(path) * states_]; }
+  const Color* row(int path) const { return &shares_[static_cast<size_t>(path) * states_]; }
+
+  template <class F>
+  static void for_each(States states, F&& f) {
+    for (; states != 0; states &= states - 1) f(static_cast<Automaton::State>(std::countr_zero(states)));
+  }
+
+  Color sum(int path, States states) const {
+    Color total(0);
+    for_each(states, [&](Automaton::State q) { total += row(path)[q]; });
+    return total;
+  }
+
+  // `otherwise` is the letter where rounding leaves nothing to compare.
+  static Parts parts_of(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Event otherwise) {
+    if (!bsdf.scatters(Scatter::glossy)) return {Color(1), Color(0), Color(0)};
+    if (!bsdf.scatters(Scatter::diffuse)) return {Color(0), Color(1), Color(0)};
+    const Color diffuse = bsdf.eval_part(Scatter::diffuse, wo, wi), glossy = bsdf.eval_part(Scatter::glossy, wo, wi);
+    const Color both = diffuse + glossy;
+    if (!is_black(both)) return {ratio(diffuse, both), ratio(glossy, both), Color(0)};
+    if (otherwise == Event::diffuse) return {Color(1), Color(0), Color(0)};
+    return {Color(0), Color(1), Color(0)};
+  }
+
+  // Shares go to the states that the letters lead to.
+  void move(int path, const Parts& parts) {
+    Color* shares = row(path);
+    for (size_t q = 0; q < states_; ++q) moved_[q] = Color(0);
+    States reached = 0;
+    const auto give = [&](Automaton::State q, Event event, const Color& part) {
+      const Automaton::State to = automaton_->next(q, event);
+      if (to == Automaton::kDead || is_black(part)) return;
+      moved_[to] += shares[q] * part;
+      if (!is_black(moved_[to])) reached |= bit(to);
+    };
+    for_each(alive(path), [&](Automaton::State q) {
+      give(q, Event::diffuse, parts.diffuse);
+      give(q, Event::glossy, parts.glossy);
+      give(q, Event::specular, parts.specular);
+    });
+    for_each(reached, [&](Automaton::State q) { shares[q] = moved_[q]; });
+    alive_[static_cast<size_t>(path)] = reached;
+  }
+
+  void find_lit_states() {
+    const auto lit = [&](Automaton::State q) { return automaton_->accepts(automaton_->next(q, Event::light)); };
+    lit_ = lit_after_diffuse_ = lit_after_glossy_ = apart_ = 0;
+    for (size_t i = 1; i < states_; ++i) {
+      const auto q = static_cast<Automaton::State>(i);
+      const auto d = automaton_->next(q, Event::diffuse), g = automaton_->next(q, Event::glossy);
+      if (lit(q)) lit_ |= bit(q);
+      if (lit(d)) lit_after_diffuse_ |= bit(q);
+      if (lit(g)) lit_after_glossy_ |= bit(q);
+      if (d != g) apart_ |= bit(q);
+    }
+  }
+
+  const Automaton* automaton_ = nullptr;
+  size_t states_ = 0;
+  States lit_ = 0;                                       // L is accepted from here
+  States lit_after_diffuse_ = 0, lit_after_glossy_ = 0;  // DL, GL
+  States apart_ = 0;                                     // D and G lead to different states
+  // By path.
+  std::array<States, SampleTable::kPaths> alive_{};  // states with a share; the other shares are not defined
+  std::vector<Color> shares_;                        // of each state
+  std::vector<Color> moved_;
+};
+
+}  // namespace etendue::transport

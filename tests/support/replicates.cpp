@@ -1,0 +1,101 @@
+#include "support/replicates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace etendue::test {
+namespace {
+
+constexpr int kBlock = 4, kBlocks = kSize / kBlock;
+constexpr int kReplicates = 12;
+
+// What Student's t stays below, on both sides, but with probability `alarms` (Cornish and Fisher's expansion).
+double quantile_of_t(double alarms, double degrees) {
+  double low = 0, high = 10;
+  while (high - low > 1e-9) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > alarms ? low : high) = middle;
+  }
+  const double z = low, z2 = z * z;
+  return z + z * (z2 + 1) / (4 * degrees) + z * ((5 * z2 + 16) * z2 + 3) / (96 * degrees * degrees);
+}
+
+// 1 % for the family: Sidak over blocks and the mean of each comparison.
+double threshold(int comparisons) {
+  return quantile_of_t(1 - std::pow(0.99, 1.0 / (comparisons * (kBlocks * kBlocks + 1))), 2 * (kReplicates - 1));
+}
+
+double block_mean(const film::Film& film, size_t block) {
+  const int x0 = static_cast<int>(block) % kBlocks * kBlock, y0 = static_cast<int>(block) / kBlocks * kBlock;
+  double sum = 0;
+  for (int y = y0; y < y0 + kBlock; ++y)
+    for (int x = x0; x < x0 + kBlock; ++x) sum += average(film.mean(x, y));
+  return sum / (kBlock * kBlock);
+}
+
+}  // namespace
+
+Estimate Estimate::operator+(const Estimate& other) const {
+  Estimate sum = *this;
+  for (size_t i = 0; i < mean.size(); ++i) sum.mean[i] += other.mean[i], sum.variance[i] += other.variance[i];
+  return sum;
+}
+
+Estimate replicated(render::Document d, uint32_t samples, uint64_t first_seed) {
+  constexpr size_t n = kBlocks * kBlocks;
+  std::vector<double> sum(n, 0), squares(n, 0);
+  for (int r = 0; r < kReplicates; ++r) {
+    d.seed = first_seed + static_cast<uint64_t>(r);
+    const auto film = rendered(d, samples);
+    for (size_t i = 0; i < n; ++i) {
+      const double v = block_mean(film, i);
+      sum[i] += v, squares[i] += v * v;
+    }
+  }
+  Estimate e;
+  for (size_t i = 0; i < n; ++i) {
+    const double mean = sum[i] / kReplicates;
+    e.mean.push_back(mean);
+    e.variance.push_back(std::max(0.0, squares[i] / kReplicates - mean * mean) / (kReplicates - 1));
+  }
+  return e;
+}
+
+void expect_agreement(const Estimate& x, const Estimate& y, const std::string& what, int comparisons) {
+  const double t = threshold(comparisons);
+  double difference = 0, variance = 0;
+  for (size_t i = 0; i < x.mean.size(); ++i) {
+    const double error = std::sqrt(x.variance[i] + y.variance[i]);
+    EXPECT_LE(std::abs(x.mean[i] - y.mean[i]), t * error + 1e-6) << what << " block " << i;
+    difference += x.mean[i] - y.mean[i], variance += x.variance[i] + y.variance[i];
+  }
+  EXPECT_LE(std::abs(difference), t * std::sqrt(variance) + 1e-6) << what << " mean";
+}
+
+render::Document glossy_things() {
+  scene::Scene scene;
+  add(scene, quad(4), diffuse(Rgb(0.6f)));
+  Material metal, glass, clear, sheet, clay;
+  metal.base_color = {0.9f, 0.7f, 0.4f}, metal.roughness = 0.4f;
+  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.roughness = 0.3f;
+  glass.attenuation_color = {0.4f, 0.8f, 0.9f}, glass.attenuation_distance = 0.7f;
+  clear = glass, clear.roughness = 0;
+  sheet = glass, sheet.thickness = 0, sheet.transmission = 0.7f;
+  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  const Material* materials[] = {&metal, &glass, &clear, &sheet, &clay};
+  for (int i = 0; i < 5; ++i) {
+    Mat4 place(1);
+    place[3] = Vec4(-2.2f + 1.1f * static_cast<float>(i), 0.55f, 0, 1);
+    add(scene, sphere(0.5f, 16, false), *materials[i], place);
+  }
+  Material light = diffuse(Rgb(0), Rgb(6));
+  Mat4 above(1);
+  above[1][1] = -1, above[2][2] = -1;
+  above[3] = Vec4(0, 3, 1, 1);
+  add(scene, quad(1), light, above);
+  scene.environment.tint = {0.2f, 0.25f, 0.3f};
+  return document(scene, look_at({0, 2, 5}, {0, 0.4f, 0}, {0, 1, 0}, 0.8f), kSize, kSize);
+}
+
+}  // namespace etendue::test
