@@ -15,7 +15,6 @@ class AliasTable {
   struct Choice {
     uint32_t index;
     float probability;  // pdf_discrete
-    float remapped;     // the rest of the random number, again uniform in [0, 1)
   };
 
   AliasTable() = default;
@@ -27,12 +26,9 @@ class AliasTable {
   Choice sample(float u) const {
     const float scaled = u * static_cast<float>(bins_.size());
     const auto bin = std::min(static_cast<uint32_t>(scaled), static_cast<uint32_t>(bins_.size() - 1));
-    const float rest = std::min(scaled - static_cast<float>(bin), kOneMinusEpsilon);
-    const float threshold = bins_[bin].threshold;
-    const bool own = rest < threshold;
-    const uint32_t index = own ? bin : bins_[bin].alias;
-    const float remapped = own ? rest / threshold : (rest - threshold) / (1 - threshold);
-    return {index, bins_[index].probability, std::min(remapped, kOneMinusEpsilon)};
+    const float rest = scaled - static_cast<float>(bin);
+    const uint32_t index = rest < bins_[bin].threshold ? bin : bins_[bin].alias;
+    return {index, bins_[index].probability};
   }
   float probability(uint32_t index) const { return bins_[index].probability; }
 

@@ -45,6 +45,8 @@ Result<std::vector<Assignment>> assignments_of(const std::string& method) {
   return list;
 }
 
+}  // namespace
+
 Result<Method> parse_method(const std::string& text, const render::Document& base) {
   const auto assignments = assignments_of(text);
   if (!assignments) return assignments.error();
@@ -58,8 +60,6 @@ Result<Method> parse_method(const std::string& text, const render::Document& bas
   }
   return method;
 }
-
-}  // namespace
 
 Result<std::vector<Method>> parse_methods(const std::string& list, const render::Document& base) {
   std::vector<Method> methods;

@@ -1,5 +1,7 @@
 #include "film/filter.h"
 
+#include <vector>
+
 #include "base/wide.h"
 
 namespace etendue::film {
@@ -36,29 +38,41 @@ double unnormalised(FilterKind kind, double x) {
 }  // namespace
 
 Filter::Filter(FilterKind kind) : kind_(kind) {
+  static const auto tables = [] {
+    std::array<Positions, Options<FilterKind>::kOptions.size()> all;
+    for (size_t i = 0; i < all.size(); ++i) all[i] = tabulated(static_cast<FilterKind>(i));
+    return all;
+  }();
+  positions_ = tables[static_cast<size_t>(kind)].data();
+}
+
+Filter::Positions Filter::tabulated(FilterKind kind) {
   // Mass from the end of the tail inwards, on cells so small that a constant on each is the filter.
   constexpr int kCells = 1 << 15;
-  const double width = double{radius()} / kCells;
-  const auto mass_of = [&](int cell) { return unnormalised(kind, radius() - (cell + 0.5) * width); };
-  double total = 0;
-  for (int cell = 0; cell < kCells; ++cell) total += mass_of(cell);
-  double mass = 0;
-  int cell = 0;
-  for (int i = 0; i <= kTable; ++i) {
-    const double wanted = total * std::pow(static_cast<double>(i) / kTable, 4);
-    for (; cell < kCells && mass + mass_of(cell) < wanted; ++cell) mass += mass_of(cell);
-    const double inside = cell < kCells ? std::min(1.0, (wanted - mass) / mass_of(cell)) : 0;
-    positions_[static_cast<size_t>(i)] = static_cast<float>(radius() - (cell + inside) * width);
+  const double radius = Filter::radius(kind), width = radius / kCells;
+  std::vector<double> mass(kCells + 1);
+  for (int cell = 0; cell < kCells; ++cell) {
+    const auto i = static_cast<size_t>(cell);
+    mass[i + 1] = mass[i] + unnormalised(kind, radius - (cell + 0.5) * width);
   }
-  positions_.back() = 0;
+  Positions positions;
+  size_t cell = 0;
+  for (size_t i = 0; i < positions.size(); ++i) {
+    const double wanted = mass.back() * std::pow(static_cast<double>(i) / kTable, 4);
+    while (cell + 1 < kCells && mass[cell + 1] < wanted) ++cell;
+    const double inside = (wanted - mass[cell]) / (mass[cell + 1] - mass[cell]);
+    positions[i] = static_cast<float>(radius - (static_cast<double>(cell) + inside) * width);
+  }
+  positions.back() = 0;
+  return positions;
 }
 
 ETENDUE_WIDE void Filter::sample_all(float* u, size_t count) const {
   for (size_t i = 0; i < whole_registers(count); ++i) u[i] = inverse(u[i]);
 }
 
-float Filter::radius() const {
-  switch (kind_) {
+float Filter::radius(FilterKind kind) {
+  switch (kind) {
     case FilterKind::box:
       return 0.5f;
     case FilterKind::tent:

@@ -19,7 +19,7 @@ class Filter {
 
   FilterKind kind() const { return kind_; }
   // Half the width of the support in pixels.
-  float radius() const;
+  float radius() const { return radius(kind_); }
   // The offset for a point of the unit square.
   Vec2 sample(Vec2 u) const { return Vec2(inverse(u.x), inverse(u.y)); }
   // One coordinate of it for many points, in place; the array has room for whole registers.
@@ -28,6 +28,7 @@ class Filter {
   float value(float x) const;
 
  private:
+  static float radius(FilterKind kind);
   static constexpr int kTable = 1024;
 
   // The filter's mass beyond |x| on both sides is q^4: its position is a smooth function of q up to the very end of the
@@ -42,8 +43,11 @@ class Filter {
     return std::copysign(x, side);
   }
 
+  using Positions = std::array<float, kTable + 1>;
+  static Positions tabulated(FilterKind kind);
+
   FilterKind kind_;
-  std::array<float, kTable + 1> positions_;
+  const float* positions_;  // a table for each kind is made once: filters are made anew with every edit
 };
 
 }  // namespace etendue::film

@@ -156,14 +156,6 @@ void Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_s
   hit.u = query.hit.u, hit.v = query.hit.v, hit.t = query.ray.tfar;
 }
 
-bool Accel::occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const {
-  TraceContext context = make_context(opacity, &ray_seed, false);
-  RTCRay query;
-  fill(query, ray);
-  rtcOccluded1(scene_, &context.embree, &query);
-  return query.tfar < 0;
-}
-
 // What is the same for all rays is written once: Embree leaves it as it is.
 RayPacket::RayPacket() : query_{} {
   for (int i = 0; i < kSize; ++i) {

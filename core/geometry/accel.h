@@ -98,12 +98,11 @@ class Accel {
 
   // The nearest hit in [tnear, tfar]. `ray_seed` drives stochastic opacity.
   void intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit) const;
-  // Whether anything is hit in [tnear, tfar].
-  bool occluded(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed) const;
 
   // The same for the first `count` rays of a packet; ray i has seeds[i]. `coherent`: they start close together and go
   // about the same way.
   void intersect(RayPacket& packet, int count, bool coherent, const OpacityTest* opacity, const uint32_t* seeds) const;
+  // Whether anything is hit in [tnear, tfar].
   void occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const;
 
   Bounds bounds() const;

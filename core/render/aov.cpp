@@ -98,8 +98,7 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
         if (!hit) continue;
         scene::SurfacePoint point;
         const Vec3 wo = -ray.direction;
-        WideVec3<kWidest> positions;
-        scene.surfaces({&wo, 1}, {&hit, 1}, &point, positions);
+        scene.surfaces({&wo, 1}, {&hit, 1}, &point);
         for (size_t k = 0; k < wanted.size(); ++k) {
           if (!wanted[k]->averaged && s > 0) continue;
           const auto v = value_of(wanted[k]->name, point, hit.t);

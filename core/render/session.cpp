@@ -441,4 +441,15 @@ void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
 
+film::Film rendered(const Document& document, uint32_t samples, int threads) {
+  Document limited = document;
+  limited.limits = {samples, 0, 0};
+  SessionOptions options;
+  options.threads = threads;
+  Session session(options);
+  session.submit(limited);
+  session.finish();
+  return session.film_copy();
+}
+
 }  // namespace etendue::render

@@ -84,4 +84,7 @@ class Session {
   std::unique_ptr<Impl> impl_;
 };
 
+// A document rendered to this many samples of every pixel, without frames in between; threads as in SessionOptions.
+film::Film rendered(const Document& document, uint32_t samples, int threads = 0);
+
 }  // namespace etendue::render

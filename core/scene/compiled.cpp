@@ -71,7 +71,7 @@ struct Facets {
   return 16 * 0x1p-24f * (far + 2 * size);
 }
 
-ETENDUE_WIDE void shape(Facets& f, size_t count, const WideVec3View& positions) {
+ETENDUE_WIDE void shape(Facets& f, size_t count) {
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(count); ++i) {
     const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
@@ -80,7 +80,7 @@ ETENDUE_WIDE void shape(Facets& f, size_t count, const WideVec3View& positions) 
     const Vec3 ng = cross * (f.winding[i] / std::sqrt(length_squared(cross)));
     Frame frame;
     frame.build(ng);
-    positions.set(i, position), f.position.set(i, position), f.ng.set(i, ng), f.x.set(i, frame.x), f.y.set(i, frame.y);
+    f.position.set(i, position), f.ng.set(i, ng), f.x.set(i, frame.x), f.y.set(i, frame.y);
     f.offset[i] = offset_bound(position, e1, e2);
     f.facing[i] = glm::dot(ng, f.wo[i]);
   }
@@ -88,14 +88,13 @@ ETENDUE_WIDE void shape(Facets& f, size_t count, const WideVec3View& positions) 
 
 }  // namespace
 
-void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
-                             const WideVec3View& positions) const {
+void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points) const {
   for (size_t first = 0; first < hits.size(); first += Facets::kSize) {
     const size_t count = std::min(Facets::kSize, hits.size() - first);
     Facets facets;
     for (size_t i = 0; i < count; ++i)
       facets.set(i, (*instances_)[hits[first + i].instance], hits[first + i], wo[first + i]);
-    shape(facets, count, positions + first);
+    shape(facets, count);
     for (size_t i = 0; i < count; ++i) {
       facets.get(i, points[first + i]);
       finish(wo[first + i], hits[first + i], points[first + i]);

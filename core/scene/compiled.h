@@ -74,15 +74,11 @@ struct BuildReport {
 
 class CompiledScene final : public OpacityTest {
  public:
-  void intersect(const Ray& ray, uint32_t ray_seed, Hit& hit) const {
-    accel_->intersect(ray, opacity(), ray_seed, hit);
-  }
   Hit intersect(const Ray& ray, uint32_t ray_seed) const {
     Hit hit;
-    intersect(ray, ray_seed, hit);
+    accel_->intersect(ray, opacity(), ray_seed, hit);
     return hit;
   }
-  bool occluded(const Ray& ray, uint32_t ray_seed) const { return accel_->occluded(ray, opacity(), ray_seed); }
   void intersect(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const {
     accel_->intersect(packet, count, coherent, opacity(), seeds);
   }
@@ -91,9 +87,7 @@ class CompiledScene final : public OpacityTest {
   }
 
   // Where rays hit, one point for each; wo[i] points back along the ray of hits[i].
-  // `positions` gets those of the points once more, with room for whole registers.
-  void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
-                const WideVec3View& positions) const;
+  void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points) const;
 
   template <class M>
   void bsdf(const SurfacePoint& point, Bsdf<M>& bsdf) const {

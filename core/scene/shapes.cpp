@@ -35,6 +35,13 @@ Material diffuse(const Rgb& albedo, const Rgb& emission) {
   return m;
 }
 
+Material glass(float ior) {
+  Material m;
+  m.name = "glass";
+  m.metallic = 0, m.roughness = 0, m.transmission = 1, m.thickness = 1, m.ior = ior;
+  return m;
+}
+
 std::shared_ptr<const Mesh> cube(float s, bool inwards) {
   Mesh mesh;
   for (int axis = 0; axis < 3; ++axis)

@@ -9,6 +9,9 @@ namespace etendue::scene {
 // A Lambertian material without a specular layer, seen from both sides.
 Material diffuse(const Rgb& albedo, const Rgb& emission = Rgb(0));
 
+// Clear, smooth, solid glass.
+Material glass(float ior = 1.5f);
+
 // Meshes around the origin, in metres.
 std::shared_ptr<const Mesh> cube(float half_size, bool inwards);
 std::shared_ptr<const Mesh> quad(float half_size);             // in the xz plane, facing +y

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bench/method.h"
+#include "film/picture.h"
 #include "image/display.h"
 #include "integrator/integrator.h"
 #include "render/session.h"
@@ -11,11 +13,7 @@ namespace etendue::stress {
 namespace {
 
 Thumbnail thumbnail_of(const film::Film& film) {
-  std::vector<float> pixels;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x)
-      for (int c = 0; c < 3; ++c) pixels.push_back(film.mean(x, y)[c]);
-  return {film.width(), film.height(), image::display_pixels(pixels, 0, image::ToneCurve::none)};
+  return {film.width(), film.height(), image::display_pixels(film::radiance_of(film), 0, image::ToneCurve::none)};
 }
 
 std::string at(const std::string& point, const std::string& text) { return point.empty() ? text : point + ": " + text; }
@@ -47,50 +45,14 @@ render::Document Lab::document(scene::Scene scene, const Camera& camera) const {
   return d;
 }
 
-render::Document Lab::with_method(render::Document document, const std::string& method) {
-  size_t end = method.find(':');
-  document.method = {};
-  document.method.integrator = method.substr(0, end);
-  while (end != std::string::npos) {
-    const size_t start = end + 1;
-    end = method.find(':', start);
-    const std::string setting = method.substr(start, end - start);
-    const size_t equals = setting.find('=');
-    const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-    if (name == "sampler")
-      document.method.sampler = value;
-    else
-      document = *render::with_text(document, name, value);
-  }
-  return document;
+render::Document Lab::with_method(const render::Document& document, const std::string& method) {
+  return bench::parse_method(method, document)->document;
 }
 
 film::Film Lab::render(const render::Document& document, uint32_t samples) {
-  render::Document limited = document;
-  limited.limits = {samples, 0, 0};
-  render::SessionOptions options;
-  options.threads = options_.threads;
-  render::Session session(options);
-  session.submit(limited);
-  session.finish();
-  film::Film film = session.film_copy();
+  film::Film film = render::rendered(document, samples, options_.threads);
   picture_ = thumbnail_of(film);
   return film;
-}
-
-Mean Lab::mean_of(const film::Film& film) {
-  double sum = 0, squares = 0;
-  const double n = static_cast<double>(film.width()) * film.height();
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      const double v = average(film.mean(x, y));
-      sum += v, squares += v * v;
-    }
-  Mean mean;
-  mean.value = sum / n;
-  mean.variance = std::max(0.0, squares / n - mean.value * mean.value) * n / (n - 1);
-  mean.standard_error = std::sqrt(mean.variance / n);
-  return mean;
 }
 
 void Lab::add(const std::string& method, const std::string& point, std::string expectation, double measured, bool ok) {
@@ -103,7 +65,8 @@ void Lab::expect_near(const std::string& method, const std::string& point, doubl
       std::abs(measured - expected) <= relative * std::abs(expected));
 }
 
-void Lab::expect_mean(const std::string& method, const std::string& point, const Mean& measured, double expected) {
+void Lab::expect_mean(const std::string& method, const std::string& point, const film::Mean& measured,
+                      double expected) {
   // Rounding errors of float sums stand where there is no noise.
   const double margin = kSigmas * measured.standard_error + 2e-5 * std::abs(expected);
   add(method, point, number(expected) + " +- " + number(margin), measured.value,

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "film/film.h"
+#include "film/mean.h"
 #include "render/document.h"
 #include "scene/shapes.h"
 
@@ -26,12 +26,6 @@ struct Finding {
   Thumbnail picture;  // of the last rendering before; empty if there was none
 };
 
-// A mean over pixels, and its standard error from their spread.
-struct Mean {
-  double value = 0, standard_error = 0;
-  double variance = 0;  // of a pixel
-};
-
 struct LabOptions {
   uint64_t seed = 0;
   int threads = 0;
@@ -46,19 +40,20 @@ class Lab {
 
   // A document of a square picture.
   render::Document document(scene::Scene scene, const Camera& camera) const;
-  // The same with a method: "path", "path-pure:max-depth=3:sampler=random".
-  static render::Document with_method(render::Document document, const std::string& method);
+  // The same with a method as `bench` takes it: "path", "path-pure:max-depth=3:sampler=random".
+  static render::Document with_method(const render::Document& document, const std::string& method);
 
   film::Film render(const render::Document& document, uint32_t samples);
-  Mean mean(const render::Document& document, uint32_t samples) { return mean_of(render(document, samples)); }
-  static Mean mean_of(const film::Film& film);
+  film::Mean mean(const render::Document& document, uint32_t samples) {
+    return film::mean_of(render(document, samples));
+  }
 
   // Each writes a finding; `point` says where in a sweep ("albedo 0.9"), and may be empty.
   void expect_near(const std::string& method, const std::string& point, double measured, double expected,
                    double relative);
   // Within kSigmas standard errors: one false alarm in 150,000 findings.
   static constexpr double kSigmas = 4.5;
-  void expect_mean(const std::string& method, const std::string& point, const Mean& measured, double expected);
+  void expect_mean(const std::string& method, const std::string& point, const film::Mean& measured, double expected);
   void expect_between(const std::string& method, const std::string& point, double measured, double least, double most);
   void expect_zero(const std::string& method, const std::string& point, double measured);
 

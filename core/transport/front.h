@@ -261,10 +261,11 @@ void Front<M>::trace() {
 template <class M>
 void Front<M>::shade() {
   const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(arrived_);
-  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), positions_);
+  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data());
   for (size_t i = 0; i < count; ++i) {
     PathState<Color>& path = states_[reached_by_[first + i]];
     scene_->template bsdf<M>(points_[i], bsdfs_[i]);
+    positions_.set(i, points_[i].position);
     pixel_seeds_[i] = path.seed;
     if constexpr (M::kAbsorbing) absorb(path, points_[i], hits_[first + i].t);
   }

@@ -12,6 +12,7 @@
 #include "bench/key.h"
 #include "bench/report.h"
 #include "bench/summary.h"
+#include "support/scenes.h"
 
 namespace etendue::test {
 namespace {
@@ -19,12 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using bench::Plan;
 using bench::Reference;
-
-render::Document cornell(int size) {
-  auto d = *render::new_document("cornell");
-  d.width = d.height = size;
-  return d;
-}
 
 render::Document changed(const render::Document& d, const std::string& name, const std::string& value) {
   auto result = render::with_text(d, name, value);
@@ -64,8 +59,8 @@ TEST(Methods, TheSamplersSettingsMayComeBeforeIt) {
   for (const auto& info : samplers) {
     if (info.parameters.empty()) continue;
     const auto& p = info.parameters.front();
-    const auto methods =
-        bench::parse_methods("path:" + p.name + "=" + to_string(p.default_value) + ":sampler=" + info.name, cornell(8));
+    const auto methods = bench::parse_methods(
+        "path:" + p.name + "=" + to_string(p.default_value) + ":sampler=" + info.name, cornell(8));
     EXPECT_TRUE(methods) << methods.error().message;
   }
 }
@@ -145,8 +140,8 @@ TEST(Reference, ADamagedCacheIsMadeAnew) {
 
 TEST(Reference, MayBeCutShort) {
   render::Session session({1});
-  const auto r =
-      bench::made_reference(session, cornell(12), {0, 1000000}, {}, [](double, const std::string&) { return false; });
+  const auto r = bench::made_reference(session, cornell(12), {0, 1000000}, {},
+                                       [](double, const std::string&) { return false; });
   EXPECT_LT(r.samples, 1000000u);
   EXPECT_EQ(r.rgb().size(), 12u * 12 * 3);
 }

@@ -1,13 +1,14 @@
 // How long a sample of every pixel takes, and what a second thread is worth.
 //
-// Scenes: the Cornell box as it is, and with a glossy box and a glass sphere in it, 512 x 512, paths of 8 edges at most,
-// `path` as it is set by default. Printed are seconds for one sample of every pixel on two threads, for orientation
-// beside other renderers, and how many times faster two threads are than one, measured in turns.
+// Scenes: the Cornell box as it is, and with a glossy box and a glass sphere in it, 512 x 512, paths of 8 edges at
+// most, `path` as it is set by default. Printed are seconds for one sample of every pixel on two threads, for
+// orientation beside other renderers, and how many times faster two threads are than one, measured in turns.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <vector>
 
+#include "film/picture.h"
 #include "image/display.h"
 #include "image/image.h"
 #include "render/session.h"
@@ -29,12 +30,9 @@ scene::Scene glossy_box_and_glass_sphere() {
     Material& metal = scene.materials[static_cast<size_t>(group.primitives[0].material)];
     metal.metallic = 1, metal.roughness = 0.3f, metal.specular = 1, metal.base_color = Rgb(0.9f);
   }
-  Material glass;
-  glass.name = "glass";
-  glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1;
   Mat4 place(1);
   place[3] = Vec4(1.86f, 1.0f, 1.69f, 1);
-  test::add(scene, test::sphere(1, 64, false), glass, place);
+  test::add(scene, test::sphere(1, 64, false), scene::glass(), place);
   return scene;
 }
 
@@ -65,11 +63,7 @@ void measure(const char* name, render::Document document) {
 
 int save_picture(const render::Document& document, const char* file) {
   const film::Film film = test::rendered(document, 64);
-  std::vector<float> pixels;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x)
-      for (int c = 0; c < 3; ++c) pixels.push_back(film.mean(x, y)[c]);
-  const auto shown = image::display_pixels(pixels, 0, image::ToneCurve::none);
+  const auto shown = image::display_pixels(film::radiance_of(film), 0, image::ToneCurve::none);
   return image::write_png(file, film.width(), film.height(), shown) ? 0 : 4;
 }
 

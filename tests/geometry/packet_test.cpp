@@ -71,7 +71,9 @@ TEST_F(Packets, AreBlockedWhereSingleRaysAre) {
     }
     accel_->occluded(packet, count, nullptr, seeds_.data());
     for (int i = 0; i < count; ++i) {
-      EXPECT_EQ(packet.blocked(i), accel_->occluded(rays[static_cast<size_t>(i)], nullptr, 0));
+      Hit alone;
+      accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, alone);
+      EXPECT_EQ(packet.blocked(i), static_cast<bool>(alone));
       ++(packet.blocked(i) ? blocked : open);
     }
   }

@@ -13,12 +13,6 @@
 namespace etendue {
 namespace {
 
-render::Document cornell(int size) {
-  auto d = *render::new_document("cornell");
-  d.width = d.height = size;
-  return d;
-}
-
 bool same_bits(const film::Film& a, const film::Film& b) {
   return a.pixels().size() == b.pixels().size() &&
          std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
@@ -26,7 +20,7 @@ bool same_bits(const film::Film& a, const film::Film& b) {
 
 TEST(Session, SameImageBitForBitWithOneTwoAndSevenThreads) {
   for (const char* sampler : {"sobol", "halton", "stratified", "random"}) {
-    auto d = cornell(53);
+    auto d = test::cornell(53);
     d.method.sampler = sampler;
     const auto one = test::rendered(d, 5, 1);
     EXPECT_TRUE(same_bits(one, test::rendered(d, 5, 2))) << sampler;
@@ -35,14 +29,14 @@ TEST(Session, SameImageBitForBitWithOneTwoAndSevenThreads) {
 }
 
 TEST(Session, AnotherSeedIsAnotherImage) {
-  auto d = cornell(32);
+  auto d = test::cornell(32);
   const auto a = test::rendered(d, 4);
   d.seed = 1;
   EXPECT_FALSE(same_bits(a, test::rendered(d, 4)));
 }
 
 TEST(Session, LargerModelsGiveTheSameImage) {
-  auto d = cornell(48);
+  auto d = test::cornell(48);
   const auto small = test::rendered(d, 16);
   for (const char* flag : {"model.surfaces", "model.media", "model.classes"}) {
     const auto forced = *render::with_text(d, flag, "on");
@@ -52,7 +46,7 @@ TEST(Session, LargerModelsGiveTheSameImage) {
 
 TEST(Checkpoint, ARenderingThatWasCutGoesOnToTheSameBits) {
   const auto path = std::filesystem::temp_directory_path() / "etendue-test.checkpoint";
-  auto d = cornell(64);
+  auto d = test::cornell(64);
   const auto whole = test::rendered(d, 12);
 
   render::Session first({.threads = 2, .interactive = false});
@@ -89,7 +83,7 @@ TEST(Checkpoint, DamagedFilesAreRefused) {
 }
 
 TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
-  auto d = cornell(16);
+  auto d = test::cornell(16);
   // An object that is used twice is an instance with a level of its own.
   test::add(const_cast<scene::Scene&>(*d.scene), test::sphere(0.3f, 8, false), test::diffuse(Rgb(0.5f)));
   auto scene = std::make_shared<scene::Scene>(*d.scene);
@@ -125,7 +119,7 @@ TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
 }
 
 TEST(State, EverySettingComesBack) {
-  auto d = cornell(40);
+  auto d = test::cornell(40);
   const std::pair<const char*, const char*> edits[] = {
       {"render.integrator", "path-pure"}, {"path.roulette-start", "7"},
       {"stratified.side", "5"},           {"film.filter", "tent"},
@@ -147,7 +141,7 @@ TEST(State, EverySettingComesBack) {
 }
 
 TEST(Settings, WrongNamesAndValuesSayWhatWouldBeRight) {
-  const auto d = cornell(16);
+  const auto d = test::cornell(16);
   const auto name = render::with_text(d, "render.integrater", "path");
   ASSERT_FALSE(name);
   EXPECT_NE(name.error().message.find("'render.integrator'"), std::string::npos) << name.error().message;

@@ -6,20 +6,15 @@
 #include <vector>
 
 #include "render/session.h"
+#include "support/scenes.h"
 
 namespace etendue {
 namespace {
 
-render::Document small_cornell(int size) {
-  auto d = *render::new_document("cornell");
-  d.width = d.height = size;
-  return d;
-}
-
 // Edits of every kind: another light, another size, the display only, the method.
 void edit(render::Session& session, int rounds) {
   for (int i = 0; i < rounds; ++i) {
-    auto d = small_cornell(i % 5 == 4 ? 40 : 64);
+    auto d = test::cornell(i % 5 == 4 ? 40 : 64);
     d.seed = static_cast<uint64_t>(i / 2);
     d.display.exposure = static_cast<float>(i);
     if (i % 3 == 2) d.method.integrator = "path-pure";
@@ -55,7 +50,7 @@ TEST(SessionThreads, EditsLooksAndCopiesAtTheSameTime) {
     edit(session, 60);
     over = true;
     looker.join(), copier.join();
-    auto last = small_cornell(32);
+    auto last = test::cornell(32);
     last.limits.samples = 2;
     session.submit(last);
     session.finish();
@@ -72,7 +67,7 @@ TEST(SessionThreads, AVersionStandsUnderThePictureItWasMadeFrom) {
   render::Session session({.threads = 2, .interactive = true, .publish_interval = 0.005});
   for (int i = 1; i <= 20; ++i) {
     const int size = 16 + i;
-    const uint64_t version = session.submit(small_cornell(size));
+    const uint64_t version = session.submit(test::cornell(size));
     while (!session.frame() || session.frame()->version < version) std::this_thread::yield();
     EXPECT_EQ(session.frame()->width, size);
   }
@@ -80,7 +75,7 @@ TEST(SessionThreads, AVersionStandsUnderThePictureItWasMadeFrom) {
 
 TEST(SessionThreads, WhatChangesNoLightSharesThePixels) {
   render::Session session({.threads = 2, .interactive = true});
-  auto d = small_cornell(32);
+  auto d = test::cornell(32);
   d.limits.samples = 2;
   session.submit(d);
   session.finish();
@@ -102,7 +97,7 @@ TEST(SessionThreads, TwoSessionsDoNotMeet) {
   for (int i = 0; i < 2; ++i)
     hands.emplace_back([i] {
       render::Session session({.threads = 2, .interactive = i == 0});
-      auto d = small_cornell(32);
+      auto d = test::cornell(32);
       d.limits.samples = 6;
       session.submit(d);
       session.finish();

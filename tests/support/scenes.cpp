@@ -16,27 +16,10 @@ render::Document document(scene::Scene scene, const Camera& camera, int width, i
   return d;
 }
 
-film::Film rendered(const render::Document& d, uint32_t samples, int threads) {
-  render::Document limited = d;
-  limited.limits = {samples, 0, 0};
-  render::SessionOptions options;
-  options.threads = threads;
-  render::Session session(options);
-  session.submit(limited);
-  session.finish();
-  return session.film_copy();
-}
-
-Mean mean_of(const film::Film& film) {
-  double sum = 0, squares = 0;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      const double v = average(film.mean(x, y));
-      sum += v, squares += v * v;
-    }
-  const double n = static_cast<double>(film.width()) * film.height();
-  const double mean = sum / n;
-  return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / n)};
+render::Document cornell(int size) {
+  auto d = *render::new_document("cornell");
+  d.width = d.height = size;
+  return d;
 }
 
 Rgb mean_color(const film::Film& film) {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "film/film.h"
-#include "render/document.h"
+#include "film/mean.h"
+#include "render/session.h"
 #include "scene/shapes.h"
 
 namespace etendue::test {
@@ -21,14 +21,13 @@ using scene::sphere;
 // A scene as a document with a camera.
 render::Document document(scene::Scene scene, const Camera& camera, int width, int height);
 
-// Renders to the end on this many threads.
-film::Film rendered(const render::Document& document, uint32_t samples, int threads = 0);
+// The built-in box as a square picture.
+render::Document cornell(int size);
 
-// Mean over pixels of the film's luminance-free average channel, and its standard error from the pixels' spread.
-struct Mean {
-  double value, standard_error;
-};
-Mean mean_of(const film::Film& film);
+using film::Mean;
+using film::mean_of;
+using render::rendered;
+
 Rgb mean_color(const film::Film& film);
 
 // The folder of the real data, or empty.

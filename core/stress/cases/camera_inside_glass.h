@@ -7,9 +7,7 @@ namespace etendue::stress {
 inline void camera_inside_glass(Lab& lab) {
   for (const float ior : {1.2f, 1.5f}) {
     scene::Scene scene = sky();
-    Material glass;
-    glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1, glass.ior = ior;
-    scene::add(scene, scene::sphere(1, 64, false), glass);
+    scene::add(scene, scene::sphere(1, 64, false), scene::glass(ior));
     const auto d = lab.document(std::move(scene), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
     for (const auto& method : unbiased_methods())
       lab.expect_mean(method, "index " + number(ior), lab.mean(Lab::with_method(d, method), 64), double{ior} * ior);

@@ -8,11 +8,9 @@ namespace etendue::stress {
 inline void caustic_of_a_point_light(Lab& lab) {
   scene::Scene scene;
   scene::add(scene, scene::disk(0.2f, 64), scene::diffuse(Rgb(0.8f)));
-  Material glass;
-  glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1;
   Mat4 place(1);
   place[3] = Vec4(0, 1, 0, 1);
-  scene::add(scene, scene::sphere(0.5f, 48, false), glass, place);
+  scene::add(scene, scene::sphere(0.5f, 48, false), scene::glass(), place);
   add_point_light(scene, {0, 3, 0}, 10);
   const auto d = lab.document(std::move(scene), telescope({1.5f, 0.3f, 0}, {0, 0, 0}));
   for (const auto& method : unbiased_methods())

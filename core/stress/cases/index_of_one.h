@@ -6,9 +6,7 @@ namespace etendue::stress {
 
 inline void index_of_one(Lab& lab) {
   scene::Scene scene = sky();
-  Material glass;
-  glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1, glass.ior = 1;
-  scene::add(scene, scene::sphere(1, 48, false), glass);
+  scene::add(scene, scene::sphere(1, 48, false), scene::glass(1));
   const auto d = lab.document(std::move(scene), look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f));
   for (const auto& method : unbiased_methods())
     lab.expect_near(method, "", lab.mean(Lab::with_method(d, method), 16).value, 1, 1e-5);

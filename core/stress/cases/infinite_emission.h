@@ -12,7 +12,7 @@ inline void infinite_emission(Lab& lab) {
     const film::Film film = lab.render(Lab::with_method(d, method), 2);
     const double pixels = static_cast<double>(film.width()) * film.height();
     lab.expect_near(method, "samples refused", static_cast<double>(film.rejected().total()), 2 * pixels, 0);
-    lab.expect_zero(method, "mean", Lab::mean_of(film).value);
+    lab.expect_zero(method, "mean", film::mean_of(film).value);
   }
 }
 

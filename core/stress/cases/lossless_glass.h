@@ -7,9 +7,7 @@ namespace etendue::stress {
 inline void lossless_glass(Lab& lab) {
   for (const float ior : {1.001f, 1.33f, 1.5f, 2.4f}) {
     scene::Scene scene = sky();
-    Material glass;
-    glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1, glass.ior = ior;
-    scene::add(scene, scene::sphere(1, 48, false), glass);
+    scene::add(scene, scene::sphere(1, 48, false), scene::glass(ior));
     const auto d = lab.document(std::move(scene), look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.3f));
     for (const auto& method : unbiased_methods())
       lab.expect_mean(method, "index " + number(ior), lab.mean(Lab::with_method(d, method), 64), 1);

@@ -17,7 +17,7 @@ inline void narrow_lobe_and_small_light(Lab& lab) {
     const auto d = lab.document(std::move(scene), telescope({1, 1, 0}, {0, 0, 0}));
     for (const char* heuristic : {"balance", "power", "maximum"}) {
       const std::string method = std::string("path:sampler=random:heuristic=") + heuristic;
-      const Mean mean = lab.mean(Lab::with_method(d, method), 64);
+      const film::Mean mean = lab.mean(Lab::with_method(d, method), 64);
       lab.expect_between(method, "variance / mean^2 of a sample at roughness " + number(roughness),
                          64 * mean.variance / (mean.value * mean.value), 0, 4);
     }

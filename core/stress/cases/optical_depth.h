@@ -7,8 +7,7 @@ namespace etendue::stress {
 inline void optical_depth(Lab& lab) {
   for (const float depth : {0.0f, 0.1f, 1.0f, 10.0f, 100.0f}) {
     scene::Scene scene = sky();
-    Material solid;
-    solid.metallic = 0, solid.roughness = 0, solid.transmission = 1, solid.thickness = 1, solid.ior = 1;
+    Material solid = scene::glass(1);
     if (depth > 0) solid.attenuation_color = Rgb(std::exp(-1.0f)), solid.attenuation_distance = 2 / depth;
     scene::add(scene, scene::sphere(1, 64, false), solid);
     auto d = lab.document(std::move(scene), telescope({0, 0.02f, 4}, {0, 0.02f, 0}));

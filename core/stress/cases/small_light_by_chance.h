@@ -20,7 +20,7 @@ inline void small_light_by_chance(Lab& lab) {
     constexpr uint32_t kSamples = 16;
     for (const bool connected : {false, true}) {
       const std::string method = connected ? "path:sampler=random" : "path-pure:sampler=random";
-      const Mean mean = lab.mean(Lab::with_method(d, method), kSamples);
+      const film::Mean mean = lab.mean(Lab::with_method(d, method), kSamples);
       const double relative = kSamples * mean.variance / (mean.value * mean.value);
       const std::string point = "variance / mean^2 at radius " + number(radius);
       if (connected)
