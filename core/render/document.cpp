@@ -89,6 +89,18 @@ Result<Document> with_text(const Document& document, std::string_view name, std:
   return changed;
 }
 
+namespace {
+
+// Whether an author lit the scene. Emission of one at most, all that glTF has without KHR_materials_emissive_strength,
+// is a glow to be seen (the headlights of a toy car), not a light to see by.
+bool is_lit(const scene::Scene& s) {
+  constexpr float kGlow = 1;
+  return !s.environment.black() || std::ranges::any_of(s.nodes, [](const auto& n) { return n.light >= 0; }) ||
+         std::ranges::any_of(s.materials, [](const auto& m) { return max_component(m.emission) > kGlow; });
+}
+
+}  // namespace
+
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera) {
   auto loaded = scene::load(scene_file_or_name);
   if (!loaded) return loaded.error();
@@ -96,12 +108,9 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   auto chosen = scene::choose_camera(s, camera);
   if (!chosen) return Error{Fault::usage, scene_file_or_name + ": " + chosen.error().message};
 
-  const bool lit = !s.environment.black() ||
-                   std::any_of(s.nodes.begin(), s.nodes.end(), [](const auto& n) { return n.light >= 0; }) ||
-                   std::any_of(s.materials.begin(), s.materials.end(), [](const auto& m) { return m.emits(); });
-  if (!lit) {
+  if (!is_lit(s)) {
     s.environment.tint = Rgb(1);
-    s.warnings.push_back("the scene has no light; a neutral environment of radiance 1 was added");
+    s.warnings.push_back("the scene has no light to be seen by; a neutral environment of radiance 1 was added");
   }
   Document document;
   document.scene_name = scene_file_or_name;
