@@ -1,11 +1,15 @@
 #include "measure/tail.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <numeric>
+
+#include "base/wide.h"
 
 namespace etendue::measure {
 namespace {
@@ -21,19 +25,56 @@ size_t tail_length(uint64_t samples) {
   return static_cast<size_t>(std::min(0.2 * n, std::ceil(3 * std::sqrt(n))));
 }
 
-double mean_log(double a, std::span<const double> x) {
-  double sum = 0;
-  for (const double v : x) sum += std::log1p(a * v);
-  return sum / static_cast<double>(x.size());
-}
-
 // What lies above the largest value that is no tail any more, ascending; values that equal it are left out.
-std::vector<double> exceedances_of(std::span<const double> descending, size_t length) {
-  const double threshold = descending[length];
+std::vector<double> exceedances_of(std::span<const float> descending, size_t length, double threshold) {
   std::vector<double> x;
   for (size_t i = length; i-- > 0;)
     if (descending[i] > threshold) x.push_back(descending[i] - threshold);
   return x;
+}
+
+constexpr size_t kLanes = 8;
+
+// What a run of deviations adds to the sums, and the largest of every sixteen. In lanes: the same bits on every machine.
+struct Look {
+  double squares = 0, fourths = 0;
+};
+
+ETENDUE_WIDE Look look_at(const float* d, size_t count, float* largest) {
+  std::array<double, kLanes> squares{}, fourths{};
+  for (size_t i = 0; i < count; i += kLanes)
+    for (size_t j = 0; j < kLanes; ++j) {
+      const auto x = static_cast<double>(d[i + j]);
+      const double square = x * x;
+      squares[j] += square, fourths[j] += square * square;
+    }
+  for (size_t i = 0; i < count; i += kWidest) {
+    float most = 0;
+    for (size_t j = 0; j < kWidest; ++j) most = d[i + j] > most ? d[i + j] : most;
+    largest[i / kWidest] = most;
+  }
+  Look sum;
+  for (size_t j = 0; j < kLanes; ++j) sum.squares += squares[j], sum.fourths += fourths[j];
+  return sum;
+}
+
+// The sum of log(1 + a x), as one logarithm of a product whose exponent is counted apart. NaN outside of the support.
+ETENDUE_WIDE double sum_of_logs(double a, const double* x, size_t count, double largest) {
+  if (!(1 + a * largest > 0)) return std::numeric_limits<double>::quiet_NaN();
+  constexpr uint64_t kMantissa = (uint64_t{1} << 52) - 1, kOne = uint64_t{1023} << 52;
+  std::array<double, kLanes> product;
+  std::array<int64_t, kLanes> exponent{};
+  product.fill(1);
+  for (size_t i = 0; i < count; i += kLanes)
+    for (size_t j = 0; j < kLanes; ++j) {
+      const auto bits = std::bit_cast<uint64_t>(product[j] * (1 + a * x[i + j]));
+      exponent[j] += static_cast<int64_t>(bits >> 52) - 1023;
+      product[j] = std::bit_cast<double>((bits & kMantissa) | kOne);
+    }
+  double rest = 1;
+  int64_t exponents = 0;
+  for (size_t j = 0; j < kLanes; ++j) rest *= product[j], exponents += exponent[j];
+  return std::log(rest) + static_cast<double>(exponents) * std::numbers::ln2;
 }
 
 }  // namespace
@@ -47,13 +88,16 @@ double khat_limit(uint64_t samples) {
 double fit_pareto(std::span<const double> x) {
   assert(x.size() >= kFewestExceedances && x.front() > 0);
   const auto n = static_cast<double>(x.size());
+  std::vector<double> padded(x.begin(), x.end());
+  padded.resize((x.size() + kLanes - 1) / kLanes * kLanes);  // a zero adds nothing
+  const auto mean_log = [&](double a) { return sum_of_logs(a, padded.data(), padded.size(), x.back()) / n; };
   const size_t candidates = 30 + static_cast<size_t>(std::sqrt(n));
   const double quartile = x[static_cast<size_t>(n / 4 + 0.5) - 1];
   std::vector<double> a(candidates), likelihood(candidates);
   for (size_t j = 0; j < candidates; ++j) {
     const double spread = 1 - std::sqrt(static_cast<double>(candidates) / (static_cast<double>(j) + 0.5));
     a[j] = -(1 / x.back() + spread / (3 * quartile));
-    const double k = mean_log(a[j], x);
+    const double k = mean_log(a[j]);
     const double l = n * (std::log(a[j] / k) - k - 1);
     // Rounding can put the largest exceedance on the very end of a candidate's support.
     likelihood[j] = std::isfinite(l) ? l : std::numeric_limits<double>::lowest();
@@ -65,65 +109,89 @@ double fit_pareto(std::span<const double> x) {
     weights += w, weighted += w * a[j];
   }
   constexpr double kPrior = 10;
-  return (mean_log(weighted / weights, x) * n + 0.5 * kPrior) / (n + kPrior);
+  return (mean_log(weighted / weights) * n + 0.5 * kPrior) / (n + kPrior);
 }
 
-void TailAccumulator::add(double x) {
-  assert(x >= 0 && x < 1e75);
-  ++samples_;
-  const double square = x * x;
-  sums_[0].add(x), sums_[1].add(square), sums_[2].add(square * x), sums_[3].add(square * square);
-  keep(x);
+double Tail::chance() const {
+  if (!khat || khat_error <= 0) return 1;
+  // Under k = 1/2 the error is the one that belongs there, not that of the khat found.
+  const double error = khat_error * 1.5 / (1 + *khat);
+  return 0.5 * std::erfc((*khat - 0.5) / (error * std::numbers::sqrt2));
 }
 
-void TailAccumulator::keep(double x) {
-  if (largest_.size() == capacity_) {
-    if (capacity_ == 0 || x <= largest_.front()) return;
-    std::pop_heap(largest_.begin(), largest_.end(), std::greater<>());
-    largest_.back() = x;
-  } else {
-    largest_.push_back(x);
+void TailAccumulator::add(std::span<const float> deviations, double sum) {
+  samples_ += deviations.size(), sum_ += sum;
+  constexpr size_t kRun = 512;
+  std::array<float, kRun / kWidest> largest;
+  for (; !deviations.empty(); deviations = deviations.subspan(std::min(kRun, deviations.size()))) {
+    const auto run = deviations.first(std::min(kRun, deviations.size()));
+    const size_t whole = run.size() / kWidest * kWidest;
+    add_run(run.first(whole), largest);
+    std::array<float, kWidest> rest{};
+    std::ranges::copy(run.subspan(whole), rest.begin());
+    if (whole < run.size()) add_run(rest, largest);
   }
-  std::push_heap(largest_.begin(), largest_.end(), std::greater<>());
+}
+
+void TailAccumulator::add_run(std::span<const float> run, std::span<float> largest) {
+  const Look look = look_at(run.data(), run.size(), largest.data());
+  squares_ += look.squares, fourths_ += look.fourths;
+  for (size_t i = 0; i < run.size(); i += kWidest) {
+    if (!(largest[i / kWidest] > threshold_)) continue;
+    for (const float x : run.subspan(i, kWidest))
+      if (x > threshold_) keep(x);
+  }
+}
+
+void TailAccumulator::keep(float x) {
+  if (kept_.capacity() < capacity_) kept_.reserve(capacity_);
+  kept_.push_back(x);
+  if (kept_.size() < capacity_) return;
+  const size_t half = capacity_ / 2;
+  const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(kept_.begin(), end, kept_.end(), std::greater<>());
+  threshold_ = *end;
+  kept_.resize(half);
 }
 
 void TailAccumulator::merge(const TailAccumulator& other) {
-  assert(capacity_ == other.capacity_);
-  samples_ += other.samples_;
-  for (size_t i = 0; i < 4; ++i) sums_[i].add(other.sums_[i]);
-  for (const double x : other.largest_) keep(x);
+  samples_ += other.samples_, sum_ += other.sum_;
+  squares_ += other.squares_, fourths_ += other.fourths_;
+  if (other.threshold_ > threshold_) {
+    threshold_ = other.threshold_;
+    std::erase_if(kept_, [&](float x) { return x <= threshold_; });
+  }
+  for (const float x : other.kept_)
+    if (x > threshold_) keep(x);
+}
+
+void TailAccumulator::clear() {
+  samples_ = 0, sum_ = 0, squares_ = 0, fourths_ = 0, threshold_ = 0;
+  kept_.clear();
 }
 
 double TailAccumulator::vov() const {
-  const auto n = static_cast<double>(samples_);
-  if (samples_ < 2) return 0;
-  const double s1 = sums_[0].value(), s2 = sums_[1].value(), s3 = sums_[2].value(), s4 = sums_[3].value();
-  const double mean = s1 / n;
-  const double squares = s2 - n * mean * mean;
-  const double fourth = s4 + mean * (-4 * s3 + mean * (6 * s2 - 3 * n * mean * mean));
-  // Powers that cancel to within rounding: the samples are all alike.
-  if (squares <= 1e-12 * s2) return 0;
-  return std::max(0.0, fourth / (squares * squares) - 1 / n);
+  if (samples_ < 2 || squares_ <= 0) return 0;
+  return std::max(0.0, fourths_ / (squares_ * squares_) - 1 / static_cast<double>(samples_));
 }
 
 Tail TailAccumulator::report() const {
   Tail tail;
   tail.samples = samples_;
   tail.vov = vov();
-  std::vector<double> descending = largest_;
+  std::vector<float> descending = kept_;
   std::sort(descending.begin(), descending.end(), std::greater<>());
 
   const auto brightest = static_cast<size_t>(std::ceil(kBrightest * static_cast<double>(samples_)));
-  const auto kept = std::min(brightest, descending.size());
-  const double total = sums_[0].value();
-  const auto end = descending.begin() + static_cast<std::ptrdiff_t>(kept);
-  if (total > 0) tail.brightest = std::accumulate(descending.begin(), end, 0.0) / total;
-  tail.brightest_is_bound = kept < brightest;
+  const auto end = descending.begin() + static_cast<std::ptrdiff_t>(std::min(brightest, descending.size()));
+  if (sum_ > 0) tail.brightest = std::accumulate(descending.begin(), end, 0.0) / sum_;
+  // With nothing thrown away, what is missing is no brighter than expected.
+  tail.brightest_is_bound = threshold_ > 0 && brightest > descending.size();
 
-  if (descending.empty()) return tail;
-  const size_t length = std::min(tail_length(samples_), descending.size() - 1);
-  if (length < kFewestExceedances) return tail;
-  const auto x = exceedances_of(descending, length);
+  if (tail_length(samples_) < kFewestExceedances) return tail;
+  const size_t length = std::min(tail_length(samples_), descending.size());
+  const double threshold = length < descending.size() ? descending[length] : threshold_;
+  const auto x = exceedances_of(descending, length, threshold);
   if (x.empty()) tail.khat = kShapeOfAnEdge;
   if (x.size() < kFewestExceedances) return tail;
   tail.khat = fit_pareto(x);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '1'};
 
-// The fixed part at the front. Everything after it is: the state text, then the pixels as they stand in memory.
+// The fixed part at the front. Everything after it is: the state text, the pixels and the first rejections as they stand
+// in memory.
 struct Header {
   char magic[8];
   uint64_t state_size;
@@ -28,12 +29,13 @@ Error damaged(const std::filesystem::path& path, const char* what) {
 }  // namespace
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const auto pixels = std::as_bytes(checkpoint.film.pixels());
-  std::vector<char> bytes(sizeof(Header) + checkpoint.state.size() + pixels.size());
+  const film::Rejected rejected = checkpoint.film.rejected();
+  const auto pixels = std::as_bytes(checkpoint.film.pixels()), first = std::as_bytes(std::span(rejected.first));
+  std::vector<char> bytes(sizeof(Header) + checkpoint.state.size() + pixels.size() + first.size());
   char* body = bytes.data() + sizeof(Header);
   std::memcpy(body, checkpoint.state.data(), checkpoint.state.size());
   std::memcpy(body + checkpoint.state.size(), pixels.data(), pixels.size());
-  const film::Rejected rejected = checkpoint.film.rejected();
+  if (!first.empty()) std::memcpy(body + checkpoint.state.size() + pixels.size(), first.data(), first.size());
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
   header.state_size = checkpoint.state.size();
@@ -60,7 +62,10 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
     return damaged(path, "its size makes no sense");
   const uint64_t pixels =
       static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
-  if (body != header.state_size + pixels) return damaged(path, "it is truncated");
+  if (body < header.state_size + pixels) return damaged(path, "it is truncated");
+  const uint64_t first = body - header.state_size - pixels;
+  if (first % sizeof(film::Rejection) != 0 || first > film::kFirstRejections * sizeof(film::Rejection))
+    return damaged(path, "it is truncated");
   const char* data = reinterpret_cast<const char*>(bytes.data()) + sizeof header;
   if (hash_bytes(data, body) != header.hash) return damaged(path, "it is damaged");
 
@@ -68,7 +73,10 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   checkpoint.state.assign(data, header.state_size);
   checkpoint.seconds = header.seconds;
   checkpoint.film = film::Film(header.width, header.height);
-  checkpoint.film.set_rejected({header.nan, header.infinite, header.negative});
+  film::Rejected rejected{header.nan, header.infinite, header.negative, {}};
+  rejected.first.resize(first / sizeof(film::Rejection));
+  if (first > 0) std::memcpy(rejected.first.data(), data + header.state_size + pixels, first);
+  checkpoint.film.set_rejected(rejected);
   std::memcpy(checkpoint.film.pixels().data(), data + header.state_size, pixels);
   return checkpoint;
 }

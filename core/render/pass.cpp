@@ -10,6 +10,12 @@ using integrator::PixelBlock;
 // How many pieces of this size cover so many pixels.
 int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
 
+void add(const PixelBlock& block, std::span<const Rgb> radiance, film::Film& film) {
+  const Rgb* next = radiance.data();
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kReplicates, *next++);
+}
+
 }  // namespace
 
 PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
@@ -25,7 +31,7 @@ PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::Co
       width_(width),
       height_(height) {}
 
-bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going,
+bool PassRunner::run(Workers& workers, const Sinks& sinks, uint32_t target, const std::function<bool()>& keep_going,
                      Counters& counters, const std::function<bool()>& wanted) {
   const uint32_t sample = target - 1;
   const uint32_t table = sample / film::kReplicates / kTableSamples;
@@ -41,7 +47,7 @@ bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const 
   constexpr int kClosed = -1;
   const auto task = [&](int i) {
     int& entry = open_tiles_[static_cast<size_t>(i)];
-    if (tile(film, entry, sample, wanted, counters)) entry = kClosed;
+    if (tile(sinks, entry, sample, wanted, counters)) entry = kClosed;
   };
   workers.run(0, static_cast<int>(open_tiles_.size()), task, keep_going);
   std::erase(open_tiles_, kClosed);
@@ -50,7 +56,7 @@ bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const 
   return true;
 }
 
-bool PassRunner::tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& wanted,
+bool PassRunner::tile(const Sinks& sinks, int index, uint32_t sample, const std::function<bool()>& wanted,
                       Counters& counters) const {
   const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_, &wanted};
   const int across = pieces(width_, PixelBlock::kWidth);
@@ -58,13 +64,14 @@ bool PassRunner::tile(film::Film& film, int index, uint32_t sample, const std::f
   const PixelBlock block{x0, y0, std::min(PixelBlock::kWidth, width_ - x0), std::min(PixelBlock::kHeight, height_ - y0),
                          sample};
   // Tiles are drawn whole, so that one pixel speaks for all: which rays share a packet is always the same.
-  if (film.samples(x0, y0) > sample) return true;
+  if (sinks.film.samples(x0, y0) > sample) return true;
   std::array<Rgb, PixelBlock::kMostPixels> radiance;
   const std::optional<uint64_t> rays = integrator_->sample(pass, block, radiance);
   if (!rays) return false;
-  const Rgb* next = radiance.data();
-  for (int y = y0; y < y0 + block.height; ++y)
-    for (int x = x0; x < x0 + block.width; ++x) film.add(x, y, sample % film::kReplicates, *next++);
+  if (sinks.tails)
+    sinks.tails->add(block, radiance, sinks.film);
+  else
+    add(block, radiance, sinks.film);
   counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
   return true;

@@ -5,6 +5,7 @@
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/document.h"
+#include "render/tile_tails.h"
 #include "render/workers.h"
 
 namespace etendue::render {
@@ -13,6 +14,11 @@ class PassRunner {
  public:
   PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height);
 
+  // What samples are added to: the film, and what watches them, if anything does.
+  struct Sinks {
+    film::Film& film;
+    TileTails* tails = nullptr;
+  };
   // Brings every pixel of the film to `target` samples, as far as `keep_going` lets it; true if it got there. Calling
   // again goes on where it stopped: a pixel knows its samples by their number. `rays` and `paths` are added to.
   struct Counters {
@@ -20,14 +26,14 @@ class PassRunner {
   };
   // What was begun is finished, unless `wanted` says that nobody will look at it.
   bool run(
-      Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going, Counters& counters,
+      Workers& workers, const Sinks& sinks, uint32_t target, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& wanted = [] { return true; });
 
   const transport::Model& model() const { return model_; }
 
  private:
   // False if it was given up.
-  bool tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& wanted,
+  bool tile(const Sinks& sinks, int index, uint32_t sample, const std::function<bool()>& wanted,
             Counters& counters) const;
 
   std::shared_ptr<const scene::CompiledScene> scene_;
