@@ -241,6 +241,8 @@ int run(const Options& o) {
     else if (auto ok = write_file(o.json, text.data(), text.size()); !ok)
       return fail(ok.error());
   }
+  if (status.health && status.health->verdict == render::Verdict::unreliable)
+    std::fprintf(stderr, "etendue: %s: unreliable: %s\n", o.out.c_str(), status.health->reason.c_str());
   if (interrupted) {
     std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds what there is\n", status.samples, o.out.c_str());
     return static_cast<int>(Fault::interrupted);

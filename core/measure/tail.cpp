@@ -33,48 +33,56 @@ std::vector<double> exceedances_of(std::span<const float> descending, size_t len
   return x;
 }
 
-constexpr size_t kLanes = 8;
+// More than a compiler would write out one by one.
+constexpr size_t kLanes = 32;
+constexpr size_t kRun = 512;
 
-// What a run of deviations adds to the sums, and the largest of every sixteen. In lanes: the same bits on every machine.
-struct Look {
+// What a run of deviations adds to the sums, in lanes: the same bits on every machine.
+struct Powers {
   double squares = 0, fourths = 0;
 };
 
-ETENDUE_WIDE Look look_at(const float* d, size_t count, float* largest) {
+// Also says which lengths of kLanes have something above the threshold.
+ETENDUE_WIDE Powers look_at(const float* d, size_t count, float threshold, int* above) {
   std::array<double, kLanes> squares{}, fourths{};
-  for (size_t i = 0; i < count; i += kLanes)
+  for (size_t i = 0; i < count; i += kLanes) {
+    int any = 0;
+    for (size_t j = 0; j < kLanes; ++j) any |= d[i + j] > threshold ? 1 : 0;
+    above[i / kLanes] = any;
     for (size_t j = 0; j < kLanes; ++j) {
       const auto x = static_cast<double>(d[i + j]);
       const double square = x * x;
       squares[j] += square, fourths[j] += square * square;
     }
-  for (size_t i = 0; i < count; i += kWidest) {
-    float most = 0;
-    for (size_t j = 0; j < kWidest; ++j) most = d[i + j] > most ? d[i + j] : most;
-    largest[i / kWidest] = most;
   }
-  Look sum;
+  Powers sum;
   for (size_t j = 0; j < kLanes; ++j) sum.squares += squares[j], sum.fourths += fourths[j];
   return sum;
 }
 
-// The sum of log(1 + a x), as one logarithm of a product whose exponent is counted apart. NaN outside of the support.
-ETENDUE_WIDE double sum_of_logs(double a, const double* x, size_t count, double largest) {
-  if (!(1 + a * largest > 0)) return std::numeric_limits<double>::quiet_NaN();
+// Products of 1 + a x over all x, for many a side by side, their exponents counted apart.
+struct Products {
+  std::vector<double> mantissa;
+  std::vector<int64_t> exponent;
+
+  double log(size_t j) const { return std::log(mantissa[j]) + static_cast<double>(exponent[j]) * std::numbers::ln2; }
+};
+
+ETENDUE_WIDE void multiply(const double* a, size_t count, std::span<const double> x, double* mantissa,
+                           int64_t* exponent) {
   constexpr uint64_t kMantissa = (uint64_t{1} << 52) - 1, kOne = uint64_t{1023} << 52;
-  std::array<double, kLanes> product;
-  std::array<int64_t, kLanes> exponent{};
-  product.fill(1);
-  for (size_t i = 0; i < count; i += kLanes)
-    for (size_t j = 0; j < kLanes; ++j) {
-      const auto bits = std::bit_cast<uint64_t>(product[j] * (1 + a * x[i + j]));
+  for (const double v : x)
+    for (size_t j = 0; j < count; ++j) {
+      const auto bits = std::bit_cast<uint64_t>(mantissa[j] * (1 + a[j] * v));
       exponent[j] += static_cast<int64_t>(bits >> 52) - 1023;
-      product[j] = std::bit_cast<double>((bits & kMantissa) | kOne);
+      mantissa[j] = std::bit_cast<double>((bits & kMantissa) | kOne);
     }
-  double rest = 1;
-  int64_t exponents = 0;
-  for (size_t j = 0; j < kLanes; ++j) rest *= product[j], exponents += exponent[j];
-  return std::log(rest) + static_cast<double>(exponents) * std::numbers::ln2;
+}
+
+Products products_of(std::span<const double> a, std::span<const double> x) {
+  Products p{std::vector<double>(a.size(), 1), std::vector<int64_t>(a.size())};
+  multiply(a.data(), a.size(), x, p.mantissa.data(), p.exponent.data());
+  return p;
 }
 
 }  // namespace
@@ -88,19 +96,19 @@ double khat_limit(uint64_t samples) {
 double fit_pareto(std::span<const double> x) {
   assert(x.size() >= kFewestExceedances && x.front() > 0);
   const auto n = static_cast<double>(x.size());
-  std::vector<double> padded(x.begin(), x.end());
-  padded.resize((x.size() + kLanes - 1) / kLanes * kLanes);  // a zero adds nothing
-  const auto mean_log = [&](double a) { return sum_of_logs(a, padded.data(), padded.size(), x.back()) / n; };
   const size_t candidates = 30 + static_cast<size_t>(std::sqrt(n));
   const double quartile = x[static_cast<size_t>(n / 4 + 0.5) - 1];
   std::vector<double> a(candidates), likelihood(candidates);
   for (size_t j = 0; j < candidates; ++j) {
     const double spread = 1 - std::sqrt(static_cast<double>(candidates) / (static_cast<double>(j) + 0.5));
     a[j] = -(1 / x.back() + spread / (3 * quartile));
-    const double k = mean_log(a[j]);
+  }
+  const Products products = products_of(a, x);
+  for (size_t j = 0; j < candidates; ++j) {
+    const double k = products.log(j) / n;
     const double l = n * (std::log(a[j] / k) - k - 1);
     // Rounding can put the largest exceedance on the very end of a candidate's support.
-    likelihood[j] = std::isfinite(l) ? l : std::numeric_limits<double>::lowest();
+    likelihood[j] = std::isfinite(l) && 1 + a[j] * x.back() > 0 ? l : std::numeric_limits<double>::lowest();
   }
   const double best = *std::max_element(likelihood.begin(), likelihood.end());
   double weights = 0, weighted = 0;
@@ -109,7 +117,8 @@ double fit_pareto(std::span<const double> x) {
     weights += w, weighted += w * a[j];
   }
   constexpr double kPrior = 10;
-  return (mean_log(weighted / weights) * n + 0.5 * kPrior) / (n + kPrior);
+  const std::array<double, 1> mean{weighted / weights};
+  return (products_of(mean, x).log(0) + 0.5 * kPrior) / (n + kPrior);
 }
 
 double Tail::chance() const {
@@ -121,24 +130,24 @@ double Tail::chance() const {
 
 void TailAccumulator::add(std::span<const float> deviations, double sum) {
   samples_ += deviations.size(), sum_ += sum;
-  constexpr size_t kRun = 512;
-  std::array<float, kRun / kWidest> largest;
-  for (; !deviations.empty(); deviations = deviations.subspan(std::min(kRun, deviations.size()))) {
+  while (!deviations.empty()) {
     const auto run = deviations.first(std::min(kRun, deviations.size()));
-    const size_t whole = run.size() / kWidest * kWidest;
-    add_run(run.first(whole), largest);
-    std::array<float, kWidest> rest{};
+    const size_t whole = run.size() / kLanes * kLanes;
+    add_run(run.first(whole));
+    std::array<float, kLanes> rest{};
     std::ranges::copy(run.subspan(whole), rest.begin());
-    if (whole < run.size()) add_run(rest, largest);
+    if (whole < run.size()) add_run(rest);
+    deviations = deviations.subspan(run.size());
   }
 }
 
-void TailAccumulator::add_run(std::span<const float> run, std::span<float> largest) {
-  const Look look = look_at(run.data(), run.size(), largest.data());
-  squares_ += look.squares, fourths_ += look.fourths;
-  for (size_t i = 0; i < run.size(); i += kWidest) {
-    if (!(largest[i / kWidest] > threshold_)) continue;
-    for (const float x : run.subspan(i, kWidest))
+void TailAccumulator::add_run(std::span<const float> run) {
+  std::array<int, kRun / kLanes> above;
+  const Powers powers = look_at(run.data(), run.size(), threshold_, above.data());
+  squares_ += powers.squares, fourths_ += powers.fourths;
+  for (size_t i = 0; i < run.size(); i += kLanes) {
+    if (above[i / kLanes] == 0) continue;
+    for (const float x : run.subspan(i, kLanes))
       if (x > threshold_) keep(x);
   }
 }

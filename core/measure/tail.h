@@ -66,7 +66,7 @@ class TailAccumulator {
   Tail report() const;
 
  private:
-  void add_run(std::span<const float> run, std::span<float> largest);
+  void add_run(std::span<const float> run);
   void keep(float x);
   double vov() const;
 

@@ -1,19 +1,21 @@
 #include "render/health.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdio>
 
 namespace etendue::render {
 namespace {
 
 constexpr uint64_t kFewestPerPixel = 8;
-constexpr double kFewHands = 0.05, kVovLimit = 0.1;
+constexpr double kVovLimit = 0.1;
 constexpr double kFalseAmongFound = 0.1;
 constexpr double kSomeOfThePicture = 0.002, kMuchOfThePicture = 0.05;
 constexpr double kBrightestLimit = 0.1;
 constexpr double kManyRejected = 1e-3;
 
-bool looks_heavy(const measure::Tail& tail) { return tail.heavy() && tail.vov > kFewHands; }
+bool looks_heavy(const measure::Tail& tail) { return tail.heavy() && tail.vov > kVovLimit; }
 
 // The largest probability that still counts among so many looks (Benjamini & Hochberg 1995).
 double chance_limit(const std::vector<measure::Tail>& reports) {
