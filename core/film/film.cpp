@@ -56,29 +56,21 @@ ErrorEstimate Film::error() const {
   return error(rows);
 }
 
-Film::RowError Film::error_of_row(int y) const {
+RowError Film::error_of_row(int y) const {
   RowError row;
+  RowSum absolute(row.absolute), relative(row.relative);
   for (int x = 0; x < width_; ++x) {
     const Pixel& p = at(x, y);
-    if (p.count[0] == 0 || p.count[1] == 0) return {0, 0, false};
+    if (p.count[0] == 0 || p.count[1] == 0) return {{}, {}, false};
     const Rgb v = variance_of_mean(x, y), m = mean(x, y);
-    for (int c = 0; c < 3; ++c) {
-      row.squares += v[c];
-      row.relative += v[c] / (sqr(double{m[c]}) + 0.01);
-    }
+    double squares = 0, relative_squares = 0;
+    for (int c = 0; c < 3; ++c) squares += v[c], relative_squares += v[c] / (sqr(double{m[c]}) + 0.01);
+    absolute.add(squares), relative.add(relative_squares);
   }
   return row;
 }
 
-ErrorEstimate Film::error(std::span<const RowError> rows) const {
-  double squares = 0, relative = 0;
-  for (const RowError& row : rows) {
-    if (!row.known) return {};
-    squares += row.squares, relative += row.relative;
-  }
-  const double n = 3.0 * width_ * height_;
-  return {std::sqrt(squares / n), relative / n, n > 0};
-}
+ErrorEstimate Film::error(std::span<const RowError> rows) const { return error_of(rows, 3.0 * width_ * height_); }
 
 void Film::clear_rows(int first, int end) {
   const auto row = [&](int y) { return pixels_.begin() + static_cast<std::ptrdiff_t>(y) * width_; };

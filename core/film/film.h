@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "film/error.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {
@@ -21,11 +22,6 @@ inline constexpr uint32_t kReplicates = 2;
 struct Rejected {
   uint64_t nan = 0, infinite = 0, negative = 0;
   uint64_t total() const { return nan + infinite + negative; }
-};
-
-struct ErrorEstimate {
-  double rmse = 0, relmse = 0;  // of the mean image, over pixels and channels
-  bool known = false;           // false until every pixel has a sample in both halves
 };
 
 class Film {
@@ -45,11 +41,7 @@ class Film {
   Rgb variance_of_mean(int x, int y) const;
 
   ErrorEstimate error() const;
-  // The same in pieces: the sums of rows may be made in parallel, and are added in the order of the rows.
-  struct RowError {
-    double squares = 0, relative = 0;
-    bool known = true;
-  };
+  // The same in pieces.
   RowError error_of_row(int y) const;
   ErrorEstimate error(std::span<const RowError> rows) const;
   Rejected rejected() const;

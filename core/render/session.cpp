@@ -206,7 +206,7 @@ class Session::Impl {
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
     complete_ = film_stale_ ? 0 : least_samples();
-    error_ = {}, error_at_ = 0;
+    error_ = {}, error_at_ = 0, forecast_.clear();
     coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
     coarse_.reset();
     awaiting_first_frame_ = options_.interactive;
@@ -341,25 +341,27 @@ class Session::Impl {
       if (seconds + 0.5 * per_pass >= limits.seconds) return true;
     }
     if (limits.rmse <= 0) return false;
-    if (error_is_due()) measure_error();
+    if (error_is_due()) measure_error(seconds);
     return error_.known && error_.rmse <= limits.rmse;
   }
 
   // Looking costs as much as a pass of a simple scene: it is done when the samples have grown by an eighth.
   bool error_is_due() const { return complete_ >= 2 && complete_ >= error_at_ + std::max(1u, error_at_ / 8); }
 
-  void measure_error() {
-    std::vector<film::Film::RowError> rows(static_cast<size_t>(film_.height()));
+  // After so many seconds of rendering.
+  void measure_error(double seconds) {
+    std::vector<film::RowError> rows(static_cast<size_t>(film_.height()));
     const auto band = [&](int y, int end) {
       for (; y < end; ++y) rows[static_cast<size_t>(y)] = film_.error_of_row(y);
     };
     if (!workers_.for_bands(film_.height(), band, [&] { return !cut(); })) return;
     error_ = film_.error(rows), error_at_ = complete_;
+    forecast_.add(complete_, seconds, error_);
   }
 
   void update_status() {
     const bool finished = reached_limit(rendering_seconds_);
-    if (error_is_due() || (finished && error_at_ != complete_)) measure_error();
+    if (error_is_due() || (finished && error_at_ != complete_)) measure_error(rendering_seconds_);
     const std::lock_guard lock(mutex_);
     status_.samples = complete_;
     status_.seconds = rendering_seconds_;
@@ -369,8 +371,28 @@ class Session::Impl {
     status_.error = error_;
     status_.rejected = film_.rejected();
     status_.progress = progress();
+    status_.left = left();
     status_.finished = finished;
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
+  }
+
+  // Until the nearest limit, as far as that can be told.
+  std::optional<Prediction> left() const {
+    const Limits& limits = document_.limits;
+    std::optional<Prediction> nearest;
+    const auto take = [&](const std::optional<Prediction>& p) {
+      if (p && (!nearest || p->seconds < nearest->seconds)) nearest = p;
+    };
+    const auto certain = [](double seconds) {
+      seconds = std::max(0.0, seconds);
+      return Prediction{seconds, {seconds, seconds}};
+    };
+    if (limits.samples > 0 && complete_ > 0)
+      take(certain(rendering_seconds_ / complete_ * (static_cast<double>(limits.samples) - complete_)));
+    if (limits.seconds > 0) take(certain(limits.seconds - rendering_seconds_));
+    // The last look at the error was a while ago.
+    if (limits.rmse > 0) take(forecast_.until(limits.rmse, rendering_seconds_));
+    return nearest;
   }
 
   double progress() const {
@@ -412,6 +434,7 @@ class Session::Impl {
   uint32_t complete_ = 0;
   film::ErrorEstimate error_;
   uint32_t error_at_ = 0;  // the samples at which it was measured
+  Forecast forecast_;
   double rendering_seconds_ = 0;
   double coarse_rate_ = 0;  // paths per second that a first frame can count on
   int coarse_scale_ = 1;

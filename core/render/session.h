@@ -12,11 +12,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "film/film.h"
 #include "render/document.h"
+#include "render/forecast.h"
 #include "render/frame.h"
 #include "scene/compiled.h"
 #include "transport/model.h"
@@ -36,6 +38,7 @@ struct Status {
   std::string phase;      // "compiling", "rendering", "paused", "done"
   bool finished = false;  // a limit was reached
   double progress = 0;    // towards the nearest limit, 0 to 1
+  std::optional<Prediction> left;  // seconds to the nearest limit, if there is one and it can be told
 };
 
 struct SessionOptions {
