@@ -1,48 +1,71 @@
 // Expressions of automata, by eliminating their states.
 #include <map>
+#include <vector>
 
 #include "transport/path_expression.h"
 
 namespace etendue::transport {
 namespace {
 
-// A piece of an expression. Without text it is the empty word alone.
-struct Term {
-  enum Level { single, sequence, alternatives };
+// One piece after the other: letters, brackets, and either with '*' or '+' behind it. None is the empty word alone.
+using Term = std::vector<std::string>;
+
+std::string text_of(const Term& term) {
   std::string text;
-  Level level = single;
-  bool optional = false;  // the empty word belongs to it too
-
-  bool nothing() const { return text.empty(); }
-};
-
-// As part of something that binds as tightly as `level`.
-std::string shown(const Term& term, Term::Level level) {
-  if (term.optional) return "[" + term.text + "]";
-  return term.level > level ? "(" + term.text + ")" : term.text;
+  for (const auto& piece : term) text += piece;
+  return text;
 }
 
-Term either(const Term& a, const Term& b) {
-  if (a.nothing() || b.nothing()) {
-    Term some = a.nothing() ? b : a;
-    // What ends in '*' takes nothing already.
-    some.optional = !some.nothing() && !(some.level == Term::single && some.text.back() == '*');
-    return some;
+// What is repeated or chosen as a whole: "(D|G)" is so already.
+bool is_choice(const Term& term) { return term.size() == 1 && term[0].front() == '(' && term[0].back() == ')'; }
+bool is_optional(const Term& term) { return term.size() == 1 && term[0].front() == '['; }
+
+// As one side of '|'.
+std::string side_of(const Term& term) {
+  return is_choice(term) ? term[0].substr(1, term[0].size() - 2) : text_of(term);
+}
+
+Term optional(const Term& term) {
+  // What ends in '*', or is in square brackets, may be empty already.
+  const bool may_be_empty = term.size() == 1 && (term[0].back() == '*' || term[0].back() == ']');
+  if (may_be_empty) return term;
+  if (term.size() == 1 && term[0].back() == '+') return {term[0].substr(0, term[0].size() - 1) + "*"};
+  return {"[" + side_of(term) + "]"};
+}
+
+// What both begin or end with stands once: DL|L is [D]L.
+Term either(Term a, Term b) {
+  Term first, last;
+  while (!a.empty() && !b.empty() && a.front() == b.front())
+    first.push_back(a.front()), a.erase(a.begin()), b.erase(b.begin());
+  while (!a.empty() && !b.empty() && a.back() == b.back())
+    last.insert(last.begin(), a.back()), a.pop_back(), b.pop_back();
+  if (!a.empty() || !b.empty()) {
+    const Term choice = a.empty()   ? optional(b)
+                        : b.empty() ? optional(a)
+                                    : Term{"(" + side_of(a) + "|" + side_of(b) + ")"};
+    first.insert(first.end(), choice.begin(), choice.end());
   }
-  if (a.text == b.text) return {a.text, a.level, a.optional || b.optional};
-  return {a.text + "|" + b.text, Term::alternatives, a.optional || b.optional};
+  first.insert(first.end(), last.begin(), last.end());
+  return first;
 }
 
-Term sequence(const Term& a, const Term& b) {
-  if (a.nothing() || b.nothing()) return a.nothing() ? b : a;
-  // XX* is X+.
-  if (b.level == Term::single && b.text == shown(a, Term::single) + "*") return {b.text.substr(0, b.text.size() - 1) + "+"};
-  return {shown(a, Term::sequence) + shown(b, Term::sequence), Term::sequence};
+// XX* is X+.
+Term sequence(Term a, const Term& b) {
+  for (const auto& piece : b) {
+    if (!a.empty() && piece == a.back() + "*")
+      a.back() += "+";
+    else
+      a.push_back(piece);
+  }
+  return a;
 }
 
 Term any_number(const Term& term) {
-  if (term.nothing()) return term;
-  return {shown({term.text, term.level}, Term::single) + "*"};
+  if (term.empty()) return term;
+  if (is_optional(term)) return any_number({"(" + term[0].substr(1, term[0].size() - 2) + ")"});
+  const bool single = term.size() == 1 && (term[0].size() == 1 || is_choice(term));
+  return {(single ? term[0] : "(" + text_of(term) + ")") + "*"};
 }
 
 // The letters of a set as one term.
@@ -50,7 +73,7 @@ Term letters_term(Letters letters) {
   if (letters == kScattering) return {"."};
   Term term;
   for (size_t e = 0; e < kEvents; ++e)
-    if (letters >> e & 1) term = term.nothing() ? Term{{kLetters[e]}} : either(term, {{kLetters[e]}});
+    if (letters >> e & 1) term = term.empty() ? Term{{kLetters[e]}} : either(term, {{kLetters[e]}});
   return term;
 }
 
@@ -73,7 +96,7 @@ class Graph {
 
   std::string expression() {
     while (!open_.empty()) eliminate(cheapest());
-    return edges_.at({kBegin, kEnd}).text;
+    return text_of(edges_.at({kBegin, kEnd}));
   }
 
  private:
