@@ -1,19 +1,14 @@
 #include "advice/blind_spots.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "advice/words.h"
 
 namespace etendue::advice {
 namespace {
 
 using transport::Automaton;
 using transport::PathExpression;
-
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, share >= 0.0995 ? "%.0f %%" : "%.2g %%", 100 * share);
-  return text;
-}
 
 // The part of a row that is not among the paths found; nothing if all of it is. `visible` are the paths that the table
 // can know of.
