@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "advice/light_kinds.h"
 #include "advice/words.h"
 
 namespace etendue::advice {
@@ -21,6 +22,16 @@ std::optional<BlindSpot> lack(const std::string& paths, const ClassEnergy& energ
   BlindSpot spot{rest == row ? paths : expression_of(rest), energy, energy.mean / total};
   spot.part = rest != row;
   return spot;
+}
+
+// Brings the classes into order and adds them up; `missing` are the pictures of all of them.
+void settle(BlindSpots& spots, std::span<const ClassEnergy> missing) {
+  std::ranges::stable_sort(spots.classes, std::ranges::greater(), &BlindSpot::share);
+  for (const BlindSpot& spot : spots.classes) {
+    spots.share = std::min(1.0, spots.share + spot.share);
+    spots.uncertain = spots.uncertain || spot.energy.uncertain();
+  }
+  spots.rms = rms_of(missing);
 }
 
 // A surface that reflects or refracts into single directions, whatever its textures say.
@@ -47,11 +58,7 @@ BlindSpots blind_spots(const Found& found, const ClassTable& table) {
   const Found all = declared(render::Method());
   const double total = table.total.energy.mean;
   std::vector<ClassEnergy> missing;
-  const auto add = [&](const BlindSpot& spot) {
-    spots.classes.push_back(spot), missing.push_back(spot.energy);
-    spots.share += spot.share;
-    spots.uncertain = spots.uncertain || spot.energy.uncertain();
-  };
+  const auto add = [&](const BlindSpot& spot) { spots.classes.push_back(spot), missing.push_back(spot.energy); };
   for (const ClassRow& row : table.rows) {
     if (const auto spot = lack(row.paths, row.energy, all.paths, found.paths, total)) {
       add(*spot);
@@ -60,10 +67,40 @@ BlindSpots blind_spots(const Found& found, const ClassTable& table) {
       add(*dark);
     }
   }
-  std::ranges::stable_sort(spots.classes, std::ranges::greater(), &BlindSpot::share);
-  spots.share = std::min(1.0, spots.share);
-  spots.rms = rms_of(missing);
+  settle(spots, missing);
   return spots;
+}
+
+MeasuredBlindSpots measured_blind_spots(render::Session& session, const render::Document& document,
+                                        const TableOptions& options, const bench::Watch& watch) {
+  MeasuredBlindSpots measured;
+  const Found found = declared(document.method), all = declared(render::Method());
+  const Automaton counting = asked(document), lack = without(counting, found.paths);
+  Automaton dark;  // found, but not from lights without extent
+  if (has_point_lights(*document.scene))
+    dark = without(common(common(counting, found.paths), all.point_paths), found.point_paths);
+  if (lack.empty() && dark.empty()) return measured;
+  const auto total = total_energy(session, document, options, watch);
+  if (!total) return measured.finished = false, measured;
+  measured.total = *total;
+  std::vector<ClassEnergy> energies;
+  const auto add = [&](const render::Document& d, const Automaton& paths, bool points) {
+    const ClassTable table = class_table(session, d, paths, options, watch);
+    measured.finished = measured.finished && table.finished;
+    measured.width = table.width;
+    energies.push_back(table.total.energy);
+    for (const ClassRow& row : table.rows)
+      measured.spots.classes.push_back({row.paths, row.energy, row.energy.mean / total->mean, points});
+  };
+  if (!lack.empty()) add(document, lack, false);
+  if (!dark.empty()) {
+    render::Document lit = document;
+    lit.scene = std::make_shared<const scene::Scene>(lit_by_points(*document.scene));
+    add(lit, dark, true);
+  }
+  settle(measured.spots, energies);
+  measured.relative_square = relative_square_of(energies, measured.total);
+  return measured;
 }
 
 std::string sentence_of(const BlindSpots& spots) {

@@ -31,6 +31,18 @@ struct BlindSpots {
 
 BlindSpots blind_spots(const Found& found, const ClassTable& table);
 
+// What the document's own method misses, measured alone: nothing is rendered where it declares to find all that counts.
+// `total` is filled in if something was.
+struct MeasuredBlindSpots {
+  BlindSpots spots;
+  ClassEnergy total;
+  double relative_square = 0;  // what the lack adds to relMSE, about
+  int width = 0;               // of the pictures that it was measured on; 0 if there was no need
+  bool finished = true;
+};
+MeasuredBlindSpots measured_blind_spots(render::Session& session, const render::Document& document,
+                                        const TableOptions& options, const bench::Watch& watch);
+
 // "misses 31 % of the light: EDD+L, EGD+L and 3 more"; "misses nothing that was found to carry light".
 std::string sentence_of(const BlindSpots& spots);
 

@@ -20,6 +20,17 @@ double luminance_at(const Numbers& numbers, size_t pixel) {
   return double{luminance(Rgb(numbers[3 * pixel], numbers[3 * pixel + 1], numbers[3 * pixel + 2]))};
 }
 
+ClassEnergy::Halves sum_of(std::span<const ClassEnergy> energies) {
+  ClassEnergy::Halves sum;
+  for (const ClassEnergy& energy : energies) {
+    if (!energy.picture) continue;
+    sum.first.resize(energy.picture->first.size()), sum.second.resize(energy.picture->second.size());
+    for (size_t i = 0; i < sum.first.size(); ++i)
+      sum.first[i] += energy.picture->first[i], sum.second[i] += energy.picture->second[i];
+  }
+  return sum;
+}
+
 }  // namespace
 
 ClassEnergy energy_of(const film::Film& film) {
@@ -37,16 +48,21 @@ ClassEnergy energy_of(const film::Film& film) {
 }
 
 double rms_of(std::span<const ClassEnergy> energies) {
-  Numbers first, second;
-  for (const ClassEnergy& energy : energies) {
-    if (!energy.picture) continue;
-    first.resize(energy.picture->first.size()), second.resize(energy.picture->second.size());
-    for (size_t i = 0; i < first.size(); ++i)
-      first[i] += energy.picture->first[i], second[i] += energy.picture->second[i];
+  const auto sum = sum_of(energies);
+  double squares = 0;
+  for (size_t i = 0; i < sum.first.size(); ++i) squares += double{sum.first[i]} * double{sum.second[i]};
+  return sum.first.empty() ? 0 : std::sqrt(std::max(0.0, squares / static_cast<double>(sum.first.size())));
+}
+
+double relative_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& all) {
+  const auto sum = sum_of(energies);
+  if (sum.first.empty() || !all.picture) return 0;
+  double squares = 0;
+  for (size_t i = 0; i < sum.first.size(); ++i) {
+    const double whole = 0.5 * (double{all.picture->first[i]} + double{all.picture->second[i]});
+    squares += double{sum.first[i]} * double{sum.second[i]} / (whole * whole + 0.01);
   }
-  double sum = 0;
-  for (size_t i = 0; i < first.size(); ++i) sum += double{first[i]} * double{second[i]};
-  return first.empty() ? 0 : std::sqrt(std::max(0.0, sum / static_cast<double>(first.size())));
+  return std::max(0.0, squares / static_cast<double>(sum.first.size()));
 }
 
 }  // namespace etendue::advice

@@ -33,4 +33,7 @@ ClassEnergy energy_of(const film::Film& film);
 // them; a picture of larger pixels has a smaller one.
 double rms_of(std::span<const ClassEnergy> energies);
 
+// The same for the square over that of the picture of all energy plus 0.01, as relMSE has it; a mean, not its root.
+double relative_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& all);
+
 }  // namespace etendue::advice

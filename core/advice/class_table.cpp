@@ -34,6 +34,19 @@ std::vector<Automaton> declared_sets(bool point_lights) {
   return sets;
 }
 
+render::Document small_picture(const render::Document& document, const TableOptions& options) {
+  render::Document d = smaller(trusted(document), options.divisor, options.least);
+  d.limits.samples = std::max(film::kReplicates, options.samples);
+  return d;
+}
+
+// Nothing if it was cut short.
+std::optional<ClassEnergy> measured(render::Session& session, const render::Document& document,
+                                    const std::function<bool()>& go_on) {
+  if (!bench::wait_for(session, session.submit(document), [&](const render::Status&) { return go_on(); })) return {};
+  return energy_of(session.film_copy());
+}
+
 // A class that may be taken apart.
 struct Leaf {
   PathClass coarse;
@@ -52,11 +65,10 @@ class Maker {
         options_(options),
         watch_(watch),
         publish_(publish),
-        small_(smaller(trusted(document), options.divisor, options.least)),
+        small_(small_picture(document, options)),
         only_(common(asked(document), only)),
         apart_(declared_sets(has_point_lights(*small_.scene))) {
     apart_.insert(apart_.end(), options.apart.begin(), options.apart.end());
-    small_.limits.samples = std::max(film::kReplicates, options.samples);
     table_.paths = only_ == PathExpression::all().automaton() ? "" : expression_of(only_);
     table_.width = small_.width, table_.height = small_.height, table_.samples = small_.limits.samples;
     table_.point_lights = has_point_lights(*small_.scene);
@@ -83,9 +95,7 @@ class Maker {
   std::optional<ClassEnergy> rendered(const render::Document& document, const std::string& paths) {
     render::Document d = document;
     d.method.paths = paths;
-    const auto go_on = [&](const render::Status&) { return watch_(progress(), "path classes"); };
-    if (!bench::wait_for(session_, session_.submit(d), go_on)) return {};
-    return energy_of(session_.film_copy());
+    return measured(session_, d, [&] { return watch_(progress(), "path classes"); });
   }
 
   double progress() const {
@@ -214,6 +224,11 @@ class Maker {
 };
 
 }  // namespace
+
+std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
+                                        const TableOptions& options, const bench::Watch& watch) {
+  return measured(session, small_picture(document, options), [&] { return watch(0, "all paths"); });
+}
 
 ClassTable class_table(render::Session& session, const render::Document& document, const TableOptions& options,
                        const bench::Watch& watch, const TablePublisher& publish) {

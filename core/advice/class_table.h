@@ -6,6 +6,7 @@
 // method finds only in part are taken apart along that line first.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ struct TableOptions {
   // Sets of paths that rows should lie within or without, beside those that integrators declare.
   std::vector<transport::Automaton> apart;
 };
+
+// What the document's picture carries in all, on the table's terms; nothing if it was cut short.
+std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
+                                        const TableOptions& options, const bench::Watch& watch);
 
 // Each table is better than the one before; they are values that may be kept.
 using TablePublisher = std::function<void(const ClassTable&)>;

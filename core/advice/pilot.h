@@ -15,7 +15,8 @@ namespace etendue::advice {
 
 // What a pilot has seen of its method: numbers of the small picture.
 struct Pilot {
-  explicit Pilot(bench::Method method_) : method(std::move(method_)) {}
+  explicit Pilot(bench::Method method_)
+      : method(std::move(method_)), forecast(find_sampler(method.document.method.sampler)->independent) {}
 
   bench::Method method;
   film::Film film;

@@ -206,7 +206,8 @@ class Session::Impl {
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
     complete_ = film_stale_ ? 0 : least_samples();
-    error_ = {}, error_at_ = 0, forecast_.clear();
+    error_ = {}, error_at_ = 0;
+    forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
     coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
     coarse_.reset();
     awaiting_first_frame_ = options_.interactive;
