@@ -5,7 +5,7 @@
 
 #include "integrator/integrator.h"
 #include "render/aov.h"
-#include "viewer/workbench.h"
+#include "viewer/drawer.h"
 
 namespace etendue::viewer {
 namespace {
@@ -99,6 +99,9 @@ void view_actions(Actions& a, Workbench* w) {
          [w] { return w->view.false_color; }});
   a.add({"view.interface", "View", "Interface", "Hides everything but the picture", "h", [w] { w->view.interface = !w->view.interface; }, {},
          [w] { return w->view.interface; }});
+  for (const SheetInfo& sheet : sheets())
+    a.add({std::string("view.") + sheet.name, "View", sheet.label, sheet.doc, "", [w, name = sheet.name] { w->view.sheet = w->view.sheet == name ? "" : name; }, loaded,
+           [w, name = sheet.name] { return w->view.sheet == name; }});
   a.add({"view.dark", "View", "Dark theme", "Dark or light", "", [w] {
            w->settings.dark = !w->settings.dark;
            w->theme = apply_theme(w->settings.dark, w->platform.scale());

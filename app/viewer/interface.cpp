@@ -1,11 +1,12 @@
-// Where everything lies: menus above, the picture on the left, the column with its tabs on the right, the status line
-// below.
+// Where everything lies: menus above, the picture on the left, the column with its tabs on the right, the drawer under
+// the picture, the status line below.
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <cmath>
 
 #include "integrator/integrator.h"
+#include "viewer/drawer.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 
@@ -124,6 +125,7 @@ void draw_interface(Workbench& w, float seconds) {
     draw_tabs(w);
     ImGui::End();
     draw_splitter(w, right, top, bottom - top);
+    bottom -= draw_drawer(w, top, right, bottom);
   }
   w.view.region = {Vec2(0, top), glm::max(Vec2(right, bottom - top), Vec2(1))};
   if (!w.editor.empty())

@@ -28,6 +28,7 @@ Settings from_json(const json& j) {
   s.window.height = std::clamp(j.at("window").at("height").get<int>(), 240, 16384);
   s.window.maximised = j.at("window").at("maximised").get<bool>();
   s.column = std::clamp(j.at("column").get<float>(), 0.0f, 4096.0f);
+  s.drawer = std::clamp(j.value("drawer", 0.0f), 0.0f, 4096.0f);
   s.dark = j.at("dark").get<bool>();
   s.recent = j.at("recent").get<std::vector<std::string>>();
   s.folder = j.at("folder").get<std::string>();
@@ -36,7 +37,7 @@ Settings from_json(const json& j) {
 
 json to_json(const Settings& s) {
   return {{"window", {{"width", s.window.width}, {"height", s.window.height}, {"maximised", s.window.maximised}}},
-          {"column", s.column}, {"dark", s.dark}, {"recent", s.recent}, {"folder", s.folder}};
+          {"column", s.column}, {"drawer", s.drawer}, {"dark", s.dark}, {"recent", s.recent}, {"folder", s.folder}};
 }
 
 }  // namespace

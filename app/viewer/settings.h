@@ -10,6 +10,7 @@ namespace etendue::viewer {
 struct Settings {
   WindowPlace window;
   float column = 0;  // width of the right column in units of the interface; 0 until the user moved it
+  float drawer = 0;  // height of the drawer, likewise
   bool dark = true;
   std::vector<std::string> recent;  // newest first
   std::string folder;               // where the user last opened or saved

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "integrator/integrator.h"
+#include "viewer/drawer.h"
 #include "viewer/fields.h"
 #include "viewer/panels.h"
 #include "viewer/script.h"
@@ -72,6 +73,7 @@ constexpr PlainItem kItems[] = {
     {"menu.help", "Help", "Opens the menu"},
     {"menu.palette", "Find an action", "Opens the palette"},
     {"layout.column", "Splitter", "Drag it to change the width of the right column; double click resets it"},
+    {"layout.drawer", "Edge of the drawer", "Drag it to change the height of the drawer; double click resets it"},
     {"scene.node.N", "Object", "Selects node N"},
     {"scene.node.N.visible", "Visible", "Shows or hides node N"},
     {"material.choose", "Material", "Opens the list of materials"},
@@ -113,6 +115,7 @@ std::string state_report(Workbench& w) {
       {"scene", d.scene_name},
       {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
       {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
+      {"sheet", w.view.sheet},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
@@ -132,6 +135,7 @@ std::string widgets_json() {
     list.push_back(j);
   }
   for (const TabInfo& tab : tabs()) list.push_back(item(tab.name, tab.label, tab.doc));
+  for (const SheetInfo& sheet : sheets()) list.push_back(item(sheet.name, sheet.label, sheet.doc));
   for (const PlainItem& plain : kItems) list.push_back(item(plain.name, plain.label, plain.doc));
   for (const auto& info : loose_parameters()) list.push_back(parameter(info));
   const auto d = specimen();

@@ -3,25 +3,16 @@
 
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
+#include "viewer/words.h"
 
 namespace etendue::viewer {
 namespace {
 
-std::string text_of(const char* format, auto... values) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
-std::string time_text(double seconds) {
-  const int whole = static_cast<int>(seconds);
-  if (whole >= 3600) return text_of("%d:%02d:%02d", whole / 3600, whole / 60 % 60, whole % 60);
-  return text_of("%d:%02d", whole / 60, whole % 60);
-}
-
-std::string memory_text(size_t bytes) {
-  const double mega = static_cast<double>(bytes) / (1 << 20);
-  return mega < 1 ? text_of("%.0f kB", mega * 1024) : mega < 1024 ? text_of("%.0f MB", mega) : text_of("%.1f GB", mega / 1024);
+// "0:48 +- 0:06 left": the longer side of the interval, it leans to the late.
+std::string left_text(const render::Prediction& left) {
+  if (left.seconds > 100 * 3600) return "days left";
+  const double off = std::max(left.interval.high - left.seconds, left.seconds - left.interval.low);
+  return time_text(left.seconds) + (off >= 1 ? " \u00b1 " + time_text(off) : "") + " left";
 }
 
 // Parts from left to right, as long as there is room.
@@ -57,6 +48,8 @@ void status_parts(Workbench& w, Line& line) {
   if (d.limits.samples > 0) samples = text_of("%u / %u spp", status.samples, d.limits.samples);
   line.part(w, samples, "Complete samples of every pixel");
   line.part(w, time_text(status.seconds), "Time spent on this picture");
+  if (status.left && !status.finished)
+    line.part(w, left_text(*status.left), "Until it stops; how far that may be off, in four of five cases, where it stops at an error");
   line.part(w, text_of("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
   line.part(w, text_of("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
   line.part(w, memory_text(status.memory), "Memory of the scene and its acceleration structures");

@@ -37,6 +37,7 @@ struct View {
   std::optional<Tab> reveal;    // the tab to bring to the front in the next frame
   bool focus_by_click = false;  // the next click sets the focus
   float column = 0;             // width of the right column, pixels
+  std::string sheet;            // the one that the drawer shows; empty if it is closed
 };
 
 // How the interface spends its time.

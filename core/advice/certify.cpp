@@ -137,9 +137,15 @@ class Judge {
     finding_.relmse = {truth.relative.value,
                        {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
     finding_.reasons.clear();
-    const auto absolute = compare(truth.absolute, *claim_.certificate.rmse, false),
-               relative = compare(truth.relative, *claim_.certificate.relmse, true);
-    const auto blocks = changed_blocks({claim_.rgb(), claim_.variance(), claim_.samples}, film_);
+    const auto absolute = compare(truth.absolute, *claim_.certificate.rmse, false);
+    // Where something is missing, what the picture shows is no measure for it.
+    const auto relative = claim_.certificate.missing.empty()
+                              ? compare(truth.relative, *claim_.certificate.relmse, true)
+                              : Comparison{Verdict::stands};
+    // Adaptive sampling gives a block half of its even share at the least.
+    const bool even = claim_.document.method.adaptive == render::Adaptive::off;
+    const uint32_t samples = even ? claim_.samples : (claim_.samples + 1) / 2;
+    const auto blocks = changed_blocks({claim_.rgb(), claim_.variance(), samples}, film_);
     finding_.changed = blocks.changed;
     explain(absolute.verdict, relative.verdict, blocks);
     if (!finding_.reasons.empty())

@@ -20,10 +20,12 @@ struct MeanSquare {
 };
 
 struct TrueError {
-  MeanSquare absolute, relative;  // relative: over the square of the mean of both halves plus 0.01, as relMSE
+  // Relative: over the square of the picture plus 0.01. relMSE has that of the truth; but a noisy truth's would know of
+  // the products, and for a picture that is right but for its noise it is the same.
+  MeanSquare absolute, relative;
 };
 
-// `picture` has three numbers for each pixel of the film, which holds the same number of samples in both halves.
+// `picture` has three numbers for each pixel of the film.
 TrueError true_error(std::span<const float> picture, const film::Film& other);
 
 }  // namespace etendue::advice

@@ -41,7 +41,7 @@ fs::path cache_file(const fs::path& cache, uint64_t key) {
 
 render::Document reference_document(const render::Document& base) {
   render::Document d = base;
-  d.method.integrator = "path", d.method.sampler = "sobol";
+  d.method.integrator = "path", d.method.sampler = "sobol", d.method.adaptive = render::Adaptive::off;
   d.limits = {}, d.seed = 0;
   return d;
 }

@@ -2,17 +2,20 @@
 //
 // Samples alternate between the halves, and each half has its own random numbers. The mean of both is the image; their
 // difference is its error, also for quasi-Monte Carlo points, whose spread inside one sequence says nothing:
-// Var(mean) = (A - B)^2 / 4 per pixel, in expectation. What is not a finite, non-negative radiance is counted and left
+// Var(mean) = (A - B)^2 / 4 per pixel, in expectation. Halves weigh by their numbers of samples, unless these numbers
+// were chosen by what samples are: then both weigh the same. What is not a finite, non-negative radiance is counted and left
 // out.
 #pragma once
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/vec.h"
 #include "film/error.h"
+#include "film/spread.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {
@@ -36,7 +39,10 @@ class Film {
   void add(int x, int y, uint32_t replicate, const Rgb& radiance);
 
   uint32_t samples(int x, int y) const;
+  uint32_t samples_of_half(int x, int y, uint32_t replicate) const { return at(x, y).count[replicate]; }
   Rgb mean(int x, int y) const;
+  // Of one half; it must have a sample there.
+  Rgb mean_of_half(int x, int y, uint32_t replicate) const;
   // The standard error of `mean`, squared, per channel; zero while a half is empty.
   Rgb variance_of_mean(int x, int y) const;
 
@@ -55,6 +61,11 @@ class Film {
   std::span<Pixel> pixels() { return pixels_; }
   void set_rejected(const Rejected& rejected);
 
+  // For adaptive sampling in blocks of pixels. Without it, nothing is kept of how samples scatter.
+  void begin_spread(size_t blocks) { spread_.emplace(blocks); }
+  std::optional<Spread>& spread() { return spread_; }
+  const std::optional<Spread>& spread() const { return spread_; }
+
   // Empties the pixels of some rows.
   void clear_rows(int first, int end);
   size_t memory() const { return pixels_.size() * sizeof(Pixel); }
@@ -67,8 +78,11 @@ class Film {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }
 
+  bool halves_weigh_the_same(const Pixel& p) const { return spread_ && p.count[0] > 0 && p.count[1] > 0; }
+
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
+  std::optional<Spread> spread_;
   struct Counters {
     std::atomic<uint64_t> nan{0}, infinite{0}, negative{0};
     Counters() = default;

@@ -33,6 +33,11 @@ std::vector<Binding> render_bindings(const Document& d) {
                                  integrator::integrator_infos(), d.method.integrator, &Method::integrator));
   list.push_back(registry_choice("render.sampler", "Sampler", "Where random numbers come from", sampler_infos(),
                                  d.method.sampler, &Method::sampler));
+  list.push_back(binding("render",
+                         Choice<Adaptive>{"adaptive", "Adaptive sampling", d.method.adaptive,
+                                          "Half of the samples go where they bring most, decided so that the picture "
+                                          "stays unbiased; samples are then counted on average"},
+                         [](Document& doc, Adaptive v) { doc.method.adaptive = v; }));
   constexpr int kMost = 2'000'000'000;
   list.push_back(binding(
       "render",

@@ -9,15 +9,17 @@
 namespace etendue::render {
 namespace {
 
-constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '1'};
+constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '2'};
 
-// The fixed part at the front. Everything after it is: the state text, then the pixels as they stand in memory.
+// The fixed part at the front. Everything after it is: the state text, then the pixels as they stand in memory, then
+// what adaptive sampling knows of blocks.
 struct Header {
   char magic[8];
   uint64_t state_size;
   int32_t width, height;
   uint64_t nan, infinite, negative;
   double seconds;
+  uint64_t spread_blocks;
   uint64_t hash;  // of all bytes behind the header
 };
 
@@ -29,10 +31,13 @@ Error damaged(const std::filesystem::path& path, const char* what) {
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const auto pixels = std::as_bytes(checkpoint.film.pixels());
-  std::vector<char> bytes(sizeof(Header) + checkpoint.state.size() + pixels.size());
+  const auto& kept = checkpoint.film.spread();
+  const auto spread = kept ? kept->bytes() : std::span<const std::byte>();
+  std::vector<char> bytes(sizeof(Header) + checkpoint.state.size() + pixels.size() + spread.size());
   char* body = bytes.data() + sizeof(Header);
   std::memcpy(body, checkpoint.state.data(), checkpoint.state.size());
   std::memcpy(body + checkpoint.state.size(), pixels.data(), pixels.size());
+  if (kept) std::memcpy(body + checkpoint.state.size() + pixels.size(), spread.data(), spread.size());
   const film::Rejected rejected = checkpoint.film.rejected();
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
@@ -40,6 +45,7 @@ Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoin
   header.width = checkpoint.film.width(), header.height = checkpoint.film.height();
   header.nan = rejected.nan, header.infinite = rejected.infinite, header.negative = rejected.negative;
   header.seconds = checkpoint.seconds;
+  header.spread_blocks = kept ? kept->blocks() : 0;
   header.hash = hash_bytes(body, bytes.size() - sizeof(Header));
   std::memcpy(bytes.data(), &header, sizeof header);
   return write_file(path, bytes.data(), bytes.size());
@@ -56,11 +62,12 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   const uint64_t body = bytes.size() - sizeof header;
   constexpr int32_t kMost = 1 << 16;
   if (header.width <= 0 || header.height <= 0 || header.width > kMost || header.height > kMost ||
-      header.state_size > body)
+      header.state_size > body || header.spread_blocks > body / film::Spread::kBytesOfBlock)
     return damaged(path, "its size makes no sense");
   const uint64_t pixels =
       static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
-  if (body != header.state_size + pixels) return damaged(path, "it is truncated");
+  const uint64_t spread = header.spread_blocks * film::Spread::kBytesOfBlock;
+  if (body != header.state_size + pixels + spread) return damaged(path, "it is truncated");
   const char* data = reinterpret_cast<const char*>(bytes.data()) + sizeof header;
   if (hash_bytes(data, body) != header.hash) return damaged(path, "it is damaged");
 
@@ -70,6 +77,9 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   checkpoint.film = film::Film(header.width, header.height);
   checkpoint.film.set_rejected({header.nan, header.infinite, header.negative});
   std::memcpy(checkpoint.film.pixels().data(), data + header.state_size, pixels);
+  if (spread == 0) return checkpoint;
+  checkpoint.film.begin_spread(header.spread_blocks);
+  std::memcpy(checkpoint.film.spread()->bytes().data(), data + header.state_size + pixels, spread);
   return checkpoint;
 }
 

@@ -42,9 +42,9 @@ std::string_view section_of(std::string_view name) {
 }
 
 Result<Binding> find_binding(const Document& document, std::string_view name) {
-  // A bare name belongs to the integrator, else to the sampler.
+  // A bare name belongs to the integrator, else to the sampler, else to the rendering as a whole.
   if (name.find('.') == std::string_view::npos)
-    for (const std::string& owner : {document.method.integrator, document.method.sampler})
+    for (const std::string& owner : {document.method.integrator, document.method.sampler, std::string("render")})
       for (auto& b : bindings(document, owner))
         if (b.info.name == owner + "." + std::string(name)) return b;
   for (auto& b : bindings(document, section_of(name)))

@@ -29,8 +29,12 @@ struct Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
+// Whether samples go where the error is, and which error that is (render/allocation.h).
+enum class Adaptive { off, rmse, relmse };
+
 struct Method {
   std::string integrator = "path", sampler = "sobol";
+  Adaptive adaptive = Adaptive::off;
   std::string paths;  // the expression of the paths that count (transport/path_expression.h); empty if all do
   // Parameters by qualified name ("path.max-depth"), only those that differ from their defaults.
   std::vector<std::pair<std::string, Value>> settings;
@@ -77,7 +81,8 @@ std::vector<std::string> sections(const Document& document);
 // The current value of a setting; an unknown name is a usage error that names the nearest known one.
 Result<Value> get(const Document& document, std::string_view name);
 
-// The document with a setting changed. A bare name ("max-depth") belongs to the current integrator or sampler.
+// The document with a setting changed. A bare name ("max-depth") belongs to the current integrator or sampler, or
+// to "render".
 Result<Document> with(const Document& document, std::string_view name, const Value& value);
 // The same with the value as a user writes it.
 Result<Document> with_text(const Document& document, std::string_view name, std::string_view text);
@@ -95,3 +100,9 @@ Display display_from_state(const std::string& json);
 Result<Document> with_environment(const Document& document, const std::string& file);
 
 }  // namespace etendue::render
+
+template <>
+struct etendue::Options<etendue::render::Adaptive> {
+  static constexpr std::array<etendue::Option, 3> kOptions{
+      {{"off", "Off"}, {"rmse", "For the least RMSE"}, {"relmse", "For the least relative error"}}};
+};

@@ -1,11 +1,11 @@
 #include "render/pass.h"
 
+#include <bit>
+#include <cmath>
 #include <numeric>
 
 namespace etendue::render {
 namespace {
-
-using integrator::PixelBlock;
 
 // How many pieces of this size cover so many pixels.
 int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
@@ -22,52 +22,134 @@ PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::Co
       camera_(document.camera, width, height),
       filter_(document.filter),
       seed_(document.seed),
+      adaptive_(document.method.adaptive),
       width_(width),
       height_(height) {}
 
-bool PassRunner::run(Workers& workers, film::Film& film, uint32_t target, const std::function<bool()>& keep_going,
-                     Counters& counters, const std::function<bool()>& wanted) {
-  const uint32_t sample = target - 1;
-  const uint32_t table = sample / film::kReplicates / kTableSamples;
-  if (table + 1 != prepared_) {
-    sampler_->prepare(table * kTableSamples, kTableSamples);
-    prepared_ = table + 1;
+void PassRunner::begin(film::Film& film) {
+  const auto tiles = static_cast<size_t>(pieces(width_, PixelBlock::kWidth) * pieces(height_, PixelBlock::kHeight));
+  tiles_ = tiles;
+  if (adaptive_ != Adaptive::off) {
+    std::vector<int> pixels(tiles);
+    for (size_t i = 0; i < tiles; ++i) pixels[i] = block_at(i).width * block_at(i).height;
+    allocation_.emplace(adaptive_, std::move(pixels));
+    if (!film.spread() || film.spread()->blocks() != tiles) film.begin_spread(tiles);
   }
-  if (running_ != target) {
-    running_ = target;
-    open_tiles_.resize(static_cast<size_t>(pieces(width_, PixelBlock::kWidth) * pieces(height_, PixelBlock::kHeight)));
-    std::iota(open_tiles_.begin(), open_tiles_.end(), 0);
+  samples_ = average(film);
+}
+
+// Of the samples of one half, by number: what the running step wants.
+Allocation::Piece PassRunner::piece() const {
+  if (allocation_) return allocation_->piece();
+  return {samples_ / film::kReplicates, samples_ / film::kReplicates + 1};
+}
+
+void PassRunner::prepare(uint32_t first_of_half) {
+  const uint32_t table = first_of_half / kTableSamples;
+  if (table + 1 == prepared_) return;
+  sampler_->prepare(table * kTableSamples, kTableSamples);
+  prepared_ = table + 1;
+}
+
+bool PassRunner::advance(Workers& workers, film::Film& film, const std::function<bool()>& keep_going,
+                         Counters& counters, const std::function<bool()>& wanted) {
+  prepare(piece().first);
+  if (open_tiles_.empty()) {
+    open_tiles_.resize(tiles_);
+    std::iota(open_tiles_.begin(), open_tiles_.end(), size_t{0});
   }
-  constexpr int kClosed = -1;
-  const auto task = [&](int i) {
-    int& entry = open_tiles_[static_cast<size_t>(i)];
-    if (tile(film, entry, sample, wanted, counters)) entry = kClosed;
+  constexpr size_t kClosed = SIZE_MAX;
+  const Task task{film, wanted, counters};
+  const auto visit_one = [&](int i) {
+    size_t& entry = open_tiles_[static_cast<size_t>(i)];
+    if (visit(task, entry)) entry = kClosed;
   };
-  workers.run(0, static_cast<int>(open_tiles_.size()), task, keep_going);
+  workers.run(0, static_cast<int>(open_tiles_.size()), visit_one, keep_going);
   std::erase(open_tiles_, kClosed);
   if (!open_tiles_.empty()) return false;
-  running_ = 0;
+  finish_step(film);
   return true;
 }
 
-bool PassRunner::tile(film::Film& film, int index, uint32_t sample, const std::function<bool()>& wanted,
-                      Counters& counters) const {
-  const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_, &wanted};
-  const int across = pieces(width_, PixelBlock::kWidth);
-  const int x0 = index % across * PixelBlock::kWidth, y0 = index / across * PixelBlock::kHeight;
-  const PixelBlock block{x0, y0, std::min(PixelBlock::kWidth, width_ - x0), std::min(PixelBlock::kHeight, height_ - y0),
-                         sample};
-  // Tiles are drawn whole, so that one pixel speaks for all: which rays share a packet is always the same.
-  if (film.samples(x0, y0) > sample) return true;
+void PassRunner::finish_step(const film::Film& film) {
+  if (!allocation_) {
+    ++samples_;
+  } else {
+    allocation_->advance(*film.spread());
+    samples_ = average(film);
+  }
+}
+
+// Of the samples of a pixel; tiles are drawn whole, so that one pixel speaks for all.
+uint32_t PassRunner::average(const film::Film& film) const {
+  uint64_t samples = 0, least = UINT64_MAX;
+  for (size_t i = 0; i < tiles_; ++i) {
+    const PixelBlock block = block_at(i);
+    const uint64_t n = film.samples(block.x, block.y);
+    samples += n * static_cast<uint64_t>(block.width * block.height);
+    least = std::min(least, n);
+  }
+  const auto pixels = static_cast<uint64_t>(width_) * static_cast<uint64_t>(height_);
+  return static_cast<uint32_t>(allocation_ ? samples / pixels : least);
+}
+
+integrator::PixelBlock PassRunner::block_at(size_t tile) const {
+  const int across = pieces(width_, PixelBlock::kWidth), index = static_cast<int>(tile);
+  const int x = index % across * PixelBlock::kWidth, y = index / across * PixelBlock::kHeight;
+  return {x, y, std::min(PixelBlock::kWidth, width_ - x), std::min(PixelBlock::kHeight, height_ - y), 0};
+}
+
+bool PassRunner::visit(const Task& task, size_t tile) const {
+  PixelBlock block = block_at(tile);
+  if (!allocation_) {
+    block.sample = samples_;
+    return task.film.samples(block.x, block.y) > block.sample || sample(task, tile, block);
+  }
+  for (uint32_t half = 0; half < film::kReplicates; ++half) {
+    const uint32_t end = std::min(piece().end, allocation_->target(tile, half));
+    for (uint32_t n = task.film.samples_of_half(block.x, block.y, half); n < end; ++n) {
+      block.sample = n * film::kReplicates + half;
+      if (!sample(task, tile, block)) return false;
+    }
+  }
+  return true;
+}
+
+// One sample of each pixel of a tile; false if it was given up.
+bool PassRunner::sample(const Task& task, size_t tile, const PixelBlock& block) const {
+  const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_, &task.wanted};
   std::array<Rgb, PixelBlock::kMostPixels> radiance;
   const std::optional<uint64_t> rays = integrator_->sample(pass, block, radiance);
   if (!rays) return false;
   const Rgb* next = radiance.data();
-  for (int y = y0; y < y0 + block.height; ++y)
-    for (int x = x0; x < x0 + block.width; ++x) film.add(x, y, sample % film::kReplicates, *next++);
-  counters.rays.fetch_add(*rays, std::memory_order_relaxed);
-  counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
+  const uint32_t half = block.sample % film::kReplicates;
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x) task.film.add(x, y, half, *next++);
+  if (allocation_) note_spread(task.film, tile, block, std::span(radiance.data(), next));
+  task.counters.rays.fetch_add(*rays, std::memory_order_relaxed);
+  task.counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
   return true;
+}
+
+// Sums of squares with every sample; variances at powers of two.
+void PassRunner::note_spread(film::Film& film, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) {
+  const uint32_t half = block.sample % film::kReplicates, count = block.sample / film::kReplicates + 1;
+  double squares = 0;
+  for (const Rgb& r : radiance)
+    if (const double y = luminance(r); std::isfinite(y)) squares += y * y;
+  film::Spread& spread = *film.spread();
+  spread.add(tile, half, squares);
+  if (!film::Spread::is_kept(count)) return;
+  double means = 0, squared_means = 0;
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x) {
+      const double mean = luminance(film.mean_of_half(x, y, half));
+      means += mean, squared_means += mean * mean;
+    }
+  const double pixels = block.width * block.height;
+  const double variance = (spread.squares(tile, half) - count * squared_means) / (count - 1.0);
+  spread.keep(tile, half, std::countr_zero(count),
+              {static_cast<float>(variance / pixels), static_cast<float>(means / pixels), true});
 }
 
 }  // namespace etendue::render

@@ -205,7 +205,8 @@ class Session::Impl {
     runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height);
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
-    complete_ = film_stale_ ? 0 : least_samples();
+    if (!film_stale_) runner_->begin(film_);
+    complete_ = runner_->samples();
     error_ = {}, error_at_ = 0;
     forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
     coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
@@ -238,12 +239,6 @@ class Session::Impl {
   size_t film_bytes() const { return pixel_count() * sizeof(film::Film::Pixel); }
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
 
-  uint32_t least_samples() const {
-    uint32_t least = UINT32_MAX;
-    for (const auto& p : film_.pixels()) least = std::min(least, p.count[0] + p.count[1]);
-    return least;
-  }
-
   // The finest scale at which a whole frame is expected to be done in time.
   int scale_for(double seconds) const {
     int scale = coarse_rate_ > 0 ? 1 : kCoarsest;
@@ -269,7 +264,8 @@ class Session::Impl {
     const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
     const uint64_t before = counters_.paths;
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
-      if (runner_->run(workers_, film_, complete_ + 1, keep_going, counters_, [&] { return !cut(); })) ++complete_;
+      if (runner_->advance(workers_, film_, keep_going, counters_, [&] { return !cut(); }))
+        complete_ = runner_->samples();
       if (first || !keep_going()) break;
     }
     const double took = seconds_since(start);
@@ -293,6 +289,8 @@ class Session::Impl {
       return false;
     }
     film_.set_rejected({});
+    film_.spread().reset();
+    runner_->begin(film_);
     film_stale_ = false;
     return true;
   }
@@ -301,13 +299,15 @@ class Session::Impl {
     const auto start = Clock::now();
     const int w = std::max(1, document_.width / coarse_scale_), h = std::max(1, document_.height / coarse_scale_);
     Document small = document_;
+    small.method.adaptive = Adaptive::off;
     small.seed = mix_bits(document_.seed + 0x9e3779b97f4a7c15ULL * static_cast<uint64_t>(coarse_scale_));
     PassRunner runner(small, shown_scene_, w, h);
     film::Film film(w, h);
     PassRunner::Counters counters;
     const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
     const auto keep_going = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
-    const bool done = runner.run(workers_, film, 1, keep_going, counters, keep_going);
+    runner.begin(film);
+    const bool done = runner.advance(workers_, film, keep_going, counters, keep_going);
     note_rate(counters.paths, seconds_since(start));
     if (!done) {
       if (!cut()) coarse_scale_ = std::min(4 * coarse_scale_, kCoarsest);

@@ -1,0 +1,22 @@
+// The drawer under the picture: sheets of figures about it, one open at a time, pulled out by its tab and pushed back by
+// the same.
+#pragma once
+#include "viewer/workbench.h"
+
+namespace etendue::viewer {
+
+struct SheetInfo {
+  const char* name;  // of its tab: "sheet.health"
+  const char* label;
+  const char* doc;
+  void (*draw)(Workbench&);
+};
+// Every sheet, from left to right; one line each.
+const std::vector<SheetInfo>& sheets();
+
+void draw_health_sheet(Workbench& w);
+
+// Draws it on the lower edge of a region from the window's left side to `right`; returns its height.
+float draw_drawer(Workbench& w, float top, float right, float bottom);
+
+}  // namespace etendue::viewer
