@@ -45,7 +45,7 @@ json integrators() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
     json j = entry(info.name, info.label, info.doc, info.parameters);
-    j["paths"] = info.paths, j["bias"] = integrator::bias_name(info.bias), j["cost"] = info.cost,
+    j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias), j["cost"] = info.cost,
     j["fails"] = info.fails;
     list.push_back(j);
   }

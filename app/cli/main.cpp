@@ -26,6 +26,8 @@ constexpr Subcommand kSubcommands[] = {
     {"render", "Render a scene to a file", add_render},
     {"compare", "Measure how far an image is from a reference", add_compare},
     {"bench", "Chart the error of methods against time", add_bench},
+    {"advise", "Rank methods by the time to an error", add_advise},
+    {"certify", "Say whether the error that an image states stands", add_certify},
     {"inspect", "Say what is in a scene and what model it needs", add_inspect},
     {"list", "List integrators, samplers and what else there is", add_list},
     {"stress", "Try methods where they are known to fail, and say whether they do", add_stress},

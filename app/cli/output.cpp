@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "advice/certificate.h"
 #include "film/picture.h"
 #include "image/display.h"
 
@@ -35,7 +36,8 @@ Result<void> check_output_name(const std::string& path) {
 }
 
 Result<void> write_image(const std::string& path, const render::Document& document, const film::Film& film,
-                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples) {
+                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples,
+                         const std::string& certificate) {
   const std::string extension = extension_of(path);
   if (extension == ".hdr") return image::write_hdr(path, film.width(), film.height(), film::radiance_of(film));
   const std::string state = render::state_json(document, samples);
@@ -47,6 +49,7 @@ Result<void> write_image(const std::string& path, const render::Document& docume
   image::LayeredImage picture = film::picture_of(film);
   picture.attributes[kStateAttribute] = state;
   picture.attributes["software"] = "etendue";
+  picture.attributes[advice::kCertificateAttribute] = certificate;
   if (sample_counts) picture.layers.push_back(count_layer(film));
   for (auto& layer : layers) picture.layers.push_back(std::move(layer));
   return image::write_exr(path, picture);

@@ -15,8 +15,9 @@ inline constexpr const char* kStateAttribute = "etendue:state";
 // Whether the program can write a file of this name: the format and the folder.
 Result<void> check_output_name(const std::string& path);
 
-// .exr takes everything (layers, state, per-pixel variance); .hdr the radiance; .png what a screen shows.
+// .exr takes everything (layers, state, certificate, per-pixel variance); .hdr the radiance; .png what a screen shows.
 Result<void> write_image(const std::string& path, const render::Document& document, const film::Film& film,
-                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples);
+                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples,
+                         const std::string& certificate);
 
 }  // namespace etendue::cli

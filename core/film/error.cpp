@@ -16,16 +16,19 @@ struct Estimate {
 // Symmetric in the logarithm: a mean square is positive, and its distribution leans to the right.
 Estimate estimate(const RowError::Sum& sum, double numbers) {
   if (!(sum.squares > 0)) return {};
-  const double factor = std::exp(kNinetyFivePercent * 2 * std::sqrt(sum.spread) / sum.squares), mean = sum.squares / numbers;
+  const double factor = std::exp(kNinetyFivePercent * 2 * std::sqrt(sum.spread) / sum.squares),
+               mean = sum.squares / numbers;
   return {mean, {mean / factor, mean * factor}};
 }
 
-void add(RowError::Sum& sum, const RowError::Sum& row) { sum.squares += row.squares, sum.spread += row.spread; }
+void add(RowError::Sum& sum, const RowError::Sum& row) {
+  sum.squares += row.squares, sum.spread += row.spread, sum.fourth += row.fourth;
+}
 
 }  // namespace
 
 void RowSum::add(double squared_error) {
-  sum_.squares += squared_error;
+  sum_.squares += squared_error, sum_.fourth += squared_error * squared_error;
   ++pixels_;
   if (pixels_ > 1) products_ += squared_error * before_;
   before_ = squared_error;
@@ -42,7 +45,10 @@ ErrorEstimate error_of(std::span<const RowError> rows, double numbers) {
   }
   if (!(numbers > 0)) return {};
   const Estimate a = estimate(absolute, numbers), r = estimate(relative, numbers);
-  return {std::sqrt(a.mean), r.mean, {std::sqrt(a.interval.low), std::sqrt(a.interval.high)}, r.interval, true};
+  // A normal number's square has twice its squared variance as variance, and three times as mean square.
+  const double scatter = absolute.squares > 0 ? 0.5 * std::sqrt(2.0 / 3 * absolute.fourth) / absolute.squares : 0;
+  return {std::sqrt(a.mean), r.mean,  {std::sqrt(a.interval.low), std::sqrt(a.interval.high)},
+          r.interval,        scatter, true};
 }
 
 }  // namespace etendue::film

@@ -18,14 +18,17 @@ struct Interval {
 struct ErrorEstimate {
   double rmse = 0, relmse = 0;  // of the mean image, over pixels and channels
   Interval rmse_interval, relmse_interval;
+  // By how much the RMSE of another picture, made in the same way with other random numbers, differs from this one's: a
+  // standard deviation in parts of it. About 1/2 where a few pixels make all of the error.
+  double scatter = 0;
   bool known = false;  // false until every pixel has a sample in both halves
 };
 
 // The sums of one row of pixels: made in parallel, added in the order of the rows.
 struct RowError {
-  // Estimated squared errors of the pixels, summed over channels, and their share of the interval.
+  // Estimated squared errors of the pixels, summed over channels, their share of the interval, and their squares.
   struct Sum {
-    double squares = 0, spread = 0;
+    double squares = 0, spread = 0, fourth = 0;
   };
   Sum absolute, relative;
   bool known = true;

@@ -18,6 +18,7 @@ struct Description {
   const char* label;
   const char* doc;
   const char* paths;
+  const char* point_paths;
   Bias bias;
   const char* cost;
   const char* fails;

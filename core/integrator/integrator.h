@@ -25,6 +25,8 @@ std::string_view bias_name(Bias bias);
 struct IntegratorInfo {
   std::string name, label, doc;
   std::string paths;  // the light paths it finds, in Heckbert's notation as the thesis extends it (8.1)
+  // Those among them that it finds even if the light has no extent (point, spot, directional); empty if none.
+  std::string point_paths;
   Bias bias = Bias::unbiased;
   std::string cost, fails;
   std::vector<ParameterInfo> parameters;

@@ -14,6 +14,7 @@ class Path final : public Gathering<Path> {
                                             "Path tracing",
                                             "Random walks from the camera with direct light at every vertex",
                                             "E(D|G|S)*L",
+                                            "E.*(D|G)L",
                                             Bias::unbiased,
                                             "2 rays per vertex; no memory beyond the path",
                                             "caustics of small lights: EDS+L is found only when a walk happens to end "

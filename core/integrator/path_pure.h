@@ -14,6 +14,7 @@ class PathPure final : public Gathering<PathPure> {
       "Pure path tracing",
       "Random walks from the camera that count light only where they meet it",
       "E(D|G|S)*L",
+      "",
       Bias::unbiased,
       "1 ray per vertex; no memory beyond the path",
       "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: never"};

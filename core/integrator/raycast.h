@@ -15,6 +15,7 @@ class Raycast final : public Gathering<Raycast> {
       "Ray casting",
       "The first surface a ray meets, lit without shadows or left to its own emission",
       "E[D|G]L",
+      "E(D|G)L",
       Bias::biased,
       "1 ray per sample",
       "everything indirect, every shadow; point lights are invisible without the local model"};

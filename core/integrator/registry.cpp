@@ -17,7 +17,7 @@ struct Entry {
 template <class T>
 Entry entry() {
   const Description& d = T::kDescription;
-  return {{d.name, d.label, d.doc, d.paths, d.bias, d.cost, d.fails, T().parameters()},
+  return {{d.name, d.label, d.doc, d.paths, d.point_paths, d.bias, d.cost, d.fails, T().parameters()},
           [] { return std::make_unique<T>(); }};
 }
 

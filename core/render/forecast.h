@@ -1,8 +1,10 @@
 // When will a rendering have the error that is asked for?
 //
-// RMSE falls as samples^-s: s is 1/2 for random numbers, and up to 1 for quasi-Monte Carlo points where the picture is
-// smooth. What is known beforehand (1/2, give or take a tenth) and what this rendering has shown so far are weighted by
-// their certainties; the uncertainty of s and that of the error itself make the interval.
+// RMSE falls as samples^-s. For independent random numbers s is 1/2, and what a rendering shows of it is chance; for
+// quasi-Monte Carlo points it lies between 1/2 and 1, depending on how smooth the picture's integrals are. A straight
+// line through the errors so far, over logarithms and weighted by their certainties, is drawn towards what is known of
+// s beforehand (Bayesian linear regression). The uncertainties of the line, of the error now and of that to come make
+// the interval.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -19,7 +21,9 @@ struct Prediction {
 
 class Forecast {
  public:
-  void clear() { history_.clear(); }
+  // Whether samples are independent of each other, or points that know of each other.
+  explicit Forecast(bool independent = false) : independent_(independent) {}
+
   // The error at so many samples of every pixel, more than the last time. `seconds` are those spent on them.
   void add(uint32_t samples, double seconds, const film::ErrorEstimate& error);
 
@@ -37,7 +41,15 @@ class Forecast {
     double samples, seconds;
     double log_rmse, error;  // the standard error of the logarithm
   };
-  std::vector<Point> history_;
+  // log rmse = height - exponent (log samples - middle); the errors of height and exponent are independent.
+  struct Line {
+    double middle, height, height_error;
+    Exponent exponent;
+  };
+  Line line() const;
+
+  bool independent_;
+  std::vector<Point> history_;  // in steps of about two, but for the last
 };
 
 }  // namespace etendue::render

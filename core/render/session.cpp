@@ -207,7 +207,8 @@ class Session::Impl {
     rendering_seconds_ = 0;
     if (!film_stale_) runner_->begin(film_);
     complete_ = runner_->samples();
-    error_ = {}, error_at_ = 0, forecast_.clear();
+    error_ = {}, error_at_ = 0;
+    forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
     health_ = nullptr, health_at_ = 0;
     coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
     coarse_.reset();

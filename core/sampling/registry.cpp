@@ -1,5 +1,6 @@
 // Every sampler, one line each; the first is the default.
 #include <functional>
+#include <type_traits>
 
 #include "sampling/halton.h"
 #include "sampling/random.h"
@@ -17,7 +18,8 @@ struct Entry {
 template <class T>
 Entry entry() {
   T usual;
-  return {{T::kName, T::kLabel, T::kDoc, describe_all(usual.knobs())}, [](const std::vector<Setting>& settings) {
+  return {{T::kName, T::kLabel, T::kDoc, describe_all(usual.knobs()), std::is_same_v<T, RandomSampler>},
+          [](const std::vector<Setting>& settings) {
             auto sampler = std::make_unique<T>();
             for (const auto& s : settings) assign_by_name(sampler->knobs(), s.name, s.value);
             return sampler;

@@ -50,6 +50,7 @@ struct SampleTable {
 struct SamplerInfo {
   std::string name, label, doc;
   std::vector<ParameterInfo> parameters;
+  bool independent = false;  // its samples know nothing of each other
 };
 
 class Sampler {

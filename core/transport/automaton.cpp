@@ -109,6 +109,14 @@ std::optional<Automaton> Automaton::of(const Pattern& pattern, Pattern::Part who
 }
 
 std::optional<Automaton> Automaton::intersection(const Automaton& a, const Automaton& b) {
+  return product(a, b, [](bool in_a, bool in_b) { return in_a && in_b; });
+}
+
+std::optional<Automaton> Automaton::difference(const Automaton& a, const Automaton& b) {
+  return product(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
+}
+
+std::optional<Automaton> Automaton::product(const Automaton& a, const Automaton& b, bool (*accepts)(bool, bool)) {
   Numbering<std::pair<State, State>> pairs;
   pairs({a.start(), b.start()});
   std::vector<WideRow> rows;
@@ -116,7 +124,7 @@ std::optional<Automaton> Automaton::intersection(const Automaton& a, const Autom
     const auto [p, q] = pairs[i];
     WideRow row;
     for (size_t e = 0; e < kEvents; ++e) row.next[e] = pairs({a.rows_[p].next[e], b.rows_[q].next[e]});
-    row.accepting = a.accepts(p) && b.accepts(q);
+    row.accepting = accepts(a.accepts(p), b.accepts(q));
     rows.push_back(row);
   }
   return minimal(rows);

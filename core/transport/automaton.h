@@ -70,6 +70,8 @@ class Automaton {
   static std::optional<Automaton> of(const Pattern& pattern, Pattern::Part whole);
   // The words that both accept.
   static std::optional<Automaton> intersection(const Automaton& a, const Automaton& b);
+  // The words that `a` accepts and `b` does not.
+  static std::optional<Automaton> difference(const Automaton& a, const Automaton& b);
 
   State start() const { return start_; }
   State next(State state, Event event) const { return rows_[state].next[static_cast<size_t>(event)]; }
@@ -94,6 +96,8 @@ class Automaton {
     bool accepting = false;
   };
   static std::optional<Automaton> minimal(const std::vector<WideRow>& rows);
+  // Of both at once; `accepts` says what becomes of their answers.
+  static std::optional<Automaton> product(const Automaton& a, const Automaton& b, bool (*accepts)(bool, bool));
 
   std::vector<Row> rows_{1};
   State start_ = kDead;

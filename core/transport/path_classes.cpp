@@ -1,8 +1,6 @@
 #include "transport/path_classes.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace etendue::transport {
 namespace {
@@ -41,49 +39,19 @@ std::string PathClass::name() const {
   return text + "L";
 }
 
-void ClassEnergies::add(std::span<const Event> scattering, double energy) {
-  if (energy == 0) return;
-  const PathClass path_class = PathClass::of(scattering, naming_, detail_);
-  Sums& sums = sums_[path_class];
-  if (sums.pending == 0) touched_.push_back(path_class);
-  sums.pending += energy;
-}
-
-void ClassEnergies::end_sample() {
-  ++samples_;
-  for (const PathClass& path_class : touched_) {
-    Sums& sums = sums_.at(path_class);
-    // Twice here if its parts cancelled for a while: the second time nothing is left.
-    if (sums.pending == 0) continue;
-    ++sums.found;
-    sums.energy.add(sums.pending);
-    sums.squares.add(sums.pending * sums.pending);
-    sums.pending = 0;
+std::vector<PathClass> PathClass::parts() const {
+  std::vector<PathClass> list;
+  if (!more_ || size_ == kMostDetail) return list;
+  for (const Event e : {Event::diffuse, Event::glossy, Event::specular}) {
+    if (naming_ == Naming::runs && size_ > 0 && e == letters_[size_ - 1U]) continue;
+    PathClass longer = *this;
+    longer.letters_[longer.size_++] = e;
+    longer.more_ = false;
+    list.push_back(longer);
+    longer.more_ = true;
+    list.push_back(longer);
   }
-  touched_.clear();
-}
-
-void ClassEnergies::merge(const ClassEnergies& other) {
-  assert(naming_ == other.naming_ && detail_ == other.detail_ && other.touched_.empty());
-  samples_ += other.samples_;
-  for (const auto& [path_class, from] : other.sums_) {
-    Sums& to = sums_[path_class];
-    to.found += from.found;
-    to.energy.add(from.energy);
-    to.squares.add(from.squares);
-  }
-}
-
-std::vector<ClassEnergies::Row> ClassEnergies::rows() const {
-  std::vector<Row> rows;
-  const auto n = static_cast<double>(samples_);
-  for (const auto& [path_class, sums] : sums_) {
-    const double mean = samples_ > 0 ? sums.energy.value() / n : 0;
-    const double variance = samples_ > 1 ? (sums.squares.value() - n * mean * mean) / (n - 1) : 0;
-    rows.push_back({path_class.name(), mean, std::sqrt(std::max(0.0, variance) / std::max(n, 1.0)), sums.found});
-  }
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.mean > b.mean; });
-  return rows;
+  return list;
 }
 
 }  // namespace etendue::transport

@@ -1,4 +1,4 @@
-// Where a view's energy comes from: sums per class of light paths.
+// Classes of light paths that part all of them.
 //
 // A class is named by a path expression that matches the words of the class and no others, so that the name can be
 // given back to render that class alone. Two ways of telling paths apart, each with a detail k:
@@ -11,12 +11,10 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "base/exact_sum.h"
 #include "transport/automaton.h"
 
 namespace etendue::transport {
@@ -32,6 +30,9 @@ class PathClass {
 
   std::string name() const;
 
+  // The classes of one more detail that it falls into; none if it is a single one at any detail, or at kMostDetail.
+  std::vector<PathClass> parts() const;
+
   friend auto operator<=>(const PathClass&, const PathClass&) = default;
 
  private:
@@ -39,43 +40,6 @@ class PathClass {
   bool more_ = false;  // other letters follow
   Naming naming_ = Naming::words;
   std::array<Event, kMostDetail> letters_{};
-};
-
-// Means over samples of what each class carries. Tables that threads filled apart can be merged in any order: sums are
-// exact, so the result has the same bits.
-class ClassEnergies {
- public:
-  ClassEnergies(Naming naming, size_t detail) : naming_(naming), detail_(detail) {}
-
-  // A path of the present sample carries this much (luminance, or another number that is linear in radiance, finite).
-  void add(std::span<const Event> scattering, double energy);
-  // The present sample is complete. What it found in a class counts as one number: parts of it are not independent.
-  void end_sample();
-
-  // `other` must tell paths apart as this does, and be between samples.
-  void merge(const ClassEnergies& other);
-
-  uint64_t samples() const { return samples_; }
-  struct Row {
-    std::string name;
-    double mean, standard_error;  // over all samples; they count as independent
-    uint64_t found;               // samples that found something of the class
-  };
-  // The largest mean first; equal ones by class.
-  std::vector<Row> rows() const;
-
- private:
-  struct Sums {
-    double pending = 0;
-    uint64_t found = 0;
-    ExactSum energy, squares;
-  };
-
-  Naming naming_;
-  size_t detail_;
-  uint64_t samples_ = 0;
-  std::map<PathClass, Sums> sums_;
-  std::vector<PathClass> touched_;  // by the present sample
 };
 
 }  // namespace etendue::transport

@@ -53,4 +53,8 @@ class PathExpression {
   Automaton automaton_;
 };
 
+// Text that stands for the words of an automaton, which must accept one at least (states eliminated one by one:
+// Brzozowski & McCluskey 1963). Of many states it may be longer than `parse` takes.
+std::string expression_of(const Automaton& automaton);
+
 }  // namespace etendue::transport

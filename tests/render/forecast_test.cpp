@@ -9,7 +9,7 @@ namespace etendue::render {
 namespace {
 
 film::ErrorEstimate estimate(double rmse, double relative) {
-  return {rmse, 0, {rmse * (1 - relative), rmse / (1 - relative)}, {}, true};
+  return {rmse, 0, {rmse * (1 - relative), rmse / (1 - relative)}, {}, 0, true};
 }
 
 Forecast with_slope(double slope, double relative) {

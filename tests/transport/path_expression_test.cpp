@@ -253,5 +253,33 @@ TEST(PathExpression, WhatIsTooLargeIsRefused) {
   EXPECT_TRUE(PathExpression::parse(std::string(60, 'D')));
 }
 
+TEST(Automaton, DifferenceTakesOut) {
+  const auto all = PathExpression::all().automaton();
+  const auto whitted = PathExpression::parse_paths("ES*[D|G]L")->automaton();
+  const auto rest = *Automaton::difference(all, whitted);
+  for (const char* word : {"EL", "ESL", "EDL", "ESSGL"}) EXPECT_FALSE(rest.accepts(std::string_view(word))) << word;
+  for (const char* word : {"EDDL", "EDSL", "ESDSL"}) EXPECT_TRUE(rest.accepts(std::string_view(word))) << word;
+  EXPECT_TRUE(Automaton::difference(whitted, all)->empty());
+}
+
+// There and back again, with complements, which nobody wrote.
+TEST(PathExpression, OfAnAutomatonMeansTheSame) {
+  const auto all = PathExpression::all().automaton();
+  for (const char* text : {"EL", "E.*L", "E(D|G).+L", "ES*[D|G]L", "EDS+L", "E.*(D|G)S+L", "E[D|G]L", "ED+S+(D|G).*L",
+                           "E[.[.[.[.]]]]L", "E(DS|SD)*L", "E.*DG.*L"}) {
+    const auto whole = PathExpression::parse_paths(text)->automaton();
+    const auto rest = *Automaton::difference(all, whole);
+    for (const Automaton& automaton : {whole, rest}) {
+      if (automaton.empty()) continue;
+      const std::string again = expression_of(automaton);
+      const auto parsed = PathExpression::parse_paths(again);
+      ASSERT_TRUE(parsed) << text << ' ' << again << ' ' << parsed.error().message;
+      EXPECT_EQ(parsed->automaton(), automaton) << text << ' ' << again;
+      RecordProperty(text, again);
+    }
+  }
+  EXPECT_EQ(expression_of(PathExpression::parse_paths("E[D|G]L")->automaton()), "E[D|G]L");
+}
+
 }  // namespace
 }  // namespace etendue::transport

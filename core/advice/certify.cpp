@@ -1,0 +1,225 @@
+#include "advice/certify.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "advice/trusted.h"
+#include "advice/words.h"
+#include "base/hash.h"
+
+namespace etendue::advice {
+namespace {
+
+// Of the normal distribution: 95 %, 99.9 %, and 99.7 % within.
+constexpr double k95 = 1.96, k999 = 3.29, kTrue = 3;
+// So well known, the true error speaks for itself.
+constexpr double kPrecise = 0.02;
+constexpr const char* kStateAttribute = "etendue:state";
+
+// Samples of every pixel for the first look.
+constexpr uint32_t kFirstLook = 4;
+
+// Whether one method finds everything that the other does, and more.
+bool finds_more(const Found& one, const Found& other) {
+  const bool all = without(other.paths, one.paths).empty() && without(other.point_paths, one.point_paths).empty();
+  return all && !(one.paths == other.paths && one.point_paths == other.point_paths);
+}
+
+// Who judges: the trusted method, or an unbiased one that finds more.
+render::Document judge_of(const render::Document& document, const CertifyOptions& options) {
+  render::Document d = trusted(document);
+  for (const auto& info : integrator::integrator_infos())
+    if (info.bias == integrator::Bias::unbiased && finds_more(declared(info), declared(d.method)))
+      d.method.integrator = info.name;
+  d.seed = mix_bits(mix_bits(document.seed) ^ (options.seed + 0x6365727469667921ULL)) & 0x3fffffff;
+  return d;
+}
+
+// The interval of 95 % made one of 99.9 %, both ends in proportion to the logarithm.
+film::Interval generous(const Stated& stated) {
+  const auto stretched = [&](double end) {
+    return stated.value > 0 && end > 0 ? stated.value * std::pow(end / stated.value, k999 / k95) : end;
+  };
+  return {stretched(stated.interval.low), stretched(stated.interval.high)};
+}
+
+std::string interval_text(const film::Interval& i) {
+  return std::isfinite(i.high) ? number(i.low) + " .. " + number(i.high) : number(i.low) + " or more";
+}
+
+// What the picture says of its error by its own layer of variance, against its statement.
+std::optional<std::string> contradiction(const Claim& claim) {
+  const auto variance = claim.variance();
+  if (variance.empty()) return {};
+  double sum = 0;
+  for (const float v : variance) sum += double{v};
+  const double rmse = std::sqrt(sum / static_cast<double>(variance.size()));
+  const film::Interval stated = claim.certificate.rmse->interval;
+  // Where something is missing the layer says less than the statement; it never says more.
+  const bool less = claim.certificate.missing.empty() && rmse < stated.low;
+  if (!less && rmse <= stated.high) return {};
+  return "it contradicts itself: its layer of variance gives an RMSE of " + number(rmse) + ", it states " +
+         interval_text(stated);
+}
+
+// One stated number against the truth.
+struct Comparison {
+  Verdict verdict;
+  double spare = 0;  // of the mean square: how much less exactly it would have to be known
+};
+
+Comparison compare(const MeanSquare& truth, const Stated& stated, bool squared) {
+  film::Interval allowed = generous(stated);
+  if (!squared) allowed = {sqr(allowed.low), sqr(allowed.high)};
+  const double margin = kTrue * truth.standard_error;
+  if (truth.value - margin > allowed.high || truth.value + margin < allowed.low) return {Verdict::falls};
+  const bool inside = truth.value >= allowed.low && truth.value <= allowed.high;
+  const bool surely = truth.value - margin >= allowed.low && truth.value + margin <= allowed.high;
+  const double needed = std::max(std::min(truth.value - allowed.low, allowed.high - truth.value) / kTrue,
+                                 2 * kPrecise * std::max(0.0, truth.value) / kTrue);
+  if (surely || (inside && margin <= 2 * kPrecise * truth.value)) return {Verdict::stands};
+  return {Verdict::cannot_tell, needed > 0 ? truth.standard_error / needed : INFINITY};
+}
+
+class Judge {
+ public:
+  Judge(render::Session& session, const Claim& claim, const CertifyOptions& options, const bench::Watch& watch)
+      : session_(session),
+        claim_(claim),
+        options_(options),
+        watch_(watch),
+        document_(judge_of(claim.document, options)) {
+    finding_.method = document_.method.integrator + ":sampler=" + document_.method.sampler;
+  }
+
+  Finding judge() {
+    if (!claim_.certificate.rmse || !claim_.certificate.relmse) return reject("it states no error");
+    if (const auto said = contradiction(claim_)) return reject(*said);
+    for (uint32_t samples = kFirstLook; finding_.verdict == Verdict::cannot_tell; samples *= 2) {
+      const bool whole = render(samples);
+      if (film_.pixels().empty() || finding_.samples < film::kReplicates) break;
+      look();
+      if (!whole) break;
+    }
+    return finding_;
+  }
+
+ private:
+  Finding reject(const std::string& reason) {
+    finding_.verdict = Verdict::falls;
+    finding_.reasons.push_back(reason);
+    return finding_;
+  }
+
+  // Goes on to so many samples; false if there is no more time.
+  bool render(uint32_t samples) {
+    render::Document d = document_;
+    const double left = options_.seconds - finding_.seconds;
+    d.limits = {samples, std::max(1e-3, left), 0};
+    const uint64_t version = finding_.samples > 0 ? session_.submit(d, std::move(film_)) : session_.submit(d);
+    const bool whole = bench::wait_for(session_, version, [&](const render::Status& s) {
+      return watch_(std::min(1.0, (finding_.seconds + s.seconds) / options_.seconds), "replicates");
+    });
+    const auto status = session_.status();
+    film_ = session_.film_copy();
+    // Both halves must hold as many samples.
+    finding_.interrupted = !whole;
+    finding_.seconds += status.seconds;
+    finding_.samples = status.samples;
+    return whole && status.samples == samples && finding_.seconds < options_.seconds;
+  }
+
+  void look() {
+    const TrueError truth = true_error(claim_.rgb(), film_);
+    const auto root = truth.absolute.root_interval(kTrue);
+    finding_.rmse = {truth.absolute.root(), root};
+    const double margin = kTrue * truth.relative.standard_error;
+    finding_.relmse = {truth.relative.value,
+                       {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
+    finding_.reasons.clear();
+    const auto absolute = compare(truth.absolute, *claim_.certificate.rmse, false);
+    // Where something is missing, what the picture shows is no measure for it.
+    const auto relative = claim_.certificate.missing.empty()
+                              ? compare(truth.relative, *claim_.certificate.relmse, true)
+                              : Comparison{Verdict::stands};
+    // Adaptive sampling gives a block half of its even share at the least.
+    const bool even = claim_.document.method.adaptive == render::Adaptive::off;
+    const uint32_t samples = even ? claim_.samples : (claim_.samples + 1) / 2;
+    const auto blocks = changed_blocks({claim_.rgb(), claim_.variance(), samples}, film_);
+    finding_.changed = blocks.changed;
+    explain(absolute.verdict, relative.verdict, blocks);
+    if (!finding_.reasons.empty())
+      finding_.verdict = Verdict::falls;
+    else if (absolute.verdict == Verdict::stands && relative.verdict == Verdict::stands)
+      finding_.verdict = Verdict::stands;
+    // Errors of the truth fall as the root of the time at worst.
+    finding_.seconds_wanted = finding_.seconds * sqr(std::max({1.0, absolute.spare, relative.spare}));
+  }
+
+  void explain(Verdict absolute, Verdict relative, const BlockTest& blocks) {
+    const auto& c = claim_.certificate;
+    const auto say = [&](const char* what, const Stated& truth, const Stated& stated) {
+      const double margin = 0.5 * (truth.interval.high - truth.interval.low) / kTrue;
+      finding_.reasons.push_back("true " + std::string(what) + " " + number(truth.value) + " +- " + number(margin) +
+                                 ", stated " + interval_text(stated.interval));
+    };
+    if (absolute == Verdict::falls) say("RMSE", finding_.rmse, *c.rmse);
+    if (relative == Verdict::falls) say("relMSE", finding_.relmse, *c.relmse);
+    if (blocks.changed.empty()) return;
+    const Block& worst = blocks.changed.front();
+    finding_.reasons.push_back(std::to_string(blocks.changed.size()) + " of " + std::to_string(blocks.blocks) +
+                               " blocks of pixels are off by more than chance allows, the worst at " +
+                               std::to_string(worst.x) + "," + std::to_string(worst.y) + " by " +
+                               number(std::abs(worst.sigmas)) + " standard errors");
+  }
+
+  render::Session& session_;
+  const Claim& claim_;
+  const CertifyOptions& options_;
+  const bench::Watch& watch_;
+  render::Document document_;
+  film::Film film_;
+  Finding finding_;
+};
+
+}  // namespace
+
+std::span<const float> Claim::variance() const {
+  const image::Layer* layer = picture.find("variance");
+  return layer && layer->pixels.size() == rgb().size() ? std::span<const float>(layer->pixels)
+                                                       : std::span<const float>();
+}
+
+std::string_view verdict_name(Verdict verdict) {
+  return verdict == Verdict::stands ? "stands" : verdict == Verdict::falls ? "does not stand" : "cannot tell";
+}
+
+Result<Claim> read_claim(const std::string& file) {
+  auto picture = image::read_exr(file);
+  if (!picture) return picture.error();
+  const auto state = picture->attributes.find(kStateAttribute),
+             certificate = picture->attributes.find(kCertificateAttribute);
+  if (state == picture->attributes.end() || certificate == picture->attributes.end())
+    return input_error(file + ": states nothing of its error; give an .exr that etendue render wrote");
+  Claim claim;
+  auto document = render::document_from_state(state->second, file, &claim.samples);
+  if (!document) return document.error();
+  auto read = certificate_from_json(certificate->second, file);
+  if (!read) return read.error();
+  claim.document = std::move(*document), claim.certificate = std::move(*read), claim.picture = std::move(*picture);
+  const auto* beauty = claim.picture.find("");
+  if (claim.picture.width != claim.document.width || claim.picture.height != claim.document.height || !beauty ||
+      beauty->channels.size() != 3)
+    return input_error(file + ": is not the picture that its settings make, " + std::to_string(claim.document.width) +
+                       "x" + std::to_string(claim.document.height) + " pixels of three channels");
+  if (!std::ranges::all_of(beauty->pixels, [](float v) { return std::isfinite(v); }))
+    return input_error(file + ": has pixels that are not finite; no statement of its error can stand");
+  return claim;
+}
+
+Finding certify(render::Session& session, const Claim& claim, const CertifyOptions& options,
+                const bench::Watch& watch) {
+  return Judge(session, claim, options, watch).judge();
+}
+
+}  // namespace etendue::advice

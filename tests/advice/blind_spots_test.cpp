@@ -1,0 +1,168 @@
+// What integrators declare against what they produce, for every one in the registry: a false declaration is found.
+#include "advice/blind_spots.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "advice/things.h"
+#include "advice/trusted.h"
+#include "transport/path_expression.h"
+
+namespace etendue::test {
+namespace {
+
+using advice::BlindSpots;
+using advice::ClassTable;
+using advice::Found;
+using transport::Automaton;
+using transport::PathExpression;
+
+ClassTable table_of(const render::Document& d) {
+  render::Session session({2});
+  return advice::class_table(session, d, {}, go_on);
+}
+
+// Every comparison of a scene together has one false alarm in a hundred: two-sided, Sidak.
+double threshold(size_t comparisons) {
+  const double alarms = 1 - std::pow(0.99, 1.0 / static_cast<double>(comparisons));
+  double low = 0, high = 10;
+  while (high - low > 1e-6) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > alarms ? low : high) = middle;
+  }
+  return low;
+}
+
+advice::ClassEnergy energy_by(const std::string& integrator, const render::Document& d, const std::string& paths,
+                              uint32_t samples) {
+  render::Document made = changed(changed(advice::trusted(d), "film.paths", paths), "render.integrator", integrator);
+  made.seed = 77;
+  return advice::energy_of(rendered(made, samples));
+}
+
+// What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
+std::vector<std::string> lies(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
+                              const ClassTable& table) {
+  const Found found = advice::declared(info);
+  const Automaton& declared = points ? found.point_paths : found.paths;
+  std::vector<std::string> list;
+  const Automaton rest = advice::without(PathExpression::all().automaton(), declared);
+  if (!rest.empty())
+    if (const auto energy = energy_by(info.name, d, expression_of(rest), 16); energy.found())
+      list.push_back("finds some of " + expression_of(rest));
+  std::vector<const advice::ClassRow*> rows;
+  for (const auto& row : table.rows)
+    if (!row.energy.uncertain() &&
+        advice::without(PathExpression::parse_paths(row.paths)->automaton(), declared).empty())
+      rows.push_back(&row);
+  for (const auto* row : rows) {
+    const auto energy = energy_by(info.name, d, row->paths, 64);
+    if (!energy.found()) list.push_back("finds nothing of " + row->paths);
+    if (info.bias == integrator::Bias::biased) continue;
+    const double z = (energy.mean - row->energy.mean) / std::hypot(energy.standard_error, row->energy.standard_error);
+    if (std::abs(z) > threshold(rows.size())) list.push_back(row->paths + " is off by " + std::to_string(z) + " sigma");
+  }
+  return list;
+}
+
+struct Place {
+  const char* name;
+  render::Document document;
+  bool points;
+};
+
+std::vector<Place> places() {
+  return {{"area", things_under(true, false, false, 32), false},
+          {"sky", things_under(false, true, false, 32), false},
+          {"point", things_under(false, false, true, 32), true},
+          {"cornell", cornell(32), false}};
+}
+
+TEST(Declared, AgainstProduced) {
+  for (const auto& place : places()) {
+    const ClassTable table = table_of(place.document);
+    for (const auto& info : integrator::integrator_infos())
+      for (const auto& lie : lies(info, place.document, place.points, table))
+        ADD_FAILURE() << info.name << " under " << place.name << ": " << lie;
+  }
+}
+
+TEST(Declared, ALieIsFound) {
+  const auto d = things_under(true, false, false, 32), points = things_under(false, false, true, 32);
+  const auto table = table_of(d), under_points = table_of(points);
+  const auto said = [](const char* name, const char* paths, const char* point_paths) {
+    auto info = *integrator::find_integrator(name);
+    info.paths = paths, info.point_paths = point_paths;
+    return info;
+  };
+  EXPECT_FALSE(lies(said("raycast", "E.*L", ""), d, false, table).empty());
+  EXPECT_FALSE(lies(said("raycast", "EL", ""), d, false, table).empty());
+  EXPECT_FALSE(lies(said("path", "E[D|G]L", ""), d, false, table).empty());
+  EXPECT_FALSE(lies(said("path-pure", "E.*L", "E.*DL"), points, true, under_points).empty());
+  EXPECT_FALSE(lies(said("path", "E.*L", ""), points, true, under_points).empty());
+}
+
+TEST(Declared, PointPathsAreAmongThePaths) {
+  for (const auto& info : integrator::integrator_infos()) {
+    const Found found = advice::declared(info);
+    EXPECT_TRUE(advice::without(found.point_paths, found.paths).empty()) << info.name;
+  }
+}
+
+TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
+  const auto found = advice::declared(changed(cornell(8), "path.max-depth", "2").method);
+  EXPECT_EQ(found.paths, PathExpression::parse_paths("E[.]L")->automaton());
+  EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G)L")->automaton());
+  EXPECT_EQ(advice::bias_of(changed(cornell(8), "path.max-depth", "2").method), integrator::Bias::biased);
+  EXPECT_EQ(advice::bias_of(cornell(8).method), integrator::Bias::unbiased);
+}
+
+TEST(BlindSpots, OfAMethodThatFindsAll) {
+  const ClassTable table = table_of(things_under(true, true, true, 16));
+  const BlindSpots none = advice::blind_spots(advice::declared(*integrator::find_integrator("path")), table);
+  EXPECT_TRUE(none.none());
+  EXPECT_EQ(none.share, 0);
+  EXPECT_EQ(advice::sentence_of(none), "misses nothing that was found to carry light");
+}
+
+// What is missing is what a rendering without it lacks.
+TEST(BlindSpots, ShareAndErrorOfWhatIsMissing) {
+  const auto d = things_under(true, true, false, 32);
+  const ClassTable table = table_of(d);
+  const BlindSpots spots = advice::blind_spots(advice::declared(*integrator::find_integrator("raycast")), table);
+  const auto whole = energy_by("path", d, "", 256), rest = energy_by("path", d, "E(S|(D|G).).*L", 256);
+  EXPECT_NEAR(spots.share, rest.mean / whole.mean, 0.05);
+  EXPECT_NEAR(spots.rms, advice::rms_of({&rest, 1}), 0.1 * spots.rms);
+  for (const auto& spot : spots.classes) EXPECT_FALSE(spot.part) << spot.paths;
+  EXPECT_TRUE(advice::sentence_of(spots).starts_with("misses ")) << advice::sentence_of(spots);
+}
+
+TEST(BlindSpots, PointLightsAreInvisibleToWalks) {
+  const ClassTable alone = table_of(things_under(false, false, true, 16)),
+                   mixed = table_of(things_under(true, false, true, 16));
+  const Found pure = advice::declared(*integrator::find_integrator("path-pure"));
+  EXPECT_NEAR(advice::blind_spots(pure, alone).share, 1, 1e-6);
+  const BlindSpots spots = advice::blind_spots(pure, mixed);
+  EXPECT_NEAR(spots.share, mixed.total.from_points.mean / mixed.total.energy.mean, 1e-3);
+  EXPECT_TRUE(std::ranges::all_of(spots.classes, &advice::BlindSpot::points));
+}
+
+TEST(BlindSpots, BeyondAllMethods) {
+  const auto sentences = [](const render::Document& d) {
+    return advice::beyond_all_methods(*scene::compile(d.scene, d.camera, nullptr));
+  };
+  const auto said = sentences(things_under(false, false, true, 16));
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(said[0].starts_with("what a point light casts through or off glass (")) << said[0];
+  EXPECT_TRUE(sentences(things_under(true, true, false, 16)).empty());
+  auto plain = cornell(16);
+  scene::Scene scene = *plain.scene;
+  shine(scene, {0, 0, 0}, 1);
+  plain.scene = std::make_shared<const scene::Scene>(scene);
+  EXPECT_TRUE(sentences(plain).empty());
+}
+
+}  // namespace
+}  // namespace etendue::test
