@@ -35,18 +35,20 @@ Result<void> check_output_name(const std::string& path) {
 }
 
 Result<void> write_image(const std::string& path, const render::Document& document, const film::Film& film,
-                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples) {
+                         const std::optional<std::vector<float>>& reweighted, std::vector<image::Layer> layers,
+                         bool sample_counts, uint32_t samples) {
   const std::string extension = extension_of(path);
   if (extension == ".hdr") return image::write_hdr(path, film.width(), film.height(), film::radiance_of(film));
   const std::string state = render::state_json(document, samples);
   if (extension == ".png") {
-    const auto shown =
-        image::display_pixels(film::radiance_of(film), document.display.exposure, document.display.curve);
+    const auto shown = image::display_pixels(reweighted ? *reweighted : film::radiance_of(film),
+                                             document.display.exposure, document.display.curve);
     return image::write_png(path, film.width(), film.height(), shown, {{kStateAttribute, state}});
   }
   image::LayeredImage picture = film::picture_of(film);
   picture.attributes[kStateAttribute] = state;
   picture.attributes["software"] = "etendue";
+  if (reweighted) picture.layers.push_back({"reweighted", {"R", "G", "B"}, *reweighted});
   if (sample_counts) picture.layers.push_back(count_layer(film));
   for (auto& layer : layers) picture.layers.push_back(std::move(layer));
   return image::write_exr(path, picture);

@@ -1,5 +1,6 @@
 // From a film to a picture file of the format that the name asks for.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ inline constexpr const char* kStateAttribute = "etendue:state";
 Result<void> check_output_name(const std::string& path);
 
 // .exr takes everything (layers, state, per-pixel variance); .hdr the radiance; .png what a screen shows.
+// `reweighted`, if there is one, is what the screen shows; .exr takes it as a layer.
 Result<void> write_image(const std::string& path, const render::Document& document, const film::Film& film,
-                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples);
+                         const std::optional<std::vector<float>>& reweighted, std::vector<image::Layer> layers,
+                         bool sample_counts, uint32_t samples);
 
 }  // namespace etendue::cli

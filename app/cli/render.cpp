@@ -221,6 +221,7 @@ int run(const Options& o) {
 
   const auto status = session.status();
   const film::Film film = session.film_copy();
+  const auto reweighted = session.reweighted_copy();
   if (interrupted && o.checkpoint > 0)
     if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
   std::vector<image::Layer> layers;
@@ -228,9 +229,9 @@ int run(const Options& o) {
   if (compiled && !aovs->empty())
     layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const bool counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
-  if (auto ok = write_image(o.out, d, film, std::move(layers), counts, status.samples); !ok) return fail(ok.error());
+  if (auto ok = write_image(o.out, d, film, reweighted, std::move(layers), counts, status.samples); !ok) return fail(ok.error());
   if (!o.png.empty())
-    if (auto ok = write_image(o.png, d, film, {}, false, status.samples); !ok) return fail(ok.error());
+    if (auto ok = write_image(o.png, d, film, reweighted, {}, false, status.samples); !ok) return fail(ok.error());
   if (!o.json.empty()) {
     const std::string text = stats(d, status, session.model(),
                                    o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency()))

@@ -16,6 +16,13 @@ void add(const PixelBlock& block, std::span<const Rgb> radiance, film::Film& fil
     for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kReplicates, *next++);
 }
 
+void add(const PixelBlock& block, std::span<const Rgb> radiance, film::Cascades& cascades) {
+  const Rgb* next = radiance.data();
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x, ++next)
+      if (film::is_radiance(*next)) cascades.add(x, y, *next);
+}
+
 }  // namespace
 
 PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
@@ -72,6 +79,7 @@ bool PassRunner::tile(const Sinks& sinks, int index, uint32_t sample, const std:
     sinks.tails->add(block, radiance, sinks.film);
   else
     add(block, radiance, sinks.film);
+  if (sinks.cascades) add(block, radiance, *sinks.cascades);
   counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
   return true;

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "film/cascades.h"
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/document.h"
@@ -18,6 +19,7 @@ class PassRunner {
   struct Sinks {
     film::Film& film;
     TileTails* tails = nullptr;
+    film::Cascades* cascades = nullptr;
   };
   // Brings every pixel of the film to `target` samples, as far as `keep_going` lets it; true if it got there. Calling
   // again goes on where it stopped: a pixel knows its samples by their number. `rays` and `paths` are added to.

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,8 @@ class Session {
 
   // The film as it is, taken between two slices of work.
   film::Film film_copy();
+  // The same as it is shown, three numbers a pixel, where film.fireflies re-weights it; nothing where it does not.
+  std::optional<std::vector<float>> reweighted_copy();
   // Continues with a film from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
   // there.
   uint64_t submit(const Document& document, film::Film start);
