@@ -42,8 +42,10 @@ struct Health {
   std::vector<TileHealth> tiles;
 };
 
-// `reports` are those of the tails, tile by tile. Nothing if `keep_going` cut it short: it is asked now and then.
-std::shared_ptr<const Health> health_of(const TileTails& tails, std::vector<measure::Tail> reports,
-                                        const film::Rejected& rejected, const std::function<bool()>& keep_going);
+// `reports` are those of the tails, tile by tile; `rejected` are of so many samples. Nothing if `keep_going` cut it
+// short: it is asked now and then.
+std::shared_ptr<const Health> health_of(const TileTails& tails, const std::vector<measure::Tail>& reports,
+                                        const film::Rejected& rejected, uint64_t samples,
+                                        const std::function<bool()>& keep_going);
 
 }  // namespace etendue::render

@@ -429,7 +429,7 @@ class Session::Impl {
     };
     const auto keep_going = [&] { return !cut(); };
     if (!workers_.for_bands(static_cast<int>(reports.size()), band, keep_going)) return;
-    auto health = health_of(tails_, std::move(reports), film_.rejected(), keep_going);
+    auto health = health_of(tails_, reports, film_.rejected(), complete_ * uint64_t{pixel_count()}, keep_going);
     if (health) health_ = std::move(health), health_at_ = complete_;
   }
 

@@ -11,12 +11,51 @@ TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = nlohmann::json::parse(r.out);
   for (const char* key : {"integrator", "sampler", "spp", "seconds", "rays", "width", "height", "threads", "seed",
-                          "rmse_estimate", "rejected", "khat", "peak_rss_bytes", "model"})
+                          "rmse_estimate", "rejected", "khat", "health", "peak_rss_bytes", "model"})
     EXPECT_TRUE(j.contains(key)) << key;
+  EXPECT_EQ(j["health"]["verdict"], "unknown");
   EXPECT_EQ(j["spp"], 4);
   EXPECT_EQ(j["seed"], 3);
   EXPECT_EQ(j["rejected"]["nan"], 0);
+  EXPECT_TRUE(j["rejected"]["first"].empty());
   EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
+}
+
+TEST_F(Cli, RenderSaysWhetherItsErrorCanBeTrusted) {
+  const Outcome tame = run("render cornell --size 32x32 --spp 32 -o a.exr --json -");
+  ASSERT_EQ(tame.code, 0) << tame.err;
+  const auto j = nlohmann::json::parse(tame.out);
+  EXPECT_TRUE(j["khat"].is_number());
+  EXPECT_EQ(j["health"]["verdict"], "healthy");
+  for (const char* key : {"reason", "khat_heavy_share", "vov", "brightest_share", "samples"})
+    EXPECT_TRUE(j["health"].contains(key)) << key;
+  EXPECT_EQ(tame.err.find("unreliable"), std::string::npos);
+
+  // A sky as bright as the format can say, a million times over: beyond what a float holds.
+  std::FILE* sky = std::fopen((folder_ / "sky.hdr").c_str(), "wb");
+  std::fputs("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 4\n", sky);
+  for (int i = 0; i < 64; ++i) std::fputc(255, sky);
+  std::fclose(sky);
+  const Outcome broken = run("render cornell --size 32x32 --spp 16 --env sky.hdr --set environment.tint.r=1e6 "
+                             "-o b.exr --json -");
+  ASSERT_EQ(broken.code, 0) << broken.err;
+  const auto k = nlohmann::json::parse(broken.out);
+  EXPECT_EQ(k["health"]["verdict"], "unreliable") << broken.out;
+  EXPECT_NE(broken.err.find("b.exr: unreliable: "), std::string::npos) << broken.err;
+  EXPECT_EQ(k["rejected"]["first"].size(), 8U);
+  EXPECT_EQ(k["rejected"]["first"][0]["kind"], "infinite");
+}
+
+TEST_F(Cli, ReweightedFirefliesAreShownAndNotSummed) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 8 --integrator path-pure -o a.exr --png a.png").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 8 --integrator path-pure --set film.fireflies=reweight -o b.exr "
+                "--png b.png")
+                .code,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(run("compare a.exr b.exr --json").out)["mse"], 0);
+  EXPECT_GT(nlohmann::json::parse(run("compare a.png b.png --json").out)["mse"], 0);
+  EXPECT_NE(slurp(folder_ / "b.exr").find("reweighted.R"), std::string::npos);
+  EXPECT_EQ(slurp(folder_ / "a.exr").find("reweighted.R"), std::string::npos);
 }
 
 TEST_F(Cli, LikeMakesTheSameImageAgain) {
