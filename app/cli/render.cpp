@@ -125,7 +125,9 @@ std::string progress_text(const render::Status& s) {
   return line;
 }
 
-nlohmann::json number(std::optional<double> v) { return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json(); }
+nlohmann::json number(std::optional<double> v) {
+  return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json();
+}
 
 nlohmann::json rejected_json(const film::Rejected& rejected) {
   auto first = nlohmann::json::array();
@@ -229,7 +231,8 @@ int run(const Options& o) {
   if (compiled && !aovs->empty())
     layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const bool counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
-  if (auto ok = write_image(o.out, d, film, reweighted, std::move(layers), counts, status.samples); !ok) return fail(ok.error());
+  if (auto ok = write_image(o.out, d, film, reweighted, std::move(layers), counts, status.samples); !ok)
+    return fail(ok.error());
   if (!o.png.empty())
     if (auto ok = write_image(o.png, d, film, reweighted, {}, false, status.samples); !ok) return fail(ok.error());
   if (!o.json.empty()) {

@@ -2,11 +2,11 @@
 //        Zirr, Hanika & Dachsbacher, "Re-weighting Firefly Samples for Improved Finite-Sample Monte Carlo Estimates",
 //        Computer Graphics Forum 37(6), 2018
 //
-// A sample of luminance between b^i and b^(i+1) is split between the layers i and i + 1, so that it counts as one sample
-// over both: w / L falls linearly in 1 / L. A layer is believed as far as samples of its brightness, and of those next
-// to it, were seen in the pixel; where 3 x 3 pixels have fewer than one each, as far as they were seen there; and as far
-// as one sample of its brightness would not stand out from what the darker layers show. What is shown tends to the mean:
-// any brightness is seen more and more often, and stands out less and less.
+// A sample of luminance between b^i and b^(i+1) is split between the layers i and i + 1, so that it counts as one
+// sample over both: w / L falls linearly in 1 / L. A layer is believed as far as samples of its brightness, and of
+// those next to it, were seen in the pixel; where 3 x 3 pixels have fewer than one each, as far as they were seen
+// there; and as far as one sample of its brightness would not stand out from what the darker layers show. What is shown
+// tends to the mean: any brightness is seen more and more often, and stands out less and less.
 //
 // With one sample of its brightness a layer weighs nothing, with three everything (kappa = 1 in the paper).
 #pragma once

@@ -11,8 +11,8 @@ namespace {
 
 constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '1'};
 
-// The fixed part at the front. Everything after it is: the state text, the pixels and the first rejections as they stand
-// in memory.
+// The fixed part at the front. Everything after it is: the state text, the pixels and the first rejections as they
+// stand in memory.
 struct Header {
   char magic[8];
   uint64_t state_size;

@@ -61,8 +61,7 @@ std::vector<Finding> findings(const Health& h, uint64_t rejected, uint64_t sampl
        "a few samples carry most of the noise: the stated error will still change with more samples"},
       {h.tail.brightest > kBrightestLimit, Verdict::doubtful,
        "one sample in ten thousand carries " + percent(h.tail.brightest) + " of the light"},
-      {rejected > 0, Verdict::doubtful,
-       std::to_string(rejected) + " samples were no radiance and were left out"},
+      {rejected > 0, Verdict::doubtful, std::to_string(rejected) + " samples were no radiance and were left out"},
       {true, Verdict::healthy, "no sample weighs so much that the stated error could not be trusted"},
   };
 }
@@ -124,8 +123,7 @@ std::shared_ptr<const Health> health_of(const TileTails& tails, const std::vecto
   }
   health->tail = all.report();
   health->watched = all.samples();
-  if (all.sum() > 0)
-    health->tail.brightest = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
+  if (all.sum() > 0) health->tail.brightest = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
   const auto pixels = static_cast<uint64_t>(tails.width()) * static_cast<uint64_t>(tails.height());
   health->heavy_share = static_cast<double>(heavy) / static_cast<double>(pixels);
   for (auto& finding : findings(*health, rejected.total(), samples, pixels))

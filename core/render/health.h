@@ -9,10 +9,10 @@
 // healthy     otherwise
 //
 // A tail is heavy if three things agree: khat is above its limit (measure/tail.h), vov is above 0.1, and khat is not so
-// by chance. khat alone cries wolf where a tile has two kinds of pixels, such as the edge of a lamp before a wall, whose
-// samples are bounded; their vov falls as 1/n. Of a tail with k = 0.7 vov stays near 0.29. Among a thousand tiles, khat
-// is above 0.7 in some thirty by chance alone even if all of them have a k of 1/2: which ones count is decided so that
-// one in ten of them is a false alarm in expectation (Benjamini & Hochberg 1995).
+// by chance. khat alone cries wolf where a tile has two kinds of pixels, such as the edge of a lamp before a wall,
+// whose samples are bounded; their vov falls as 1/n. Of a tail with k = 0.7 vov stays near 0.29. Among a thousand
+// tiles, khat is above 0.7 in some thirty by chance alone even if all of them have a k of 1/2: which ones count is
+// decided so that one in ten of them is a false alarm in expectation (Benjamini & Hochberg 1995).
 #pragma once
 #include <functional>
 #include <memory>

@@ -28,8 +28,8 @@ class PassRunner {
   };
   // What was begun is finished, unless `wanted` says that nobody will look at it.
   bool run(
-      Workers& workers, const Sinks& sinks, uint32_t target, const std::function<bool()>& keep_going, Counters& counters,
-      const std::function<bool()>& wanted = [] { return true; });
+      Workers& workers, const Sinks& sinks, uint32_t target, const std::function<bool()>& keep_going,
+      Counters& counters, const std::function<bool()>& wanted = [] { return true; });
 
   const transport::Model& model() const { return model_; }
 

@@ -33,7 +33,8 @@ double frames_apart(uint32_t samples) { return samples < 32 ? 1 : samples < 256 
 // Whether two documents have the same light: what differs otherwise needs no new samples.
 bool same_light(const Document& a, const Document& b) {
   return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
-         a.filter == b.filter && a.fireflies == b.fireflies && a.method == b.method && a.forced_flags == b.forced_flags && a.seed == b.seed;
+         a.filter == b.filter && a.fireflies == b.fireflies && a.method == b.method &&
+         a.forced_flags == b.forced_flags && a.seed == b.seed;
 }
 
 }  // namespace
@@ -295,7 +296,8 @@ class Session::Impl {
     const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
     const uint64_t before = counters_.paths;
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
-      if (runner_->run(workers_, {film_, &tails_, cascades()}, complete_ + 1, keep_going, counters_, [&] { return !cut(); }))
+      if (runner_->run(workers_, {film_, &tails_, cascades()}, complete_ + 1, keep_going, counters_,
+                       [&] { return !cut(); }))
         ++complete_;
       if (first || !keep_going()) break;
     }

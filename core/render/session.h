@@ -34,7 +34,7 @@ struct Status {
   film::ErrorEstimate error;
   film::Rejected rejected;
   std::shared_ptr<const Health> health;  // as it was at some sample before; null until it was first looked at
-  size_t memory = 0;  // bytes of scene arrays, Embree, the film and what watches its samples
+  size_t memory = 0;                     // bytes of scene arrays, Embree, the film and what watches its samples
   scene::BuildReport build;
   std::string phase;      // "compiling", "rendering", "paused", "done"
   bool finished = false;  // a limit was reached

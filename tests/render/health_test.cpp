@@ -45,7 +45,8 @@ float even(double u) { return static_cast<float>(u); }
 float pareto(double u, double alpha) { return static_cast<float>(std::pow(u, -1 / alpha)); }
 
 TEST(Health, WhatIsBrightButCertainIsNoTail) {
-  const auto h = health_of_made_up(40, 20, 64, [](int x, int y, double u) { return x == 7 && y == 3 ? 1e6f : even(u); });
+  const auto h =
+      health_of_made_up(40, 20, 64, [](int x, int y, double u) { return x == 7 && y == 3 ? 1e6f : even(u); });
   EXPECT_EQ(h->verdict, Verdict::healthy);
   EXPECT_LT(h->tail.vov, 1e-3);
   EXPECT_LT(h->tail.brightest, 1e-4);
@@ -72,7 +73,8 @@ TEST(Health, HeavyTilesAreFoundAmongOthers) {
 TEST(Health, ChanceAloneIsNoAlarm) {
   int looking = 0;
   for (uint64_t seed = 1; seed <= 4; ++seed) {
-    const auto h = health_of_made_up(320, 160, 24, [](int, int, double u) { return pareto(u, 2.5); }, seed);
+    const auto h = health_of_made_up(
+        320, 160, 24, [](int, int, double u) { return pareto(u, 2.5); }, seed);
     for (const auto& t : h->tiles) looking += t.tail.heavy() ? 1 : 0;
     EXPECT_EQ(h->heavy_share, 0) << seed;
     EXPECT_NE(h->verdict, Verdict::unreliable) << seed;
