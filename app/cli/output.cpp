@@ -35,23 +35,24 @@ Result<void> check_output_name(const std::string& path) {
   return {};
 }
 
-Result<void> write_image(const std::string& path, const render::Document& document, const film::Film& film,
-                         std::vector<image::Layer> layers, bool sample_counts, uint32_t samples,
-                         const std::string& certificate) {
+Result<void> write_image(const std::string& path, const Rendering& r) {
   const std::string extension = extension_of(path);
+  const film::Film& film = r.film;
   if (extension == ".hdr") return image::write_hdr(path, film.width(), film.height(), film::radiance_of(film));
-  const std::string state = render::state_json(document, samples);
+  const std::string state = render::state_json(r.document, r.samples);
   if (extension == ".png") {
-    const auto shown =
-        image::display_pixels(film::radiance_of(film), document.display.exposure, document.display.curve);
+    const render::Display& display = r.document.display;
+    const auto shown = image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure,
+                                             display.curve);
     return image::write_png(path, film.width(), film.height(), shown, {{kStateAttribute, state}});
   }
   image::LayeredImage picture = film::picture_of(film);
   picture.attributes[kStateAttribute] = state;
   picture.attributes["software"] = "etendue";
-  picture.attributes[advice::kCertificateAttribute] = certificate;
-  if (sample_counts) picture.layers.push_back(count_layer(film));
-  for (auto& layer : layers) picture.layers.push_back(std::move(layer));
+  picture.attributes[advice::kCertificateAttribute] = r.certificate;
+  if (r.reweighted) picture.layers.push_back({"reweighted", {"R", "G", "B"}, *r.reweighted});
+  if (r.sample_counts) picture.layers.push_back(count_layer(film));
+  for (const auto& layer : r.layers) picture.layers.push_back(layer);
   return image::write_exr(path, picture);
 }
 

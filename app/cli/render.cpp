@@ -126,7 +126,9 @@ std::string progress_text(const render::Status& s) {
   return line;
 }
 
-nlohmann::json number(std::optional<double> v) { return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json(); }
+nlohmann::json number(std::optional<double> v) {
+  return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json();
+}
 
 nlohmann::json rejected_json(const film::Rejected& rejected) {
   auto first = nlohmann::json::array();
@@ -238,21 +240,20 @@ int run(const Options& o) {
   const film::Film film = session.film_copy();
   if (interrupted && o.checkpoint > 0)
     if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
-  std::vector<image::Layer> layers;
-  const auto compiled = session.scene();
-  if (compiled && !aovs->empty())
-    layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
-  const bool counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
+  Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
+  rendering.sample_counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
+  if (const auto compiled = session.scene(); compiled && !aovs->empty())
+    rendering.layers =
+        render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const transport::Model model = session.model();
-  const std::string certificate = certificate_of(session, d, status, film);
-  if (auto ok = write_image(o.out, d, film, std::move(layers), counts, status.samples, certificate); !ok)
-    return fail(ok.error());
+  rendering.certificate = certificate_of(session, d, status, film);
+  if (auto ok = write_image(o.out, rendering); !ok) return fail(ok.error());
   if (!o.png.empty())
-    if (auto ok = write_image(o.png, d, film, {}, false, status.samples, certificate); !ok) return fail(ok.error());
+    if (auto ok = write_image(o.png, rendering); !ok) return fail(ok.error());
   if (!o.json.empty()) {
     const std::string text =
         stats(d, status, model, o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency()),
-              certificate)
+              rendering.certificate)
             .dump(2) +
         "\n";
     if (o.json == "-")

@@ -70,7 +70,7 @@ uint64_t picture_key(const render::Document& document) {
   add_arrays(h, *document.scene);
   render::Document bare = document;
   bare.scene_name = bare.camera_name = "";
-  bare.seed = 0, bare.limits = {}, bare.display = {};
+  bare.seed = 0, bare.limits = {}, bare.display = {}, bare.fireflies = {};
   bare.origin = nullptr;  // so that all settings are listed, not those that differ
   auto scene = std::make_shared<scene::Scene>(*document.scene);
   scene->environment.file.clear();

@@ -78,12 +78,6 @@ class Film {
   size_t memory() const { return pixels_.size() * sizeof(Pixel); }
 
  private:
-  // Finite and not negative: each comparison is false for NaN.
-  static bool is_radiance(const Rgb& c) {
-    constexpr float kMost = std::numeric_limits<float>::max();
-    return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMost && c.g <= kMost && c.b <= kMost;
-  }
-
   const Pixel& at(int x, int y) const {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }

@@ -11,6 +11,12 @@
 
 namespace etendue::film {
 
+// Finite and not negative: each comparison is false for NaN.
+constexpr bool is_radiance(const Rgb& c) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMost && c.g <= kMost && c.b <= kMost;
+}
+
 enum class Flaw { nan, infinite, negative };
 std::string_view flaw_name(Flaw flaw);
 

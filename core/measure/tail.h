@@ -48,8 +48,8 @@ double fit_pareto(std::span<const double> exceedances);
 // order the sums round differently, and the tail may be longer or shorter.
 class TailAccumulator {
  public:
-  // With `capacity` numbers of memory, up to (capacity / 6)^2 samples the tail is as long as Vehtari et al. have it, and
-  // up to capacity / 0.0002 the share of the brightest is exact.
+  // With `capacity` numbers of memory, up to (capacity / 6)^2 samples the tail is as long as Vehtari et al. have it,
+  // and up to capacity / 0.0002 the share of the brightest is exact.
   explicit TailAccumulator(size_t capacity = 8192) : capacity_(capacity) {}
 
   // Deviations of finite numbers, which may be negative: then they are no tail, but add to the variance. `sum` is that

@@ -112,6 +112,11 @@ std::vector<Binding> film_bindings(const Document& d) {
                   Choice<film::FilterKind>{"filter", "Pixel filter", d.filter,
                                            "How samples are weighted around a pixel's centre"},
                   [](Document& doc, film::FilterKind v) { doc.filter = v; }),
+          binding("film",
+                  Choice<film::Fireflies>{"fireflies", "Fireflies", d.fireflies,
+                                          "Bright samples too rare to be believed are shown darker; sums, errors and "
+                                          "linear files keep them"},
+                  [](Document& doc, film::Fireflies v) { doc.fireflies = v; }),
           paths_binding(d)};
 }
 

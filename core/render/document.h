@@ -14,6 +14,7 @@
 
 #include "base/parameter.h"
 #include "camera/camera.h"
+#include "film/cascades.h"
 #include "film/filter.h"
 #include "image/display.h"
 #include "sampling/sampler.h"
@@ -58,6 +59,7 @@ struct Document {
   Camera camera;
   int width = 1280, height = 720;
   film::FilterKind filter = film::FilterKind::blackman_harris;
+  film::Fireflies fireflies = film::Fireflies::keep;
   Method method;
   std::vector<std::string> forced_flags;  // model.FLAG=on
   uint64_t seed = 0;

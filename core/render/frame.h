@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "film/cascades.h"
 #include "film/film.h"
 #include "render/workers.h"
 
@@ -29,7 +30,8 @@ class FrameMaker {
   // The coarse frame as blocks.
   std::shared_ptr<Frame> enlarged(const Frame& coarse, int width, int height);
   // The means of the film where it has samples, the coarse frame's blocks (or black without one) where it has none yet.
-  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse);
+  // With cascades the means are re-weighted.
+  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse, const film::Cascades* cascades);
 
  private:
   struct Pool;

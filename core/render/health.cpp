@@ -46,8 +46,8 @@ struct Finding {
 };
 
 // The first that holds is the verdict.
-std::vector<Finding> findings(const Health& h, const film::Rejected& rejected, uint64_t pixels) {
-  const double refused = static_cast<double>(rejected.total()) / std::max<double>(1, static_cast<double>(h.watched));
+std::vector<Finding> findings(const Health& h, uint64_t rejected, uint64_t samples, uint64_t pixels) {
+  const double refused = static_cast<double>(rejected) / std::max(1.0, static_cast<double>(samples));
   const std::string heavy = percent(h.heavy_share) + " of the picture has samples so rare and so bright that ";
   return {
       {refused > kManyRejected, Verdict::unreliable,
@@ -61,8 +61,7 @@ std::vector<Finding> findings(const Health& h, const film::Rejected& rejected, u
        "a few samples carry most of the noise: the stated error will still change with more samples"},
       {h.tail.brightest > kBrightestLimit, Verdict::doubtful,
        "one sample in ten thousand carries " + percent(h.tail.brightest) + " of the light"},
-      {rejected.total() > 0, Verdict::doubtful,
-       std::to_string(rejected.total()) + " samples were no radiance and were left out"},
+      {rejected > 0, Verdict::doubtful, std::to_string(rejected) + " samples were no radiance and were left out"},
       {true, Verdict::healthy, "no sample weighs so much that the stated error could not be trusted"},
   };
 }
@@ -104,8 +103,9 @@ std::string_view verdict_name(Verdict verdict) {
   return kNames[static_cast<size_t>(verdict)];
 }
 
-std::shared_ptr<const Health> health_of(const TileTails& tails, std::vector<measure::Tail> reports,
-                                        const film::Rejected& rejected, const std::function<bool()>& keep_going) {
+std::shared_ptr<const Health> health_of(const TileTails& tails, const std::vector<measure::Tail>& reports,
+                                        const film::Rejected& rejected, uint64_t samples,
+                                        const std::function<bool()>& keep_going) {
   auto health = std::make_shared<Health>();
   health->across = tails.across(), health->down = tails.down();
   const double limit = chance_limit(reports);
@@ -123,11 +123,10 @@ std::shared_ptr<const Health> health_of(const TileTails& tails, std::vector<meas
   }
   health->tail = all.report();
   health->watched = all.samples();
-  if (all.sum() > 0)
-    health->tail.brightest = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
+  if (all.sum() > 0) health->tail.brightest = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
   const auto pixels = static_cast<uint64_t>(tails.width()) * static_cast<uint64_t>(tails.height());
   health->heavy_share = static_cast<double>(heavy) / static_cast<double>(pixels);
-  for (auto& finding : findings(*health, rejected, pixels))
+  for (auto& finding : findings(*health, rejected.total(), samples, pixels))
     if (finding.holds) {
       health->verdict = finding.verdict, health->reason = std::move(finding.reason);
       break;

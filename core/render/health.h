@@ -9,10 +9,10 @@
 // healthy     otherwise
 //
 // A tail is heavy if three things agree: khat is above its limit (measure/tail.h), vov is above 0.1, and khat is not so
-// by chance. khat alone cries wolf where a tile has two kinds of pixels, such as the edge of a lamp before a wall, whose
-// samples are bounded; their vov falls as 1/n. Of a tail with k = 0.7 vov stays near 0.29. Among a thousand tiles, khat
-// is above 0.7 in some thirty by chance alone even if all of them have a k of 1/2: which ones count is decided so that
-// one in ten of them is a false alarm in expectation (Benjamini & Hochberg 1995).
+// by chance. khat alone cries wolf where a tile has two kinds of pixels, such as the edge of a lamp before a wall,
+// whose samples are bounded; their vov falls as 1/n. Of a tail with k = 0.7 vov stays near 0.29. Among a thousand
+// tiles, khat is above 0.7 in some thirty by chance alone even if all of them have a k of 1/2: which ones count is
+// decided so that one in ten of them is a false alarm in expectation (Benjamini & Hochberg 1995).
 #pragma once
 #include <functional>
 #include <memory>
@@ -42,8 +42,10 @@ struct Health {
   std::vector<TileHealth> tiles;
 };
 
-// `reports` are those of the tails, tile by tile. Nothing if `keep_going` cut it short: it is asked now and then.
-std::shared_ptr<const Health> health_of(const TileTails& tails, std::vector<measure::Tail> reports,
-                                        const film::Rejected& rejected, const std::function<bool()>& keep_going);
+// `reports` are those of the tails, tile by tile; `rejected` are of so many samples. Nothing if `keep_going` cut it
+// short: it is asked now and then.
+std::shared_ptr<const Health> health_of(const TileTails& tails, const std::vector<measure::Tail>& reports,
+                                        const film::Rejected& rejected, uint64_t samples,
+                                        const std::function<bool()>& keep_going);
 
 }  // namespace etendue::render

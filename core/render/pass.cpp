@@ -16,6 +16,13 @@ void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, fil
     for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kReplicates, *next++);
 }
 
+void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Cascades& cascades) {
+  const Rgb* next = radiance.data();
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x, ++next)
+      if (film::is_radiance(*next)) cascades.add(x, y, *next);
+}
+
 }  // namespace
 
 PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
@@ -132,6 +139,7 @@ bool PassRunner::sample(const Task& task, size_t tile, const PixelBlock& block) 
     task.sinks.tails->add(block, radiance, task.sinks.film);
   else
     add(block, radiance, task.sinks.film);
+  if (task.sinks.cascades) add(block, radiance, *task.sinks.cascades);
   if (allocation_) note_spread(task.sinks.film, tile, block, radiance);
   task.counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   task.counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);

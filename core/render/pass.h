@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "film/cascades.h"
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/allocation.h"
@@ -22,6 +23,7 @@ class PassRunner {
   struct Sinks {
     film::Film& film;
     TileTails* tails = nullptr;
+    film::Cascades* cascades = nullptr;
   };
   // Takes up a film: an empty one, or one that an equal runner left.
   void begin(film::Film& film);

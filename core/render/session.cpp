@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <type_traits>
 
 #include "base/hash.h"
 #include "render/pass.h"
@@ -32,7 +33,8 @@ double frames_apart(uint32_t samples) { return samples < 32 ? 1 : samples < 256 
 // Whether two documents have the same light: what differs otherwise needs no new samples.
 bool same_light(const Document& a, const Document& b) {
   return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
-         a.filter == b.filter && a.method == b.method && a.forced_flags == b.forced_flags && a.seed == b.seed;
+         a.filter == b.filter && a.fireflies == b.fireflies && a.method == b.method &&
+         a.forced_flags == b.forced_flags && a.seed == b.seed;
 }
 
 }  // namespace
@@ -133,15 +135,21 @@ class Session::Impl {
   }
 
   film::Film film_copy() {
-    std::unique_lock lock(mutex_);
-    ++film_wanted_;
-    interrupt_ = true;
-    changed_.notify_all();
-    film_free_.wait(lock, [&] { return film_idle_; });
-    film::Film copy = film_stale_ ? film::Film(document_.width, document_.height) : film_;
-    --film_wanted_;
-    changed_.notify_all();
-    return copy;
+    return between_slices([&] { return film_stale_ ? film::Film(document_.width, document_.height) : film_; });
+  }
+
+  std::optional<std::vector<float>> reweighted_copy() {
+    return between_slices([&]() -> std::optional<std::vector<float>> {
+      if (!cascades_ || film_stale_) return std::nullopt;
+      std::vector<float> rgb;
+      rgb.reserve(3 * pixel_count());
+      for (int y = 0; y < film_.height(); ++y)
+        for (int x = 0; x < film_.width(); ++x) {
+          const Rgb c = cascades_->shown(x, y, film_.samples(x, y));
+          rgb.insert(rgb.end(), {c.r, c.g, c.b});
+        }
+      return rgb;
+    });
   }
 
   std::vector<double> latencies_, restart_latencies_;
@@ -154,6 +162,20 @@ class Session::Impl {
     Clock::time_point submitted;
     bool restarts;
   };
+
+  // Calls `look` while nobody writes to the film.
+  template <class F>
+  std::invoke_result_t<F> between_slices(F&& look) {
+    std::unique_lock lock(mutex_);
+    ++film_wanted_;
+    interrupt_ = true;
+    changed_.notify_all();
+    film_free_.wait(lock, [&] { return film_idle_; });
+    auto seen = look();
+    --film_wanted_;
+    changed_.notify_all();
+    return seen;
+  }
 
   // The session's own thread: takes up edits, renders in slices, publishes.
   void loop() {
@@ -201,7 +223,7 @@ class Session::Impl {
     const auto compiled = scene::compile(edit.document.scene, edit.document.camera, shown_scene_);
     document_ = std::move(edit.document);
     film_stale_ = !edit.start;
-    if (edit.start) film_ = std::move(*edit.start), renew_tails();
+    if (edit.start) take_over(std::move(*edit.start));
     runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height);
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
@@ -222,8 +244,7 @@ class Session::Impl {
     status_.build = compiled->report();
     status_.phase = "rendering";
     status_.samples = complete_;
-    status_.memory = compiled->memory() + embree_memory() + film_bytes() +
-                     TileTails::memory(document_.width, document_.height);
+    status_.memory = compiled->memory() + embree_memory() + film_bytes();
   }
 
   // An edit that changes no light: the picture goes on under the new version.
@@ -238,7 +259,12 @@ class Session::Impl {
     frame_ = same;
   }
 
-  size_t film_bytes() const { return pixel_count() * sizeof(film::Film::Pixel); }
+  // The film, and what goes along with it.
+  size_t film_bytes() const {
+    const size_t cascades = reweights() ? pixel_count() * film::Cascades::kBytesPerPixel : 0;
+    return pixel_count() * sizeof(film::Film::Pixel) + TileTails::memory(document_.width, document_.height) + cascades;
+  }
+  bool reweights() const { return document_.fireflies == film::Fireflies::reweight; }
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
 
   // The finest scale at which a whole frame is expected to be done in time.
@@ -266,7 +292,7 @@ class Session::Impl {
     const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
     const uint64_t before = counters_.paths;
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
-      if (runner_->advance(workers_, {film_, &tails_}, keep_going, counters_, [&] { return !cut(); }))
+      if (runner_->advance(workers_, {film_, &tails_, cascades()}, keep_going, counters_, [&] { return !cut(); }))
         complete_ = runner_->samples();
       if (first || !keep_going()) break;
     }
@@ -278,7 +304,7 @@ class Session::Impl {
     if (!options_.interactive || cut()) return;
     if (!awaiting_first_frame_ && counters_.paths == shown_paths_ && frame_->samples == complete_) return;
     shown_paths_ = counters_.paths;
-    publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get()));
+    publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get(), cascades()));
   }
 
   // The film is emptied only here, after the coarse frames: it is too large to keep an edit waiting for it.
@@ -291,11 +317,37 @@ class Session::Impl {
       return false;
     }
     film_.set_rejected({});
+    if (!renew_cascades()) return false;
     film_.spread().reset();
     runner_->begin(film_);
     renew_tails();
     film_stale_ = false;
     return true;
+  }
+
+  film::Cascades* cascades() { return cascades_ ? &*cascades_ : nullptr; }
+
+  bool renew_cascades() {
+    if (!reweights()) return cascades_.reset(), true;
+    if (!cascades_ || cascades_->width() != document_.width || cascades_->height() != document_.height) {
+      cascades_.reset();
+      cascades_.emplace(document_.width, document_.height);
+      return true;
+    }
+    return workers_.for_bands(
+        document_.height, [&](int y, int end) { cascades_->clear_rows(y, end); }, [&] { return !cut(); });
+  }
+
+  // Goes on with a film. Of samples that were drawn before only the means are known: what watches them starts anew, and
+  // for the cascades each was as bright as its pixel.
+  void take_over(film::Film&& film) {
+    film_ = std::move(film);
+    renew_tails();
+    cascades_.reset();
+    if (!reweights()) return;
+    cascades_.emplace(document_.width, document_.height);
+    for (int y = 0; y < film_.height(); ++y)
+      for (int x = 0; x < film_.width(); ++x) cascades_->add(x, y, film_.mean(x, y), film_.samples(x, y));
   }
 
   void renew_tails() {
@@ -380,7 +432,7 @@ class Session::Impl {
     };
     const auto keep_going = [&] { return !cut(); };
     if (!workers_.for_bands(static_cast<int>(reports.size()), band, keep_going)) return;
-    auto health = health_of(tails_, std::move(reports), film_.rejected(), keep_going);
+    auto health = health_of(tails_, reports, film_.rejected(), complete_ * uint64_t{pixel_count()}, keep_going);
     if (health) health_ = std::move(health), health_at_ = complete_;
   }
 
@@ -463,6 +515,7 @@ class Session::Impl {
   uint32_t error_at_ = 0;  // the samples at which it was measured
   Forecast forecast_;
   TileTails tails_;
+  std::optional<film::Cascades> cascades_;  // if fireflies are re-weighted
   std::shared_ptr<const Health> health_;
   uint32_t health_at_ = 0;  // the same
   double rendering_seconds_ = 0;
@@ -493,6 +546,7 @@ void Session::on_update(std::function<void()> wake) { impl_->on_update(std::move
 void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
+std::optional<std::vector<float>> Session::reweighted_copy() { return impl_->reweighted_copy(); }
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {
   Document limited = document;

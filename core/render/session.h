@@ -35,7 +35,7 @@ struct Status {
   film::ErrorEstimate error;
   film::Rejected rejected;
   std::shared_ptr<const Health> health;  // as it was at some sample before; null until it was first looked at
-  size_t memory = 0;  // bytes of scene arrays, Embree, the film and what watches its samples
+  size_t memory = 0;                     // bytes of scene arrays, Embree, the film and what watches its samples
   scene::BuildReport build;
   std::string phase;      // "compiling", "rendering", "paused", "done"
   bool finished = false;  // a limit was reached
@@ -80,6 +80,8 @@ class Session {
 
   // The film as it is, taken between two slices of work.
   film::Film film_copy();
+  // The same as it is shown, three numbers a pixel, where film.fireflies re-weights it; nothing where it does not.
+  std::optional<std::vector<float>> reweighted_copy();
   // Continues with a film from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
   // there.
   uint64_t submit(const Document& document, film::Film start);

@@ -2,7 +2,8 @@
 //
 // A sample's luminance is compared with the mean of its pixel before it, so that what is bright but certain (a sun in
 // the sky, seen directly) is no tail. The first two samples of a pixel have nothing to be compared with, and are left
-// out. One thread at a time fills a tile, sample by sample: the tails have the same bits whatever the number of threads.
+// out. One thread at a time fills a tile, sample by sample: the tails have the same bits whatever the number of
+// threads.
 #pragma once
 #include <span>
 #include <vector>

@@ -55,6 +55,16 @@ film::Film Lab::render(const render::Document& document, uint32_t samples) {
   return film;
 }
 
+measure::Tail Lab::tail(const render::Document& document, uint32_t samples) {
+  render::Document limited = document;
+  limited.limits = {samples, 0, 0};
+  render::Session session({.threads = options_.threads});
+  session.submit(limited);
+  session.finish();
+  picture_ = thumbnail_of(session.film_copy());
+  return session.status().health->tail;
+}
+
 void Lab::add(const std::string& method, const std::string& point, std::string expectation, double measured, bool ok) {
   findings_.push_back({method, at(point, expectation), measured, ok, picture_});
 }

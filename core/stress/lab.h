@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "film/mean.h"
+#include "measure/tail.h"
 #include "render/document.h"
 #include "scene/shapes.h"
 
@@ -44,6 +45,8 @@ class Lab {
   static render::Document with_method(const render::Document& document, const std::string& method);
 
   film::Film render(const render::Document& document, uint32_t samples);
+  // The tail of all samples of a rendering.
+  measure::Tail tail(const render::Document& document, uint32_t samples);
   film::Mean mean(const render::Document& document, uint32_t samples) {
     return film::mean_of(render(document, samples));
   }

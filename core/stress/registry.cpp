@@ -8,11 +8,12 @@
 #include "stress/cases/depth_cut_off.h"
 #include "stress/cases/far_from_the_origin.h"
 #include "stress/cases/grazing_albedo.h"
-#include "stress/cases/late_dimensions.h"
 #include "stress/cases/index_of_one.h"
 #include "stress/cases/infinite_emission.h"
 #include "stress/cases/inverted_normals.h"
+#include "stress/cases/late_dimensions.h"
 #include "stress/cases/light_of_a_micrometre.h"
+#include "stress/cases/light_that_touches_a_wall.h"
 #include "stress/cases/lossless_glass.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
@@ -57,6 +58,7 @@ const std::vector<Case>& cases() {
       kPointLightUnseen,
       kSmallLightByChance,
       kNarrowLobeAndSmallLight,
+      kLightThatTouchesAWall,
       kShadowsIgnored,
       kDepthCutOff,
       kRouletteOfABrightRoom,

@@ -43,13 +43,13 @@ int phases(const std::string& file) {
 double viewer_start(const std::string& file, const fs::path& folder) {
   const fs::path script = folder / "script.json", state = folder / "state.json";
   std::ofstream(script) << nlohmann::json::array({{{"do", "state"}, {"file", state.string()}}});
-  const std::string command = std::string("'") + ETENDUE_BINARY + "' view '" + file + "' --offscreen --script '" +
-                              script.string() + "'";
+  const std::string command =
+      std::string("'") + ETENDUE_BINARY + "' view '" + file + "' --offscreen --script '" + script.string() + "'";
   if (std::system(command.c_str()) != 0) return -1;
   return nlohmann::json::parse(std::ifstream(state)).value("first_picture_seconds", -1.0);
 }
 
-bool opens_in_time(const char* name, const std::string& file, double bound, const fs::path& folder) {
+bool clock_start(const char* name, const std::string& file, double bound, const fs::path& folder) {
   std::vector<double> starts;
   for (int i = 0; i < 5; ++i) {
     std::printf("%-12s ", name);
@@ -75,9 +75,9 @@ int main() {
   const fs::path large = folder / "large.glb";
   const size_t triangles = test::write_large_glb(large, 5'000'000);
   std::printf("seconds; the large file has %zu triangles\n", triangles);
-  bool fine = opens_in_time("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder);
-  fine = opens_in_time("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
-  fine = opens_in_time("large", large, 8, folder) && fine;
+  bool fine = clock_start("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder);
+  fine = clock_start("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
+  fine = clock_start("large", large, 8, folder) && fine;
   fs::remove_all(folder);
   return fine ? 0 : 1;
 }

@@ -1,4 +1,5 @@
 // The command line as scripts use it: exit codes, one-line errors, results on standard output, nothing half-written.
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "cli/cli.h"
@@ -11,12 +12,49 @@ TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = nlohmann::json::parse(r.out);
   for (const char* key : {"integrator", "sampler", "spp", "seconds", "rays", "width", "height", "threads", "seed",
-                          "rmse_estimate", "rejected", "khat", "peak_rss_bytes", "model"})
+                          "rmse_estimate", "rejected", "khat", "health", "peak_rss_bytes", "model"})
     EXPECT_TRUE(j.contains(key)) << key;
+  EXPECT_EQ(j["health"]["verdict"], "unknown");
   EXPECT_EQ(j["spp"], 4);
   EXPECT_EQ(j["seed"], 3);
   EXPECT_EQ(j["rejected"]["nan"], 0);
+  EXPECT_TRUE(j["rejected"]["first"].empty());
   EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
+}
+
+TEST_F(Cli, RenderSaysWhetherItsErrorCanBeTrusted) {
+  const Outcome tame = run("render cornell --size 32x32 --spp 32 -o a.exr --json -");
+  ASSERT_EQ(tame.code, 0) << tame.err;
+  const auto j = nlohmann::json::parse(tame.out);
+  EXPECT_TRUE(j["khat"].is_number());
+  EXPECT_EQ(j["health"]["verdict"], "healthy");
+  for (const char* key : {"reason", "khat_heavy_share", "vov", "brightest_share", "samples"})
+    EXPECT_TRUE(j["health"].contains(key)) << key;
+  EXPECT_EQ(tame.err.find("unreliable"), std::string::npos);
+}
+
+// A point light inside of its lampshade.
+TEST_F(Cli, AnErrorThatCannotBeTrustedIsSaidOnStandardError) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "set ETENDUE_TEST_DATA";
+  const Outcome r =
+      run(std::string("render ") + data +
+          "/gltf/LightsPunctualLamp/glTF/LightsPunctualLamp.gltf --size 96x64 --spp 32 -o b.exr --json -");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(r.out)["health"]["verdict"], "unreliable") << r.out;
+  EXPECT_NE(r.err.find("b.exr: unreliable: "), std::string::npos) << r.err;
+}
+
+TEST_F(Cli, ReweightedFirefliesAreShownAndNotSummed) {
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 8 --integrator path-pure -o a.exr --png a.png").code, 0);
+  ASSERT_EQ(run("render cornell --size 24x24 --spp 8 --integrator path-pure --set film.fireflies=reweight -o b.exr "
+                "--png b.png")
+                .code,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(run("compare a.exr b.exr --json").out)["mse"], 0);
+  EXPECT_GT(nlohmann::json::parse(run("compare a.png b.png --json").out)["mse"], 0);
+  EXPECT_NE(slurp(folder_ / "b.exr").find("reweighted.R"), std::string::npos);
+  EXPECT_EQ(slurp(folder_ / "a.exr").find("reweighted.R"), std::string::npos);
 }
 
 TEST_F(Cli, LikeMakesTheSameImageAgain) {
