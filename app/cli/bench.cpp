@@ -69,10 +69,10 @@ void say_what_is_uncertain(const bench::Outcome& outcome, const bench::Reference
     std::fprintf(stderr, "etendue: the error of the reference is unknown; small errors may be the reference's\n");
     return;
   }
+  if (!bench::reference_too_noisy(outcome, reference)) return;
   const double wanted = bench::seconds_wanted(outcome, reference);
-  if (wanted <= 0) return;
   std::string advice;
-  if (reference.seconds > 0) advice = "; --reference-time " + std::to_string(std::lround(wanted) + 1) + " would do";
+  if (wanted > 0) advice = "; --reference-time " + std::to_string(std::lround(wanted) + 1) + " would do";
   std::fprintf(stderr,
                "etendue: the reference is too noisy to tell: its standard error %.2g is not ten times smaller "
                "than the smallest error measured%s\n",

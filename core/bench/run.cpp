@@ -1,5 +1,7 @@
 #include "bench/run.h"
 
+#include <cmath>
+
 #include "base/hash.h"
 #include "film/picture.h"
 #include "measure/metrics.h"
@@ -52,6 +54,7 @@ class Runner {
       if (status.samples > before || curve.points.empty()) {
         picture = film::radiance_of(session_.film_copy());
         curve.points.push_back(point(picture, status));
+        if (status.samples == 1) add_errors(picture, outcome_.methods[method].tail);
       }
       if (last || status.samples < count) break;
     }
@@ -62,6 +65,16 @@ class Runner {
   measure::ErrorPoint point(const std::vector<float>& picture, const render::Status& status) const {
     const auto m = measure::metrics_of(picture, reference_.rgb());
     return {status.seconds, static_cast<double>(status.samples), m.mse, m.relmse, m.bias};
+  }
+
+  void add_errors(const std::vector<float>& picture, measure::TailAccumulator& tail) const {
+    const auto& r = reference_.rgb();
+    for (size_t i = 0; i + 2 < picture.size(); i += 3) {
+      double error = 0;
+      for (size_t c = i; c < i + 3; ++c)
+        error += std::abs(static_cast<double>(picture[c]) - r[c]) / std::sqrt(r[c] * r[c] + 0.01) / 3;
+      tail.add(error);
+    }
   }
 
   void finish(MethodResult& result, measure::ErrorCurve curve, std::vector<float> picture,

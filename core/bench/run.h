@@ -6,6 +6,7 @@
 #include "bench/reference.h"
 #include "bench/watch.h"
 #include "measure/convergence.h"
+#include "measure/tail.h"
 
 namespace etendue::bench {
 
@@ -24,6 +25,7 @@ struct MethodResult {
   // For telling bias from variance: the mean picture of the repeats, and the mean of their errors.
   std::vector<double> mean_picture;
   double mean_mse = 0;
+  measure::TailAccumulator tail;  // of |picture - reference| of pictures of one sample, averaged over the channels
 };
 
 struct Outcome {

@@ -18,6 +18,9 @@ struct MethodSummary {
   double rmse = 0, relmse = 0;                // medians
   double spp = 0, seconds = 0, rays_per_second = 0;
   double flip = 0;  // of the last repeat, as the document is shown
+  // Of the tail of the errors of single samples; heavy above measure::khat_limit.
+  std::optional<double> khat;
+  bool heavy_tail = false;
   // The reference is not ten times better than the best picture: too noisy to tell small errors.
   bool too_noisy = false;
 };
@@ -27,7 +30,10 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
 // The curves without the reference's noise, as they are drawn.
 std::vector<measure::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference);
 
-// Seconds of reference that would make it good enough for all methods; 0 if it is, or if its error is unknown.
+// Whether the error of the reference is known not to be ten times smaller than the smallest error that was measured.
+bool reference_too_noisy(const Outcome& outcome, const Reference& reference);
+
+// Seconds of reference that would make it good enough for all methods; 0 if it is, or if that is unknown.
 double seconds_wanted(const Outcome& outcome, const Reference& reference);
 
 }  // namespace etendue::bench

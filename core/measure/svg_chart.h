@@ -21,6 +21,9 @@ struct ChartOptions {
 // with fitted slopes. Methods without a point that a logarithm can be taken of stand in the legend, without a line.
 Drawing chart_of(std::span<const MethodCurves> methods, const ChartOptions& options);
 
+// The colour of the method that stands at this place, as CSS has it.
+std::string method_color(size_t method);
+
 // The same as an <svg> element.
 std::string svg_chart(std::span<const MethodCurves> methods, const ChartOptions& options);
 
