@@ -8,17 +8,16 @@ namespace etendue::bench {
 namespace {
 
 std::string quoted(const std::string& text) {
-  const bool plain = !text.empty() && text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                                             "0123456789_-+=:,./@%") == std::string::npos;
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                          "0123456789_-+=:,./@%") == std::string::npos;
   if (plain) return text;
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
   return out + "'";
 }
 
-std::string option(const char* name, const std::string& value) {
-  return std::string(" ") + name + " " + quoted(value);
-}
+std::string option(const char* name, const std::string& value) { return std::string(" ") + name + " " + quoted(value); }
 
 // Settings that differ from those the scene was opened with; size, seed and limits have options of their own.
 std::string changed_settings(const render::Document& d) {

@@ -84,7 +84,8 @@ std::string speed_table(const Summaries& all) {
                     plain(s.relmse), plain(s.flip), figure_text(s.efficiency),
                     i == 0 ? "1" : figure_text(ratio(s.efficiency, all[0].efficiency))});
   }
-  return table({"method", "spp", "seconds", "Mrays/s", "RMSE", "relMSE", "FLIP", "efficiency", "times the first"}, rows);
+  return table({"method", "spp", "seconds", "Mrays/s", "RMSE", "relMSE", "FLIP", "efficiency", "times the first"},
+               rows);
 }
 
 std::string khat_text(const MethodSummary& s) {
@@ -131,9 +132,8 @@ std::string effort(const Report& r) {
 }
 
 std::string reference_text(const Report& r) {
-  std::string text = r.reference.samples > 0
-                         ? std::to_string(r.reference.samples) + " samples per pixel"
-                         : "<code>" + escaped(r.reference.file) + "</code>";
+  std::string text = r.reference.samples > 0 ? std::to_string(r.reference.samples) + " samples per pixel"
+                                             : "<code>" + escaped(r.reference.file) + "</code>";
   if (r.reference.seconds > 0) text += ", " + short_number(r.reference.seconds) + " s";
   return text + (r.reference.noise ? ", standard error " + short_number(r.reference.standard_error()) + " (MSE " +
                                          short_number(r.reference.noise->mse) + ")"
@@ -142,7 +142,8 @@ std::string reference_text(const Report& r) {
 
 std::string facts(const Report& r) {
   return "<dl class=\"facts\">\n" +
-         fact("picture", std::to_string(r.document.width) + " &times; " + std::to_string(r.document.height) + " pixels") +
+         fact("picture",
+              std::to_string(r.document.width) + " &times; " + std::to_string(r.document.height) + " pixels") +
          fact("measured", effort(r)) + fact("reference", reference_text(r)) + "</dl>\n";
 }
 
@@ -150,13 +151,15 @@ std::string warnings(const Report& r) {
   std::string html;
   const auto warn = [&](const std::string& text) { html += "<p class=\"warning\">" + text + "</p>\n"; };
   if (r.outcome.interrupted) warn("This bench was interrupted; what was whole by then is shown.");
-  if (r.plan.repeats == 1) warn("There was one repeat only: there are no error bars, and bias cannot be told from chance.");
+  if (r.plan.repeats == 1)
+    warn("There was one repeat only: there are no error bars, and bias cannot be told from chance.");
   if (!r.reference.noise) warn("The error of the reference is unknown: small errors may be the reference's.");
   const double wanted = seconds_wanted(r.outcome, r.reference);
   if (reference_too_noisy(r.outcome, r.reference))
-    warn("The reference is too noisy to tell: its standard error is not ten times smaller than the smallest error that "
-         "was measured. Its part has been taken off, but the lower ends of the curves are less certain than they look." +
-         (wanted > 0 ? " " + short_number(std::ceil(wanted)) + " s of reference would do." : std::string()));
+    warn(
+        "The reference is too noisy to tell: its standard error is not ten times smaller than the smallest error that "
+        "was measured. Its part has been taken off, but the lower ends of the curves are less certain than they look." +
+        (wanted > 0 ? " " + short_number(std::ceil(wanted)) + " s of reference would do." : std::string()));
   return html;
 }
 
@@ -172,7 +175,8 @@ std::string charts(const Report& r) {
             measure::svg_chart(curves, {title, along, ErrorKind::rmse, 640, 420, floor}) +
             "</div><div class=\"tip\" role=\"status\" hidden></div></figure>\n";
   return html +
-         "</div>\n<p class=\"note\">Lines are medians, bands 10 % to 90 % of the repeats. Point at a curve, or move along "
+         "</div>\n<p class=\"note\">Lines are medians, bands 10 % to 90 % of the repeats. Point at a curve, or move "
+         "along "
          "it with the arrow keys, to read it.</p>\n";
 }
 
@@ -223,8 +227,10 @@ std::string comparison(const Report& r, const std::vector<PagePicture>& pictures
   return "<h2>Pictures side by side</h2>\n<div style=\"" + size +
          "\">\n<div class=\"choice\"><label>left <select id=\"left\"></select></label>"
          "<label>right <select id=\"right\"></select></label></div>\n"
-         "<div class=\"wipe\" id=\"wipe\"><img id=\"under\" alt=\"\"><img id=\"over\" alt=\"\"><div id=\"edge\"></div></div>\n"
-         "<input type=\"range\" id=\"at\" min=\"0\" max=\"1000\" value=\"500\" aria-label=\"where the pictures meet\">\n"
+         "<div class=\"wipe\" id=\"wipe\"><img id=\"under\" alt=\"\"><img id=\"over\" alt=\"\"><div "
+         "id=\"edge\"></div></div>\n"
+         "<input type=\"range\" id=\"at\" min=\"0\" max=\"1000\" value=\"500\" aria-label=\"where the pictures "
+         "meet\">\n"
          "</div>\n" +
          gallery(pictures);
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeft = 78, kRight = 24, kTop = 52, kBottom = 46, kLegendRow = 22;
 constexpr double kText = 13, kTitle = 16;
-constexpr int kSteps = 25;  // places along a curve
+constexpr int kSteps = 25;                        // places along a curve
 constexpr double kLetter = 7, kSlopeWidth = 210;  // of the legend, about
 
 constexpr Ink kBlack{34, 34, 34}, kGrey{120, 120, 120}, kLine{205, 205, 205}, kThinLine{236, 236, 236};
