@@ -28,10 +28,16 @@ struct Options {
   bool no_cache = false;
 };
 
-Result<render::Document> open(const Options& o) {
+// Without a size it is the reference's, if one is given.
+std::string size_of(const Options& o, const std::optional<bench::Reference>& given) {
+  if (!o.size.empty() || !given) return o.size;
+  return std::to_string(given->picture.width) + "x" + std::to_string(given->picture.height);
+}
+
+Result<render::Document> open(const Options& o, const std::optional<bench::Reference>& given) {
   auto document = render::new_document(o.scene, o.camera);
   if (!document) return document;
-  if (auto r = set_size(*document, o.size); !r) return r.error();
+  if (auto r = set_size(*document, size_of(o, given)); !r) return r.error();
   if (auto r = set_environment(*document, o.env); !r) return r.error();
   if (auto r = set_all(*document, o.sets); !r) return r.error();
   return document;
@@ -88,15 +94,21 @@ struct Job {
 
 Result<Job> prepare(const Options& o) {
   if (o.budget <= 0 && o.samples == 0) return usage_error("bench: no budget; give --budget SECONDS or --samples N");
-  auto document = open(o);
+  std::optional<bench::Reference> given;
+  if (!o.reference.empty()) {
+    auto read = bench::read_reference(o.reference);
+    if (!read) return read.error();
+    given = std::move(*read);
+  }
+  auto document = open(o, given);
   if (!document) return document.error();
   auto methods = bench::parse_methods(o.methods, *document);
   if (!methods) return methods.error();
   Job job{std::move(*document), {std::move(*methods), o.budget, o.samples, o.repeats, o.seed}, {}};
-  if (!o.reference.empty()) {
-    auto read = bench::read_reference(o.reference, job.document.width, job.document.height);
-    if (!read) return read.error();
-    job.given = std::move(*read);
+  if (given) {
+    auto fitting = bench::fitted(std::move(*given), job.document.width, job.document.height);
+    if (!fitting) return fitting.error();
+    job.given = std::move(*fitting);
   }
   if (auto ok = bench::make_folder(o.out); !ok) return ok.error();
   return job;
@@ -153,12 +165,13 @@ Command add_bench(CLI::App& app) {
   app.add_option("--repeats", o->repeats, "How often, with seeds of their own; error bars come from these")
       ->check(CLI::Range(1, 10000));
   app.add_option("-o,--out", o->out, "The folder to write into")->required();
-  app.add_option("--reference", o->reference, "The picture to measure against; otherwise it is made and kept");
+  app.add_option("--reference", o->reference,
+                 "The picture to measure against, of this size or a multiple; otherwise it is made and kept");
   app.add_option("--reference-time", o->reference_time,
                  "Seconds for making the reference; otherwise as long as all methods together")
       ->check(CLI::PositiveNumber);
   app.add_flag("--no-cache", o->no_cache, "Make the reference anew and do not keep it");
-  app.add_option("--size", o->size, "WIDTHxHEIGHT");
+  app.add_option("--size", o->size, "WIDTHxHEIGHT; otherwise the reference's, or the scene's own");
   app.add_option("--camera", o->camera, "A camera of the scene by name or index");
   app.add_option("--seed", o->seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));

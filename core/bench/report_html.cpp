@@ -134,6 +134,9 @@ std::string effort(const Report& r) {
 std::string reference_text(const Report& r) {
   std::string text = r.reference.samples > 0 ? std::to_string(r.reference.samples) + " samples per pixel"
                                              : "<code>" + escaped(r.reference.file) + "</code>";
+  if (r.reference.reduced > 1)
+    text += ", each pixel the mean of " + std::to_string(r.reference.reduced) + " &times; " +
+            std::to_string(r.reference.reduced);
   if (r.reference.seconds > 0) text += ", " + short_number(r.reference.seconds) + " s";
   return text + (r.reference.noise ? ", standard error " + short_number(r.reference.standard_error()) + " (MSE " +
                                          short_number(r.reference.noise->mse) + ")"

@@ -121,6 +121,18 @@ TEST_F(CliBench, AReferenceMayBeGiven) {
   EXPECT_TRUE(summary("c")["reference"]["standard_error"].is_null());
 }
 
+TEST_F(CliBench, AReferenceMayBeLarger) {
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 64 --seed 9 -o r.exr").code, 0);
+  ASSERT_EQ(run("bench cornell --size 16x16 --methods path --samples 4 --reference r.exr --out b").code, 0);
+  EXPECT_EQ(summary("b")["width"], 16);
+  EXPECT_GT(summary("b")["reference"]["standard_error"], 0);
+  ASSERT_EQ(run("bench cornell --methods path --samples 4 --reference r.exr --out c").code, 0);
+  EXPECT_EQ(summary("c")["width"], 32);
+  // The mean of four pixels has half of their standard error.
+  EXPECT_NEAR(summary("b")["reference"]["standard_error"].get<double>(),
+              summary("c")["reference"]["standard_error"].get<double>() / 2, 1e-6);
+}
+
 TEST_F(CliBench, ErrorsAreOneLine) {
   const std::string some = "bench cornell --size 8x8 --samples 1 --out b --methods ";
   expect_error("bench cornell --methods path --out b", 2, "--budget SECONDS");
