@@ -144,7 +144,7 @@ std::string reference_text(const Report& r) {
 }
 
 std::string facts(const Report& r) {
-  return "<dl class=\"facts\">\n" +
+  return "<dl class=\"facts\">\n" + fact("scene", "<code>" + escaped(r.document.scene_name) + "</code>") +
          fact("picture",
               std::to_string(r.document.width) + " &times; " + std::to_string(r.document.height) + " pixels") +
          fact("measured", effort(r)) + fact("reference", reference_text(r)) + "</dl>\n";
@@ -247,7 +247,7 @@ std::string making(const Report& r) {
 }  // namespace
 
 std::string report_html(const Report& r, const std::vector<PagePicture>& pictures) {
-  const std::string& scene = r.document.scene_name;
+  const std::string scene = std::filesystem::path(r.document.scene_name).stem().string();
   return page("Error over time: " + scene, kReportStyle + ("<h1>" + escaped(scene)) + "</h1>\n" + facts(r) +
                                                warnings(r) + charts(r) + figures(r) + comparison(r, pictures) +
                                                making(r) + kReportScript);

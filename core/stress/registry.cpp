@@ -8,16 +8,18 @@
 #include "stress/cases/depth_cut_off.h"
 #include "stress/cases/far_from_the_origin.h"
 #include "stress/cases/grazing_albedo.h"
-#include "stress/cases/late_dimensions.h"
 #include "stress/cases/index_of_one.h"
 #include "stress/cases/infinite_emission.h"
 #include "stress/cases/inverted_normals.h"
+#include "stress/cases/late_dimensions.h"
 #include "stress/cases/light_of_a_micrometre.h"
 #include "stress/cases/lossless_glass.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
+#include "stress/cases/nested_glass.h"
 #include "stress/cases/optical_depth.h"
 #include "stress/cases/point_light_unseen.h"
+#include "stress/cases/reused_seeds.h"
 #include "stress/cases/roughness_at_its_ends.h"
 #include "stress/cases/roulette_of_a_bright_room.h"
 #include "stress/cases/seeds_and_pixels.h"
@@ -26,6 +28,8 @@
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
 #include "stress/cases/thirty_stops.h"
+#include "stress/cases/total_reflection.h"
+#include "stress/cases/triangles_without_area.h"
 
 namespace etendue::stress {
 
@@ -61,9 +65,11 @@ const std::vector<Case>& cases() {
       kDepthCutOff,
       kRouletteOfABrightRoom,
       kSeedsAndPixels,
+      kReusedSeeds,
       kLateDimensions,
       kIndexOfOne,
       kLosslessGlass,
+      kTotalReflection,
       kRoughnessAtItsEnds,
       kAlbedoOfOne,
       kOpticalDepth,
@@ -75,6 +81,8 @@ const std::vector<Case>& cases() {
       kCoincidentLights,
       kInvertedNormals,
       kCameraInsideGlass,
+      kNestedGlass,
+      kTrianglesWithoutArea,
       kGrazingAlbedo,
       kInfiniteEmission,
       kNanInASky,
