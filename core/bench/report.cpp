@@ -63,7 +63,8 @@ std::string chart_title(const Report& r) {
 Result<void> write_charts(const fs::path& folder, const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
   measure::ChartOptions options{chart_title(r)};
-  if (r.reference.noise) options.reference_error = r.reference.standard_error();
+  options.noise = r.reference.noise.value_or(measure::ReferenceNoise{});
+  options.reference_error = std::sqrt(options.noise.mse);
   const auto drawing = measure::chart_of(curves, options);
   if (auto ok = write_text(folder / "chart.svg", measure::svg_of(drawing)); !ok) return ok;
   return image::write_png(folder / "chart.png", drawing.width, drawing.height, measure::raster_of(drawing));

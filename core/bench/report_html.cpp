@@ -162,20 +162,21 @@ std::string warnings(const Report& r) {
     warn(
         "The reference is too noisy to tell: its standard error is not ten times smaller than the smallest error that "
         "was measured. Its part has been taken off, but the lower ends of the curves are less certain than they look." +
-        (wanted > 0 ? " " + short_number(std::ceil(wanted)) + " s of reference would do." : std::string()));
+        (wanted > 0 ? " " + std::to_string(std::lround(wanted) + 1) + " s of reference would do." : std::string()));
   return html;
 }
 
 std::string charts(const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
-  const double floor = r.reference.noise ? r.reference.standard_error() : 0;
+  const auto noise = r.reference.noise.value_or(measure::ReferenceNoise{});
+  const double floor = std::sqrt(noise.mse);
   using measure::Abscissa, measure::ErrorKind;
   std::string html = "<div class=\"charts\">\n";
   for (const auto& [title, along] :
        {std::pair{"Error over time", Abscissa::seconds}, {"Error over samples", Abscissa::samples}})
     html += "<figure class=\"chart\" tabindex=\"0\" aria-label=\"" + std::string(title) +
             "; arrow keys read the curves\"><div class=\"ink\">" +
-            measure::svg_chart(curves, {title, along, ErrorKind::rmse, 640, 420, floor}) +
+            measure::svg_chart(curves, {title, along, ErrorKind::rmse, 640, 420, floor, noise}) +
             "</div><div class=\"tip\" role=\"status\" hidden></div></figure>\n";
   return html +
          "</div>\n<p class=\"note\">Lines are medians, bands 10 % to 90 % of the repeats. Point at a curve, or move "

@@ -177,7 +177,7 @@ class Chart {
   }
 
   std::string slope_text(const MethodCurves& method) const {
-    const Figure slope = slope_of(method, options_.along);
+    const Figure slope = slope_of(method, options_.along, options_.noise);
     if (!slope.known) return "no error to draw";
     char text[64];
     if (slope.degrees > 0)

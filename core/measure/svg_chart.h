@@ -15,6 +15,7 @@ struct ChartOptions {
   int width = 900, height = 520;  // pixels, without the legend below
   // The reference's standard error in the unit of the chart: a line below which nothing can be told. 0 draws none.
   double reference_error = 0;
+  ReferenceNoise noise = {};  // what was taken off the curves: fitted slopes trust what it made uncertain less
 };
 
 // Median lines, bands of 10 % to 90 %, a dot at each step whose hint says method, time, samples and error; a legend
