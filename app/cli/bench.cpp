@@ -22,7 +22,7 @@ struct Options {
   std::string scene, methods, out, reference, size, camera, env;
   std::vector<std::string> sets;
   double budget = 0, reference_time = 0;
-  uint32_t samples = 0;
+  uint32_t samples = 0, reference_samples = 0;
   int repeats = 3, threads = 0;
   uint64_t seed = 0;
   bool no_cache = false;
@@ -45,7 +45,7 @@ Result<render::Document> open(const Options& o, const std::optional<bench::Refer
 
 // As long as all methods together, unless something else is asked for.
 bench::Effort effort_of(const Options& o, size_t methods) {
-  if (o.reference_time > 0) return {o.reference_time, 0};
+  if (o.reference_time > 0 || o.reference_samples > 0) return {o.reference_time, o.reference_samples};
   const double runs = static_cast<double>(methods) * o.repeats;
   if (o.budget > 0) return {o.budget * runs, 0};
   return {0, static_cast<uint32_t>(std::min(o.samples * runs, 1e9))};
@@ -170,6 +170,8 @@ Command add_bench(CLI::App& app) {
   app.add_option("--reference-time", o->reference_time,
                  "Seconds for making the reference; otherwise as long as all methods together")
       ->check(CLI::PositiveNumber);
+  app.add_option("--reference-samples", o->reference_samples, "Samples per pixel of the reference instead of seconds")
+      ->check(CLI::Range(1u, 1000000000u));
   app.add_flag("--no-cache", o->no_cache, "Make the reference anew and do not keep it");
   app.add_option("--size", o->size, "WIDTHxHEIGHT; otherwise the reference's, or the scene's own");
   app.add_option("--camera", o->camera, "A camera of the scene by name or index");

@@ -60,8 +60,8 @@ std::string recipe(const Report& r) {
   // Without a count of samples the reference came from a file.
   if (r.reference.samples == 0)
     text += option("--reference", r.reference.file);
-  else if (r.reference.seconds > 0)
-    text += option("--reference-time", measure::short_number(r.reference.seconds));
+  else
+    text += option("--reference-samples", std::to_string(r.reference.samples));
   return text + " --out bench";
 }
 

@@ -241,8 +241,9 @@ std::string comparison(const Report& r, const std::vector<PagePicture>& pictures
 
 std::string making(const Report& r) {
   return "<h2>Making it again</h2>\n<pre id=\"recipe\">" + escaped(recipe(r)) +
-         "</pre>\n<p class=\"note\">Errors over samples come out the same to the last digit; those over seconds are of "
-         "the machine. <code>curves.csv</code> and <code>summary.json</code> beside this page hold the numbers.</p>\n";
+         "</pre>\n<p class=\"note\">Errors over samples come out the same to the last digit, unless a longer reference "
+         "is kept; those over seconds are of the machine. <code>curves.csv</code> and <code>summary.json</code> beside "
+         "this page hold the numbers.</p>\n";
 }
 
 }  // namespace
