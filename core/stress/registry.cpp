@@ -21,6 +21,7 @@
 #include "stress/cases/point_light_unseen.h"
 #include "stress/cases/reused_seeds.h"
 #include "stress/cases/roughness_at_its_ends.h"
+#include "stress/cases/roulette_below_the_square.h"
 #include "stress/cases/roulette_of_a_bright_room.h"
 #include "stress/cases/seeds_and_pixels.h"
 #include "stress/cases/settings_that_are_no_numbers.h"
@@ -61,6 +62,7 @@ const std::vector<Case>& cases() {
       kPointLightUnseen,
       kSmallLightByChance,
       kNarrowLobeAndSmallLight,
+      kRouletteBelowTheSquare,
       kShadowsIgnored,
       kDepthCutOff,
       kRouletteOfABrightRoom,
