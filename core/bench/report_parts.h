@@ -26,7 +26,8 @@ select { font: inherit; max-width: min(100%, 40ch) }
 input[type=range] { display: block; width: min(100%, calc(85vh * var(--w) / var(--h))); margin: 8px 0 24px;
   accent-color: var(--accent) }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(150px, 1fr)); gap: 12px; margin: 8px 0 16px }
-.gallery button { display: flex; flex-direction: column; font: inherit; font-size: 13px; color: inherit; text-align: left; background: var(--card); padding: 0;
+.gallery button { display: flex; flex-direction: column; font: inherit; font-size: 13px; color: inherit;
+  text-align: left; background: var(--card); padding: 0;
   border: 1px solid var(--line); border-radius: 4px; overflow: hidden; cursor: pointer; overflow-wrap: anywhere }
 .gallery button[aria-pressed=true] { border-color: var(--accent); box-shadow: 0 0 0 1px var(--accent) }
 .gallery img { width: 100% } .gallery span { display: block; padding: 4px 8px }
@@ -105,7 +106,9 @@ for (const [side, image, first] of [["left", "under", 0], ["right", "over", 1]])
   show(side, image, Math.min(Math.max(wanted, 0), pictures.length - 1));
   $(side).oninput = () => show(side, image, $(side).selectedIndex);
 }
-pictures.forEach((p, i) => { p.onclick = () => { show("right", "over", i); $("wipe").scrollIntoView({ block: "nearest" }); }; });
+pictures.forEach((p, i) => {
+  p.onclick = () => { show("right", "over", i); $("wipe").scrollIntoView({ block: "nearest" }); };
+});
 const drag = e => {
   if (e.type === "pointermove" && !e.buttons) return;
   if (e.type === "pointerdown") $("wipe").setPointerCapture(e.pointerId);

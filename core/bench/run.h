@@ -25,7 +25,8 @@ struct MethodResult {
   // For telling bias from variance: the mean picture of the repeats, and the mean of their errors.
   std::vector<double> mean_picture;
   double mean_mse = 0;
-  measure::TailAccumulator tail;  // of |picture - reference| of pictures of one sample, averaged over the channels
+  // Of |x - r| / sqrt(r^2 + 0.01), averaged over the channels, of pictures of one sample.
+  measure::TailAccumulator tail;
 };
 
 struct Outcome {

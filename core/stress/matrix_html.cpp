@@ -18,7 +18,8 @@ thead th { position: sticky; top: 0; background: var(--page) }
 a { color: inherit } .met { color: #1a7f37 } .missed { color: #c62828; font-weight: 700 }
 .findings { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 360px), 1fr)); gap: 8px;
   list-style: none; padding: 0; margin: 8px 0 }
-.findings li { display: grid; grid-template-columns: 56px 1fr; align-content: start; gap: 0 12px; background: var(--card); padding: 8px;
+.findings li { display: grid; grid-template-columns: 56px 1fr; align-content: start; gap: 0 12px;
+  background: var(--card); padding: 8px;
   border-radius: 4px; border-left: 4px solid #2da44e; overflow-wrap: anywhere }
 .findings li.failed { background: var(--bad); border-left-color: #c62828 }
 .findings img, .findings .blank { width: 56px; height: 56px; outline: 1px solid var(--line); grid-row: span 3 }
