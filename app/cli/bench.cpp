@@ -22,16 +22,22 @@ struct Options {
   std::string scene, methods, out, reference, size, camera, env;
   std::vector<std::string> sets;
   double budget = 0, reference_time = 0;
-  uint32_t samples = 0;
+  uint32_t samples = 0, reference_samples = 0;
   int repeats = 3, threads = 0;
   uint64_t seed = 0;
   bool no_cache = false;
 };
 
-Result<render::Document> open(const Options& o) {
+// Without a size it is the reference's, if one is given.
+std::string size_of(const Options& o, const std::optional<bench::Reference>& given) {
+  if (!o.size.empty() || !given) return o.size;
+  return std::to_string(given->picture.width) + "x" + std::to_string(given->picture.height);
+}
+
+Result<render::Document> open(const Options& o, const std::optional<bench::Reference>& given) {
   auto document = render::new_document(o.scene, o.camera);
   if (!document) return document;
-  if (auto r = set_size(*document, o.size); !r) return r.error();
+  if (auto r = set_size(*document, size_of(o, given)); !r) return r.error();
   if (auto r = set_environment(*document, o.env); !r) return r.error();
   if (auto r = set_all(*document, o.sets); !r) return r.error();
   return document;
@@ -39,7 +45,7 @@ Result<render::Document> open(const Options& o) {
 
 // As long as all methods together, unless something else is asked for.
 bench::Effort effort_of(const Options& o, size_t methods) {
-  if (o.reference_time > 0) return {o.reference_time, 0};
+  if (o.reference_time > 0 || o.reference_samples > 0) return {o.reference_time, o.reference_samples};
   const double runs = static_cast<double>(methods) * o.repeats;
   if (o.budget > 0) return {o.budget * runs, 0};
   return {0, static_cast<uint32_t>(std::min(o.samples * runs, 1e9))};
@@ -69,10 +75,10 @@ void say_what_is_uncertain(const bench::Outcome& outcome, const bench::Reference
     std::fprintf(stderr, "etendue: the error of the reference is unknown; small errors may be the reference's\n");
     return;
   }
+  if (!bench::reference_too_noisy(outcome, reference)) return;
   const double wanted = bench::seconds_wanted(outcome, reference);
-  if (wanted <= 0) return;
   std::string advice;
-  if (reference.seconds > 0) advice = "; --reference-time " + std::to_string(std::lround(wanted) + 1) + " would do";
+  if (wanted > 0) advice = "; --reference-time " + std::to_string(std::lround(wanted) + 1) + " would do";
   std::fprintf(stderr,
                "etendue: the reference is too noisy to tell: its standard error %.2g is not ten times smaller "
                "than the smallest error measured%s\n",
@@ -88,15 +94,21 @@ struct Job {
 
 Result<Job> prepare(const Options& o) {
   if (o.budget <= 0 && o.samples == 0) return usage_error("bench: no budget; give --budget SECONDS or --samples N");
-  auto document = open(o);
+  std::optional<bench::Reference> given;
+  if (!o.reference.empty()) {
+    auto read = bench::read_reference(o.reference);
+    if (!read) return read.error();
+    given = std::move(*read);
+  }
+  auto document = open(o, given);
   if (!document) return document.error();
   auto methods = bench::parse_methods(o.methods, *document);
   if (!methods) return methods.error();
   Job job{std::move(*document), {std::move(*methods), o.budget, o.samples, o.repeats, o.seed}, {}};
-  if (!o.reference.empty()) {
-    auto read = bench::read_reference(o.reference, job.document.width, job.document.height);
-    if (!read) return read.error();
-    job.given = std::move(*read);
+  if (given) {
+    auto fitting = bench::fitted(std::move(*given), job.document.width, job.document.height);
+    if (!fitting) return fitting.error();
+    job.given = std::move(*fitting);
   }
   if (auto ok = bench::make_folder(o.out); !ok) return ok.error();
   return job;
@@ -153,12 +165,15 @@ Command add_bench(CLI::App& app) {
   app.add_option("--repeats", o->repeats, "How often, with seeds of their own; error bars come from these")
       ->check(CLI::Range(1, 10000));
   app.add_option("-o,--out", o->out, "The folder to write into")->required();
-  app.add_option("--reference", o->reference, "The picture to measure against; otherwise it is made and kept");
+  app.add_option("--reference", o->reference,
+                 "The picture to measure against, of this size or a multiple; otherwise it is made and kept");
   app.add_option("--reference-time", o->reference_time,
                  "Seconds for making the reference; otherwise as long as all methods together")
       ->check(CLI::PositiveNumber);
+  app.add_option("--reference-samples", o->reference_samples, "Samples per pixel of the reference instead of seconds")
+      ->check(CLI::Range(1u, 1000000000u));
   app.add_flag("--no-cache", o->no_cache, "Make the reference anew and do not keep it");
-  app.add_option("--size", o->size, "WIDTHxHEIGHT");
+  app.add_option("--size", o->size, "WIDTHxHEIGHT; otherwise the reference's, or the scene's own");
   app.add_option("--camera", o->camera, "A camera of the scene by name or index");
   app.add_option("--seed", o->seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
   app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));

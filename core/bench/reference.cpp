@@ -1,5 +1,6 @@
 #include "bench/reference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -28,6 +29,26 @@ void know_error(Reference& reference) {
   if (!std::isfinite(noise.mse)) return;
   reference.noise = noise;
   reference.mean_error = std::sqrt(noise.mse / n);
+}
+
+std::string place(std::ptrdiff_t pixel, int width) {
+  return "at " + std::to_string(pixel % width) + ", " + std::to_string(pixel / width);
+}
+
+// The means of blocks of times x times pixels. What is left over is not there: sides are multiples.
+image::Layer block_means(const image::Layer& layer, int width, int times) {
+  const size_t channels = layer.channels.size(), side = static_cast<size_t>(times), w = static_cast<size_t>(width);
+  const size_t columns = w / side, rows = layer.pixels.size() / channels / w / side;
+  image::Layer small{layer.name, layer.channels, {}};
+  for (size_t y = 0; y < rows; ++y)
+    for (size_t x = 0; x < columns; ++x)
+      for (size_t c = 0; c < channels; ++c) {
+        double sum = 0;
+        for (size_t v = 0; v < side; ++v)
+          for (size_t u = 0; u < side; ++u) sum += layer.pixels[((y * side + v) * w + x * side + u) * channels + c];
+        small.pixels.push_back(static_cast<float>(sum / (times * times)));
+      }
+  return small;
 }
 
 // A seed that users' small numbers do not meet, the same every time.
@@ -94,18 +115,38 @@ void keep(const fs::path& file, const render::Document& d, render::Checkpoint& h
 
 double Reference::standard_error() const { return noise ? std::sqrt(noise->mse) : NAN; }
 
-Result<Reference> read_reference(const std::string& file, int width, int height) {
+Result<Reference> read_reference(const std::string& file) {
   auto picture = image::read_linear(file);
   if (!picture) return picture.error();
-  if (picture->width != width || picture->height != height)
-    return input_error(file + ": is " + std::to_string(picture->width) + "x" + std::to_string(picture->height) +
-                       ", the methods render " + std::to_string(width) + "x" + std::to_string(height) +
-                       "; give --size, or a reference of that size");
   Reference reference;
   reference.file = file;
   reference.picture = std::move(*picture);
-  for (const float v : reference.rgb())
-    if (!std::isfinite(v)) return input_error(file + ": has pixels that are not finite; nothing can be measured on it");
+  const auto& rgb = reference.rgb();
+  const auto bad = std::ranges::find_if(rgb, [](float v) { return !std::isfinite(v); });
+  if (bad != rgb.end())
+    return input_error(file + ": has pixels that are not finite, the first " +
+                       place((bad - rgb.begin()) / 3, reference.picture.width) + "; nothing can be measured on it");
+  know_error(reference);
+  return reference;
+}
+
+Result<Reference> fitted(Reference reference, int width, int height) {
+  const int w = reference.picture.width, h = reference.picture.height, times = w / width;
+  if (w == width && h == height) return reference;
+  if (times < 2 || w != times * width || h != times * height)
+    return input_error(reference.file + ": is " + std::to_string(w) + "x" + std::to_string(h) +
+                       ", the methods render " + std::to_string(width) + "x" + std::to_string(height) +
+                       "; give a --size that goes into it a whole number of times, or none");
+  const image::Layer* variance = reference.picture.find("variance");
+  std::vector<image::Layer> layers{block_means(*reference.picture.find(""), w, times)};
+  if (variance) {
+    layers.push_back(block_means(*variance, w, times));
+    for (float& v : layers.back().pixels) v /= static_cast<float>(times * times);
+  }
+  reference.picture.width = width, reference.picture.height = height;
+  reference.picture.layers = std::move(layers);
+  reference.reduced = times;
+  reference.noise = {}, reference.mean_error = 0;
   know_error(reference);
   return reference;
 }

@@ -19,13 +19,18 @@ struct Reference {
   double mean_error = 0;                         // the standard error of the mean over the image, radiance
   uint32_t samples = 0;                          // per pixel; 0 if unknown
   double seconds = 0;                            // of rendering, all times that it was extended
+  int reduced = 1;                               // a pixel is the mean of so many by so many of the file
 
   const std::vector<float>& rgb() const { return picture.find("")->pixels; }
   double standard_error() const;  // root of the mean square over pixels and channels; NaN if unknown
 };
 
-// A picture file of this size; any other is an input error, and so is a pixel that is not finite.
-Result<Reference> read_reference(const std::string& file, int width, int height);
+// A picture file, of any renderer; a pixel that is not finite is an input error.
+Result<Reference> read_reference(const std::string& file);
+
+// The reference at this size: as it is, or, where both its sides are the same multiple of it, the mean of each block of
+// pixels. Anything else is an input error.
+Result<Reference> fitted(Reference reference, int width, int height);
 
 // How much of a reference is wanted: whichever comes first; zero is no limit.
 struct Effort {

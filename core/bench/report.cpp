@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "measure/flip.h"
 #include "measure/heat_map.h"
 #include "measure/svg_chart.h"
 
@@ -62,7 +63,8 @@ std::string chart_title(const Report& r) {
 Result<void> write_charts(const fs::path& folder, const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
   measure::ChartOptions options{chart_title(r)};
-  if (r.reference.noise) options.reference_error = r.reference.standard_error();
+  options.noise = r.reference.noise.value_or(measure::ReferenceNoise{});
+  options.reference_error = std::sqrt(options.noise.mse);
   const auto drawing = measure::chart_of(curves, options);
   if (auto ok = write_text(folder / "chart.svg", measure::svg_of(drawing)); !ok) return ok;
   return image::write_png(folder / "chart.png", drawing.width, drawing.height, measure::raster_of(drawing));
@@ -81,34 +83,52 @@ class Pictures {
   Pictures(fs::path folder, const Report& report) : folder_(std::move(folder)), report_(report) {}
 
   Result<void> write() {
-    if (auto ok = add("reference", "reference", shown(report_.reference.rgb())); !ok) return ok;
-    int number = 0;
-    for (const auto& method : report_.outcome.methods) {
-      ++number;
-      if (method.picture.empty()) continue;
-      const std::string name = method.curves.name, file = "method-" + std::to_string(number);
-      if (auto ok = add(name, file, shown(method.picture)); !ok) return ok;
-      const auto errors = measure::heat_map(beauty(report_.reference, method.picture), report_.reference.picture,
-                                            measure::HeatMap::difference);
-      if (auto ok = add("signed error of " + name, file + "-error", errors); !ok) return ok;
-    }
+    if (auto ok = add(Kind::rendering, "reference", "", "reference", shown(report_.reference.rgb())); !ok) return ok;
+    for (const Kind kind : {Kind::rendering, Kind::difference, Kind::flip})
+      if (auto ok = write(kind); !ok) return ok;
     return {};
   }
 
   const std::vector<PagePicture>& pictures() const { return pictures_; }
 
  private:
+  using Kind = PagePicture::Kind;
+
+  // Of every method that has one.
+  Result<void> write(Kind kind) {
+    int number = 0;
+    for (const auto& method : report_.outcome.methods) {
+      const std::string name = method.curves.name, file = "method-" + std::to_string(++number);
+      if (method.picture.empty()) continue;
+      if (auto ok = write(kind, name, file, method.picture); !ok) return ok;
+    }
+    return {};
+  }
+
+  Result<void> write(Kind kind, const std::string& name, const std::string& file, const std::vector<float>& rgb) {
+    if (kind == Kind::rendering) return add(kind, name, "", file, shown(rgb));
+    const auto picture = beauty(report_.reference, rgb);
+    if (kind == Kind::difference)
+      return add(kind, name, "difference: ", file + "-error",
+                 measure::heat_map(picture, report_.reference.picture, measure::HeatMap::difference));
+    const auto& display = report_.document.display;
+    const auto map = measure::flip_map(picture, report_.reference.picture, {display.exposure, display.curve});
+    if (!map) return map.error();
+    return add(kind, name, "FLIP: ", file + "-flip", measure::painted(*map));
+  }
+
   std::vector<uint8_t> shown(const std::vector<float>& rgb) const {
     return image::display_pixels(rgb, report_.document.display.exposure, report_.document.display.curve);
   }
 
-  Result<void> add(const std::string& name, const std::string& file, const std::vector<uint8_t>& rgb) {
+  Result<void> add(Kind kind, const std::string& name, const std::string& prefix, const std::string& file,
+                   const std::vector<uint8_t>& rgb) {
     const fs::path path = folder_ / (file + ".png");
     const auto& size = report_.reference.picture;
     if (auto ok = image::write_png(path, size.width, size.height, rgb); !ok) return ok;
     auto bytes = read_file(path);
     if (!bytes) return bytes.error();
-    pictures_.push_back({name, std::move(*bytes)});
+    pictures_.push_back({kind, prefix + name, name, std::move(*bytes)});
     return {};
   }
 

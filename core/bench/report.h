@@ -21,13 +21,15 @@ std::string curves_csv(const Report& report);
 
 std::string summary_json(const Report& report);
 
-// A picture of the page, by name, as PNG bytes.
+// A picture of the page as PNG bytes.
 struct PagePicture {
-  std::string name;
+  enum class Kind { rendering, difference, flip } kind;
+  std::string name, caption;
   std::vector<std::byte> png;
 };
 
-// A page of HTML that needs nothing else: charts, figures, and pictures under a slider.
+// A page of HTML that needs nothing else: charts, figures, and any two of the pictures, in order of their kind, under a
+// wipe.
 std::string report_html(const Report& report, const std::vector<PagePicture>& pictures);
 
 // Writes curves.csv, summary.json, chart.svg, chart.png, report.html and the pictures into the folder, which is made if

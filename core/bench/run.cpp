@@ -1,5 +1,7 @@
 #include "bench/run.h"
 
+#include <cmath>
+
 #include "base/hash.h"
 #include "film/picture.h"
 #include "measure/metrics.h"
@@ -67,7 +69,6 @@ class Runner {
   void finish(MethodResult& result, measure::ErrorCurve curve, std::vector<float> picture,
               const render::Status& status) {
     result.rays_per_second.push_back(status.rays_per_second);
-    result.khat = status.health ? status.health->tail.khat : std::nullopt;
     const auto n = static_cast<double>(result.rays_per_second.size());
     result.mean_mse += (curve.points.back().mse - result.mean_mse) / n;
     result.mean_picture.resize(picture.size());
@@ -75,6 +76,7 @@ class Runner {
       result.mean_picture[i] += (static_cast<double>(picture[i]) - result.mean_picture[i]) / n;
     result.curves.repeats.push_back(std::move(curve));
     result.picture = std::move(picture);
+    result.health = status.health;
   }
 
   bool report(size_t method, int repeat, const render::Status& s) const {

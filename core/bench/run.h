@@ -21,11 +21,11 @@ struct Plan {
 struct MethodResult {
   measure::MethodCurves curves;  // as measured: with the reference's noise in them
   std::vector<double> rays_per_second;
-  std::optional<double> khat;  // of the last repeat
   std::vector<float> picture;  // of the last repeat, linear
   // For telling bias from variance: the mean picture of the repeats, and the mean of their errors.
   std::vector<double> mean_picture;
   double mean_mse = 0;
+  std::shared_ptr<const render::Health> health;  // of the last repeat; none while there are too few samples
 };
 
 struct Outcome {

@@ -1,5 +1,6 @@
 #include "bench/summary.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "measure/flip.h"
@@ -56,8 +57,11 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.spp = median_at_end(corrected, [](const ErrorPoint& p) { return p.spp; });
   s.seconds = median_at_end(corrected, [](const ErrorPoint& p) { return p.seconds; });
   s.rays_per_second = measure::quantile(result.rays_per_second, 0.5);
-  s.khat = result.khat;
   s.flip = flip_of(result, reference, display);
+  if (result.health) {
+    s.khat = result.health->tail.khat;
+    s.heavy_tail = result.health->verdict == render::Verdict::unreliable;
+  }
   s.too_noisy = measure::too_noisy(corrected, noise);
   return s;
 }
@@ -67,6 +71,11 @@ std::vector<measure::MethodCurves> corrected_curves(const Outcome& outcome, cons
   for (const auto& method : outcome.methods)
     curves.push_back(measure::without_noise(method.curves, noise_of(reference)));
   return curves;
+}
+
+bool reference_too_noisy(const Outcome& outcome, const Reference& reference) {
+  return std::ranges::any_of(corrected_curves(outcome, reference),
+                             [&](const auto& curves) { return measure::too_noisy(curves, noise_of(reference)); });
 }
 
 double seconds_wanted(const Outcome& outcome, const Reference& reference) {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLeft = 78, kRight = 24, kTop = 52, kBottom = 46, kLegendRow = 22;
 constexpr double kText = 13, kTitle = 16;
-constexpr int kSteps = 25;  // places along a curve
-constexpr size_t kLongestName = 72;
+constexpr int kSteps = 25;                        // places along a curve
+constexpr double kLetter = 7, kSlopeWidth = 210;  // of the legend, about
 
 constexpr Ink kBlack{34, 34, 34}, kGrey{120, 120, 120}, kLine{205, 205, 205}, kThinLine{236, 236, 236};
 
@@ -170,13 +170,14 @@ class Chart {
     const double y = options_.height + 10 + kLegendRow * static_cast<double>(i);
     drawing_.shapes.push_back(Stroke{{{kLeft, y}, {kLeft + 28, y}}, ink_of(i), 3, dashed(i)});
     std::string name = methods_[i].name;
-    if (name.size() > kLongestName) name = name.substr(0, kLongestName) + "..";
+    const auto longest = static_cast<size_t>((right() - kLeft - 38 - kSlopeWidth) / kLetter);
+    if (name.size() > longest) name = name.substr(0, longest) + "..";
     words(kLeft + 38, y + 4, name);
     words(right(), y + 4, slope_text(methods_[i]), Anchor::right, kGrey);
   }
 
   std::string slope_text(const MethodCurves& method) const {
-    const Figure slope = slope_of(method, options_.along);
+    const Figure slope = slope_of(method, options_.along, options_.noise);
     if (!slope.known) return "no error to draw";
     char text[64];
     if (slope.degrees > 0)
@@ -194,6 +195,13 @@ class Chart {
 };
 
 }  // namespace
+
+std::string method_color(size_t method) {
+  const Ink ink = ink_of(method);
+  char text[16];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", ink.r, ink.g, ink.b);
+  return text;
+}
 
 Drawing chart_of(std::span<const MethodCurves> methods, const ChartOptions& options) {
   return Chart(methods, options).draw();

@@ -15,11 +15,15 @@ struct ChartOptions {
   int width = 900, height = 520;  // pixels, without the legend below
   // The reference's standard error in the unit of the chart: a line below which nothing can be told. 0 draws none.
   double reference_error = 0;
+  ReferenceNoise noise = {};  // what was taken off the curves: fitted slopes trust what it made uncertain less
 };
 
 // Median lines, bands of 10 % to 90 %, a dot at each step whose hint says method, time, samples and error; a legend
 // with fitted slopes. Methods without a point that a logarithm can be taken of stand in the legend, without a line.
 Drawing chart_of(std::span<const MethodCurves> methods, const ChartOptions& options);
+
+// The colour of the method that stands at this place, as CSS has it.
+std::string method_color(size_t method);
 
 // The same as an <svg> element.
 std::string svg_chart(std::span<const MethodCurves> methods, const ChartOptions& options);

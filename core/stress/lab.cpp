@@ -13,7 +13,7 @@ namespace etendue::stress {
 namespace {
 
 Thumbnail thumbnail_of(const film::Film& film) {
-  return {film.width(), film.height(), image::display_pixels(film::radiance_of(film), 0, image::ToneCurve::none)};
+  return {film.width(), film.height(), image::display_pixels(film::radiance_of(film), 0, image::ToneCurve::agx)};
 }
 
 std::string at(const std::string& point, const std::string& text) { return point.empty() ? text : point + ": " + text; }

@@ -82,6 +82,8 @@ void add_point_light(scene::Scene& scene, const Vec3& position, float intensity)
 
 // Correlation of what two pictures deviate from their means, the second shifted to the left by so many pixels.
 double noise_correlation(const film::Film& a, const film::Film& b, int shift);
+// Of the mean of both pictures, over its pixels.
+double variance_of_mean(const film::Film& a, const film::Film& b);
 // The share of pixels whose first 64 samples leave half or more of 8 x 8 cells empty, in this dimension and the next.
 double clumped_pixels(const std::string& sampler, uint32_t dimension);
 

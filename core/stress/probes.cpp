@@ -44,6 +44,13 @@ double noise_correlation(const film::Film& a, const film::Film& b, int shift) {
   return moments.correlation();
 }
 
+double variance_of_mean(const film::Film& a, const film::Film& b) {
+  Moments moments;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) moments.add((average(a.mean(x, y)) + average(b.mean(x, y))) / 2, 0);
+  return moments.xx / moments.n - moments.x / moments.n * (moments.x / moments.n);
+}
+
 double clumped_pixels(const std::string& name, uint32_t dimension) {
   constexpr uint32_t kPixels = 4000, kSamples = 64;
   constexpr size_t kSide = 8;

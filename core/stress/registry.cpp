@@ -17,9 +17,12 @@
 #include "stress/cases/lossless_glass.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
+#include "stress/cases/nested_glass.h"
 #include "stress/cases/optical_depth.h"
 #include "stress/cases/point_light_unseen.h"
+#include "stress/cases/reused_seeds.h"
 #include "stress/cases/roughness_at_its_ends.h"
+#include "stress/cases/roulette_below_the_square.h"
 #include "stress/cases/roulette_of_a_bright_room.h"
 #include "stress/cases/seeds_and_pixels.h"
 #include "stress/cases/settings_that_are_no_numbers.h"
@@ -27,6 +30,8 @@
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
 #include "stress/cases/thirty_stops.h"
+#include "stress/cases/total_reflection.h"
+#include "stress/cases/triangles_without_area.h"
 
 namespace etendue::stress {
 
@@ -59,13 +64,16 @@ const std::vector<Case>& cases() {
       kSmallLightByChance,
       kNarrowLobeAndSmallLight,
       kLightThatTouchesAWall,
+      kRouletteBelowTheSquare,
       kShadowsIgnored,
       kDepthCutOff,
       kRouletteOfABrightRoom,
       kSeedsAndPixels,
+      kReusedSeeds,
       kLateDimensions,
       kIndexOfOne,
       kLosslessGlass,
+      kTotalReflection,
       kRoughnessAtItsEnds,
       kAlbedoOfOne,
       kOpticalDepth,
@@ -77,6 +85,8 @@ const std::vector<Case>& cases() {
       kCoincidentLights,
       kInvertedNormals,
       kCameraInsideGlass,
+      kNestedGlass,
+      kTrianglesWithoutArea,
       kGrazingAlbedo,
       kInfiniteEmission,
       kNanInASky,

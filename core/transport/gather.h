@@ -13,8 +13,10 @@ namespace etendue::transport {
 
 using Combination = std::optional<MisHeuristic>;
 
-// Roulette never lets a path live with certainty above this, so that a lossless room ends too (digest: albedo 1).
-inline constexpr float kMaxSurvival = 0.95f;
+// Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that keeps
+// r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made heavier than
+// one by living is therefore hardly played for any more.
+inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalOfTheHeavy = 0.995f;
 
 // The weight of emission that the walk's own direction found.
 template <class Color>
@@ -93,7 +95,8 @@ void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Sha
 // compression of radiance taken out), and is weighted so that the expectation does not change. thesis (9.10)
 template <class Color>
 bool survives_roulette(PathState<Color>& path, float random) {
-  const float survival = std::min(kMaxSurvival, max_component(path.throughput) * path.eta_scale);
+  const float weight = max_component(path.throughput) * path.eta_scale;
+  const float survival = std::min(weight, weight > 1 ? kMaxSurvivalOfTheHeavy : kMaxSurvival);
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;

@@ -221,6 +221,9 @@ TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
   EXPECT_LT(good.slope_over_samples.standard_error, 0.1);
   EXPECT_NEAR(good.bias.value, 0, 5 * good.bias.standard_error);
   EXPECT_FALSE(good.too_noisy);
+  // Connections to a lamp on the ceiling are bounded.
+  ASSERT_TRUE(good.khat);
+  EXPECT_FALSE(good.heavy_tail);
   const auto dark = bench::summary_of(outcome.methods[1], reference, {});
   EXPECT_LT(dark.bias.value, -20 * dark.bias.standard_error);
   ASSERT_TRUE(good.split && dark.split);

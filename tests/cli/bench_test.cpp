@@ -66,6 +66,32 @@ TEST_F(CliBench, ThePageStandsAlone) {
     EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
 
+// Errors without the seconds, which are never the same.
+std::string errors_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line, kept;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string field;
+    for (int column = 0; std::getline(fields, field, ','); ++column)
+      if (column != 2) kept += field + ",";
+    kept += "\n";
+  }
+  return kept;
+}
+
+TEST_F(CliBench, ThePageSaysHowToMakeItAgain) {
+  ASSERT_EQ(run("bench cornell --size 16x16 --methods path:sampler=random,path-pure --samples 4 --repeats 2 --seed 5 "
+                "--set material.0.metallic=0.5 --set film.filter=box --set model.media=on --out first")
+                .code,
+            0);
+  const std::string page = slurp(folder_ / "first" / "report.html");
+  const size_t from = page.find("etendue bench ") + 8, to = page.find("</pre>", from);
+  const std::string command = page.substr(from, to - from);
+  ASSERT_EQ(run(command).code, 0) << command;
+  EXPECT_EQ(errors_of(slurp(folder_ / "bench" / "curves.csv")), errors_of(slurp(folder_ / "first" / "curves.csv")));
+}
+
 TEST_F(CliBench, TheReferenceIsKeptAndExtended) {
   const std::string bench = "bench cornell --size 16x16 --methods path --repeats 1 ";
   ASSERT_EQ(run(bench + "--samples 8 --out a").code, 0);
@@ -93,6 +119,18 @@ TEST_F(CliBench, AReferenceMayBeGiven) {
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.err.find("error of the reference is unknown"), std::string::npos) << r.err;
   EXPECT_TRUE(summary("c")["reference"]["standard_error"].is_null());
+}
+
+TEST_F(CliBench, AReferenceMayBeLarger) {
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 64 --seed 9 -o r.exr").code, 0);
+  ASSERT_EQ(run("bench cornell --size 16x16 --methods path --samples 4 --reference r.exr --out b").code, 0);
+  EXPECT_EQ(summary("b")["width"], 16);
+  EXPECT_GT(summary("b")["reference"]["standard_error"], 0);
+  ASSERT_EQ(run("bench cornell --methods path --samples 4 --reference r.exr --out c").code, 0);
+  EXPECT_EQ(summary("c")["width"], 32);
+  // The mean of four pixels has half of their standard error.
+  EXPECT_NEAR(summary("b")["reference"]["standard_error"].get<double>(),
+              summary("c")["reference"]["standard_error"].get<double>() / 2, 1e-6);
 }
 
 TEST_F(CliBench, ErrorsAreOneLine) {

@@ -8,6 +8,7 @@
 #include "render/checkpoint.h"
 #include "render/session.h"
 #include "scene/compiled.h"
+#include "support/replicates.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -36,12 +37,15 @@ TEST(Session, AnotherSeedIsAnotherImage) {
 }
 
 TEST(Session, LargerModelsGiveTheSameImage) {
-  auto d = test::cornell(48);
-  const auto small = test::rendered(d, 16);
-  for (const char* flag : {"model.surfaces", "model.media", "model.classes"}) {
-    const auto forced = *render::with_text(d, flag, "on");
-    EXPECT_TRUE(same_bits(small, test::rendered(forced, 16))) << flag;
-  }
+  for (const auto& d : {test::cornell(48), test::glossy_things()})
+    for (const char* integrator : {"path", "path-pure", "raycast"}) {
+      const auto document = *render::with_text(d, "render.integrator", integrator);
+      const auto small = test::rendered(document, 16);
+      for (const std::string& flag : transport::model_flags()) {
+        const auto forced = *render::with_text(document, "model." + flag, "on");
+        EXPECT_TRUE(same_bits(small, test::rendered(forced, 16))) << integrator << ' ' << flag;
+      }
+    }
 }
 
 TEST(Checkpoint, ARenderingThatWasCutGoesOnToTheSameBits) {

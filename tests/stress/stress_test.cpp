@@ -66,7 +66,7 @@ TEST(Matrix, IsJsonWithEveryFindingAndAPageThatStandsAlone) {
   EXPECT_NE(page.find("a&lt;b"), std::string::npos);
   EXPECT_NE(page.find("one &amp; two"), std::string::npos);
   EXPECT_NE(page.find("1 not met"), std::string::npos);
-  EXPECT_EQ(page.find("http"), std::string::npos) << "nothing is fetched";
+  EXPECT_EQ(page.find("://"), std::string::npos) << "nothing is fetched";
 }
 
 }  // namespace
