@@ -26,7 +26,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       session({.threads = o.threads, .interactive = true, .publish_interval = 0.1}),
       loader([&p] { p.wake(); }),
       capture(session, editor, [&p] { p.wake(); }),
-      aov(session, editor, [&p] { p.wake(); }) {
+      aov(session, editor, [&p] { p.wake(); }),
+      comparison([&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }

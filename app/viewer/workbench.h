@@ -8,6 +8,7 @@
 #include "viewer/aov_view.h"
 #include "viewer/camera_hand.h"
 #include "viewer/capture.h"
+#include "viewer/comparison.h"
 #include "viewer/editor.h"
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
@@ -91,6 +92,7 @@ struct Workbench {
   Loader loader;
   Capture capture;
   AovView aov;
+  Comparison comparison;
   CameraHand hand;
   FileDialog files;
   Selection selection;
