@@ -4,6 +4,7 @@
 // Whoever has pictures puts them into `a`, `b` and `reference`. Where nobody does, A is the live picture, and B one that was
 // kept of it before.
 #pragma once
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -69,6 +70,7 @@ class Comparison {
   bool reference_on_screen() const;
 
   void pin() { b = live; }
+  void move_divider(float by) { divider = std::clamp(divider + by, 0.0f, 1.0f); }
 
   // Reads a picture in the background into B or the reference. Its size must be that of the live picture.
   enum class Target { b, reference };
