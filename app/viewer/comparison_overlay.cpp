@@ -93,7 +93,7 @@ void read_out(const Workbench& w, ImDrawList* draw) {
   const Placement& p = w.view.picture;
   ImGui::PushFont(w.faces.figures);
   const float em = ImGui::GetFontSize();
-  draw_label(draw, {p.corner.x + em * 0.6f, p.corner.y + p.size.y - em * 0.6f - label_size(text).y}, text);
+  draw_label(draw, p.corner + p.size - Vec2(em * 0.6f) - label_size(text), text);  // notices come on the left
   ImGui::PopFont();
 }
 
