@@ -72,8 +72,7 @@ void map_words(const Workbench& w, ImDrawList* draw) {
 std::optional<Vec2i> pixel_under(const Workbench& w, const Side& side) {
   const Placement& p = w.view.picture;
   if (ImGui::GetIO().WantCaptureMouse || !p.contains(w.input.mouse)) return std::nullopt;
-  const Vec2i size(side.frame->width, side.frame->height);
-  return glm::clamp(Vec2i((w.input.mouse - p.corner) / p.size * Vec2(size)), Vec2i(0), size - 1);
+  return pixel_at(p, {side.frame->width, side.frame->height}, w.input.mouse);
 }
 
 // What both have in the pixel under the pointer.

@@ -90,6 +90,7 @@ bool reveal(Workbench& w, const std::string& setting) {
   const auto index = [&] { return std::atoi(setting.c_str() + first.size() + 1); };
   w.view.interface = true;
   if (setting == "camera.exposure" || first == "display" || first == "view") return w.show_tab(Tab::display), true;
+  if (first == "sampling") return w.view.sheet = "sheet.sampling", true;
   if (first == "camera") return w.show_tab(Tab::camera), true;
   if (first == "scene") return w.show_tab(Tab::scene), true;
   if (first == "node") return w.selection.node = index(), w.show_tab(Tab::scene), true;

@@ -32,7 +32,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       loader([&p] { p.wake(); }),
       capture(session, editor, [&p] { p.wake(); }),
       aov(session, editor, [&p] { p.wake(); }),
-      comparison([&p] { p.wake(); }) {
+      comparison([&p] { p.wake(); }),
+      probe(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }
@@ -170,6 +171,10 @@ bool Workbench::advance(Picture& on_screen) {
   }
   shows_aov_ = shows_aov;
   if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
+  if (view.sheet != "sheet.sampling")
+    probe.rest();
+  else if (probe.advance(view.sampling.samples))
+    redraw = true;
   if (comparison.advance(editor.document().display.exposure, editor.document().display.curve)) redraw = true;
   if (needs_pivot_ && session.status().version >= editor.version())
     if (const auto scene = session.scene()) hand.find_pivot(editor.document().camera, *scene), needs_pivot_ = false;
