@@ -117,10 +117,11 @@ void PixelProbe::drop() {
   job_.abandon();
   work_.reset();
   key_.reset();
+  settled_ = false;
 }
 
 bool PixelProbe::advance(uint32_t wanted) {
-  bool fresh = false;
+  bool fresh = settled_ = false;
   if (auto made = job_.take(); made && *made) study_ = std::move(*made), fresh = true;
   const auto& d = editor_.document();
   if (pixel_ && (pixel_->x >= d.width || pixel_->y >= d.height)) pixel_.reset(), drop();
@@ -133,7 +134,9 @@ bool PixelProbe::advance(uint32_t wanted) {
     key_ = key;
     work_ = std::make_shared<Work>(d, key);
   }
-  if (!job_.running() && work_->drawn < wanted) job_.start([work = work_] { return work->go_on(); });
+  if (job_.running()) return fresh;
+  settled_ = work_->drawn >= wanted;
+  if (!settled_) job_.start([work = work_] { return work->go_on(); });
   return fresh;
 }
 

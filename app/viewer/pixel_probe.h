@@ -58,6 +58,8 @@ class PixelProbe {
   // Called once a frame while somebody looks, with the number of samples to draw; an edit of the light starts again. True
   // if there is something new.
   bool advance(uint32_t wanted);
+  // Whether there is more to come.
+  bool busy() const { return pixel_ && !settled_; }
   // Stops drawing; what there is stays.
   void rest() { drop(); }
   // Of the pixel that is chosen; none yet.
@@ -86,6 +88,7 @@ class PixelProbe {
   const Editor& editor_;
   std::optional<Vec2i> pixel_;
   std::optional<Key> key_;
+  bool settled_ = false;  // the study is that of the present picture, and whole
   std::shared_ptr<Work> work_;  // one job at a time has its hands on it
   std::shared_ptr<const PixelStudy> study_;
   Job<std::shared_ptr<const PixelStudy>> job_;

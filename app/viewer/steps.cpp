@@ -55,6 +55,21 @@ class Wait final : public Step {
   Clock::time_point started_ = Clock::now();
 };
 
+// Until what is made beside the rendering belongs to the present picture.
+class WaitForWork final : public Step {
+ public:
+  explicit WaitForWork(bool pixel) : pixel_(pixel) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (!rest_.over()) return kGoingOn;
+    if (pixel_ && !w.probe.pixel()) return impossible("no pixel is chosen");
+    return {!(pixel_ ? w.probe.busy() : w.comparison.busy()), {}};
+  }
+
+ private:
+  bool pixel_;
+  Rest rest_{3};
+};
+
 class Set final : public Step {
  public:
   Set(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
@@ -327,6 +342,11 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
   try {
     const std::string action = j.at("do").get<std::string>();
     if (action == "wait" && j.contains("spp")) return made(std::make_unique<Wait>(j["spp"].get<uint32_t>(), 0));
+    if (action == "wait" && j.contains("for")) {
+      const std::string what = j["for"].get<std::string>();
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel or comparison");
+      return made(std::make_unique<WaitForWork>(what == "pixel"));
+    }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));
     if (action == "set") return made(std::make_unique<Set>(j.at("name").get<std::string>(), value_text(j.at("value"))));
     if (action == "click") return made(std::make_unique<Click>(j.at("item").get<std::string>()));
