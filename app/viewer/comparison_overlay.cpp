@@ -20,9 +20,10 @@ void divider_line(const Workbench& w, ImDrawList* draw) {
   const Placement& p = w.view.picture;
   const float em = ImGui::GetFontSize(), x = divider_x(w), top = p.corner.y, bottom = top + p.size.y;
   const float middle = top + p.size.y * 0.5f, radius = em * 0.75f, arrow = em * 0.3f;
+  const float unit = em / 14;
   const ImU32 dark = IM_COL32(0, 0, 0, 170), light = IM_COL32(255, 255, 255, 235);
-  draw->AddLine({x, top}, {x, bottom}, dark, 3.5f);
-  draw->AddLine({x, top}, {x, bottom}, light, 1.5f);
+  draw->AddLine({x, top}, {x, bottom}, dark, 3.5f * unit);
+  draw->AddLine({x, top}, {x, bottom}, light, 1.5f * unit);
   draw->AddCircleFilled({x, middle}, radius, dark);
   for (const float side : {-1.0f, 1.0f}) {
     const float foot = x + side * em * 0.14f;

@@ -184,7 +184,7 @@ void charts(Workbench& w) {
   figures(w, *study);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
-  const float em = ImGui::GetFontSize(), square = std::min(room.y - em * 0.2f, room.x * 0.3f);
+  const float em = ImGui::GetFontSize(), square = std::min(room.y - em * 0.2f, room.x * 0.27f);
   const float wide = std::max(1.0f, (room.x - square - em) * 0.5f);
   const Vec2 corner(from.x, from.y);
   running_mean(w, draw, {corner, {wide, room.y}}, *study);
@@ -213,10 +213,21 @@ std::vector<ParameterInfo> sampling_parameters() {
 }
 
 void draw_sampling_sheet(Workbench& w) {
-  ImGui::BeginChild("##controls", {ImGui::GetFontSize() * 19.5f, 0});
+  const float em = ImGui::GetFontSize();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  if (room.x < 50 * em) {
+    // Side by side there would be no room for the charts: they come first, what is set below them.
+    if (!w.probe.pixel()) controls(w);
+    ImGui::BeginChild("##charts", {0, std::max(room.y, 10 * em)});
+    charts(w);
+    ImGui::EndChild();
+    if (w.probe.pixel()) controls(w);
+    return;
+  }
+  ImGui::BeginChild("##controls", {em * 19.5f, 0});
   controls(w);
   ImGui::EndChild();
-  ImGui::SameLine(0, ImGui::GetFontSize());
+  ImGui::SameLine(0, em);
   ImGui::BeginChild("##charts");
   charts(w);
   ImGui::EndChild();

@@ -127,6 +127,8 @@ class Click final : public Step {
   explicit Click(std::string item) : item_(std::move(item)) {}
   Progress advance(Workbench& w, Picture& picture) override {
     if (pointer_) return pointer_->advance(w, picture);
+    // What it did may have brought its button on screen: that is not pressed as well.
+    if (ran_) return {rest_.over(), {}};
     if (const Placement* place = w.items.find(item_)) {
       const Action* action = w.actions.find(item_);
       if (action && !action->is_enabled()) return impossible("it is disabled now");
@@ -134,7 +136,6 @@ class Click final : public Step {
       pointer_ = std::make_unique<Pointer>(middle, middle, Button::left);
       return pointer_->advance(w, picture);
     }
-    if (ran_) return {rest_.over(), {}};
     // What is not on screen is reached by its name, as the palette does it.
     if (const Action* action = w.actions.find(item_)) {
       if (!action->is_enabled()) return impossible("it is disabled now");
