@@ -90,6 +90,7 @@ bool reveal(Workbench& w, const std::string& setting) {
   const auto index = [&] { return std::atoi(setting.c_str() + first.size() + 1); };
   w.view.interface = true;
   if (setting == "camera.exposure" || first == "display" || first == "view") return w.show_tab(Tab::display), true;
+  if (first == "sampling") return w.view.sheet = "sheet.sampling", true;
   if (first == "camera") return w.show_tab(Tab::camera), true;
   if (first == "scene") return w.show_tab(Tab::scene), true;
   if (first == "node") return w.selection.node = index(), w.show_tab(Tab::scene), true;
@@ -105,7 +106,7 @@ void draw_interface(Workbench& w, float seconds) {
   w.items.begin_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float scale = w.platform.scale();
-  const bool typing = ImGui::GetIO().WantTextInput;
+  const bool typing = w.view.typing = ImGui::GetIO().WantTextInput;
   // Escape closes what lies on top and does nothing to what is below.
   const bool closes = w.view.covered && w.input.keys_pressed[kEscape];
   if (!typing && !closes && !w.files.is_open() && !w.input.buttons[1]) w.actions.run_pressed(w.input);

@@ -2,6 +2,8 @@
 #pragma once
 #include "viewer/workbench.h"
 
+struct ImDrawList;
+
 namespace etendue::viewer {
 
 void draw_render_panel(Workbench& w);
@@ -24,6 +26,15 @@ void draw_viewport_overlay(Workbench& w);
 
 // A veil over the tiles of the picture whose samples have heavy tails.
 void draw_health_map(const Workbench& w, const render::Health& health, ImDrawList* draw);
+
+// Which pixel the sampling sheet is about.
+void draw_pixel_marker(Workbench& w, ImDrawList* draw);
+
+// The same for two pictures that are compared. True while they hold the divider; `over`: they are over the picture.
+bool handle_divider(Workbench& w, bool over);
+void draw_comparison_overlay(Workbench& w, ImDrawList* draw);
+// Where the divider of a wipe stands in the window, in whole pixels.
+float divider_x(const Workbench& w);
 
 // All of it for one frame: where everything lies and what is in it.
 void draw_interface(Workbench& w, float seconds);

@@ -2,6 +2,7 @@
 //
 // The transform runs once for each new frame or changed display; a redraw of the interface only copies its result.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,9 @@ struct Placement {
   bool contains(Vec2 p) const { return p.x >= corner.x && p.y >= corner.y && p.x < corner.x + size.x && p.y < corner.y + size.y; }
 };
 
+// The pixel of a picture of this size that is shown at a place of the window; the nearest for places beside it.
+Vec2i pixel_at(const Placement& shown, Vec2i size, Vec2 at);
+
 class Picture {
  public:
   explicit Picture(const Gl& gl) : gl_(gl) {}
@@ -41,8 +45,8 @@ class Picture {
   Vec2i size() const { return {width_, height_}; }
 
   void upload(int width, int height, std::span<const Rgb> pixels);
-  // Copies the picture to `place` of a target that is `target_size` large.
-  void draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown);
+  // Copies the picture to `place` of a target that is `target_size` large; only what lies in `part`, if it is given.
+  void draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown, const std::optional<Placement>& part = {});
 
  private:
   void transform(const Shown& shown);

@@ -69,12 +69,14 @@ constexpr PlainItem kItems[] = {
     {"menu.file", "File", "Opens the menu"},
     {"menu.edit", "Edit", "Opens the menu"},
     {"menu.view", "View", "Opens the menu"},
+    {"menu.compare", "Compare", "Opens the menu"},
     {"menu.render", "Render", "Opens the menu"},
     {"menu.help", "Help", "Opens the menu"},
     {"menu.palette", "Find an action", "Opens the palette"},
     {"layout.column", "Splitter", "Drag it to change the width of the right column; double click resets it"},
     {"status.health", "Health", "Opens the sheet that says why"},
     {"layout.drawer", "Edge of the drawer", "Drag it to change the height of the drawer; double click resets it"},
+    {"compare.divider", "Divider", "Drag it to move the border between A and B; double click centres it"},
     {"scene.node.N", "Object", "Selects node N"},
     {"scene.node.N.visible", "Visible", "Shows or hides node N"},
     {"material.choose", "Material", "Opens the list of materials"},
@@ -90,6 +92,27 @@ constexpr PlainItem kItems[] = {
     {"help.close", "Close", "Closes the help sheet"},
     {"notice.close", "Close", "Closes a line of error"},
 };
+
+json comparison_json(const Comparison& c) {
+  json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped}, {"a", c.first().name}, {"b", c.b.name}, {"reference", c.reference.name}};
+  j["reference_on_screen"] = c.reference_on_screen();
+  if (c.mode != CompareMode::off && !c.problem().empty()) j["problem"] = c.problem();
+  if (const auto map = c.map()) {
+    // Whether it is of the newest pictures.
+    j["fresh"] = map->key.left == c.left().frame->pixels && map->key.right == c.right().frame->pixels;
+    j[c.mode == CompareMode::flip ? "flip" : "mean_difference"] = map->mean;
+    if (c.mode == CompareMode::difference) j["scale"] = map->scale;
+  }
+  return j;
+}
+
+json pixel_json(const PixelStudy& s) {
+  json j{{"x", s.pixel.x}, {"y", s.pixel.y}, {"samples", s.samples()}, {"wanted", s.wanted}, {"mean", {s.mean.r, s.mean.g, s.mean.b}}};
+  j["deviation"] = s.deviation, j["largest"] = s.largest, j["zeros"] = s.histogram.zeros;
+  if (!s.course.empty()) j["luminance"] = s.course.back().mean, j["band"] = s.course.back().band;
+  if (s.tail.khat) j["khat"] = *s.tail.khat;
+  return j;
+}
 
 }  // namespace
 
@@ -117,10 +140,12 @@ std::string state_report(Workbench& w) {
       {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
       {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
       {"sheet", w.view.sheet},
+      {"comparison", comparison_json(w.comparison)},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
       {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
+  if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);
   if (status.error.known) state["rmse"] = status.error.rmse;
   if (status.health) state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};
   return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
@@ -140,6 +165,7 @@ std::string widgets_json() {
   for (const SheetInfo& sheet : sheets()) list.push_back(item(sheet.name, sheet.label, sheet.doc));
   for (const PlainItem& plain : kItems) list.push_back(item(plain.name, plain.label, plain.doc));
   for (const auto& info : loose_parameters()) list.push_back(parameter(info));
+  for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {
     // Objects are numbered; the first stands for all.

@@ -55,6 +55,21 @@ class Wait final : public Step {
   Clock::time_point started_ = Clock::now();
 };
 
+// Until what is made beside the rendering belongs to the present picture.
+class WaitForWork final : public Step {
+ public:
+  explicit WaitForWork(bool pixel) : pixel_(pixel) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (!rest_.over()) return kGoingOn;
+    if (pixel_ && !w.probe.pixel()) return impossible("no pixel is chosen");
+    return {!(pixel_ ? w.probe.busy() : w.comparison.busy()), {}};
+  }
+
+ private:
+  bool pixel_;
+  Rest rest_{3};
+};
+
 class Set final : public Step {
  public:
   Set(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
@@ -112,6 +127,8 @@ class Click final : public Step {
   explicit Click(std::string item) : item_(std::move(item)) {}
   Progress advance(Workbench& w, Picture& picture) override {
     if (pointer_) return pointer_->advance(w, picture);
+    // What it did may have brought its button on screen: that is not pressed as well.
+    if (ran_) return {rest_.over(), {}};
     if (const Placement* place = w.items.find(item_)) {
       const Action* action = w.actions.find(item_);
       if (action && !action->is_enabled()) return impossible("it is disabled now");
@@ -119,7 +136,6 @@ class Click final : public Step {
       pointer_ = std::make_unique<Pointer>(middle, middle, Button::left);
       return pointer_->advance(w, picture);
     }
-    if (ran_) return {rest_.over(), {}};
     // What is not on screen is reached by its name, as the palette does it.
     if (const Action* action = w.actions.find(item_)) {
       if (!action->is_enabled()) return impossible("it is disabled now");
@@ -204,6 +220,21 @@ class Key final : public Step {
 
  private:
   Chord chord_;
+  int frame_ = 0;
+};
+
+// One key that goes down and stays there, or comes up again.
+class HalfKey final : public Step {
+ public:
+  HalfKey(int key, bool down) : key_(key), down_(down) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (frame_ == 0) w.platform.events().push({.type = Event::Type::key, .key = key_, .down = down_});
+    return {frame_++ > 1, {}};
+  }
+
+ private:
+  int key_;
+  bool down_;
   int frame_ = 0;
 };
 
@@ -312,6 +343,11 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
   try {
     const std::string action = j.at("do").get<std::string>();
     if (action == "wait" && j.contains("spp")) return made(std::make_unique<Wait>(j["spp"].get<uint32_t>(), 0));
+    if (action == "wait" && j.contains("for")) {
+      const std::string what = j["for"].get<std::string>();
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel or comparison");
+      return made(std::make_unique<WaitForWork>(what == "pixel"));
+    }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));
     if (action == "set") return made(std::make_unique<Set>(j.at("name").get<std::string>(), value_text(j.at("value"))));
     if (action == "click") return made(std::make_unique<Click>(j.at("item").get<std::string>()));
@@ -327,6 +363,7 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
     if (action == "key") {
       const auto chord = parse_chord(j.at("key").get<std::string>());
       if (!chord) return chord.error();
+      if (j.contains("down")) return made(std::make_unique<HalfKey>(chord->key, j["down"].get<bool>()));
       return made(std::make_unique<Key>(*chord));
     }
     return usage_error("there is no '" + action +

@@ -8,11 +8,13 @@
 #include "viewer/aov_view.h"
 #include "viewer/camera_hand.h"
 #include "viewer/capture.h"
+#include "viewer/comparison.h"
 #include "viewer/editor.h"
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
 #include "viewer/loader.h"
 #include "viewer/notices.h"
+#include "viewer/pixel_probe.h"
 #include "viewer/settings.h"
 #include "viewer/theme.h"
 #include "viewer/viewer.h"
@@ -25,12 +27,23 @@ struct Selection {
   int node = -1, material = -1, light = -1;
 };
 
+// What the sheet about one pixel's samples shows.
+struct SamplingView {
+  uint32_t samples = 4096;               // to draw
+  std::string x = "pixel-x", y = "pixel-y";  // of the points
+  uint32_t points = 512;
+  bool picks = false;  // the next click chooses the pixel
+
+  friend bool operator==(const SamplingView&, const SamplingView&) = default;
+};
+
 // What is shown and how; none of it changes the light, none of it is a step.
 struct View {
   Placement region;   // of the window, for the picture
   Placement picture;  // the picture in it
   bool interface = true, help = false, palette = false;
   bool covered = false;  // something lies over the interface that Escape closes
+  bool typing = false;   // a text field has the keyboard
   bool false_color = false;
   bool health_map = false;
   std::string aov;  // the layer shown instead of the picture
@@ -39,6 +52,7 @@ struct View {
   bool focus_by_click = false;  // the next click sets the focus
   float column = 0;             // width of the right column, pixels
   std::string sheet;            // the one that the drawer shows; empty if it is closed
+  SamplingView sampling;
 };
 
 // How the interface spends its time.
@@ -79,6 +93,8 @@ struct Workbench {
   // Takes up what came from other threads since the last frame; true if the picture has to be drawn again.
   bool advance(Picture& picture_on_screen);
 
+  // A layer stands in the picture's place.
+  bool shows_layer() const { return !view.aov.empty() && aov.picture().name == view.aov; }
   void show_tab(Tab tab) { view.tab = tab, view.reveal = tab; }
 
   Platform& platform;
@@ -92,6 +108,8 @@ struct Workbench {
   Loader loader;
   Capture capture;
   AovView aov;
+  Comparison comparison;
+  PixelProbe probe;
   CameraHand hand;
   FileDialog files;
   Selection selection;
