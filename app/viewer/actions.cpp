@@ -82,6 +82,45 @@ void render_actions(Actions& a, Workbench* w) {
   }
 }
 
+void ask_for_side(Workbench& w, Comparison::Target target) {
+  const bool is_b = target == Comparison::Target::b;
+  w.files.ask(std::string("Load a picture as ") + (is_b ? "B" : "the reference") + " (.exr, .hdr, .png)", w.settings.folder, {".exr", ".hdr", ".png"}, false, "",
+              [&w, target](const std::string& file) { w.comparison.load(file, target); });
+}
+
+// Without a B, the picture as it is now becomes one: what is changed from then on is A.
+void compare(Workbench& w, CompareMode mode) {
+  Comparison& c = w.comparison;
+  c.mode = c.mode == mode ? CompareMode::off : mode;
+  if (c.mode == CompareMode::off || c.b.frame) return;
+  c.pin();
+  w.notices.say("Kept as B: " + c.b.name + ". What is changed from now on shows in A.");
+}
+
+void compare_actions(Actions& a, Workbench* w) {
+  const auto loaded = [w] { return w->comparison.live.frame != nullptr; };
+  const auto splits = [w] { return w->comparison.mode == CompareMode::wipe && w->comparison.active(); };
+  const auto add_mode = [&](const char* name, const char* label, const char* doc, const char* key, CompareMode mode) {
+    a.add({name, "Compare", label, doc, key, [w, mode] { compare(*w, mode); }, loaded, [w, mode] { return w->comparison.mode == mode; }});
+  };
+  add_mode("compare.split", "Split: A | B", "A left and B right of a divider; without a B, the present picture is kept as B", "c", CompareMode::wipe);
+  add_mode("compare.difference", "Difference: A - B", "The signed difference of luminance: red where A is brighter, blue where B is", "", CompareMode::difference);
+  add_mode("compare.flip", "FLIP of A and B", "How different the two look on this screen, from 0 to 1", "", CompareMode::flip);
+  a.add({"compare.swap", "Compare", "Swap A and B", "Changes the sides", "x", [w] { w->comparison.swapped = !w->comparison.swapped; },
+         [w] { return w->comparison.active(); }, [w] { return w->comparison.swapped; }});
+  a.add({"compare.pin", "Compare", "Keep this picture as B", "Freezes the picture as it is now; what is changed from then on is A", "", [w] {
+           w->comparison.pin();
+           if (w->comparison.mode == CompareMode::off) w->comparison.mode = CompareMode::wipe;
+           w->notices.say("Kept as B: " + w->comparison.b.name);
+         }, loaded, {}});
+  a.add({"compare.load-b", "Compare", "Load a picture as B...", "An .exr, .hdr or .png of the size of the picture", "", [w] { ask_for_side(*w, Comparison::Target::b); }, loaded, {}});
+  a.add({"compare.load-reference", "Compare", "Load a reference...", "The picture that shows while Shift is held", "", [w] { ask_for_side(*w, Comparison::Target::reference); }, loaded, {}});
+  a.add({"compare.reference", "Compare", "Show the reference", "Hold Shift for the same", "", [w] { w->comparison.shows_reference = !w->comparison.shows_reference; },
+         [w] { return w->comparison.reference.frame != nullptr; }, [w] { return w->comparison.shows_reference; }});
+  a.add({"compare.divider-left", "Compare", "Divider to the left", "By a hundredth of the picture", "alt+left", [w] { w->comparison.move_divider(-0.01f); }, splits, {}});
+  a.add({"compare.divider-right", "Compare", "Divider to the right", "By a hundredth of the picture", "alt+right", [w] { w->comparison.move_divider(0.01f); }, splits, {}});
+}
+
 void view_actions(Actions& a, Workbench* w) {
   const auto loaded = [w] { return !w->editor.empty(); };
   a.add({"view.frame-all", "View", "Frame all", "Moves the camera until everything is seen", "home", [w] { w->frame_scene(); }, loaded, {}});
@@ -138,6 +177,7 @@ void add_actions(Actions& actions, Workbench* workbench) {
   edit_actions(actions, workbench);
   render_actions(actions, workbench);
   view_actions(actions, workbench);
+  compare_actions(actions, workbench);
 }
 
 }  // namespace etendue::viewer

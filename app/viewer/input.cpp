@@ -21,6 +21,7 @@ constexpr KeyName kNames[] = {
     {"delete", "Delete", GLFW_KEY_DELETE},  {"backspace", "Backspace", GLFW_KEY_BACKSPACE},
     {"left", "Left", GLFW_KEY_LEFT},        {"right", "Right", GLFW_KEY_RIGHT},   {"up", "Up", GLFW_KEY_UP},
     {"down", "Down", GLFW_KEY_DOWN},        {"f1", "F1", GLFW_KEY_F1},            {"f5", "F5", GLFW_KEY_F5},
+    {"shift", "Shift", GLFW_KEY_LEFT_SHIFT},
     {"f11", "F11", GLFW_KEY_F11},           {"pageup", "Page up", GLFW_KEY_PAGE_UP},
     {"pagedown", "Page down", GLFW_KEY_PAGE_DOWN},
 };

@@ -105,7 +105,7 @@ void draw_interface(Workbench& w, float seconds) {
   w.items.begin_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float scale = w.platform.scale();
-  const bool typing = ImGui::GetIO().WantTextInput;
+  const bool typing = w.view.typing = ImGui::GetIO().WantTextInput;
   // Escape closes what lies on top and does nothing to what is below.
   const bool closes = w.view.covered && w.input.keys_pressed[kEscape];
   if (!typing && !closes && !w.files.is_open() && !w.input.buttons[1]) w.actions.run_pressed(w.input);

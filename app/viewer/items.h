@@ -18,6 +18,8 @@ class Items {
 
   // Remembers the place of the ImGui item that was drawn last.
   void place(const std::string& name);
+  // The same of what is no ImGui item.
+  void place(const std::string& name, const Placement& at) { placed_[name] = at; }
   // Where an item was drawn in this frame.
   const Placement* find(const std::string& name) const;
 

@@ -55,7 +55,7 @@ void title(Workbench& w) {
 
 void draw_menu_bar(Workbench& w) {
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const char* menu : {"File", "Edit", "View", "Render", "Help"}) {
+  for (const char* menu : {"File", "Edit", "View", "Compare", "Render", "Help"}) {
     const bool open = ImGui::BeginMenu(menu);
     w.items.place(std::string("menu.") + static_cast<char>(std::tolower(menu[0])) + (menu + 1));
     if (!open) continue;

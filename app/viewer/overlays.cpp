@@ -23,6 +23,8 @@ constexpr Hand kHands[] = {
     {"Fly", "hold right, W A S D Q E; wheel sets the speed"},
     {"Select", "click"},
     {"Focus and orbit centre", "double click"},
+    {"Move the divider between A and B", "drag it; double click centres it"},
+    {"See the reference", "hold Shift"},
     {"Type a number", "double click on it"},
     {"Reset a setting", "Ctrl + click on it"},
     {"Open a scene, a snapshot, an environment", "drop the file on the window"},

@@ -2,6 +2,8 @@
 #pragma once
 #include "viewer/workbench.h"
 
+struct ImDrawList;
+
 namespace etendue::viewer {
 
 void draw_render_panel(Workbench& w);
@@ -21,6 +23,12 @@ void draw_loading(Workbench& w);
 // What the hands do over the picture, and what is drawn on it.
 void handle_viewport(Workbench& w, float seconds);
 void draw_viewport_overlay(Workbench& w);
+
+// The same for two pictures that are compared. True while the divider has the hands; `over`: they are over the picture.
+bool handle_divider(Workbench& w, bool over);
+void draw_comparison_overlay(Workbench& w, ImDrawList* draw);
+// Where the divider of a wipe stands in the window, in whole pixels.
+float divider_x(const Workbench& w);
 
 // All of it for one frame: where everything lies and what is in it.
 void draw_interface(Workbench& w, float seconds);

@@ -118,7 +118,7 @@ void Picture::transform(const Shown& shown) {
   last_ = shown;
 }
 
-void Picture::draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown) {
+void Picture::draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown, const std::optional<Placement>& part) {
   if (empty()) return;
   if (stale_ || !(last_ == shown)) transform(shown);
   // Row 0 of the texture is the top of the picture, row 0 of the window is its bottom.
@@ -128,7 +128,13 @@ void Picture::draw(GLuint target, Vec2i target_size, const Placement& place, con
   const bool exact = x1 - x0 == width_ && y0 - y1 == height_;
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
   gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  if (part) {
+    const Vec2i corner(part->corner), end(part->corner + part->size);
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(corner.x, target_size.y - end.y, end.x - corner.x, end.y - corner.y);
+  }
   gl_.BlitFramebuffer(0, 0, width_, height_, x0, y0, x1, y1, GL_COLOR_BUFFER_BIT, exact ? GL_NEAREST : GL_LINEAR);
+  gl_.Disable(GL_SCISSOR_TEST);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, target);
 }
 

@@ -2,6 +2,7 @@
 //
 // The transform runs once for each new frame or changed display; a redraw of the interface only copies its result.
 #pragma once
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -41,8 +42,8 @@ class Picture {
   Vec2i size() const { return {width_, height_}; }
 
   void upload(int width, int height, std::span<const Rgb> pixels);
-  // Copies the picture to `place` of a target that is `target_size` large.
-  void draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown);
+  // Copies the picture to `place` of a target that is `target_size` large; only what lies in `part`, if it is given.
+  void draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown, const std::optional<Placement>& part = {});
 
  private:
   void transform(const Shown& shown);

@@ -69,11 +69,13 @@ constexpr PlainItem kItems[] = {
     {"menu.file", "File", "Opens the menu"},
     {"menu.edit", "Edit", "Opens the menu"},
     {"menu.view", "View", "Opens the menu"},
+    {"menu.compare", "Compare", "Opens the menu"},
     {"menu.render", "Render", "Opens the menu"},
     {"menu.help", "Help", "Opens the menu"},
     {"menu.palette", "Find an action", "Opens the palette"},
     {"layout.column", "Splitter", "Drag it to change the width of the right column; double click resets it"},
     {"layout.drawer", "Edge of the drawer", "Drag it to change the height of the drawer; double click resets it"},
+    {"compare.divider", "Divider", "Drag it to move the border between A and B; double click centres it"},
     {"scene.node.N", "Object", "Selects node N"},
     {"scene.node.N.visible", "Visible", "Shows or hides node N"},
     {"material.choose", "Material", "Opens the list of materials"},
@@ -89,6 +91,19 @@ constexpr PlainItem kItems[] = {
     {"help.close", "Close", "Closes the help sheet"},
     {"notice.close", "Close", "Closes a line of error"},
 };
+
+json comparison_json(const Comparison& c) {
+  json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped}, {"a", c.first().name}, {"b", c.b.name}, {"reference", c.reference.name}};
+  j["reference_on_screen"] = c.reference_on_screen();
+  if (c.mode != CompareMode::off && !c.problem().empty()) j["problem"] = c.problem();
+  if (const auto map = c.map()) {
+    // Whether it is of the newest pictures.
+    j["fresh"] = map->key.left == c.left().frame->pixels && map->key.right == c.right().frame->pixels;
+    j[c.mode == CompareMode::flip ? "flip" : "mean_difference"] = map->mean;
+    if (c.mode == CompareMode::difference) j["scale"] = map->scale;
+  }
+  return j;
+}
 
 }  // namespace
 
@@ -116,6 +131,7 @@ std::string state_report(Workbench& w) {
       {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
       {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
       {"sheet", w.view.sheet},
+      {"comparison", comparison_json(w.comparison)},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},

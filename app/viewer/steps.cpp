@@ -207,6 +207,21 @@ class Key final : public Step {
   int frame_ = 0;
 };
 
+// One key that goes down and stays there, or comes up again.
+class HalfKey final : public Step {
+ public:
+  HalfKey(int key, bool down) : key_(key), down_(down) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (frame_ == 0) w.platform.events().push({.type = Event::Type::key, .key = key_, .down = down_});
+    return {frame_++ > 1, {}};
+  }
+
+ private:
+  int key_;
+  bool down_;
+  int frame_ = 0;
+};
+
 class Pick final : public Step {
  public:
   explicit Pick(Vec2 at) : at_(at), pointer_(at, at, Button::left) {}
@@ -327,6 +342,7 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
     if (action == "key") {
       const auto chord = parse_chord(j.at("key").get<std::string>());
       if (!chord) return chord.error();
+      if (j.contains("down")) return made(std::make_unique<HalfKey>(chord->key, j["down"].get<bool>()));
       return made(std::make_unique<Key>(*chord));
     }
     return usage_error("there is no '" + action +

@@ -9,6 +9,7 @@
 #include "viewer/panels.h"
 #include "viewer/process_age.h"
 #include "viewer/script.h"
+#include "viewer/split_screen.h"
 #include "viewer/widgets.h"
 
 namespace etendue::viewer {
@@ -66,7 +67,7 @@ class Application {
   double patience(const Script* script) const {
     if (frames_wanted_ > 0 || !platform_.events().empty() || (script && script->in_a_hurry())) return 0;
     if (w_.input.buttons[1]) return 0.01;  // flying
-    if (w_.pointer_rest < kTooltipDelay) return 0.05;
+    if (w_.pointer_rest < kTooltipDelay || w_.comparison.waits_for_shift()) return 0.05;
     if (w_.loader.busy() || w_.capture.busy()) return 0.05;
     if (script || fading_ || wait_for_frame_) return 0.02;
     if (w_.editor.empty()) return 0.5;
@@ -85,6 +86,7 @@ class Application {
     w_.pointer_rest = rest;
     if (const Vec2i size = platform_.size(); size != size_) size_ = size, frames_wanted_ = kSettlingFrames;
     for (const auto& file : w_.input.dropped) w_.open(file);
+    if (w_.comparison.watch_shift(w_.input, w_.view.typing)) frames_wanted_ = std::max(frames_wanted_, 1);
     const auto frame = w_.session.frame();
     const bool new_frame = frame && frame != w_.frame;
     const bool hurry =
@@ -113,12 +115,7 @@ class Application {
     const ImVec4& ground = w_.theme.ground;
     gl.ClearColor(ground.x, ground.y, ground.z, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    if (!w_.editor.empty() && w_.frame) {
-      const auto& display = w_.editor.document().display;
-      const bool layer = !w_.view.aov.empty() && w_.aov.picture().name == w_.view.aov;
-      picture_.draw(platform_.framebuffer(), size_, w_.view.picture,
-                    layer ? Shown{} : Shown{display.exposure, display.curve, w_.view.false_color});
-    }
+    if (!w_.editor.empty() && w_.frame) screen_.draw(w_, platform_.framebuffer(), size_);
     gl.Viewport(0, 0, size_.x, size_.y);
     host_.end_frame();
     platform_.present();
@@ -148,6 +145,7 @@ class Application {
   ImguiHost host_{platform_};
   Workbench w_;
   Picture picture_;
+  SplitScreen screen_{platform_.gl(), picture_};
   Vec2i size_{0};
   int frames_wanted_ = kSettlingFrames;
   bool fading_ = false, wait_for_frame_ = false;

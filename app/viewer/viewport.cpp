@@ -7,7 +7,8 @@
 
 #include "spectrum/colormap.h"
 #include "viewer/panels.h"
-#include "viewer/widgets.h"
+#include "viewer/scale_bar.h"
+#include "viewer/words.h"
 
 namespace etendue::viewer {
 namespace {
@@ -129,42 +130,12 @@ void outline(const Workbench& w, ImDrawList* draw) {
       }
 }
 
-// Figures whose upper edge has its middle at `at`; letters of another size would blur.
-void centred(const Workbench& w, ImDrawList* draw, Vec2 at, const char* text) {
-  ImFont* font = w.faces.figures;
-  const float width = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text).x;
-  draw->AddText(font, font->FontSize, {at.x - width * 0.5f, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
-}
-
-void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size) {
-  constexpr int kSteps = 64;
-  for (int i = 0; i < kSteps; ++i) {
-    const Rgb c = viridis((static_cast<float>(i) + 0.5f) / kSteps);
-    const float x = corner.x + size.x * static_cast<float>(i) / kSteps;
-    draw->AddRectFilled({x, corner.y}, {x + size.x / kSteps + 1, corner.y + size.y},
-                        ImGui::GetColorU32({c.r, c.g, c.b, 1}));
-  }
-}
-
 // The scale of false colour, with the luminances at its ends and in between.
 void legend(const Workbench& w, ImDrawList* draw) {
-  const float em = ImGui::GetFontSize();
-  const float margin = em * 2;  // half of the widest figure stands out at both ends
-  const Placement& p = w.view.picture;
-  const Vec2 size(em * 16, em * 0.8f);
-  const Vec2 corner(p.corner.x + p.size.x - size.x - margin - em * 0.5f, p.corner.y + em * 1.2f);
-  draw->AddRectFilled({corner.x - margin, corner.y - em * 0.6f},
-                      {corner.x + size.x + margin, corner.y + size.y + em * 3.3f},
-                      ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
-  color_bar(draw, corner, size);
   const Vec2 stops = false_color_stops(w.editor.document().display.exposure);
-  for (int i = 0; i <= 4; ++i) {
-    const float at = static_cast<float>(i) / 4;
-    char text[24];
-    std::snprintf(text, sizeof text, "%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * at)));
-    centred(w, draw, {corner.x + size.x * at, corner.y + size.y + em * 0.4f}, text);
-  }
-  centred(w, draw, {corner.x + size.x * 0.5f, corner.y + size.y + em * 1.8f}, "luminance, W/(m\u00b2 sr)");
+  std::string figures[5];
+  for (int i = 0; i <= 4; ++i) figures[i] = text_of("%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * static_cast<float>(i) / 4)));
+  draw_scale_bar(w, draw, viridis, figures, "luminance, W/(m\u00b2 sr)");
 }
 
 }  // namespace
@@ -173,7 +144,8 @@ void handle_viewport(Workbench& w, float seconds) {
   static Hold hold;  // one pointer
   if (w.editor.empty()) return;
   const bool over = !ImGui::GetIO().WantCaptureMouse && w.view.region.contains(w.input.mouse);
-  if (hold.grip == Hold::Grip::none && over) grab(w, hold);
+  const bool divides = hold.grip == Hold::Grip::none && handle_divider(w, over);
+  if (hold.grip == Hold::Grip::none && over && !divides) grab(w, hold);
   if (hold.grip != Hold::Grip::none) {
     drag(w, hold);
     if (hold.grip == Hold::Grip::fly) fly(w, seconds);
@@ -188,16 +160,10 @@ void draw_viewport_overlay(Workbench& w) {
   const Placement& r = w.view.region;
   draw->PushClipRect({r.corner.x, r.corner.y}, {r.corner.x + r.size.x, r.corner.y + r.size.y});
   if (w.view.interface) outline(w, draw);
-  if (w.view.false_color && w.view.aov.empty()) legend(w, draw);
-  if (!w.view.aov.empty()) {
-    const float em = ImGui::GetFontSize();
-    const std::string text = w.view.aov + (w.aov.busy() ? " ..." : "");
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    const ImVec2 at{w.view.picture.corner.x + em, w.view.picture.corner.y + em};
-    draw->AddRectFilled({at.x - em * 0.5f, at.y - em * 0.3f}, {at.x + size.x + em * 0.5f, at.y + size.y + em * 0.3f},
-                        ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
-    draw->AddText(at, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
-  }
+  const bool map = w.comparison.map() && !w.comparison.reference_on_screen();
+  if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
+  draw_comparison_overlay(w, draw);
+  if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), w.view.aov + (w.aov.busy() ? " ..." : ""));
   draw->PopClipRect();
 }
 

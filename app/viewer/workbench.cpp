@@ -18,6 +18,11 @@ std::string name_of_object(const render::Document& d, const std::string& section
   return " of " + (name.empty() ? section : name);
 }
 
+// "path, sobol, 64 spp"
+std::string name_of_picture(const render::Document& d, uint32_t samples) {
+  return d.method.integrator + ", " + d.method.sampler + ", " + std::to_string(samples) + " spp";
+}
+
 }  // namespace
 
 Workbench::Workbench(Platform& p, const ViewOptions& o)
@@ -26,7 +31,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       session({.threads = o.threads, .interactive = true, .publish_interval = 0.1}),
       loader([&p] { p.wake(); }),
       capture(session, editor, [&p] { p.wake(); }),
-      aov(session, editor, [&p] { p.wake(); }) {
+      aov(session, editor, [&p] { p.wake(); }),
+      comparison([&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }
@@ -140,9 +146,16 @@ bool Workbench::advance(Picture& on_screen) {
       notices.complain(saved->error().message);
     redraw = true;
   }
+  if (auto loaded = comparison.take_loaded()) {
+    if (*loaded)
+      notices.say(**loaded);
+    else
+      notices.complain(loaded->error().message);
+    redraw = true;
+  }
   if (editor.empty()) return redraw;
   const bool layer_came = aov.advance(view.aov);
-  const bool shows_aov = !view.aov.empty() && aov.picture().name == view.aov;
+  const bool shows_aov = shows_layer();
   const auto latest = session.frame();
   if (shows_aov && (layer_came || !shows_aov_)) {
     on_screen.upload(aov.picture().width, aov.picture().height, aov.picture().pixels);
@@ -156,6 +169,8 @@ bool Workbench::advance(Picture& on_screen) {
     redraw = true;
   }
   shows_aov_ = shows_aov;
+  if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
+  if (comparison.advance(editor.document().display.exposure, editor.document().display.curve)) redraw = true;
   if (needs_pivot_ && session.status().version >= editor.version())
     if (const auto scene = session.scene()) hand.find_pivot(editor.document().camera, *scene), needs_pivot_ = false;
   return redraw;

@@ -8,6 +8,7 @@
 #include "viewer/aov_view.h"
 #include "viewer/camera_hand.h"
 #include "viewer/capture.h"
+#include "viewer/comparison.h"
 #include "viewer/editor.h"
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
@@ -31,6 +32,7 @@ struct View {
   Placement picture;  // the picture in it
   bool interface = true, help = false, palette = false;
   bool covered = false;  // something lies over the interface that Escape closes
+  bool typing = false;   // a text field has the keyboard
   bool false_color = false;
   std::string aov;  // the layer shown instead of the picture
   Tab tab = Tab::render;
@@ -78,6 +80,8 @@ struct Workbench {
   // Takes up what came from other threads since the last frame; true if the picture has to be drawn again.
   bool advance(Picture& picture_on_screen);
 
+  // A layer stands in the picture's place.
+  bool shows_layer() const { return !view.aov.empty() && aov.picture().name == view.aov; }
   void show_tab(Tab tab) { view.tab = tab, view.reveal = tab; }
 
   Platform& platform;
@@ -91,6 +95,7 @@ struct Workbench {
   Loader loader;
   Capture capture;
   AovView aov;
+  Comparison comparison;
   CameraHand hand;
   FileDialog files;
   Selection selection;

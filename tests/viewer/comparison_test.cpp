@@ -1,0 +1,180 @@
+// Two pictures against each other, as a user meets them: what stands left and right of the divider, what a difference shows.
+#include "viewer/comparison.h"
+
+#include <cmath>
+
+#include "image/display.h"
+#include "scripted.h"
+#include "spectrum/colormap.h"
+
+namespace etendue {
+namespace {
+
+constexpr int kWidth = 400, kHeight = 300;  // a dialog has room in it
+
+// Steps that leave the window with nothing but the picture in it, and take it.
+json bare_shot(const std::string& file) {
+  return json::array({key("h"), {{"do", "wait"}, {"seconds", 0.4}}, file_step("screenshot", file), key("h")});
+}
+
+// The bytes that a screen shows of a picture's beauty.
+std::vector<uint8_t> encoded(const image::LayeredImage& picture) {
+  return image::display_pixels(picture.find("")->pixels, 0, image::ToneCurve::none);
+}
+
+// Bytes of a window that is as large as the picture in it.
+struct Shot {
+  std::vector<uint8_t> bytes;
+  int at(int x, int y, int c) const { return bytes[3 * static_cast<size_t>(y * kWidth + x) + static_cast<size_t>(c)]; }
+};
+
+class Compared : public Viewer {
+ protected:
+  // In a window of the picture's size, without an interface, screen pixels are picture pixels.
+  Shot shot(const std::string& name) const {
+    const auto read = image::read_linear(path(name));
+    EXPECT_TRUE(read) << read.error().message;
+    Shot s;
+    if (read)
+      for (const float v : read->find("")->pixels) s.bytes.push_back(static_cast<uint8_t>(std::lround(255 * linear_to_srgb(v))));
+    EXPECT_EQ(s.bytes.size(), size_t{3} * kWidth * kHeight);
+    s.bytes.resize(size_t{3} * kWidth * kHeight);
+    return s;
+  }
+
+  int run_small(const json& steps, const std::string& scene = "") { return run(steps, scene, kWidth, kHeight); }
+
+  // Two pictures in files, of another light each: a scene to go on with, and one to compare it with.
+  void make_two() {
+    const json steps = joined(small(), json::array({set("film.width", kWidth), set("film.height", kHeight), {{"do", "wait"}, {"spp", 4}},
+                                                    file_step("image", path("first.exr")), set("material.2.base-color.g", 0.9),
+                                                    set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 4}},
+                                                    file_step("image", path("second.exr"))}));
+    ASSERT_EQ(run(steps), 0);
+  }
+
+  // How many pixels of the columns [first, end) are not what the bytes say; names lie above the rest, figures and notices below.
+  static int wrong_pixels(const Shot& seen, const std::vector<uint8_t>& expected, int first, int end) {
+    int wrong = 0;
+    for (int y = kHeight / 5; y < kHeight * 3 / 5; ++y)
+      for (int x = first; x < end; ++x) {
+        bool same = true;
+        for (int c = 0; c < 3; ++c)
+          same = same && std::abs(seen.at(x, y, c) - expected[3 * static_cast<size_t>(y * kWidth + x) + static_cast<size_t>(c)]) <= 1;
+        wrong += same ? 0 : 1;
+      }
+    return wrong;
+  }
+};
+
+const json kWaitForMap = {{"do", "wait"}, {"seconds", 2}};
+
+TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
+  make_two();
+  json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-b"), click("files.second.exr"), click("files.accept"),
+                            {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("a.json"))});
+  steps = joined(joined(steps, bare_shot(path("wipe.png"))), json::array({click("compare.swap")}));
+  steps = joined(steps, bare_shot(path("swapped.png")));
+  ASSERT_EQ(run_small(steps, path("first.exr")), 0);
+  EXPECT_EQ(state("a.json")["comparison"]["mode"], "wipe");
+  EXPECT_EQ(state("a.json")["comparison"]["b"], "second.exr");
+  EXPECT_EQ(state("a.json")["comparison"]["a"], "path, sobol, 4 spp");
+  const auto a = encoded(picture("first.exr")), b = encoded(picture("second.exr"));
+  const Shot wipe = shot("wipe.png"), swapped = shot("swapped.png");
+  // The line with its handle lies over some columns in the middle.
+  constexpr int kLine = 12;
+  EXPECT_EQ(wrong_pixels(wipe, a, 0, kWidth / 2 - kLine), 0);
+  EXPECT_EQ(wrong_pixels(wipe, b, kWidth / 2 + kLine, kWidth), 0);
+  EXPECT_EQ(wrong_pixels(swapped, b, 0, kWidth / 2 - kLine), 0);
+  EXPECT_EQ(wrong_pixels(swapped, a, kWidth / 2 + kLine, kWidth), 0);
+  // The two differ enough for the test to see which is which.
+  EXPECT_GT(wrong_pixels(wipe, b, 0, kWidth / 2 - kLine), 5000);
+  EXPECT_GT(wrong_pixels(wipe, a, kWidth / 2 + kLine, kWidth), 5000);
+}
+
+TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
+  const json steps = joined(small(), json::array({click("compare.pin"), set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 4}},
+                                                  click("compare.difference"), kWaitForMap, file_step("state", path("a.json")), key("c"),
+                                                  {{"do", "drag"}, {"item", "compare.divider"}, {"by", {60, 0}}}, file_step("state", path("b.json")),
+                                                  key("alt+left"), file_step("state", path("c.json")), key("c"), file_step("state", path("d.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  const json a = state("a.json")["comparison"];
+  EXPECT_EQ(a["mode"], "difference");
+  EXPECT_EQ(a["a"], "path-pure, sobol, 4 spp");
+  EXPECT_EQ(a["b"], "path, sobol, 4 spp");
+  EXPECT_GT(a["scale"].get<double>(), 0.01);
+  const double moved = state("b.json")["comparison"]["divider"].get<double>();
+  EXPECT_GT(moved, 0.55);
+  EXPECT_EQ(state("b.json")["comparison"]["mode"], "wipe");
+  EXPECT_EQ(state("b.json")["undo_depth"], state("a.json")["undo_depth"]) << "the drag went to the camera";
+  EXPECT_NEAR(state("c.json")["comparison"]["divider"].get<double>(), moved - 0.01, 1e-5);
+  EXPECT_EQ(state("d.json")["comparison"]["mode"], "off");
+}
+
+TEST_F(Compared, EqualPicturesHaveNoDifferenceAndNoFlip) {
+  json steps = joined(small(), json::array({click("compare.pin"), click("compare.difference"), kWaitForMap, file_step("state", path("a.json")),
+                                            click("compare.flip"), kWaitForMap, file_step("state", path("b.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_EQ(state("a.json")["comparison"]["scale"], 0);
+  EXPECT_EQ(state("a.json")["comparison"]["mean_difference"], 0);
+  EXPECT_EQ(state("b.json")["comparison"]["flip"], 0);
+  EXPECT_EQ(state("b.json")["comparison"]["fresh"], true);
+}
+
+TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
+  make_two();
+  const auto shift = [](bool down) { return json{{"do", "key"}, {"key", "shift"}, {"down", down}}; };
+  json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-reference"), click("files.second.exr"), click("files.accept"),
+                            {{"do", "wait"}, {"seconds", 0.5}}, key("h"), shift(true), file_step("state", path("soon.json")),
+                            {{"do", "wait"}, {"seconds", 0.6}}, file_step("state", path("held.json")), file_step("screenshot", path("held.png")),
+                            shift(false), {{"do", "wait"}, {"seconds", 0.2}}, file_step("screenshot", path("after.png")), file_step("state", path("after.json"))});
+  ASSERT_EQ(run_small(steps, path("first.exr")), 0);
+  const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_on_screen"].get<bool>(); };
+  EXPECT_FALSE(on_screen("soon.json"));
+  EXPECT_TRUE(on_screen("held.json"));
+  EXPECT_FALSE(on_screen("after.json"));
+  const auto a = encoded(picture("first.exr")), b = encoded(picture("second.exr"));
+  EXPECT_EQ(wrong_pixels(shot("held.png"), b, 0, kWidth), 0);
+  EXPECT_EQ(wrong_pixels(shot("after.png"), a, 0, kWidth), 0);
+}
+
+TEST_F(Compared, PicturesOfAnotherSizeAreRefusedInWords) {
+  make_two();
+  json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-b"), click("files.second.exr"), click("files.accept"),
+                            {{"do", "wait"}, {"seconds", 0.5}}, set("film.width", 64), {{"do", "wait"}, {"spp", 4}}, file_step("state", path("a.json"))});
+  ASSERT_EQ(run(steps, path("first.exr")), 0);
+  const auto problem = state("a.json")["comparison"]["problem"].get<std::string>();
+  EXPECT_NE(problem.find("64 x 300"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("400 x 300"), std::string::npos) << problem;
+}
+
+std::shared_ptr<const std::vector<Rgb>> flat(float value) { return std::make_shared<const std::vector<Rgb>>(32 * 32, Rgb(value)); }
+
+TEST(DifferenceMap, TheSignIsThatOfLeftMinusRight) {
+  const auto brighter = viewer::make_map({viewer::CompareMode::difference, flat(0.75f), flat(0.5f), 0, {}}, 32, 32);
+  EXPECT_NEAR(brighter->mean, 0.25, 1e-6);
+  EXPECT_FLOAT_EQ(brighter->scale, 0.5f);
+  EXPECT_GT(brighter->painted[0].r, brighter->painted[0].b);
+  const auto darker = viewer::make_map({viewer::CompareMode::difference, flat(0.5f), flat(0.75f), 0, {}}, 32, 32);
+  EXPECT_NEAR(darker->mean, -0.25, 1e-6);
+  EXPECT_GT(darker->painted[0].b, darker->painted[0].r);
+}
+
+TEST(DifferenceMap, AFewPixelsFarOffDoNotSetTheScale) {
+  auto pixels = std::vector<Rgb>(*flat(0.018f));
+  for (size_t i = 0; i < 8; ++i) pixels[i] = Rgb(1e6f);
+  pixels[8] = Rgb(NAN);
+  const auto map = viewer::make_map({viewer::CompareMode::difference, std::make_shared<const std::vector<Rgb>>(pixels), flat(0), 0, {}}, 32, 32);
+  EXPECT_FLOAT_EQ(map->scale, 0.02f);
+}
+
+TEST(DifferenceMap, FlipSeesWhatTheExposureShows) {
+  const auto flip = [](float exposure) {
+    return viewer::make_map({viewer::CompareMode::flip, flat(2), flat(3), exposure, image::ToneCurve::none}, 32, 32)->mean;
+  };
+  EXPECT_EQ(flip(0), 0);  // both are white
+  EXPECT_GT(flip(-2), 0.01);
+}
+
+}  // namespace
+}  // namespace etendue
