@@ -14,6 +14,7 @@ struct SheetInfo {
 // Every sheet, from left to right; one line each.
 const std::vector<SheetInfo>& sheets();
 
+void draw_convergence_sheet(Workbench& w);
 void draw_health_sheet(Workbench& w);
 
 // Draws it on the lower edge of a region from the window's left side to `right`; returns its height.

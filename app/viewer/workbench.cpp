@@ -32,7 +32,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       loader([&p] { p.wake(); }),
       capture(session, editor, [&p] { p.wake(); }),
       aov(session, editor, [&p] { p.wake(); }),
-      comparison([&p] { p.wake(); }) {
+      comparison([&p] { p.wake(); }),
+      contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }
@@ -130,6 +131,7 @@ void Workbench::take_opened(Result<Opened> opened) {
   selection = {};
   previous_integrator.clear();
   needs_pivot_ = true;
+  contest.stop();
   session.pause(false);
   editor.open(std::move(opened->document));
   platform.set_title(std::filesystem::path(editor.document().scene_name).filename().string() + " - Étendue");
@@ -170,6 +172,7 @@ bool Workbench::advance(Picture& on_screen) {
   }
   shows_aov_ = shows_aov;
   if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
+  contest.advance(comparison, notices);
   if (comparison.advance(editor.document().display.exposure, editor.document().display.curve)) redraw = true;
   if (needs_pivot_ && session.status().version >= editor.version())
     if (const auto scene = session.scene()) hand.find_pivot(editor.document().camera, *scene), needs_pivot_ = false;

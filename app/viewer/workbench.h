@@ -9,6 +9,7 @@
 #include "viewer/camera_hand.h"
 #include "viewer/capture.h"
 #include "viewer/comparison.h"
+#include "viewer/contest_hand.h"
 #include "viewer/editor.h"
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
@@ -96,6 +97,7 @@ struct Workbench {
   Capture capture;
   AovView aov;
   Comparison comparison;
+  ContestHand contest;
   CameraHand hand;
   FileDialog files;
   Selection selection;
