@@ -45,61 +45,108 @@ std::vector<Reading> readings(const std::vector<MethodCurves>& curves, const mea
   return list;
 }
 
-// "path, sobol  0.0123 (0.0118 to 0.0131)  x 1.32": the last as a multiple of the smallest.
-std::string line_of(const Workbench& w, const MethodCurves& curves, const Reading& reading, double least, size_t name_width) {
+// "path, sobol  0.0123  0.0118 to 0.0131  x1.32": the last as a multiple of the smallest.
+std::string line_of(const MethodCurves& curves, const Reading& reading, double least, size_t name_width) {
   const auto& p = reading.point;
-  std::string name = curves.name;
-  name.resize(name_width, ' ');
-  std::string text = name + text_of("  %-8.3g", p.median);
-  if (curves.repeats.size() > 1) text += text_of(" %.3g to %.3g ", p.low, p.high);
-  if (w.contest.shown()->methods.size() > 1) text += text_of(" \u00d7%.2f", p.median / least);
-  return text;
+  std::string text = curves.name;
+  text.resize(name_width, ' ');
+  text += text_of("  %-7.3g", p.median);
+  if (curves.repeats.size() > 1) text += text_of(" %7.3g to %-7.3g", p.low, p.high);
+  return text + text_of(" \u00d7%.2f", p.median / least);
 }
 
-void read_out(const Workbench& w, const ImVec2& corner, const std::vector<MethodCurves>& curves, const measure::ChartOptions& options, const measure::ChartFrame& frame) {
-  const float scale = w.platform.scale();
-  const double x = (w.input.mouse.x - corner.x) / scale, y = (w.input.mouse.y - corner.y) / scale;
-  if (x < frame.left || x > frame.right || y < frame.top || y > frame.bottom) return;
-  const double value = frame.x.value(x);
-  const auto list = readings(curves, options, value);
-  ImDrawList* draw = ImGui::GetWindowDrawList();
-  const auto at = [&](double px, double py) { return ImVec2{corner.x + static_cast<float>(px) * scale, corner.y + static_cast<float>(py) * scale}; };
-  draw->AddLine(at(x, frame.top), at(x, frame.bottom), ImGui::GetColorU32(w.theme.quiet));
-  if (list.empty()) draw->AddLine(at(frame.left, y), at(frame.right, y), ImGui::GetColorU32(w.theme.quiet));
+// The read-out beside the pointer: what stands there, and where.
+class ReadOut {
+ public:
+  ReadOut(const Workbench& w, const ImVec2& corner, const std::vector<MethodCurves>& curves, const measure::ChartOptions& options)
+      : w_(w), corner_(corner), curves_(curves), options_(options), frame_(measure::frame_of_chart(curves, options)), scale_(w.platform.scale()) {}
 
-  std::vector<std::string> lines;
-  const bool seconds = options.along == measure::Abscissa::seconds;
-  std::string head = measure::short_number(value) + (seconds ? " s" : " spp");
-  if (list.empty()) head += ", " + measure::short_number(frame.y.value(y));
-  size_t name_width = 0;
-  double least = INFINITY;
-  for (const auto& r : list) name_width = std::max(name_width, curves[r.method].name.size()), least = std::min(least, r.point.median);
-  for (const auto& r : list) lines.push_back(line_of(w, curves[r.method], r, least, name_width));
-  ImFont* font = w.faces.small;
-  const float size = font->FontSize, em = size * 0.6f;
-  float width = font->CalcTextSizeA(size, 1e6f, 0, head.c_str()).x;
-  for (const auto& line : lines) width = std::max(width, font->CalcTextSizeA(size, 1e6f, 0, line.c_str()).x + size * 1.2f);
-  const ImVec2 box{width + 2 * em, (size + 3) * static_cast<float>(lines.size() + 1) + em};
-  // On the side where there is more room.
-  const ImVec2 pointer = at(x, y);
-  ImVec2 place{x < 0.5 * (frame.left + frame.right) ? pointer.x + em * 1.5f : pointer.x - box.x - em * 1.5f, at(0, frame.top).y + em};
-  place.x = std::clamp(place.x, at(frame.left, 0).x, std::max(at(frame.left, 0).x, at(frame.right, 0).x - box.x));
-  draw->AddRectFilled(place, {place.x + box.x, place.y + box.y}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.93f), 4);
-  draw->AddRect(place, {place.x + box.x, place.y + box.y}, ImGui::GetColorU32(ImGuiCol_Border), 4);
-  draw->AddText(font, size, {place.x + em, place.y + em * 0.5f}, ImGui::GetColorU32(w.theme.quiet), head.c_str());
-  for (size_t i = 0; i < lines.size(); ++i) {
-    const ImU32 ink = color_of(measure::ink_of_method(list[i].method));
-    const float top = place.y + em * 0.5f + (size + 3) * static_cast<float>(i + 1);
-    draw->AddRectFilled({place.x + em, top + size * 0.2f}, {place.x + em + size * 0.7f, top + size * 0.9f}, ink, 2);
-    draw->AddText(font, size, {place.x + em + size * 1.2f, top}, ImGui::GetColorU32(w.theme.text), lines[i].c_str());
-    draw->AddCircleFilled(at(x, frame.y.place(list[i].point.median)), 3.5f * scale, ink);
+  void draw() {
+    const double x = (w_.input.mouse.x - corner_.x) / scale_, y = (w_.input.mouse.y - corner_.y) / scale_;
+    if (x < frame_.left || x > frame_.right || y < frame_.top || y > frame_.bottom) return;
+    readings_ = readings(curves_, options_, frame_.x.value(x));
+    cross_hair(x, y);
+    const bool seconds = options_.along == measure::Abscissa::seconds;
+    std::string head = measure::short_number(frame_.x.value(x)) + (seconds ? " s" : " spp");
+    if (readings_.empty()) head += ", " + measure::short_number(frame_.y.value(y));
+    box(x, head, lines());
   }
-}
+
+ private:
+  ImVec2 at(double x, double y) const { return {corner_.x + static_cast<float>(x) * scale_, corner_.y + static_cast<float>(y) * scale_}; }
+
+  // Where there is nothing to read, the place itself is read.
+  void cross_hair(double x, double y) const {
+    const ImU32 quiet = ImGui::GetColorU32(w_.theme.quiet);
+    draw_->AddLine(at(x, frame_.top), at(x, frame_.bottom), quiet);
+    if (readings_.empty()) draw_->AddLine(at(frame_.left, y), at(frame_.right, y), quiet);
+    for (const auto& r : readings_) draw_->AddCircleFilled(at(x, frame_.y.place(r.point.median)), 3.5f * scale_, color_of(measure::ink_of_method(r.method)));
+  }
+
+  std::vector<std::string> lines() const {
+    size_t name_width = 0;
+    double least = INFINITY;
+    for (const auto& r : readings_) name_width = std::max(name_width, curves_[r.method].name.size()), least = std::min(least, r.point.median);
+    std::vector<std::string> list;
+    for (const auto& r : readings_) list.push_back(line_of(curves_[r.method], r, least, name_width));
+    return list;
+  }
+
+  // Beside the line where there is more room; above or below, where it lies on fewer curves.
+  ImVec2 place_of(double x, const ImVec2& size, float gap) const {
+    const ImVec2 low = at(frame_.left, frame_.top), high = at(frame_.right, frame_.bottom), line = at(x, 0);
+    const float top = low.y + gap, bottom = high.y - size.y - gap;
+    const auto covered = [&](float y) {
+      return std::ranges::count_if(readings_, [&](const Reading& r) {
+        const float curve = at(0, frame_.y.place(r.point.median)).y;
+        return curve > y - gap && curve < y + size.y + gap;
+      });
+    };
+    const bool right = x < 0.5 * (frame_.left + frame_.right);
+    const float left = right ? line.x + gap : line.x - size.x - gap;
+    return {std::clamp(left, low.x, std::max(low.x, high.x - size.x)), covered(bottom) < covered(top) ? bottom : top};
+  }
+
+  void box(double x, const std::string& head, const std::vector<std::string>& text) const {
+    ImFont* font = w_.faces.small;
+    const float size = font->FontSize, gap = size * 0.6f, row = size + 3 * scale_, swatch = size * 1.2f;
+    const auto width_of = [&](const std::string& s) { return font->CalcTextSizeA(size, 1e6f, 0, s.c_str()).x; };
+    float width = width_of(head);
+    for (const auto& line : text) width = std::max(width, width_of(line) + swatch);
+    const ImVec2 extent{width + 2 * gap, row * static_cast<float>(text.size() + 1) + gap};
+    const ImVec2 place = place_of(x, extent, gap);
+    draw_->AddRectFilled(place, {place.x + extent.x, place.y + extent.y}, ImGui::GetColorU32(ImGuiCol_PopupBg), 4);
+    draw_->AddRect(place, {place.x + extent.x, place.y + extent.y}, ImGui::GetColorU32(ImGuiCol_Border), 4);
+    ImVec2 next{place.x + gap, place.y + gap * 0.5f};
+    draw_->AddText(font, size, next, ImGui::GetColorU32(w_.theme.quiet), head.c_str());
+    for (size_t i = 0; i < text.size(); ++i) {
+      next.y += row;
+      draw_->AddRectFilled({next.x, next.y + size * 0.2f}, {next.x + size * 0.7f, next.y + size * 0.9f}, color_of(measure::ink_of_method(readings_[i].method)), 2);
+      draw_->AddText(font, size, {next.x + swatch, next.y}, ImGui::GetColorU32(w_.theme.text), text[i].c_str());
+    }
+  }
+
+  const Workbench& w_;
+  const ImVec2 corner_;
+  const std::vector<MethodCurves>& curves_;
+  const measure::ChartOptions& options_;
+  const measure::ChartFrame frame_;
+  const float scale_;
+  std::vector<Reading> readings_;
+  ImDrawList* const draw_ = ImGui::GetWindowDrawList();
+};
 
 void invitation(const Workbench& w, const ImVec2& corner, const ImVec2& size) {
   const std::string text = w.contest.running() ? "The first turns are being taken." : "Press Compare: the methods take turns on this scene,\nand their errors grow here as curves.";
   const ImVec2 words = ImGui::CalcTextSize(text.c_str());
   ImGui::GetWindowDrawList()->AddText({corner.x + (size.x - words.x) * 0.5f, corner.y + (size.y - words.y) * 0.5f}, ImGui::GetColorU32(w.theme.quiet), text.c_str());
+}
+
+// Curves descend: the lower left corner is free.
+void mark_as_past(const Workbench& w, const ImVec2& corner, const measure::ChartFrame& frame) {
+  const float scale = w.platform.scale(), size = w.faces.small->FontSize;
+  const ImVec2 at{corner.x + static_cast<float>(frame.left + 8) * scale, corner.y + static_cast<float>(frame.bottom - 6) * scale - size};
+  ImGui::GetWindowDrawList()->AddText(w.faces.small, size, at, ImGui::GetColorU32(w.theme.warning), "of the scene before the edit");
 }
 
 }  // namespace
@@ -115,7 +162,8 @@ void draw_convergence_chart(Workbench& w) {
   if (!any) return invitation(w, corner, size);
   const measure::ChartOptions options = panel_options(w, size);
   draw(*ImGui::GetWindowDrawList(), measure::chart_of(curves, options), corner, w.platform.scale(), w.faces.small);
-  if (over) read_out(w, corner, curves, options, measure::frame_of_chart(curves, options));
+  if (!w.contest.up_to_date()) mark_as_past(w, corner, measure::frame_of_chart(curves, options));
+  if (over) ReadOut(w, corner, curves, options).draw();
 }
 
 }  // namespace etendue::viewer

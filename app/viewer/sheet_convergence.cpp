@@ -41,12 +41,14 @@ void knob(Workbench& w, Choice<E>& choice, float width) {
   if (const auto value = choice_field(w, describe(choice), width)) assign(choice, *value);
 }
 
+// To drag in: a slider so narrow would hide its figure.
 template <class T>
 void knob(Workbench& w, Number<T>& number, float width) {
   const ParameterInfo info = describe(number);
   ImGui::PushID(info.name.c_str());
   ImGui::SetNextItemWidth(width);
-  if (const Change change = number_field(w, info); change.value) assign(number, *change.value);
+  const float speed = std::max(0.02f, 0.01f * static_cast<float>(number.value));
+  if (const Change change = number_field(w, info, speed); change.value) assign(number, *change.value);
   ImGui::PopID();
 }
 
@@ -68,7 +70,9 @@ ParameterInfo sampler_choice(const std::string& now) { return choice_of("compare
 void controls(Workbench& w) {
   ContestSetup& setup = w.contest.setup;
   const float em = ImGui::GetFontSize();
+  ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
   action_button(w, w.contest.running() ? "compare.stop" : "compare.start");
+  ImGui::PopStyleColor();
   if (w.contest.can_go_on()) ImGui::SameLine(), action_button(w, "compare.go-on");
   ImGui::SameLine();
   knob(w, setup.rule, em * 8.2f);
@@ -189,7 +193,7 @@ void headers(Workbench& w) {
 
 void method_table(Workbench& w) {
   ImGui::PushFont(w.faces.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetFontSize() * 0.35f, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetFontSize() * 0.4f, std::floor(ImGui::GetFontSize() * 0.2f)});
   std::optional<size_t> removed;
   if (ImGui::BeginTable("##methods", static_cast<int>(std::size(kColumns)), ImGuiTableFlags_SizingFixedFit)) {
     for (size_t i = 0; i < std::size(kColumns); ++i) ImGui::TableSetupColumn(kColumns[i].label, i == 1 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
@@ -235,7 +239,6 @@ void about_reference(Workbench& w) {
   if (!contest) return;
   ImGui::PushFont(w.faces.small);
   std::string text = contest->phase == Phase::preparing ? "preparing" : text_of("repeat %d of %d", contest->repeat, contest->repeats);
-  if (!w.contest.up_to_date()) text += ", of the scene before it was edited";
   if (contest->reference) text += text_of("; reference: %u spp, %.1f s", contest->reference_samples, contest->reference_seconds);
   if (std::isfinite(contest->reference_error)) text += text_of(", standard error %.2g", contest->reference_error);
   note(w, text);

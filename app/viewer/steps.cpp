@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -53,6 +54,26 @@ class Wait final : public Step {
   uint32_t samples_;
   double seconds_;
   Clock::time_point started_ = Clock::now();
+};
+
+// Until every method of the contest has so many samples, or with none given, until the contest has come to rest and what
+// was exported of it is written.
+class WaitForContest final : public Step {
+ public:
+  explicit WaitForContest(std::optional<uint32_t> samples) : samples_(samples) {}
+  Progress advance(Workbench& w, Picture&) override {
+    const auto* contest = w.contest.shown();
+    if (!contest) return impossible("no methods are compared; click compare.start first");
+    using Phase = bench::ContestSnapshot::Phase;
+    if (!samples_) return {!w.contest.running() && (contest->phase == Phase::stopped || contest->phase == Phase::done) && !w.contest.writing(), {}};
+    if (std::ranges::all_of(contest->methods, [&](const auto& m) { return m.samples >= *samples_; })) return kDone;
+    return w.contest.running() ? kGoingOn : impossible("the comparison has ended with fewer samples; raise its budget");
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  std::optional<uint32_t> samples_;
 };
 
 class Set final : public Step {
@@ -327,6 +348,10 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
   try {
     const std::string action = j.at("do").get<std::string>();
     if (action == "wait" && j.contains("spp")) return made(std::make_unique<Wait>(j["spp"].get<uint32_t>(), 0));
+    if (action == "wait" && j.contains("compared")) {
+      const bool end = j["compared"] == "end";
+      return made(std::make_unique<WaitForContest>(end ? std::nullopt : std::optional(j["compared"].get<uint32_t>())));
+    }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));
     if (action == "set") return made(std::make_unique<Set>(j.at("name").get<std::string>(), value_text(j.at("value"))));
     if (action == "click") return made(std::make_unique<Click>(j.at("item").get<std::string>()));

@@ -13,7 +13,7 @@ namespace {
 struct Margins {
   double left, right, top, bottom;
 };
-constexpr Margins kPage{78, 24, 52, 46}, kPanel{62, 14, 10, 24};
+constexpr Margins kPage{78, 24, 52, 46}, kPanel{54, 10, 10, 24};
 constexpr double kLegendRow = 22;
 constexpr double kText = 13, kTitle = 16;
 constexpr int kSteps = 25, kPanelSteps = 64;  // places along a curve
