@@ -113,6 +113,7 @@ Result<void> ContestHand::start() {
   plan.rule = setup.rule, plan.seconds = setup.seconds, plan.samples = static_cast<uint32_t>(setup.samples.value);
   plan.repeats = setup.repeats, plan.seed = document_.seed;
   plan.threads = threads_, plan.cache = cache_, plan.compiled = session_.scene();
+  retire();
   was_paused_ = session_.paused();
   session_.pause(true);
   contest_ = std::make_unique<bench::Contest>(std::move(plan), wake_);
@@ -141,6 +142,13 @@ void ContestHand::finish() {
   session_.pause(was_paused_);
 }
 
+// Its end may take a moment, for its reference is written and its films are given back: not on this thread.
+void ContestHand::retire() {
+  if (!contest_) return;
+  contest_->stop();
+  retiring_.start([last = std::make_shared<std::unique_ptr<bench::Contest>>(std::move(contest_))] { return last->reset(), true; });
+}
+
 void ContestHand::advance(Comparison& comparison, Notices& notices) {
   if (auto written = job_.take()) {
     if (*written)
@@ -153,7 +161,7 @@ void ContestHand::advance(Comparison& comparison, Notices& notices) {
   shown_ = contest_->snapshot();
   if (!same_picture(editor_.document(), document_)) {
     if (running_) finish(), notices.say("The scene was edited: the comparison has ended. Its curves are those of the scene before.");
-    contest_.reset();
+    retire();
     comparison.a = comparison.b = comparison.reference = {};
     comparison.mode = CompareMode::off;
     return;

@@ -54,7 +54,7 @@ struct ContestSetup {
 class ContestHand {
  public:
   ContestHand(render::Session& session, Editor& editor, int threads, std::filesystem::path cache, std::function<void()> wake)
-      : session_(session), editor_(editor), threads_(threads), cache_(std::move(cache)), wake_(wake), job_(std::move(wake)) {}
+      : session_(session), editor_(editor), threads_(threads), cache_(std::move(cache)), wake_(wake), job_(wake), retiring_(std::move(wake)) {}
 
   ContestSetup setup;
 
@@ -92,6 +92,7 @@ class ContestHand {
 
  private:
   void finish();
+  void retire();
   void show_sides(Comparison& comparison) const;
 
   render::Session& session_;
@@ -104,6 +105,7 @@ class ContestHand {
   render::Document document_;  // that the contest is of
   bool running_ = false, was_paused_ = false, sides_wanted_ = false;
   Job<Result<std::string>> job_;
+  Job<bool> retiring_;
 };
 
 // Every knob of the setup, for lists.
