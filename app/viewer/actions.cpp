@@ -60,8 +60,8 @@ void file_actions(Actions& a, Workbench* w) {
 void edit_actions(Actions& a, Workbench* w) {
   a.add({"edit.undo", "Edit", "Undo", "Takes the last edit back", "ctrl+z", [w] { w->editor.undo(); }, [w] { return w->editor.undo_depth() > 0; }, {}});
   a.add({"edit.redo", "Edit", "Redo", "Makes the edit again that was taken back", "ctrl+shift+z", [w] { w->editor.redo(); }, [w] { return w->editor.redo_depth() > 0; }, {}});
-  a.add({"edit.deselect", "Edit", "Select nothing", "Forgets what was picked", "escape", [w] { w->selection = {}, w->view.focus_by_click = false; },
-         [w] { return w->selection.node >= 0 || w->view.focus_by_click; }, {}});
+  a.add({"edit.deselect", "Edit", "Select nothing", "Forgets what was picked", "escape", [w] { w->selection = {}, w->view.focus_by_click = w->view.sampling.picks = false; },
+         [w] { return w->selection.node >= 0 || w->view.focus_by_click || w->view.sampling.picks; }, {}});
 }
 
 void render_actions(Actions& a, Workbench* w) {
@@ -160,6 +160,10 @@ void view_actions(Actions& a, Workbench* w) {
   for (const SheetInfo& sheet : sheets())
     a.add({std::string("view.") + sheet.name, "View", sheet.label, sheet.doc, "", [w, name = sheet.name] { w->view.sheet = w->view.sheet == name ? "" : name; }, loaded,
            [w, name = sheet.name] { return w->view.sheet == name; }});
+  a.add({"sampling.pick", "View", "Pick a pixel", "The next click in the picture chooses the pixel whose samples are looked at", "", [w] {
+           w->view.sampling.picks = !w->view.sampling.picks;
+           w->view.sheet = "sheet.sampling";
+         }, loaded, [w] { return w->view.sampling.picks; }});
   a.add({"view.dark", "View", "Dark theme", "Dark or light", "", [w] {
            w->settings.dark = !w->settings.dark;
            w->theme = apply_theme(w->settings.dark, w->platform.scale());

@@ -144,12 +144,14 @@ bool Comparison::advance(float exposure, image::ToneCurve curve) {
   bool fresh = false;
   if (auto made = job_.take()) map_ = std::move(*made), made_ = Clock::now(), fresh = true;
   const bool needs_map = mode == CompareMode::difference || mode == CompareMode::flip;
-  if (!needs_map || !active() || job_.running()) return fresh;
+  settled_ = !needs_map || !active();
+  if (settled_ || job_.running()) return fresh;
   MapKey key{mode, left().frame->pixels, right().frame->pixels, 0, image::ToneCurve::none};
   if (mode == CompareMode::flip) key.exposure = exposure, key.curve = curve;
   // At most half of a processor goes into it while the picture changes all the time.
+  settled_ = map_ && map_->key == key;
   const bool resting = map() && std::chrono::duration<double>(Clock::now() - made_).count() < map_->seconds;
-  if ((map_ && map_->key == key) || resting) return fresh;
+  if (settled_ || resting) return fresh;
   making_ = mode;
   job_.start([key, width = left().frame->width, height = left().frame->height] { return make_map(key, width, height); });
   return fresh;
@@ -160,7 +162,7 @@ std::shared_ptr<const DifferenceMap> Comparison::map() const {
   return fits ? map_ : nullptr;
 }
 
-bool Comparison::watch_shift(const Input& input, bool typing) {
+bool Comparison::watch_shift(const Input& input, bool typing, Clock::time_point now) {
   const Shift before = shift_;
   const bool alone = input.keys.count() == 1 && !typing && !input.buttons[0] && !input.buttons[1] && !input.buttons[2] && input.wheel == 0;
   if (!input.shift())
@@ -168,8 +170,8 @@ bool Comparison::watch_shift(const Input& input, bool typing) {
   else if (!alone)
     shift_ = Shift::spoilt;
   else if (shift_ == Shift::up)
-    shift_ = Shift::held, shift_since_ = Clock::now();
-  else if (shift_ == Shift::held && std::chrono::duration<double>(Clock::now() - shift_since_).count() >= kShiftDelay)
+    shift_ = Shift::held, shift_since_ = now;
+  else if (shift_ == Shift::held && std::chrono::duration<double>(now - shift_since_).count() >= kShiftDelay)
     shift_ = Shift::shows;
   return (before == Shift::shows) != (shift_ == Shift::shows);
 }

@@ -50,6 +50,8 @@ struct DifferenceMap {
 
 class Comparison {
  public:
+  using Clock = std::chrono::steady_clock;
+
   explicit Comparison(std::function<void()> wake) : job_(wake), loading_(std::move(wake)) {}
 
   Side a, b, reference;  // without a frame in `a`, the live picture takes its place
@@ -80,11 +82,13 @@ class Comparison {
 
   // Called once a frame: takes up a finished map, starts the next. True if there is a new one.
   bool advance(float exposure, image::ToneCurve curve);
+  // Whether something is being read, or the map is not that of the present pictures.
+  bool busy() const { return loading_.running() || !settled_; }
   // The map of the present mode, perhaps of pictures that are no longer the newest; or none yet.
   std::shared_ptr<const DifferenceMap> map() const;
 
   // Called before every frame: Shift alone, held for a moment, shows the reference. True if that changed what is shown.
-  bool watch_shift(const Input& input, bool typing);
+  bool watch_shift(const Input& input, bool typing, Clock::time_point now);
   bool waits_for_shift() const { return shift_ == Shift::held; }
 
  private:
@@ -92,13 +96,13 @@ class Comparison {
     Target target;
     Side side;
   };
-  using Clock = std::chrono::steady_clock;
   enum class Shift { up, held, shows, spoilt };  // spoilt: it went with something else
 
   Job<std::shared_ptr<const DifferenceMap>> job_;
   Job<Result<Loaded>> loading_;
   CompareMode making_ = CompareMode::off;
   std::shared_ptr<const DifferenceMap> map_;
+  bool settled_ = true;
   Clock::time_point made_{}, shift_since_{};
   Shift shift_ = Shift::up;
 };

@@ -20,9 +20,10 @@ void divider_line(const Workbench& w, ImDrawList* draw) {
   const Placement& p = w.view.picture;
   const float em = ImGui::GetFontSize(), x = divider_x(w), top = p.corner.y, bottom = top + p.size.y;
   const float middle = top + p.size.y * 0.5f, radius = em * 0.75f, arrow = em * 0.3f;
+  const float unit = em / 14;
   const ImU32 dark = IM_COL32(0, 0, 0, 170), light = IM_COL32(255, 255, 255, 235);
-  draw->AddLine({x, top}, {x, bottom}, dark, 3.5f);
-  draw->AddLine({x, top}, {x, bottom}, light, 1.5f);
+  draw->AddLine({x, top}, {x, bottom}, dark, 3.5f * unit);
+  draw->AddLine({x, top}, {x, bottom}, light, 1.5f * unit);
   draw->AddCircleFilled({x, middle}, radius, dark);
   for (const float side : {-1.0f, 1.0f}) {
     const float foot = x + side * em * 0.14f;
@@ -72,8 +73,7 @@ void map_words(const Workbench& w, ImDrawList* draw) {
 std::optional<Vec2i> pixel_under(const Workbench& w, const Side& side) {
   const Placement& p = w.view.picture;
   if (ImGui::GetIO().WantCaptureMouse || !p.contains(w.input.mouse)) return std::nullopt;
-  const Vec2i size(side.frame->width, side.frame->height);
-  return glm::clamp(Vec2i((w.input.mouse - p.corner) / p.size * Vec2(size)), Vec2i(0), size - 1);
+  return pixel_at(p, {side.frame->width, side.frame->height}, w.input.mouse);
 }
 
 // What both have in the pixel under the pointer.

@@ -16,6 +16,9 @@ const std::vector<SheetInfo>& sheets();
 
 void draw_convergence_sheet(Workbench& w);
 void draw_health_sheet(Workbench& w);
+void draw_sampling_sheet(Workbench& w);
+// The settings of the sampling sheet, as scripts see them.
+std::vector<ParameterInfo> sampling_parameters();
 
 // Draws it on the lower edge of a region from the window's left side to `right`; returns its height.
 float draw_drawer(Workbench& w, float top, float right, float bottom);

@@ -25,6 +25,7 @@ constexpr Hand kHands[] = {
     {"Focus and orbit centre", "double click"},
     {"Move the divider between A and B", "drag it; double click centres it"},
     {"See the reference", "hold Shift"},
+    {"Look at a pixel's samples", "Ctrl + click, with the sampling sheet open"},
     {"Type a number", "double click on it"},
     {"Reset a setting", "Ctrl + click on it"},
     {"Open a scene, a snapshot, an environment", "drop the file on the window"},

@@ -42,6 +42,10 @@ GLuint make_texture(const Gl& gl, GLint filter) {
 
 Vec2 false_color_stops(float exposure) { return kFalseColorStops - exposure; }
 
+Vec2i pixel_at(const Placement& shown, Vec2i size, Vec2 at) {
+  return glm::clamp(Vec2i(glm::floor((at - shown.corner) / shown.size * Vec2(size))), Vec2i(0), size - 1);
+}
+
 Picture::~Picture() {
   if (program_) gl_.DeleteProgram(program_);
   if (vertices_) gl_.DeleteVertexArrays(1, &vertices_);

@@ -30,6 +30,9 @@ struct Placement {
   bool contains(Vec2 p) const { return p.x >= corner.x && p.y >= corner.y && p.x < corner.x + size.x && p.y < corner.y + size.y; }
 };
 
+// The pixel of a picture of this size that is shown at a place of the window; the nearest for places beside it.
+Vec2i pixel_at(const Placement& shown, Vec2i size, Vec2 at);
+
 class Picture {
  public:
   explicit Picture(const Gl& gl) : gl_(gl) {}

@@ -19,6 +19,12 @@ void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size, Rgb (*color)(float)) {
   }
 }
 
+// A ground that words are legible on, with an edge that stands out from a picture of its colour.
+void ground(ImDrawList* draw, Vec2 corner, Vec2 end) {
+  draw->AddRectFilled({corner.x, corner.y}, {end.x, end.y}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92f), 4);
+  draw->AddRect({corner.x, corner.y}, {end.x, end.y}, ImGui::GetColorU32(ImGuiCol_Border), 4);
+}
+
 Vec2 label_padding() { return Vec2(0.5f, 0.3f) * ImGui::GetFontSize(); }
 
 }  // namespace
@@ -29,8 +35,7 @@ void draw_scale_bar(const Workbench& w, ImDrawList* draw, Rgb (*color)(float), s
   const Placement& p = w.view.picture;
   const Vec2 size(em * 16, em * 0.8f);
   const Vec2 corner(p.corner.x + p.size.x - size.x - margin - em * 0.5f, p.corner.y + em * 1.2f);
-  draw->AddRectFilled({corner.x - margin, corner.y - em * 0.6f}, {corner.x + size.x + margin, corner.y + size.y + em * 3.3f},
-                      ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
+  ground(draw, corner - Vec2(margin, em * 0.6f), corner + size + Vec2(margin, em * 3.3f));
   color_bar(draw, corner, size, color);
   for (size_t i = 0; i < figures.size(); ++i) {
     const float at = static_cast<float>(i) / static_cast<float>(figures.size() - 1);
@@ -46,7 +51,7 @@ Vec2 label_size(const std::string& text) {
 
 Vec2 draw_label(ImDrawList* draw, Vec2 corner, const std::string& text) {
   const Vec2 size = label_size(text), at = corner + label_padding();
-  draw->AddRectFilled({corner.x, corner.y}, {corner.x + size.x, corner.y + size.y}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.9f), 4);
+  ground(draw, corner, corner + size);
   draw->AddText({at.x, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   return size;
 }

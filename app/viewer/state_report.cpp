@@ -128,6 +128,14 @@ json contest_json(const ContestHand& hand) {
   return j;
 }
 
+json pixel_json(const PixelStudy& s) {
+  json j{{"x", s.pixel.x}, {"y", s.pixel.y}, {"samples", s.samples()}, {"wanted", s.wanted}, {"mean", {s.mean.r, s.mean.g, s.mean.b}}};
+  j["deviation"] = s.deviation, j["largest"] = s.largest, j["zeros"] = s.histogram.zeros;
+  if (!s.course.empty()) j["luminance"] = s.course.back().mean, j["band"] = s.course.back().band;
+  if (s.tail.khat) j["khat"] = *s.tail.khat;
+  return j;
+}
+
 }  // namespace
 
 std::string state_report(Workbench& w) {
@@ -160,6 +168,7 @@ std::string state_report(Workbench& w) {
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
       {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
+  if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);
   if (status.error.known) state["rmse"] = status.error.rmse;
   return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -179,6 +188,7 @@ std::string widgets_json() {
   for (const PlainItem& plain : kItems) list.push_back(item(plain.name, plain.label, plain.doc));
   for (const auto& info : loose_parameters()) list.push_back(parameter(info));
   for (const auto& info : contest_parameters()) list.push_back(parameter(info));
+  for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {
     // Objects are numbered; the first stands for all.

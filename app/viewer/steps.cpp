@@ -56,11 +56,11 @@ class Wait final : public Step {
   Clock::time_point started_ = Clock::now();
 };
 
-// Until every method of the contest has so many samples, or with none given, until the contest has come to rest and what
+// Until every method of the contest has so many samples; if no number is given, until the contest has come to rest and what
 // was exported of it is written.
 class WaitForContest final : public Step {
  public:
-  explicit WaitForContest(std::optional<uint32_t> samples) : samples_(samples) {}
+  explicit WaitForContest(std::optional<uint32_t> samples = {}) : samples_(samples) {}
   Progress advance(Workbench& w, Picture&) override {
     const auto* contest = w.contest.shown();
     if (!contest) return impossible("no methods are compared; click compare.start first");
@@ -74,6 +74,21 @@ class WaitForContest final : public Step {
 
  private:
   std::optional<uint32_t> samples_;
+};
+
+// Until what is made beside the rendering belongs to the present picture.
+class WaitForWork final : public Step {
+ public:
+  explicit WaitForWork(bool pixel) : pixel_(pixel) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (!rest_.over()) return kGoingOn;
+    if (pixel_ && !w.probe.pixel()) return impossible("no pixel is chosen");
+    return {!(pixel_ ? w.probe.busy() : w.comparison.busy()), {}};
+  }
+
+ private:
+  bool pixel_;
+  Rest rest_{3};
 };
 
 class Set final : public Step {
@@ -133,6 +148,8 @@ class Click final : public Step {
   explicit Click(std::string item) : item_(std::move(item)) {}
   Progress advance(Workbench& w, Picture& picture) override {
     if (pointer_) return pointer_->advance(w, picture);
+    // What it did may have brought its button on screen: that is not pressed as well.
+    if (ran_) return {rest_.over(), {}};
     if (const Placement* place = w.items.find(item_)) {
       const Action* action = w.actions.find(item_);
       if (action && !action->is_enabled()) return impossible("it is disabled now");
@@ -140,7 +157,6 @@ class Click final : public Step {
       pointer_ = std::make_unique<Pointer>(middle, middle, Button::left);
       return pointer_->advance(w, picture);
     }
-    if (ran_) return {rest_.over(), {}};
     // What is not on screen is reached by its name, as the palette does it.
     if (const Action* action = w.actions.find(item_)) {
       if (!action->is_enabled()) return impossible("it is disabled now");
@@ -348,9 +364,12 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
   try {
     const std::string action = j.at("do").get<std::string>();
     if (action == "wait" && j.contains("spp")) return made(std::make_unique<Wait>(j["spp"].get<uint32_t>(), 0));
-    if (action == "wait" && j.contains("compared")) {
-      const bool end = j["compared"] == "end";
-      return made(std::make_unique<WaitForContest>(end ? std::nullopt : std::optional(j["compared"].get<uint32_t>())));
+    if (action == "wait" && j.contains("compared")) return made(std::make_unique<WaitForContest>(j["compared"].get<uint32_t>()));
+    if (action == "wait" && j.contains("for")) {
+      const std::string what = j["for"].get<std::string>();
+      if (what == "contest") return made(std::make_unique<WaitForContest>());
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison or contest");
+      return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));
     if (action == "set") return made(std::make_unique<Set>(j.at("name").get<std::string>(), value_text(j.at("value"))));

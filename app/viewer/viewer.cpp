@@ -86,7 +86,7 @@ class Application {
     w_.pointer_rest = rest;
     if (const Vec2i size = platform_.size(); size != size_) size_ = size, frames_wanted_ = kSettlingFrames;
     for (const auto& file : w_.input.dropped) w_.open(file);
-    if (w_.comparison.watch_shift(w_.input, w_.view.typing)) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (w_.comparison.watch_shift(w_.input, w_.view.typing, now)) frames_wanted_ = std::max(frames_wanted_, 1);
     const auto frame = w_.session.frame();
     const bool new_frame = frame && frame != w_.frame;
     const bool hurry =

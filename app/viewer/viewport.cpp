@@ -35,7 +35,18 @@ std::optional<Picked> picked_at(const Workbench& w, Vec2 at) {
   return scene ? pick(w.editor.document(), *scene, w.view.picture, at) : std::nullopt;
 }
 
+// Whether the click is for the sampling sheet.
+bool choose_pixel(Workbench& w, Vec2 at) {
+  const bool wanted = w.view.sampling.picks || (w.view.sheet == "sheet.sampling" && w.input.control());
+  if (!wanted || !w.view.picture.contains(at)) return false;
+  w.view.sampling.picks = false;
+  w.view.sheet = "sheet.sampling";
+  w.probe.choose(pixel_at(w.view.picture, {w.editor.document().width, w.editor.document().height}, at));
+  return true;
+}
+
 void click(Workbench& w, Hold& hold, Vec2 at) {
+  if (choose_pixel(w, at)) return;
   const auto picked = picked_at(w, at);
   const bool twice = seconds_since(hold.clicked) < kDoubleClick && glm::length(at - hold.click_at) <= kClickSlack;
   hold.clicked = twice ? Clock::time_point{} : Clock::now();
@@ -163,6 +174,7 @@ void draw_viewport_overlay(Workbench& w) {
   const bool map = w.comparison.map() && !w.comparison.reference_on_screen();
   if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
   draw_comparison_overlay(w, draw);
+  draw_pixel_marker(w, draw);
   if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), w.view.aov + (w.aov.busy() ? " ..." : ""));
   draw->PopClipRect();
 }

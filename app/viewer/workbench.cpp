@@ -33,7 +33,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       capture(session, editor, [&p] { p.wake(); }),
       aov(session, editor, [&p] { p.wake(); }),
       comparison([&p] { p.wake(); }),
-      contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }) {
+      contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
+      probe(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }
@@ -173,6 +174,10 @@ bool Workbench::advance(Picture& on_screen) {
   shows_aov_ = shows_aov;
   if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
   contest.advance(comparison, notices);
+  if (view.sheet != "sheet.sampling")
+    probe.rest();
+  else if (probe.advance(view.sampling.samples))
+    redraw = true;
   if (comparison.advance(editor.document().display.exposure, editor.document().display.curve)) redraw = true;
   if (needs_pivot_ && session.status().version >= editor.version())
     if (const auto scene = session.scene()) hand.find_pivot(editor.document().camera, *scene), needs_pivot_ = false;

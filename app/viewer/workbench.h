@@ -15,6 +15,7 @@
 #include "viewer/items.h"
 #include "viewer/loader.h"
 #include "viewer/notices.h"
+#include "viewer/pixel_probe.h"
 #include "viewer/settings.h"
 #include "viewer/theme.h"
 #include "viewer/viewer.h"
@@ -25,6 +26,16 @@ enum class Tab : uint8_t { render, scene, material, light, camera, display };
 
 struct Selection {
   int node = -1, material = -1, light = -1;
+};
+
+// What the sheet about one pixel's samples shows.
+struct SamplingView {
+  uint32_t samples = 4096;               // to draw
+  std::string x = "pixel-x", y = "pixel-y";  // of the points
+  uint32_t points = 512;
+  bool picks = false;  // the next click chooses the pixel
+
+  friend bool operator==(const SamplingView&, const SamplingView&) = default;
 };
 
 // What is shown and how; none of it changes the light, none of it is a step.
@@ -41,6 +52,7 @@ struct View {
   bool focus_by_click = false;  // the next click sets the focus
   float column = 0;             // width of the right column, pixels
   std::string sheet;            // the one that the drawer shows; empty if it is closed
+  SamplingView sampling;
 };
 
 // How the interface spends its time.
@@ -98,6 +110,7 @@ struct Workbench {
   AovView aov;
   Comparison comparison;
   ContestHand contest;
+  PixelProbe probe;
   CameraHand hand;
   FileDialog files;
   Selection selection;

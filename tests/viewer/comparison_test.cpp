@@ -14,7 +14,7 @@ constexpr int kWidth = 400, kHeight = 300;  // a dialog has room in it
 
 // Steps that leave the window with nothing but the picture in it, and take it.
 json bare_shot(const std::string& file) {
-  return json::array({key("h"), {{"do", "wait"}, {"seconds", 0.4}}, file_step("screenshot", file), key("h")});
+  return json::array({key("h"), file_step("screenshot", file), key("h")});
 }
 
 // The bytes that a screen shows of a picture's beauty.
@@ -67,12 +67,12 @@ class Compared : public Viewer {
   }
 };
 
-const json kWaitForMap = {{"do", "wait"}, {"seconds", 2}};
+const json kWaitForWork = {{"do", "wait"}, {"for", "comparison"}};
 
 TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
   make_two();
   json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-b"), click("files.second.exr"), click("files.accept"),
-                            {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("a.json"))});
+                            kWaitForWork, file_step("state", path("a.json"))});
   steps = joined(joined(steps, bare_shot(path("wipe.png"))), json::array({click("compare.swap")}));
   steps = joined(steps, bare_shot(path("swapped.png")));
   ASSERT_EQ(run_small(steps, path("first.exr")), 0);
@@ -94,7 +94,7 @@ TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
 
 TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
   const json steps = joined(small(), json::array({click("compare.pin"), set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 4}},
-                                                  click("compare.difference"), kWaitForMap, file_step("state", path("a.json")), key("c"),
+                                                  click("compare.difference"), kWaitForWork, file_step("state", path("a.json")), key("c"),
                                                   {{"do", "drag"}, {"item", "compare.divider"}, {"by", {60, 0}}}, file_step("state", path("b.json")),
                                                   key("alt+left"), file_step("state", path("c.json")), key("c"), file_step("state", path("d.json"))}));
   ASSERT_EQ(run(steps), 0);
@@ -112,8 +112,8 @@ TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
 }
 
 TEST_F(Compared, EqualPicturesHaveNoDifferenceAndNoFlip) {
-  json steps = joined(small(), json::array({click("compare.pin"), click("compare.difference"), kWaitForMap, file_step("state", path("a.json")),
-                                            click("compare.flip"), kWaitForMap, file_step("state", path("b.json"))}));
+  json steps = joined(small(), json::array({click("compare.pin"), click("compare.difference"), kWaitForWork, file_step("state", path("a.json")),
+                                            click("compare.flip"), kWaitForWork, file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("a.json")["comparison"]["scale"], 0);
   EXPECT_EQ(state("a.json")["comparison"]["mean_difference"], 0);
@@ -125,12 +125,11 @@ TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
   make_two();
   const auto shift = [](bool down) { return json{{"do", "key"}, {"key", "shift"}, {"down", down}}; };
   json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-reference"), click("files.second.exr"), click("files.accept"),
-                            {{"do", "wait"}, {"seconds", 0.5}}, key("h"), shift(true), file_step("state", path("soon.json")),
+                            kWaitForWork, key("h"), shift(true),
                             {{"do", "wait"}, {"seconds", 0.6}}, file_step("state", path("held.json")), file_step("screenshot", path("held.png")),
                             shift(false), {{"do", "wait"}, {"seconds", 0.2}}, file_step("screenshot", path("after.png")), file_step("state", path("after.json"))});
   ASSERT_EQ(run_small(steps, path("first.exr")), 0);
   const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_on_screen"].get<bool>(); };
-  EXPECT_FALSE(on_screen("soon.json"));
   EXPECT_TRUE(on_screen("held.json"));
   EXPECT_FALSE(on_screen("after.json"));
   const auto a = encoded(picture("first.exr")), b = encoded(picture("second.exr"));
@@ -141,11 +140,41 @@ TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
 TEST_F(Compared, PicturesOfAnotherSizeAreRefusedInWords) {
   make_two();
   json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-b"), click("files.second.exr"), click("files.accept"),
-                            {{"do", "wait"}, {"seconds", 0.5}}, set("film.width", 64), {{"do", "wait"}, {"spp", 4}}, file_step("state", path("a.json"))});
+                            kWaitForWork, set("film.width", 64), {{"do", "wait"}, {"spp", 4}}, file_step("state", path("a.json"))});
   ASSERT_EQ(run(steps, path("first.exr")), 0);
   const auto problem = state("a.json")["comparison"]["problem"].get<std::string>();
   EXPECT_NE(problem.find("64 x 300"), std::string::npos) << problem;
   EXPECT_NE(problem.find("400 x 300"), std::string::npos) << problem;
+}
+
+std::shared_ptr<const render::Frame> frame() {
+  auto made = std::make_shared<render::Frame>();
+  made->width = made->height = 1;
+  made->pixels = std::make_shared<const std::vector<Rgb>>(1);
+  return made;
+}
+
+TEST(Comparison, ShiftCountsAloneAndAfterAMoment) {
+  using namespace std::chrono_literals;
+  constexpr size_t kShift = 340, kControl = 341;  // as GLFW numbers them
+  const viewer::Comparison::Clock::time_point start{};
+  viewer::Input held, with_control, with_button, none;
+  held.keys[kShift] = with_control.keys[kShift] = with_button.keys[kShift] = true;
+  with_control.keys[kControl] = true, with_button.buttons[0] = true;
+  const auto shows = [&](const viewer::Input& later, bool typing, auto after) {
+    viewer::Comparison c([] {});
+    c.reference.frame = c.live.frame = frame();
+    c.watch_shift(held, typing, start);
+    EXPECT_FALSE(c.reference_on_screen());
+    c.watch_shift(later, typing, start + after);
+    return c.reference_on_screen();
+  };
+  EXPECT_TRUE(shows(held, false, 250ms));
+  EXPECT_FALSE(shows(held, false, 100ms));
+  EXPECT_FALSE(shows(with_control, false, 250ms));
+  EXPECT_FALSE(shows(with_button, false, 250ms)) << "that pans";
+  EXPECT_FALSE(shows(held, true, 250ms)) << "that writes a capital";
+  EXPECT_FALSE(shows(none, false, 250ms));
 }
 
 std::shared_ptr<const std::vector<Rgb>> flat(float value) { return std::make_shared<const std::vector<Rgb>>(32 * 32, Rgb(value)); }

@@ -9,7 +9,7 @@ namespace {
 
 // Until every method has so many samples; and until all is at rest and written.
 json compared(int samples) { return {{"do", "wait"}, {"compared", samples}}; }
-const json kAtRest = {{"do", "wait"}, {"compared", "end"}};
+const json kAtRest = {{"do", "wait"}, {"for", "contest"}};
 
 class Contested : public Viewer {
  protected:

@@ -1,0 +1,91 @@
+// The sheet about one pixel, as a user meets it: the pixel that was clicked, its samples, what starts them anew.
+#include <cmath>
+
+#include "scripted.h"
+#include "viewer/pixel_probe.h"
+
+namespace etendue {
+namespace {
+
+class Sampling : public Viewer {};
+
+// A click in the picture that chooses no object.
+json click_at(int x, int y) { return {{"do", "drag"}, {"from", {x, y}}, {"to", {x, y}}}; }
+const json kWaitForSamples = {{"do", "wait"}, {"for", "pixel"}};
+
+TEST_F(Sampling, ThePixelThatWasClickedHasTheMeanOfTheRendering) {
+  const auto steps = joined(small(64), json::array({set("sampling.samples", 64), click("sampling.pick"), click_at(300, 200), kWaitForSamples,
+                                                    file_step("state", path("a.json")), file_step("image", path("a.exr"))}));
+  ASSERT_EQ(run(steps), 0);
+  const json pixel = state("a.json")["pixel"];
+  ASSERT_EQ(pixel["samples"], 64);
+  EXPECT_EQ(state("a.json")["sheet"], "sheet.sampling");
+  EXPECT_EQ(state("a.json")["selection"]["node"], -1);
+  const auto read = picture("a.exr");
+  const size_t index = pixel["y"].get<size_t>() * 96 + pixel["x"].get<size_t>();
+  for (size_t c = 0; c < 3; ++c) {
+    const double expected = double{read.find("")->pixels[3 * index + c]};
+    ASSERT_GT(expected, 0) << "a black pixel proves nothing";
+    EXPECT_NEAR(pixel["mean"][c].get<double>(), expected, 1e-5 * expected) << c;
+  }
+  EXPECT_GT(pixel["band"].get<double>(), 0);
+  EXPECT_GE(pixel["largest"].get<double>(), pixel["luminance"].get<double>());
+}
+
+TEST_F(Sampling, AnEditOfTheLightStartsAgainAndADisplayDoesNot) {
+  const auto steps = joined(small(), json::array({set("sampling.samples", 128), click("sampling.pick"), click_at(300, 200), kWaitForSamples,
+                                                  file_step("state", path("a.json")), set("camera.exposure", 1), kWaitForSamples, file_step("state", path("b.json")),
+                                                  set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 1}}, kWaitForSamples, file_step("state", path("c.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  const json a = state("a.json")["pixel"], b = state("b.json")["pixel"], c = state("c.json")["pixel"];
+  ASSERT_EQ(a["samples"], 128);
+  EXPECT_EQ(a, b);
+  ASSERT_EQ(c["samples"], 128);
+  EXPECT_EQ(c["x"], a["x"]);
+  EXPECT_GT(c["zeros"].get<int>(), a["zeros"].get<int>()) << "light is found by chance now";
+}
+
+TEST_F(Sampling, EveryPairOfNumbersCanBeChosenAndAnUnknownOneIsRefused) {
+  const auto steps = joined(small(), json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"), set("sampling.y", "vertex-4.roulette"),
+                                                  set("sampling.points", "2048"), file_step("screenshot", path("a.png")), file_step("state", path("a.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_TRUE(state("a.json").contains("pixel"));
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, set("sampling.x", "vertex-9.lobe")})), 1);
+  EXPECT_NE(::testing::internal::GetCapturedStderr().find("vertex-9.lobe"), std::string::npos);
+}
+
+TEST_F(Sampling, EscapeTakesTheChoiceBack) {
+  const auto steps = joined(small(), json::array({click("sampling.pick"), key("escape"), click_at(300, 200), file_step("state", path("a.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_FALSE(state("a.json").contains("pixel"));
+}
+
+TEST(Histogram, CountsEverySampleOnce) {
+  std::vector<float> values(100, 0.0f);
+  for (int i = 0; i < 900; ++i) values.push_back(1 + static_cast<float>(i) / 900);
+  const auto h = viewer::histogram_of(values);
+  EXPECT_FALSE(h.logarithmic);
+  EXPECT_EQ(h.zeros, 100U);
+  uint32_t sum = 0;
+  for (const uint32_t n : h.counts) sum += n;
+  EXPECT_EQ(sum, 900U);
+}
+
+TEST(Histogram, OneSampleFarOutMakesItLogarithmic) {
+  std::vector<float> values(1000, 0.5f);
+  values.back() = 100;
+  const auto h = viewer::histogram_of(values);
+  EXPECT_TRUE(h.logarithmic);
+  EXPECT_EQ(h.counts.front(), 999U);
+  EXPECT_EQ(h.counts.back(), 1U);
+}
+
+TEST(Histogram, NothingButZerosHasNoBins) {
+  const auto h = viewer::histogram_of(std::vector<float>(10, 0.0f));
+  EXPECT_EQ(h.zeros, 10U);
+  EXPECT_TRUE(h.counts.empty());
+}
+
+}  // namespace
+}  // namespace etendue
