@@ -51,7 +51,7 @@ std::string line_of(const MethodCurves& curves, const Reading& reading, double l
   std::string text = curves.name;
   text.resize(name_width, ' ');
   text += text_of("  %-7.3g", p.median);
-  if (curves.repeats.size() > 1) text += text_of(" %7.3g to %-7.3g", p.low, p.high);
+  if (curves.repeats.size() > 1) text += text_of(" %6.3g to %-6.3g", p.low, p.high);
   return text + text_of(" \u00d7%.2f", p.median / least);
 }
 
@@ -92,19 +92,27 @@ class ReadOut {
     return list;
   }
 
-  // Beside the line where there is more room; above or below, where it lies on fewer curves.
+  // How much of the curves a box would cover.
+  int covered(const ImVec2& corner, const ImVec2& size) const {
+    constexpr int kPlaces = 16;
+    int count = 0;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double x = (corner.x + size.x * static_cast<float>(i) / kPlaces - corner_.x) / scale_;
+      for (const auto& r : readings(curves_, options_, frame_.x.value(x))) {
+        const float y = at(0, frame_.y.place(r.point.median)).y;
+        if (y > corner.y && y < corner.y + size.y) ++count;
+      }
+    }
+    return count;
+  }
+
+  // Beside the line where there is more room; above or below, where less is covered.
   ImVec2 place_of(double x, const ImVec2& size, float gap) const {
     const ImVec2 low = at(frame_.left, frame_.top), high = at(frame_.right, frame_.bottom), line = at(x, 0);
-    const float top = low.y + gap, bottom = high.y - size.y - gap;
-    const auto covered = [&](float y) {
-      return std::ranges::count_if(readings_, [&](const Reading& r) {
-        const float curve = at(0, frame_.y.place(r.point.median)).y;
-        return curve > y - gap && curve < y + size.y + gap;
-      });
-    };
     const bool right = x < 0.5 * (frame_.left + frame_.right);
-    const float left = right ? line.x + gap : line.x - size.x - gap;
-    return {std::clamp(left, low.x, std::max(low.x, high.x - size.x)), covered(bottom) < covered(top) ? bottom : top};
+    const float left = std::clamp(right ? line.x + gap : line.x - size.x - gap, low.x, std::max(low.x, high.x - size.x));
+    const ImVec2 above{left, low.y + gap}, below{left, high.y - size.y - gap};
+    return covered(below, size) < covered(above, size) ? below : above;
   }
 
   void box(double x, const std::string& head, const std::vector<std::string>& text) const {
