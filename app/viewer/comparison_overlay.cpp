@@ -111,12 +111,13 @@ bool handle_divider(Workbench& w, bool over) {
   const float grip = ImGui::GetFontSize() * 0.5f, x = divider_x(w);
   w.items.place("compare.divider", {{x - grip, p.corner.y}, {2 * grip, p.size.y}});
   const bool near = over && p.contains({p.corner.x, w.input.mouse.y}) && std::abs(w.input.mouse.x - x) <= grip;
-  if (near && w.input.pressed[0]) held = true;
+  const bool taken = near && w.input.pressed[0];
+  if (taken) held = true;
   if (held && !w.input.buttons[0]) held = false;
   if (near || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (held) w.comparison.divider = std::clamp((w.input.mouse.x - p.corner.x) / p.size.x, 0.0f, 1.0f);
   if (near && ImGui::IsMouseDoubleClicked(0)) w.comparison.divider = 0.5f, held = false;
-  return near || held;
+  return taken || held;
 }
 
 void draw_comparison_overlay(Workbench& w, ImDrawList* draw) {

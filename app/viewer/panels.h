@@ -27,7 +27,7 @@ void draw_viewport_overlay(Workbench& w);
 // Which pixel the sampling sheet is about.
 void draw_pixel_marker(Workbench& w, ImDrawList* draw);
 
-// The same for two pictures that are compared. True while the divider has the hands; `over`: they are over the picture.
+// The same for two pictures that are compared. True while they hold the divider; `over`: they are over the picture.
 bool handle_divider(Workbench& w, bool over);
 void draw_comparison_overlay(Workbench& w, ImDrawList* draw);
 // Where the divider of a wipe stands in the window, in whole pixels.

@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-constexpr Vec2i kPixel(17, 21);
+constexpr Vec2i kPixel(12, 8);
 
 std::shared_ptr<const scene::CompiledScene> compiled(const render::Document& d) {
   render::Session session({.threads = 1, .interactive = false});

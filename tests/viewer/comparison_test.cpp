@@ -177,6 +177,26 @@ TEST(Comparison, ShiftCountsAloneAndAfterAMoment) {
   EXPECT_FALSE(shows(none, false, 250ms));
 }
 
+TEST(Comparison, AFileIsTakenIfItHasTheSizeOfThePicture) {
+  const auto file = fs::temp_directory_path() / "etendue-comparison.exr";
+  const auto loaded = [&](int width) {
+    image::LayeredImage picture;
+    picture.width = width, picture.height = 1;
+    picture.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(3 * static_cast<size_t>(width), 0.5f)});
+    EXPECT_TRUE(image::write_exr(file, picture));
+    viewer::Comparison c([] {});
+    c.live.frame = frame();
+    c.load(file.string(), viewer::Comparison::Target::b);
+    std::optional<Result<std::string>> said;
+    while (!said) said = c.take_loaded();
+    EXPECT_EQ(static_cast<bool>(*said), c.b.frame != nullptr);
+    return *said ? "" : said->error().message;
+  };
+  EXPECT_EQ(loaded(1), "");
+  EXPECT_NE(loaded(2).find("is 2 x 1, the picture is 1 x 1"), std::string::npos);
+  fs::remove(file);
+}
+
 std::shared_ptr<const std::vector<Rgb>> flat(float value) { return std::make_shared<const std::vector<Rgb>>(32 * 32, Rgb(value)); }
 
 TEST(DifferenceMap, TheSignIsThatOfLeftMinusRight) {

@@ -47,7 +47,7 @@ TEST_F(Sampling, AnEditOfTheLightStartsAgainAndADisplayDoesNot) {
 
 TEST_F(Sampling, EveryPairOfNumbersCanBeChosenAndAnUnknownOneIsRefused) {
   const auto steps = joined(small(), json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"), set("sampling.y", "vertex-4.roulette"),
-                                                  set("sampling.points", "2048"), file_step("screenshot", path("a.png")), file_step("state", path("a.json"))}));
+                                                  set("sampling.points", "2048"), file_step("screenshot", path("a.png")), kWaitForSamples, file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_TRUE(state("a.json").contains("pixel"));
   ::testing::internal::CaptureStderr();
