@@ -66,8 +66,8 @@ void edit_actions(Actions& a, Workbench* w) {
 
 void render_actions(Actions& a, Workbench* w) {
   const auto loaded = [w] { return !w->editor.empty(); };
-  a.add({"render.pause", "Render", "Pause", "Keeps the picture as it is, and the processor free", "space", [w] { w->session.pause(!w->session.paused()); }, loaded,
-         [w] { return w->session.paused(); }});
+  a.add({"render.pause", "Render", "Pause", "Keeps the picture as it is, and the processor free", "space", [w] { w->session.pause(!w->session.paused()); },
+         [w] { return !w->editor.empty() && !w->contest.running(); }, [w] { return w->session.paused(); }});
   a.add({"render.restart", "Render", "Restart", "Throws the samples away and starts again", "r", [w] { w->session.restart(); }, loaded, {}});
   a.add({"render.previous", "Render", "Previous integrator", "Back and forth between the last two", "tab", [w] {
            const auto& infos = integrator::integrator_infos();
@@ -95,6 +95,25 @@ void compare(Workbench& w, CompareMode mode) {
   if (c.mode == CompareMode::off || c.b.frame) return;
   c.pin();
   w.notices.say("Kept as B: " + c.b.name + ". What is changed from now on shows in A.");
+}
+
+void ask_for_chart(Workbench& w) {
+  const std::string scene = std::filesystem::path(w.editor.document().scene_name).stem().string();
+  w.files.ask("Export the chart (.svg, .png) or its points (.csv)", w.settings.folder, {".svg", ".png", ".csv"}, true, scene + "-convergence.svg",
+              [&w](const std::string& file) { w.contest.write(file); });
+}
+
+void contest_actions(Actions& a, Workbench* w) {
+  const auto loaded = [w] { return !w->editor.empty(); };
+  a.add({"compare.start", "Compare", "Compare", "Methods take turns on this scene from this camera; their errors grow as curves", "", [w] {
+           w->view.sheet = "sheet.convergence";
+           w->contest.propose();
+           if (const auto started = w->contest.start(); !started) w->notices.complain(started.error().message);
+         }, loaded, {}});
+  a.add({"compare.stop", "Compare", "Stop", "Ends the turns; the curves stay", "", [w] { w->contest.stop(); }, [w] { return w->contest.running(); }, {}});
+  a.add({"compare.go-on", "Compare", "Go on", "After a stop from there; after the end to twice the budget", "", [w] { w->contest.go_on(); }, [w] { return w->contest.can_go_on(); }, {}});
+  a.add({"compare.add-current", "Compare", "Add current", "Puts the method of the Render panel on the list", "", [w] { w->contest.add(name_of(w->editor.document().method)); }, loaded, {}});
+  a.add({"compare.export", "Compare", "Export the chart...", ".svg or .png as a figure, .csv as numbers", "", [w] { ask_for_chart(*w); }, [w] { return w->contest.shown() != nullptr; }, {}});
 }
 
 void compare_actions(Actions& a, Workbench* w) {
@@ -183,6 +202,7 @@ void add_actions(Actions& actions, Workbench* workbench) {
   edit_actions(actions, workbench);
   render_actions(actions, workbench);
   view_actions(actions, workbench);
+  contest_actions(actions, workbench);
   compare_actions(actions, workbench);
 }
 

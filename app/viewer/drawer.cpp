@@ -64,6 +64,7 @@ void draw_strip(Workbench& w, float top, float right, float bottom, bool open) {
 
 const std::vector<SheetInfo>& sheets() {
   static const std::vector<SheetInfo> list{
+      {"sheet.convergence", "Convergence", "Methods take turns on this scene; their errors grow as curves", draw_convergence_sheet},
       {"sheet.health", "Health", "How far the picture can be trusted: its error, its rarest samples, what was rejected", draw_health_sheet},
       {"sheet.sampling", "Sampling", "The samples of one pixel: their running mean, their histogram, the points they are made of", draw_sampling_sheet},
   };

@@ -14,6 +14,7 @@ struct SheetInfo {
 // Every sheet, from left to right; one line each.
 const std::vector<SheetInfo>& sheets();
 
+void draw_convergence_sheet(Workbench& w);
 void draw_health_sheet(Workbench& w);
 void draw_sampling_sheet(Workbench& w);
 // The settings of the sampling sheet, as scripts see them.

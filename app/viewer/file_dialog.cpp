@@ -83,6 +83,7 @@ void FileDialog::draw(Workbench& w) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::InputTextWithHint("##name", "name or path", &name_, ImGuiInputTextFlags_EnterReturnsTrue)) accepted = true;
   w.items.place("files.name");
+  if (const auto name = w.items.take("files.name")) name_ = *name, w.items.answer("");
   if (ImGui::Button(saves_ ? "Save" : "Open") && !name_.empty()) accepted = true;
   w.items.place("files.accept");
   ImGui::SameLine();

@@ -81,14 +81,21 @@ struct PixelProbe::Work {
   void take(size_t i) {
     const Rgb& sample = drawings[0][i];
     const double y = std::max(0.0f, luminance(sample));
+    watch(y);
     for (int c = 0; c < 3; ++c) colors[static_cast<size_t>(c)] += double{sample[c]};
     halves[drawn % 2] += y, squares += y * y;
     for (size_t r = 0; r < kReplicates; ++r) others[r] += double{luminance(drawings[r + 1][i])};
     luminances.push_back(static_cast<float>(y));
-    tail.add(y);
     study.largest = std::max(study.largest, y);
     ++drawn;
     if (drawn == next || drawn == study.wanted) study.course.push_back(moment()), next = next_noted(drawn);
+  }
+
+  // As in a rendering: what a sample has above the mean before it; the first two have nothing to be compared with.
+  void watch(double y) {
+    if (drawn < 2) return;
+    const auto deviation = static_cast<float>(y - (halves[0] + halves[1]) / drawn);
+    tail.add(std::span(&deviation, 1), y);
   }
 
   PixelStudy::Moment moment() const {

@@ -1,5 +1,6 @@
 // The state as scripts see it, and the list of everything they can name.
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "integrator/integrator.h"
@@ -86,6 +87,11 @@ constexpr PlainItem kItems[] = {
     {"camera.choose", "Camera", "Opens the list of the file's cameras"},
     {"camera.choose.N", "Camera N", "Takes camera N in the open list"},
     {"camera.focus-by-click", "Focus by click", "The next click in the picture sets the focus distance"},
+    {"compare.add", "Add", "Puts the integrator and the sampler beside it on the list of methods"},
+    {"compare.a.N", "A", "Shows method N left of the divider"},
+    {"compare.b.N", "B", "Shows method N right of the divider"},
+    {"compare.remove.N", "Remove", "Takes method N off the list"},
+    {"compare.chart", "Chart", "Rest the pointer on it to read the curves"},
     {"files.name", "Name", "The name field of the file dialog"},
     {"files.accept", "Open or Save", "Accepts the file dialog"},
     {"files.cancel", "Cancel", "Closes the file dialog"},
@@ -102,6 +108,23 @@ json comparison_json(const Comparison& c) {
     j["fresh"] = map->key.left == c.left().frame->pixels && map->key.right == c.right().frame->pixels;
     j[c.mode == CompareMode::flip ? "flip" : "mean_difference"] = map->mean;
     if (c.mode == CompareMode::difference) j["scale"] = map->scale;
+  }
+  return j;
+}
+
+json contest_json(const ContestHand& hand) {
+  json j{{"running", hand.running()}, {"up_to_date", hand.up_to_date()}, {"methods", json::array()}};
+  const auto* contest = hand.shown();
+  if (!contest) return j;
+  constexpr const char* kPhases[] = {"preparing", "comparing", "stopped", "done"};
+  j["phase"] = kPhases[static_cast<size_t>(contest->phase)];
+  j["progress"] = contest->progress, j["repeat"] = contest->repeat;
+  j["reference"] = {{"samples", contest->reference_samples}, {"seconds", contest->reference_seconds}, {"too_noisy", contest->too_noisy}};
+  if (std::isfinite(contest->reference_error)) j["reference"]["error"] = contest->reference_error;
+  for (const auto& m : contest->methods) {
+    json method{{"name", m.name}, {"samples", m.samples}, {"seconds", m.seconds}, {"rmse", m.rmse}, {"slope", nullptr}};
+    if (m.slope.known) method["slope"] = m.slope.value;
+    j["methods"].push_back(std::move(method));
   }
   return j;
 }
@@ -141,6 +164,7 @@ std::string state_report(Workbench& w) {
       {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
       {"sheet", w.view.sheet},
       {"comparison", comparison_json(w.comparison)},
+      {"contest", contest_json(w.contest)},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
@@ -165,6 +189,7 @@ std::string widgets_json() {
   for (const SheetInfo& sheet : sheets()) list.push_back(item(sheet.name, sheet.label, sheet.doc));
   for (const PlainItem& plain : kItems) list.push_back(item(plain.name, plain.label, plain.doc));
   for (const auto& info : loose_parameters()) list.push_back(parameter(info));
+  for (const auto& info : contest_parameters()) list.push_back(parameter(info));
   for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {

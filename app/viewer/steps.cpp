@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -53,6 +54,26 @@ class Wait final : public Step {
   uint32_t samples_;
   double seconds_;
   Clock::time_point started_ = Clock::now();
+};
+
+// Until every method of the contest has so many samples; if no number is given, until the contest has come to rest and what
+// was exported of it is written.
+class WaitForContest final : public Step {
+ public:
+  explicit WaitForContest(std::optional<uint32_t> samples = {}) : samples_(samples) {}
+  Progress advance(Workbench& w, Picture&) override {
+    const auto* contest = w.contest.shown();
+    if (!contest) return impossible("no methods are compared; click compare.start first");
+    using Phase = bench::ContestSnapshot::Phase;
+    if (!samples_) return {!w.contest.running() && (contest->phase == Phase::stopped || contest->phase == Phase::done) && !w.contest.writing(), {}};
+    if (std::ranges::all_of(contest->methods, [&](const auto& m) { return m.samples >= *samples_; })) return kDone;
+    return w.contest.running() ? kGoingOn : impossible("the comparison has ended with fewer samples; raise its budget");
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  std::optional<uint32_t> samples_;
 };
 
 // Until what is made beside the rendering belongs to the present picture.
@@ -343,9 +364,11 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
   try {
     const std::string action = j.at("do").get<std::string>();
     if (action == "wait" && j.contains("spp")) return made(std::make_unique<Wait>(j["spp"].get<uint32_t>(), 0));
+    if (action == "wait" && j.contains("compared")) return made(std::make_unique<WaitForContest>(j["compared"].get<uint32_t>()));
     if (action == "wait" && j.contains("for")) {
       const std::string what = j["for"].get<std::string>();
-      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel or comparison");
+      if (what == "contest") return made(std::make_unique<WaitForContest>());
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison or contest");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));

@@ -96,9 +96,10 @@ Faces load_faces(float scale) {
       first_of({"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
                 "/usr/share/fonts/truetype/inter/Inter-Regular.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
                16 * scale);
-  faces.figures = first_of({"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
-                            "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"},
-                           16 * scale);
+  const auto tabular = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
+                        "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
+  faces.figures = first_of(tabular, 16 * scale);
+  faces.small = first_of(tabular, 13 * scale);
   return faces;
 }
 

@@ -13,6 +13,7 @@ struct Theme {
 struct Faces {
   ImFont* text = nullptr;     // proportional, for words
   ImFont* figures = nullptr;  // tabular, for numbers
+  ImFont* small = nullptr;    // tabular, for charts and tables
 };
 
 Theme apply_theme(bool dark, float scale);

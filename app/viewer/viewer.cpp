@@ -68,7 +68,7 @@ class Application {
     if (frames_wanted_ > 0 || !platform_.events().empty() || (script && script->in_a_hurry())) return 0;
     if (w_.input.buttons[1]) return 0.01;  // flying
     if (w_.pointer_rest < kTooltipDelay || w_.comparison.waits_for_shift()) return 0.05;
-    if (w_.loader.busy() || w_.capture.busy()) return 0.05;
+    if (w_.loader.busy() || w_.capture.busy() || w_.contest.writing()) return 0.05;
     if (script || fading_ || wait_for_frame_) return 0.02;
     if (w_.editor.empty()) return 0.5;
     const auto phase = w_.session.status().phase;
@@ -92,10 +92,11 @@ class Application {
     const bool hurry =
         new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
     const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
-    wait_for_frame_ = new_frame && !hurry && !time_for_it;
+    const bool news = w_.contest.has_news() && since_last >= pacing_.interval(0);
+    wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (w_.contest.has_news() && !news);
     // Status figures move on even when no frame comes.
-    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || since_last >= 1 || w_.loader.busy() ||
-                     w_.capture.busy() || w_.input.buttons[1] || (script && script->wants_frame());
+    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= 1 || w_.loader.busy() ||
+                     w_.capture.busy() || w_.contest.writing() || w_.input.buttons[1] || (script && script->wants_frame());
     if (due) draw();
     measure(now);
   }

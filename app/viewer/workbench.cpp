@@ -33,6 +33,7 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       capture(session, editor, [&p] { p.wake(); }),
       aov(session, editor, [&p] { p.wake(); }),
       comparison([&p] { p.wake(); }),
+      contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
       probe(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
@@ -131,6 +132,7 @@ void Workbench::take_opened(Result<Opened> opened) {
   selection = {};
   previous_integrator.clear();
   needs_pivot_ = true;
+  contest.stop();
   session.pause(false);
   editor.open(std::move(opened->document));
   platform.set_title(std::filesystem::path(editor.document().scene_name).filename().string() + " - Étendue");
@@ -171,6 +173,7 @@ bool Workbench::advance(Picture& on_screen) {
   }
   shows_aov_ = shows_aov;
   if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
+  contest.advance(comparison, notices);
   if (view.sheet != "sheet.sampling")
     probe.rest();
   else if (probe.advance(view.sampling.samples))

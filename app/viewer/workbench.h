@@ -9,6 +9,7 @@
 #include "viewer/camera_hand.h"
 #include "viewer/capture.h"
 #include "viewer/comparison.h"
+#include "viewer/contest_hand.h"
 #include "viewer/editor.h"
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
@@ -109,6 +110,7 @@ struct Workbench {
   Capture capture;
   AovView aov;
   Comparison comparison;
+  ContestHand contest;
   PixelProbe probe;
   CameraHand hand;
   FileDialog files;

@@ -7,7 +7,6 @@
 
 #include "bench/key.h"
 #include "film/picture.h"
-#include "render/checkpoint.h"
 
 namespace etendue::bench {
 namespace {
@@ -67,13 +66,6 @@ render::Document reference_document(const render::Document& base) {
   return d;
 }
 
-std::optional<render::Checkpoint> cached(const fs::path& file, const render::Document& d) {
-  if (file.empty()) return {};
-  auto checkpoint = render::read_checkpoint(file);
-  if (!checkpoint || checkpoint->film.width() != d.width || checkpoint->film.height() != d.height) return {};
-  return std::move(*checkpoint);
-}
-
 uint32_t samples_of(const film::Film& film) {
   if (film.pixels().empty()) return 0;
   uint32_t least = UINT32_MAX;
@@ -100,15 +92,6 @@ bool extend(render::Session& session, render::Document d, const Effort& effort, 
   have.film = session.film_copy();
   have.seconds = before + session.status().seconds;
   return whole;
-}
-
-void keep(const fs::path& file, const render::Document& d, render::Checkpoint& have) {
-  if (file.empty()) return;
-  std::error_code code;
-  fs::create_directories(file.parent_path(), code);
-  have.state = render::state_json(d, samples_of(have.film));
-  if (const auto kept = render::write_checkpoint(file, have); !kept)
-    std::fprintf(stderr, "etendue: %s; the reference is not kept\n", kept.error().message.c_str());
 }
 
 }  // namespace
@@ -151,26 +134,50 @@ Result<Reference> fitted(Reference reference, int width, int height) {
   return reference;
 }
 
-Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
-                         const fs::path& cache, const Watch& watch) {
-  render::Document d = reference_document(base);
-  const uint64_t key = picture_key(d);
-  d.seed = reference_seed(key);
-  const fs::path file = cache.empty() ? fs::path() : cache_file(cache, key);
-  render::Checkpoint have;
-  if (auto found = cached(file, d)) have = std::move(*found);
-  if (!enough(have, effort)) {
-    extend(session, d, effort, watch, have);
-    keep(file, d, have);
-  }
+ReferenceStore::ReferenceStore(const render::Document& base, const fs::path& cache)
+    : document_(reference_document(base)) {
+  const uint64_t key = picture_key(document_);
+  document_.seed = reference_seed(key);
+  if (!cache.empty()) file_ = cache_file(cache, key);
+}
+
+render::Checkpoint ReferenceStore::take_up() const {
+  if (file_.empty()) return {};
+  auto found = render::read_checkpoint(file_);
+  const auto& d = document_;
+  if (!found || found->film.width() != d.width || found->film.height() != d.height) return {};
+  return std::move(*found);
+}
+
+void ReferenceStore::keep(film::Film film, double seconds) const {
+  if (file_.empty()) return;
+  std::error_code code;
+  fs::create_directories(file_.parent_path(), code);
+  const std::string state = render::state_json(document_, samples_of(film));
+  if (const auto kept = render::write_checkpoint(file_, {state, std::move(film), seconds}); !kept)
+    std::fprintf(stderr, "etendue: %s; the reference is not kept\n", kept.error().message.c_str());
+}
+
+Reference ReferenceStore::reference_of(const film::Film& film, double seconds) const {
   Reference reference;
-  reference.file = file.string();
-  reference.picture = film::picture_of(have.film);
-  reference.samples = samples_of(have.film), reference.seconds = have.seconds;
+  reference.file = file_.string();
+  reference.picture = film::picture_of(film);
+  reference.samples = samples_of(film), reference.seconds = seconds;
   // One half alone says nothing of the error.
   if (reference.samples < film::kReplicates) reference.picture.layers.resize(1);
   know_error(reference);
   return reference;
+}
+
+Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
+                         const fs::path& cache, const Watch& watch) {
+  const ReferenceStore store(base, cache);
+  render::Checkpoint have = store.take_up();
+  if (!enough(have, effort)) {
+    extend(session, store.document(), effort, watch, have);
+    store.keep(have.film, have.seconds);
+  }
+  return store.reference_of(have.film, have.seconds);
 }
 
 fs::path cache_folder() {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "bench/watch.h"
+#include "film/film.h"
 #include "image/image.h"
 #include "measure/convergence.h"
+#include "render/checkpoint.h"
 #include "render/document.h"
 
 namespace etendue::bench {
@@ -32,15 +34,31 @@ Result<Reference> read_reference(const std::string& file);
 // pixels. Anything else is an input error.
 Result<Reference> fitted(Reference reference, int width, int height);
 
+// How the reference of a document's picture is made, by path tracing with Sobol points and a seed of its own, and where
+// it is kept. A cache that cannot be read or written costs time only; an empty path is no cache.
+class ReferenceStore {
+ public:
+  ReferenceStore(const render::Document& base, const std::filesystem::path& cache);
+
+  const render::Document& document() const { return document_; }  // without limits
+  // What an earlier run left there, to go on from; an empty film if there is nothing.
+  render::Checkpoint take_up() const;
+  void keep(film::Film film, double seconds) const;
+  Reference reference_of(const film::Film& film, double seconds) const;
+
+ private:
+  render::Document document_;
+  std::filesystem::path file_;
+};
+
 // How much of a reference is wanted: whichever comes first; zero is no limit.
 struct Effort {
   double seconds = 0;
   uint32_t samples = 0;
 };
 
-// Renders the document's picture by path tracing with Sobol points and a seed of its own. What an earlier run left in
-// the cache is taken up and extended, if it is not enough; the result is kept there. A cache that cannot be read or
-// written costs time only. `watch` may cut it short: what there is then is the reference.
+// Takes up what an earlier run left in the cache and extends it, if it is not enough; the result is kept there. `watch`
+// may cut it short: what there is then is the reference.
 Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
                          const std::filesystem::path& cache, const Watch& watch);
 

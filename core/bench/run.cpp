@@ -1,25 +1,10 @@
 #include "bench/run.h"
 
-#include <cmath>
-
-#include "base/hash.h"
+#include "bench/point.h"
 #include "film/picture.h"
-#include "measure/metrics.h"
 
 namespace etendue::bench {
 namespace {
-
-uint64_t seed_of(const Plan& plan, size_t method, int repeat) {
-  const uint64_t name = mix_bits(plan.seed) ^ (static_cast<uint64_t>(method) << 32 | static_cast<uint64_t>(repeat));
-  return mix_bits(name) & 0x3fffffff;
-}
-
-// Powers of two, at which nets are whole, and what is half way between.
-uint32_t next_count(uint32_t count) {
-  if (count < 2) return count + 1;
-  const bool power = (count & (count - 1)) == 0;
-  return power ? count + count / 2 : count / 3 * 4;
-}
 
 class Runner {
  public:
@@ -39,7 +24,7 @@ class Runner {
   // One repeat of one method; false if it was cut short, and then nothing of it stays.
   bool run_one(size_t method, int repeat) {
     render::Document d = plan_.methods[method].document;
-    d.seed = seed_of(plan_, method, repeat);
+    d.seed = seed_of(plan_.seed, method, repeat);
     measure::ErrorCurve curve{repeat, {}};
     std::vector<float> picture;
     render::Status status;
@@ -53,17 +38,12 @@ class Runner {
       status = session_.status();
       if (status.samples > before || curve.points.empty()) {
         picture = film::radiance_of(session_.film_copy());
-        curve.points.push_back(point(picture, status));
+        curve.points.push_back(point_of(picture, reference_, status.seconds, status.samples));
       }
       if (last || status.samples < count) break;
     }
     finish(outcome_.methods[method], std::move(curve), std::move(picture), status);
     return true;
-  }
-
-  measure::ErrorPoint point(const std::vector<float>& picture, const render::Status& status) const {
-    const auto m = measure::metrics_of(picture, reference_.rgb());
-    return {status.seconds, static_cast<double>(status.samples), m.mse, m.relmse, m.bias};
   }
 
   void finish(MethodResult& result, measure::ErrorCurve curve, std::vector<float> picture,

@@ -50,13 +50,16 @@ Figure figure_of_ends(const MethodCurves& method, F&& value) {
 
 }  // namespace
 
+ErrorPoint without_noise(ErrorPoint measured, const ReferenceNoise& noise) {
+  measured.mse = std::max(measured.mse - noise.mse, 0.0);
+  measured.relmse = std::max(measured.relmse - noise.relmse, 0.0);
+  return measured;
+}
+
 MethodCurves without_noise(const MethodCurves& method, const ReferenceNoise& noise) {
   MethodCurves corrected = method;
   for (auto& curve : corrected.repeats)
-    for (auto& p : curve.points) {
-      p.mse = std::max(p.mse - noise.mse, 0.0);
-      p.relmse = std::max(p.relmse - noise.relmse, 0.0);
-    }
+    for (auto& p : curve.points) p = without_noise(p, noise);
   return corrected;
 }
 

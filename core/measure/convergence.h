@@ -45,6 +45,7 @@ struct ReferenceNoise {
 
 // A measured MSE is the image's plus the reference's, if they are independent: the latter is taken off. What is left of
 // a point whose error is not above the reference's is zero, and the fits leave it out.
+ErrorPoint without_noise(ErrorPoint measured, const ReferenceNoise& noise);
 MethodCurves without_noise(const MethodCurves& method, const ReferenceNoise& noise);
 
 // Whether the smallest RMSE on the corrected curves is not at least ten times the reference's standard error: too noisy

@@ -2,6 +2,7 @@
 //
 // Coordinates are in pixels from the upper left corner. Shapes with a hint show it when the pointer rests on them.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <variant>
@@ -52,6 +53,9 @@ struct Drawing {
   std::string title;  // for readers that cannot see it
   std::vector<std::variant<Area, Stroke, Dot, Words>> shapes;
 };
+
+// The pieces of a dashed line, from end to end: for those who have no dashes of their own.
+std::vector<std::array<Spot, 2>> dashes_of(const Stroke& stroke);
 
 // A standing <svg> element, without a declaration: for a file of its own and inside HTML alike. Names are escaped, and
 // what is no number never gets in: such shapes are left out.

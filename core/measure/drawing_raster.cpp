@@ -9,8 +9,6 @@
 namespace etendue::measure {
 namespace {
 
-constexpr double kDash = 6, kGap = 4;  // as in the SVG
-
 class Canvas {
  public:
   Canvas(int width, int height)
@@ -67,26 +65,13 @@ void paint_segment(Canvas& canvas, const Spot& a, const Spot& b, double width, c
                [&](const Spot& p) { return width / 2 + 0.5 - distance_to_segment(p, a, b); });
 }
 
-// `along` is how far into the pattern of dashes the segment begins.
-void paint_dashes(Canvas& canvas, const Spot& a, const Spot& b, double along, const Stroke& s) {
-  const double length = distance(a, b), period = kDash + kGap;
-  for (double start = -std::fmod(along, period); start < length; start += period) {
-    const double from = std::max(start, 0.0), to = std::min(start + kDash, length);
-    if (from < to) paint_segment(canvas, between(a, b, from / length), between(a, b, to / length), s.width, s.ink);
-  }
-}
-
 void paint(Canvas& canvas, const Stroke& s) {
   if (!finite(s.points)) return;
-  double along = 0;
-  for (size_t i = 1; i < s.points.size(); ++i) {
-    const Spot &a = s.points[i - 1], &b = s.points[i];
-    if (s.dashed)
-      paint_dashes(canvas, a, b, along, s);
-    else
-      paint_segment(canvas, a, b, s.width, s.ink);
-    along += distance(a, b);
+  if (s.dashed) {
+    for (const auto& [a, b] : dashes_of(s)) paint_segment(canvas, a, b, s.width, s.ink);
+    return;
   }
+  for (size_t i = 1; i < s.points.size(); ++i) paint_segment(canvas, s.points[i - 1], s.points[i], s.width, s.ink);
 }
 
 // Where the edge of the area crosses a horizontal line, from left to right.

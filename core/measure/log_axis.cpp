@@ -12,6 +12,10 @@ double LogAxis::place(double value) const {
   return at_low_ + std::log(value / low_) / std::log(high_ / low_) * (at_high_ - at_low_);
 }
 
+double LogAxis::value(double place) const {
+  return low_ * std::pow(high_ / low_, (place - at_low_) / (at_high_ - at_low_));
+}
+
 std::vector<LogAxis::Tick> LogAxis::ticks() const {
   const int first = static_cast<int>(std::floor(std::log10(low_))), last = static_cast<int>(std::log10(high_)) + 1;
   const double decades = std::log10(high_ / low_);

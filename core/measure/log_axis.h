@@ -11,6 +11,7 @@ class LogAxis {
   LogAxis(double low, double high, double at_low, double at_high);
 
   double place(double value) const;
+  double value(double place) const;
   double low() const { return low_; }
   double high() const { return high_; }
 
