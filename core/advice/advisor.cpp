@@ -109,13 +109,17 @@ Ranking advise(render::Session& session, const render::Document& document, const
   const bench::Watch second = [&](double done, const std::string& what) {
     return watch(kTablePart + (1 - kTablePart) * done, what);
   };
-  const auto pilots = run_pilots(session, fit, {question.pilot_seconds, question.target, question.seed}, second);
-  for (const Pilot& pilot : pilots.pilots)
-    for (Advice& advice : ranking.methods)
-      if (advice.method.name == pilot.method.name) take_pilot(advice, pilot, pilots.enlargement, question.target);
+  const auto take = [&](const Pilots& pilots) {
+    for (const Pilot& pilot : pilots.pilots)
+      for (Advice& advice : ranking.methods)
+        if (advice.method.name == pilot.method.name) take_pilot(advice, pilot, pilots.enlargement, question.target);
+    rank(ranking);
+    show();
+  };
+  const PilotPlan plan{question.pilot_seconds, question.target, question.seed};
+  const auto pilots = run_pilots(session, fit, plan, second, take);
+  take(pilots);
   ranking.interrupted = pilots.interrupted;
-  rank(ranking);
-  show();
   return ranking;
 }
 

@@ -26,8 +26,8 @@ render::Document reduced(const render::Document& document, int most_pixels) {
 
 class Runner {
  public:
-  Runner(render::Session& session, const PilotPlan& plan, const bench::Watch& watch)
-      : session_(session), plan_(plan), watch_(watch) {}
+  Runner(render::Session& session, const PilotPlan& plan, const bench::Watch& watch, const PilotPublisher& publish)
+      : session_(session), plan_(plan), watch_(watch), publish_(publish) {}
 
   Pilots go(const std::vector<bench::Method>& methods) {
     for (const auto& method : methods) {
@@ -63,6 +63,7 @@ class Runner {
       }
       if (!any) return true;
       give_up_the_hopeless();
+      if (publish_) publish_(all_);
     }
   }
 
@@ -105,6 +106,7 @@ class Runner {
   render::Session& session_;
   const PilotPlan& plan_;
   const bench::Watch& watch_;
+  const PilotPublisher& publish_;
   double spent_ = 0;
   Pilots all_;
 };
@@ -118,8 +120,8 @@ std::optional<render::Prediction> Pilot::time_to(double rmse) const {
 }
 
 Pilots run_pilots(render::Session& session, const std::vector<bench::Method>& methods, const PilotPlan& plan,
-                  const bench::Watch& watch) {
-  return Runner(session, plan, watch).go(methods);
+                  const bench::Watch& watch, const PilotPublisher& publish) {
+  return Runner(session, plan, watch, publish).go(methods);
 }
 
 }  // namespace etendue::advice
