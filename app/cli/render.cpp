@@ -126,13 +126,36 @@ std::string progress_text(const render::Status& s) {
   return line;
 }
 
+nlohmann::json number(std::optional<double> v) {
+  return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json();
+}
+
+nlohmann::json rejected_json(const film::Rejected& rejected) {
+  auto first = nlohmann::json::array();
+  for (const auto& r : rejected.first)
+    first.push_back({{"x", r.x}, {"y", r.y}, {"sample", r.sample}, {"kind", film::flaw_name(r.flaw)}});
+  return {{"nan", rejected.nan}, {"infinite", rejected.infinite}, {"negative", rejected.negative}, {"first", first}};
+}
+
+nlohmann::json health_json(const render::Health& h) {
+  return {{"verdict", render::verdict_name(h.verdict)},
+          {"reason", h.reason},
+          {"khat_heavy_share", h.heavy_share},
+          {"khat_limit", measure::khat_limit(h.watched)},
+          {"khat_error", h.tail.khat ? number(h.tail.khat_error) : nlohmann::json()},
+          {"vov", number(h.tail.vov)},
+          {"brightest_share", number(h.tail.brightest)},
+          {"samples", h.watched}};
+}
+
 // Little time goes into what the method may miss; nothing, if it declares to miss nothing.
 constexpr double kCertificatePart = 0.1, kCertificateSeconds = 0.5;
 
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
                            const film::Film& film) {
   const double seconds = std::min(kCertificateSeconds, kCertificatePart * s.seconds);
-  const advice::Evidence evidence{film.error(), s.rejected, session.model(), {}};
+  const advice::Evidence evidence{film.error(), s.rejected, session.model(),
+                                  s.health ? s.health->tail.khat : std::nullopt};
   return advice::certificate_json(
       advice::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
@@ -152,8 +175,9 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
           {"threads", threads},
           {"seed", d.seed},
           {"rmse_estimate", s.error.known ? nlohmann::json(s.error.rmse) : nlohmann::json()},
-          {"rejected", {{"nan", s.rejected.nan}, {"infinite", s.rejected.infinite}, {"negative", s.rejected.negative}}},
-          {"khat", nullptr},
+          {"rejected", rejected_json(s.rejected)},
+          {"khat", s.health ? number(s.health->tail.khat) : nlohmann::json()},
+          {"health", s.health ? health_json(*s.health) : nlohmann::json()},
           {"peak_rss_bytes", peak_memory()},
           {"model", flags},
           {"certificate", nlohmann::json::parse(certificate)}};
@@ -238,6 +262,8 @@ int run(const Options& o) {
     else if (auto ok = write_file(o.json, text.data(), text.size()); !ok)
       return fail(ok.error());
   }
+  if (status.health && status.health->verdict == render::Verdict::unreliable)
+    std::fprintf(stderr, "etendue: %s: unreliable: %s\n", o.out.c_str(), status.health->reason.c_str());
   if (interrupted) {
     std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds what there is\n", status.samples, o.out.c_str());
     return static_cast<int>(Fault::interrupted);

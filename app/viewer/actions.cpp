@@ -97,6 +97,8 @@ void view_actions(Actions& a, Workbench* w) {
   a.add({"display.next-aov", "View", "Next layer", "Albedo, normals, depth, ids, and the picture again", "v", [w] { next_aov(*w); }, loaded, {}});
   a.add({"display.toggle-false-color", "View", "False colour", "Luminance on a logarithmic scale", "l", [w] { w->view.false_color = !w->view.false_color; }, {},
          [w] { return w->view.false_color; }});
+  a.add({"view.health-map", "View", "Map of tails", "Marks the parts of the picture whose rarest samples are too bright for its error to be trusted", "", [w] { w->view.health_map = !w->view.health_map; }, loaded,
+         [w] { return w->view.health_map; }});
   a.add({"view.interface", "View", "Interface", "Hides everything but the picture", "h", [w] { w->view.interface = !w->view.interface; }, {},
          [w] { return w->view.interface; }});
   for (const SheetInfo& sheet : sheets())

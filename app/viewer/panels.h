@@ -22,6 +22,9 @@ void draw_loading(Workbench& w);
 void handle_viewport(Workbench& w, float seconds);
 void draw_viewport_overlay(Workbench& w);
 
+// A veil over the tiles of the picture whose samples have heavy tails.
+void draw_health_map(const Workbench& w, const render::Health& health, ImDrawList* draw);
+
 // All of it for one frame: where everything lies and what is in it.
 void draw_interface(Workbench& w, float seconds);
 

@@ -73,6 +73,7 @@ constexpr PlainItem kItems[] = {
     {"menu.help", "Help", "Opens the menu"},
     {"menu.palette", "Find an action", "Opens the palette"},
     {"layout.column", "Splitter", "Drag it to change the width of the right column; double click resets it"},
+    {"status.health", "Health", "Opens the sheet that says why"},
     {"layout.drawer", "Edge of the drawer", "Drag it to change the height of the drawer; double click resets it"},
     {"scene.node.N", "Object", "Selects node N"},
     {"scene.node.N.visible", "Visible", "Shows or hides node N"},
@@ -121,6 +122,7 @@ std::string state_report(Workbench& w) {
       {"latency_ms", percentiles(w.session.take_latencies())},
       {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
   if (status.error.known) state["rmse"] = status.error.rmse;
+  if (status.health) state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};
   return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "viewer/panels.h"
+#include "viewer/traffic_light.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"
 
@@ -20,14 +21,19 @@ class Line {
  public:
   explicit Line(float end) : end_(end) {}
 
-  void part(Workbench& w, const std::string& text, const char* doc, bool warns = false) {
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
+  // Whether there is room for a part of this width; the next item is it.
+  bool next(float width) {
     if (!first_) {
       const float gap = ImGui::GetFontSize() * 1.3f;
-      if (ImGui::GetItemRectMax().x + gap + width > end_) return;
+      if (ImGui::GetItemRectMax().x + gap + width > end_) return false;
       ImGui::SameLine(0, gap);
     }
     first_ = false;
+    return true;
+  }
+
+  void part(Workbench& w, const std::string& text, const char* doc, bool warns = false) {
+    if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
     if (warns)
       ImGui::TextColored(w.theme.warning, "%s", text.c_str());
     else
@@ -39,6 +45,20 @@ class Line {
   float end_;
   bool first_ = true;
 };
+
+// A click opens the sheet with the reasons.
+void health_part(Workbench& w, Line& line, const render::Health& health) {
+  const std::string verdict(render::verdict_name(health.verdict));
+  if (!line.next(ImGui::GetTextLineHeight() + 4 + ImGui::CalcTextSize(verdict.c_str()).x)) return;
+  ImGui::BeginGroup();
+  traffic_light(w, health.verdict);
+  ImGui::SameLine(0, 4);
+  ImGui::TextUnformatted(verdict.c_str());
+  ImGui::EndGroup();
+  w.items.place("status.health");
+  if (ImGui::IsItemHovered()) tooltip(w, health.reason);
+  if (ImGui::IsItemClicked()) w.view.sheet = w.view.sheet == "sheet.health" ? "" : "sheet.health";
+}
 
 void status_parts(Workbench& w, Line& line) {
   const render::Status status = w.session.status();
@@ -55,6 +75,7 @@ void status_parts(Workbench& w, Line& line) {
   line.part(w, memory_text(status.memory), "Memory of the scene and its acceleration structures");
   const std::string error = status.error.known ? text_of("rmse %.2g", status.error.rmse) : "rmse ?";
   line.part(w, error, "Estimated root mean square error of the picture, from its two independent halves; not known before every pixel has samples in both");
+  if (status.health) health_part(w, line, *status.health);
   if (status.rejected.total() > 0)
     line.part(w, text_of("%llu rejected", static_cast<unsigned long long>(status.rejected.total())), "Samples that were no radiance (not finite, or negative) and were left out", true);
   line.part(w, text_of("ui %.0f %%", 100 * w.pace.share), "Share of the time that the interface takes");

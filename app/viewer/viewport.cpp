@@ -188,6 +188,8 @@ void draw_viewport_overlay(Workbench& w) {
   const Placement& r = w.view.region;
   draw->PushClipRect({r.corner.x, r.corner.y}, {r.corner.x + r.size.x, r.corner.y + r.size.y});
   if (w.view.interface) outline(w, draw);
+  if (w.view.health_map)
+    if (const auto health = w.session.status().health) draw_health_map(w, *health, draw);
   if (w.view.false_color && w.view.aov.empty()) legend(w, draw);
   if (!w.view.aov.empty()) {
     const float em = ImGui::GetFontSize();

@@ -32,6 +32,7 @@ struct View {
   bool interface = true, help = false, palette = false;
   bool covered = false;  // something lies over the interface that Escape closes
   bool false_color = false;
+  bool health_map = false;
   std::string aov;  // the layer shown instead of the picture
   Tab tab = Tab::render;
   std::optional<Tab> reveal;    // the tab to bring to the front in the next frame

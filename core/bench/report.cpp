@@ -46,7 +46,7 @@ json method_json(const MethodSummary& s) {
           {"flip", number(s.flip)},
           {"spp", number(s.spp)},
           {"seconds", number(s.seconds)},
-          {"khat", nullptr},
+          {"khat", s.khat ? number(*s.khat) : json()},
           {"rays_per_second", number(s.rays_per_second)},
           {"reference_too_noisy", s.too_noisy}};
 }

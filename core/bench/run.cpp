@@ -67,6 +67,7 @@ class Runner {
   void finish(MethodResult& result, measure::ErrorCurve curve, std::vector<float> picture,
               const render::Status& status) {
     result.rays_per_second.push_back(status.rays_per_second);
+    result.khat = status.health ? status.health->tail.khat : std::nullopt;
     const auto n = static_cast<double>(result.rays_per_second.size());
     result.mean_mse += (curve.points.back().mse - result.mean_mse) / n;
     result.mean_picture.resize(picture.size());

@@ -1,5 +1,6 @@
 // Methods against each other: their errors over time, interleaved so that what the machine does meets all alike.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "bench/method.h"
@@ -20,6 +21,7 @@ struct Plan {
 struct MethodResult {
   measure::MethodCurves curves;  // as measured: with the reference's noise in them
   std::vector<double> rays_per_second;
+  std::optional<double> khat;  // of the last repeat
   std::vector<float> picture;  // of the last repeat, linear
   // For telling bias from variance: the mean picture of the repeats, and the mean of their errors.
   std::vector<double> mean_picture;

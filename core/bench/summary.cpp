@@ -56,6 +56,7 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.spp = median_at_end(corrected, [](const ErrorPoint& p) { return p.spp; });
   s.seconds = median_at_end(corrected, [](const ErrorPoint& p) { return p.seconds; });
   s.rays_per_second = measure::quantile(result.rays_per_second, 0.5);
+  s.khat = result.khat;
   s.flip = flip_of(result, reference, display);
   s.too_noisy = measure::too_noisy(corrected, noise);
   return s;

@@ -17,6 +17,7 @@ struct MethodSummary {
   std::optional<measure::Split> split;        // with two repeats or more
   double rmse = 0, relmse = 0;                // medians
   double spp = 0, seconds = 0, rays_per_second = 0;
+  std::optional<double> khat;  // of the last repeat (measure/tail.h); nothing where there is no tail to fit
   double flip = 0;  // of the last repeat, as the document is shown
   // The reference is not ten times better than the best picture: too noisy to tell small errors.
   bool too_noisy = false;

@@ -5,23 +5,6 @@ namespace etendue::film {
 Film::Film(int width, int height)
     : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
-void Film::add(int x, int y, uint32_t replicate, const Rgb& radiance) {
-  Pixel& pixel = at(x, y);
-  // A rejected sample counts as one of value zero: leaving it out of the count would favour what cannot be computed.
-  ++pixel.count[replicate];
-  if (!is_finite(radiance)) [[unlikely]] {
-    const bool nan = std::isnan(radiance.r) || std::isnan(radiance.g) || std::isnan(radiance.b);
-    (nan ? rejected_.nan : rejected_.infinite).fetch_add(1, std::memory_order_relaxed);
-    return;
-  }
-  if (radiance.r < 0 || radiance.g < 0 || radiance.b < 0) [[unlikely]] {
-    rejected_.negative.fetch_add(1, std::memory_order_relaxed);
-    return;
-  }
-  auto& sum = pixel.sum[replicate];
-  sum[0] += radiance.r, sum[1] += radiance.g, sum[2] += radiance.b;
-}
-
 uint32_t Film::samples(int x, int y) const {
   const Pixel& p = at(x, y);
   return p.count[0] + p.count[1];
@@ -84,12 +67,6 @@ ErrorEstimate Film::error(std::span<const RowError> rows) const { return error_o
 void Film::clear_rows(int first, int end) {
   const auto row = [&](int y) { return pixels_.begin() + static_cast<std::ptrdiff_t>(y) * width_; };
   std::fill(row(first), row(end), Pixel{});
-}
-
-Rejected Film::rejected() const { return {rejected_.nan.load(), rejected_.infinite.load(), rejected_.negative.load()}; }
-
-void Film::set_rejected(const Rejected& r) {
-  rejected_.nan = r.nan, rejected_.infinite = r.infinite, rejected_.negative = r.negative;
 }
 
 }  // namespace etendue::film

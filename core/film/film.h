@@ -7,7 +7,6 @@
 // out.
 #pragma once
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -15,17 +14,13 @@
 
 #include "base/vec.h"
 #include "film/error.h"
+#include "film/rejected.h"
 #include "film/spread.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {
 
 inline constexpr uint32_t kReplicates = 2;
-
-struct Rejected {
-  uint64_t nan = 0, infinite = 0, negative = 0;
-  uint64_t total() const { return nan + infinite + negative; }
-};
 
 class Film {
  public:
@@ -35,8 +30,20 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // Adds one sample to a pixel. Different pixels may be added to from different threads.
-  void add(int x, int y, uint32_t replicate, const Rgb& radiance);
+  // Adds one sample to a pixel; false if it was rejected. Different pixels may be added to from different threads.
+  bool add(int x, int y, uint32_t replicate, const Rgb& radiance) {
+    Pixel& pixel = at(x, y);
+    if (!is_radiance(radiance)) [[unlikely]] {
+      rejected_.count(x, y, pixel.count[replicate] * kReplicates + replicate, radiance);
+      // It counts as a sample of value zero: leaving it out would favour what cannot be computed.
+      ++pixel.count[replicate];
+      return false;
+    }
+    ++pixel.count[replicate];
+    auto& sum = pixel.sum[replicate];
+    sum[0] += radiance.r, sum[1] += radiance.g, sum[2] += radiance.b;
+    return true;
+  }
 
   uint32_t samples(int x, int y) const;
   uint32_t samples_of_half(int x, int y, uint32_t replicate) const { return at(x, y).count[replicate]; }
@@ -50,7 +57,7 @@ class Film {
   // The same in pieces.
   RowError error_of_row(int y) const;
   ErrorEstimate error(std::span<const RowError> rows) const;
-  Rejected rejected() const;
+  Rejected rejected() const { return rejected_.get(); }
 
   // Everything the film knows, for checkpoints.
   struct Pixel {
@@ -59,7 +66,7 @@ class Film {
   };
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
-  void set_rejected(const Rejected& rejected);
+  void set_rejected(const Rejected& rejected) { rejected_.set(rejected); }
 
   // For adaptive sampling in blocks of pixels. Without it, nothing is kept of how samples scatter.
   void begin_spread(size_t blocks) { spread_.emplace(blocks); }
@@ -71,6 +78,12 @@ class Film {
   size_t memory() const { return pixels_.size() * sizeof(Pixel); }
 
  private:
+  // Finite and not negative: each comparison is false for NaN.
+  static bool is_radiance(const Rgb& c) {
+    constexpr float kMost = std::numeric_limits<float>::max();
+    return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMost && c.g <= kMost && c.b <= kMost;
+  }
+
   const Pixel& at(int x, int y) const {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }
@@ -83,15 +96,7 @@ class Film {
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
   std::optional<Spread> spread_;
-  struct Counters {
-    std::atomic<uint64_t> nan{0}, infinite{0}, negative{0};
-    Counters() = default;
-    Counters(const Counters& o) : nan(o.nan.load()), infinite(o.infinite.load()), negative(o.negative.load()) {}
-    Counters& operator=(const Counters& o) {
-      nan = o.nan.load(), infinite = o.infinite.load(), negative = o.negative.load();
-      return *this;
-    }
-  } rejected_;
+  RejectionCounter rejected_;
 };
 
 }  // namespace etendue::film

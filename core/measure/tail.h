@@ -1,20 +1,23 @@
 // Can the variance of these samples be believed? Three looks at the upper tail of an estimator's samples.
 //
-//   khat       shape of the generalised Pareto distribution that fits the largest samples; moments of order 1/k and
+// What is looked at is a sample's deviation from what was expected of it before it was drawn. A constant is no tail,
+// however bright.
+//
+//   khat       shape of the generalised Pareto distribution that fits the largest deviations; moments of order 1/k and
 //   above
 //              are infinite. Fit: Zhang & Stephens 2009; length of the tail, prior on k and limits: Vehtari, Simpson,
 //              Gelman, Yao & Gabry, "Pareto Smoothed Importance Sampling", 2015 and 2024. From 1/2 on the variance is
 //              infinite; above 0.7 errors that are estimated from it mean nothing at any sample count in reach.
-//   vov        sum (x - m)^4 / (sum (x - m)^2)^2 - 1/n, the relative variance of the variance (Estes & Cashwell 1978).
-//              Falls as 1/n where the fourth moment is finite; above 0.1 it is too early to trust the variance.
-//   brightest  the share of the sum that the largest 0.01 % of the samples carry: 0.0001 where all are alike.
+//   vov        sum d^4 / (sum d^2)^2 - 1/n of the deviations, the relative variance of the variance (Estes & Cashwell
+//              1978). Falls as 1/n where the fourth moment is finite; above 0.1 it is too early to trust the variance.
+//              Stays near 1 - 1/(2k) for k above 1/2: the sum of squares lies in a few hands, however many are drawn.
+//   brightest  the share of the samples' sum that the largest 0.01 % of the deviations carry: below 0.0001 where no
+//              sample is worth more than two.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "base/exact_sum.h"
 
 namespace etendue::measure {
 
@@ -32,35 +35,46 @@ struct Tail {
   bool brightest_is_bound = false;  // not all of the brightest were kept: the share is larger
 
   bool heavy() const { return khat && *khat > khat_limit(samples); }
+  // The probability of a khat this large by chance where the variance is only just infinite, k = 1/2; 1 if unknown.
+  double chance() const;
 };
 
 // The shape k of the generalised Pareto distribution for exceedances over a threshold, in ascending order, at least 5,
 // all above zero. Drawn towards 1/2 with the weight of ten samples.
 double fit_pareto(std::span<const double> exceedances);
 
-// Takes samples one by one and keeps the largest of them. What blocks took apart can be merged in any order to the same
-// bits.
+// Takes deviations and keeps the largest of them, at least half of its capacity and less than all of it: what is under
+// the threshold costs one comparison. The same deviations in the same order give the same report to the bit; in another
+// order the sums round differently, and the tail may be longer or shorter.
 class TailAccumulator {
  public:
-  // With `capacity` samples kept, up to (capacity / 3)^2 samples the tail is as long as Vehtari et al. have it, and up
-  // to capacity / 0.0001 the share of the brightest is exact.
-  explicit TailAccumulator(size_t capacity = 4096) : capacity_(capacity) {}
+  // With `capacity` numbers of memory, up to (capacity / 6)^2 samples the tail is as long as Vehtari et al. have it, and
+  // up to capacity / 0.0002 the share of the brightest is exact.
+  explicit TailAccumulator(size_t capacity = 8192) : capacity_(capacity) {}
 
-  // `x` is not negative and below 1e75: sums of fourth powers are kept.
-  void add(double x);
-  // `other` has the same capacity.
+  // Deviations of finite numbers, which may be negative: then they are no tail, but add to the variance. `sum` is that
+  // of the samples themselves.
+  void add(std::span<const float> deviations, double sum);
+  // Sums and sizes of `other`, and of what it kept the largest. What is above the higher of both thresholds is whole.
   void merge(const TailAccumulator& other);
+  void clear();
 
+  uint64_t samples() const { return samples_; }
+  double sum() const { return sum_; }
+  // The largest deviations, in no order.
+  std::span<const float> kept() const { return kept_; }
   Tail report() const;
 
  private:
-  void keep(double x);
+  void add_run(std::span<const float> run);
+  void keep(float x);
   double vov() const;
 
   size_t capacity_;
   uint64_t samples_ = 0;
-  ExactSum sums_[4];             // of powers 1 to 4
-  std::vector<double> largest_;  // a heap: the smallest of them in front
+  double sum_ = 0, squares_ = 0, fourths_ = 0;
+  float threshold_ = 0;  // what is above it was kept
+  std::vector<float> kept_;
 };
 
 }  // namespace etendue::measure

@@ -11,8 +11,8 @@ namespace {
 
 constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '2'};
 
-// The fixed part at the front. Everything after it is: the state text, then the pixels as they stand in memory, then
-// what adaptive sampling knows of blocks.
+// The fixed part at the front. Everything after it is: the state text, the pixels, what adaptive sampling knows of
+// blocks, and the first rejections, as they stand in memory.
 struct Header {
   char magic[8];
   uint64_t state_size;
@@ -27,26 +27,30 @@ Error damaged(const std::filesystem::path& path, const char* what) {
   return input_error(path.string() + ": " + what + "; give a file that --checkpoint wrote");
 }
 
+void append(std::vector<char>& bytes, std::span<const std::byte> part) {
+  const auto* begin = reinterpret_cast<const char*>(part.data());
+  bytes.insert(bytes.end(), begin, begin + part.size());
+}
+
 }  // namespace
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const auto pixels = std::as_bytes(checkpoint.film.pixels());
-  const auto& kept = checkpoint.film.spread();
-  const auto spread = kept ? kept->bytes() : std::span<const std::byte>();
-  std::vector<char> bytes(sizeof(Header) + checkpoint.state.size() + pixels.size() + spread.size());
-  char* body = bytes.data() + sizeof(Header);
-  std::memcpy(body, checkpoint.state.data(), checkpoint.state.size());
-  std::memcpy(body + checkpoint.state.size(), pixels.data(), pixels.size());
-  if (kept) std::memcpy(body + checkpoint.state.size() + pixels.size(), spread.data(), spread.size());
   const film::Rejected rejected = checkpoint.film.rejected();
+  const auto& spread = checkpoint.film.spread();
+  const std::span<const std::byte> parts[] = {std::as_bytes(std::span(checkpoint.state)),
+                                              std::as_bytes(checkpoint.film.pixels()),
+                                              spread ? spread->bytes() : std::span<const std::byte>(),
+                                              std::as_bytes(std::span(rejected.first))};
+  std::vector<char> bytes(sizeof(Header));
+  for (const auto& part : parts) append(bytes, part);
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
   header.state_size = checkpoint.state.size();
   header.width = checkpoint.film.width(), header.height = checkpoint.film.height();
   header.nan = rejected.nan, header.infinite = rejected.infinite, header.negative = rejected.negative;
   header.seconds = checkpoint.seconds;
-  header.spread_blocks = kept ? kept->blocks() : 0;
-  header.hash = hash_bytes(body, bytes.size() - sizeof(Header));
+  header.spread_blocks = spread ? spread->blocks() : 0;
+  header.hash = hash_bytes(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
   std::memcpy(bytes.data(), &header, sizeof header);
   return write_file(path, bytes.data(), bytes.size());
 }
@@ -67,7 +71,10 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   const uint64_t pixels =
       static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
   const uint64_t spread = header.spread_blocks * film::Spread::kBytesOfBlock;
-  if (body != header.state_size + pixels + spread) return damaged(path, "it is truncated");
+  if (body < header.state_size + pixels + spread) return damaged(path, "it is truncated");
+  const uint64_t first = body - header.state_size - pixels - spread;
+  if (first % sizeof(film::Rejection) != 0 || first > film::kFirstRejections * sizeof(film::Rejection))
+    return damaged(path, "it is truncated");
   const char* data = reinterpret_cast<const char*>(bytes.data()) + sizeof header;
   if (hash_bytes(data, body) != header.hash) return damaged(path, "it is damaged");
 
@@ -75,11 +82,17 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   checkpoint.state.assign(data, header.state_size);
   checkpoint.seconds = header.seconds;
   checkpoint.film = film::Film(header.width, header.height);
-  checkpoint.film.set_rejected({header.nan, header.infinite, header.negative});
   std::memcpy(checkpoint.film.pixels().data(), data + header.state_size, pixels);
-  if (spread == 0) return checkpoint;
-  checkpoint.film.begin_spread(header.spread_blocks);
-  std::memcpy(checkpoint.film.spread()->bytes().data(), data + header.state_size + pixels, spread);
+  data += header.state_size + pixels;
+  if (spread > 0) {
+    checkpoint.film.begin_spread(header.spread_blocks);
+    std::memcpy(checkpoint.film.spread()->bytes().data(), data, spread);
+    data += spread;
+  }
+  film::Rejected rejected{header.nan, header.infinite, header.negative, {}};
+  rejected.first.resize(first / sizeof(film::Rejection));
+  if (first > 0) std::memcpy(rejected.first.data(), data, first);
+  checkpoint.film.set_rejected(rejected);
   return checkpoint;
 }
 

@@ -10,6 +10,12 @@ namespace {
 // How many pieces of this size cover so many pixels.
 int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
 
+void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film) {
+  const Rgb* next = radiance.data();
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kReplicates, *next++);
+}
+
 }  // namespace
 
 PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
@@ -51,7 +57,7 @@ void PassRunner::prepare(uint32_t first_of_half) {
   prepared_ = table + 1;
 }
 
-bool PassRunner::advance(Workers& workers, film::Film& film, const std::function<bool()>& keep_going,
+bool PassRunner::advance(Workers& workers, const Sinks& sinks, const std::function<bool()>& keep_going,
                          Counters& counters, const std::function<bool()>& wanted) {
   prepare(piece().first);
   if (open_tiles_.empty()) {
@@ -59,7 +65,7 @@ bool PassRunner::advance(Workers& workers, film::Film& film, const std::function
     std::iota(open_tiles_.begin(), open_tiles_.end(), size_t{0});
   }
   constexpr size_t kClosed = SIZE_MAX;
-  const Task task{film, wanted, counters};
+  const Task task{sinks, wanted, counters};
   const auto visit_one = [&](int i) {
     size_t& entry = open_tiles_[static_cast<size_t>(i)];
     if (visit(task, entry)) entry = kClosed;
@@ -67,7 +73,7 @@ bool PassRunner::advance(Workers& workers, film::Film& film, const std::function
   workers.run(0, static_cast<int>(open_tiles_.size()), visit_one, keep_going);
   std::erase(open_tiles_, kClosed);
   if (!open_tiles_.empty()) return false;
-  finish_step(film);
+  finish_step(sinks.film);
   return true;
 }
 
@@ -100,14 +106,15 @@ integrator::PixelBlock PassRunner::block_at(size_t tile) const {
 }
 
 bool PassRunner::visit(const Task& task, size_t tile) const {
+  const film::Film& film = task.sinks.film;
   PixelBlock block = block_at(tile);
   if (!allocation_) {
     block.sample = samples_;
-    return task.film.samples(block.x, block.y) > block.sample || sample(task, tile, block);
+    return film.samples(block.x, block.y) > block.sample || sample(task, tile, block);
   }
   for (uint32_t half = 0; half < film::kReplicates; ++half) {
     const uint32_t end = std::min(piece().end, allocation_->target(tile, half));
-    for (uint32_t n = task.film.samples_of_half(block.x, block.y, half); n < end; ++n) {
+    for (uint32_t n = film.samples_of_half(block.x, block.y, half); n < end; ++n) {
       block.sample = n * film::kReplicates + half;
       if (!sample(task, tile, block)) return false;
     }
@@ -121,11 +128,11 @@ bool PassRunner::sample(const Task& task, size_t tile, const PixelBlock& block) 
   std::array<Rgb, PixelBlock::kMostPixels> radiance;
   const std::optional<uint64_t> rays = integrator_->sample(pass, block, radiance);
   if (!rays) return false;
-  const Rgb* next = radiance.data();
-  const uint32_t half = block.sample % film::kReplicates;
-  for (int y = block.y; y < block.y + block.height; ++y)
-    for (int x = block.x; x < block.x + block.width; ++x) task.film.add(x, y, half, *next++);
-  if (allocation_) note_spread(task.film, tile, block, std::span(radiance.data(), next));
+  if (task.sinks.tails)
+    task.sinks.tails->add(block, radiance, task.sinks.film);
+  else
+    add(block, radiance, task.sinks.film);
+  if (allocation_) note_spread(task.sinks.film, tile, block, radiance);
   task.counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   task.counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
   return true;
@@ -135,7 +142,8 @@ bool PassRunner::sample(const Task& task, size_t tile, const PixelBlock& block) 
 void PassRunner::note_spread(film::Film& film, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) {
   const uint32_t half = block.sample % film::kReplicates, count = block.sample / film::kReplicates + 1;
   double squares = 0;
-  for (const Rgb& r : radiance)
+  const auto pixels = static_cast<size_t>(block.width * block.height);
+  for (const Rgb& r : radiance.first(pixels))
     if (const double y = luminance(r); std::isfinite(y)) squares += y * y;
   film::Spread& spread = *film.spread();
   spread.add(tile, half, squares);
@@ -146,10 +154,10 @@ void PassRunner::note_spread(film::Film& film, size_t tile, const PixelBlock& bl
       const double mean = luminance(film.mean_of_half(x, y, half));
       means += mean, squared_means += mean * mean;
     }
-  const double pixels = block.width * block.height;
+  const auto n = static_cast<double>(pixels);
   const double variance = (spread.squares(tile, half) - count * squared_means) / (count - 1.0);
   spread.keep(tile, half, std::countr_zero(count),
-              {static_cast<float>(variance / pixels), static_cast<float>(means / pixels), true});
+              {static_cast<float>(variance / n), static_cast<float>(means / n), true});
 }
 
 }  // namespace etendue::render

@@ -6,6 +6,7 @@
 #include "integrator/integrator.h"
 #include "render/allocation.h"
 #include "render/document.h"
+#include "render/tile_tails.h"
 #include "render/workers.h"
 
 namespace etendue::render {
@@ -17,13 +18,18 @@ class PassRunner {
   struct Counters {
     std::atomic<uint64_t> rays{0}, paths{0};
   };
+  // What samples are added to: the film, and what watches them, if anything does.
+  struct Sinks {
+    film::Film& film;
+    TileTails* tails = nullptr;
+  };
   // Takes up a film: an empty one, or one that an equal runner left.
   void begin(film::Film& film);
   // The next step, as far as `keep_going` lets it; true if it is complete: another sample of every pixel, or, in
   // adaptive sampling, a piece of the allocation. Calling again goes on where it stopped: a pixel knows its samples by
   // their number. What was begun is finished, unless `wanted` says that nobody will look at it.
   bool advance(
-      Workers& workers, film::Film& film, const std::function<bool()>& keep_going, Counters& counters,
+      Workers& workers, const Sinks& sinks, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& wanted = [] { return true; });
   // Samples of a pixel after the last complete step; in adaptive sampling on average.
   uint32_t samples() const { return samples_; }
@@ -34,7 +40,7 @@ class PassRunner {
   using PixelBlock = integrator::PixelBlock;
   // One task of a step.
   struct Task {
-    film::Film& film;
+    const Sinks& sinks;
     const std::function<bool()>& wanted;
     Counters& counters;
   };

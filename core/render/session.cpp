@@ -201,7 +201,7 @@ class Session::Impl {
     const auto compiled = scene::compile(edit.document.scene, edit.document.camera, shown_scene_);
     document_ = std::move(edit.document);
     film_stale_ = !edit.start;
-    if (edit.start) film_ = std::move(*edit.start);
+    if (edit.start) film_ = std::move(*edit.start), renew_tails();
     runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height);
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
@@ -209,6 +209,7 @@ class Session::Impl {
     complete_ = runner_->samples();
     error_ = {}, error_at_ = 0;
     forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
+    health_ = nullptr, health_at_ = 0;
     coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
     coarse_.reset();
     awaiting_first_frame_ = options_.interactive;
@@ -221,7 +222,8 @@ class Session::Impl {
     status_.build = compiled->report();
     status_.phase = "rendering";
     status_.samples = complete_;
-    status_.memory = compiled->memory() + embree_memory() + film_bytes();
+    status_.memory = compiled->memory() + embree_memory() + film_bytes() +
+                     TileTails::memory(document_.width, document_.height);
   }
 
   // An edit that changes no light: the picture goes on under the new version.
@@ -264,7 +266,7 @@ class Session::Impl {
     const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
     const uint64_t before = counters_.paths;
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
-      if (runner_->advance(workers_, film_, keep_going, counters_, [&] { return !cut(); }))
+      if (runner_->advance(workers_, {film_, &tails_}, keep_going, counters_, [&] { return !cut(); }))
         complete_ = runner_->samples();
       if (first || !keep_going()) break;
     }
@@ -291,8 +293,16 @@ class Session::Impl {
     film_.set_rejected({});
     film_.spread().reset();
     runner_->begin(film_);
+    renew_tails();
     film_stale_ = false;
     return true;
+  }
+
+  void renew_tails() {
+    if (tails_.width() == document_.width && tails_.height() == document_.height)
+      tails_.clear();
+    else
+      tails_ = TileTails(document_.width, document_.height);
   }
 
   void coarse_frame() {
@@ -307,7 +317,7 @@ class Session::Impl {
     const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
     const auto keep_going = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
     runner.begin(film);
-    const bool done = runner.advance(workers_, film, keep_going, counters, keep_going);
+    const bool done = runner.advance(workers_, {film}, keep_going, counters, keep_going);
     note_rate(counters.paths, seconds_since(start));
     if (!done) {
       if (!cut()) coarse_scale_ = std::min(4 * coarse_scale_, kCoarsest);
@@ -360,9 +370,24 @@ class Session::Impl {
     forecast_.add(complete_, seconds, error_);
   }
 
+  // Fitting tails takes some milliseconds.
+  bool health_is_due() const { return complete_ >= 10 && complete_ >= health_at_ + health_at_ / 4; }
+
+  void measure_health() {
+    std::vector<measure::Tail> reports(tails_.tails().size());
+    const auto band = [&](int i, int end) {
+      for (; i < end; ++i) reports[static_cast<size_t>(i)] = tails_.tails()[static_cast<size_t>(i)].report();
+    };
+    const auto keep_going = [&] { return !cut(); };
+    if (!workers_.for_bands(static_cast<int>(reports.size()), band, keep_going)) return;
+    auto health = health_of(tails_, std::move(reports), film_.rejected(), keep_going);
+    if (health) health_ = std::move(health), health_at_ = complete_;
+  }
+
   void update_status() {
     const bool finished = reached_limit(rendering_seconds_);
     if (error_is_due() || (finished && error_at_ != complete_)) measure_error(rendering_seconds_);
+    if (health_is_due() || (finished && health_at_ != complete_)) measure_health();
     const std::lock_guard lock(mutex_);
     status_.samples = complete_;
     status_.seconds = rendering_seconds_;
@@ -371,6 +396,7 @@ class Session::Impl {
     status_.paths_per_second = rendering_seconds_ > 0 ? static_cast<double>(status_.paths) / rendering_seconds_ : 0;
     status_.error = error_;
     status_.rejected = film_.rejected();
+    status_.health = health_;
     status_.progress = progress();
     status_.left = left();
     status_.finished = finished;
@@ -436,6 +462,9 @@ class Session::Impl {
   film::ErrorEstimate error_;
   uint32_t error_at_ = 0;  // the samples at which it was measured
   Forecast forecast_;
+  TileTails tails_;
+  std::shared_ptr<const Health> health_;
+  uint32_t health_at_ = 0;  // the same
   double rendering_seconds_ = 0;
   double coarse_rate_ = 0;  // paths per second that a first frame can count on
   int coarse_scale_ = 1;

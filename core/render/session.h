@@ -20,6 +20,7 @@
 #include "render/document.h"
 #include "render/forecast.h"
 #include "render/frame.h"
+#include "render/health.h"
 #include "scene/compiled.h"
 #include "transport/model.h"
 
@@ -33,7 +34,8 @@ struct Status {
   double rays_per_second = 0, paths_per_second = 0;
   film::ErrorEstimate error;
   film::Rejected rejected;
-  size_t memory = 0;  // bytes of scene arrays, Embree and the film
+  std::shared_ptr<const Health> health;  // as it was at some sample before; null until it was first looked at
+  size_t memory = 0;  // bytes of scene arrays, Embree, the film and what watches its samples
   scene::BuildReport build;
   std::string phase;      // "compiling", "rendering", "paused", "done"
   bool finished = false;  // a limit was reached

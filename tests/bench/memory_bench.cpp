@@ -21,7 +21,7 @@ constexpr double kMostRatio = 2.5;
 
 double mib(size_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 
-int measure(const char* name, const std::string& file) {
+int peak_of(const char* name, const std::string& file) {
   const size_t before = test::resident();
   auto document = render::new_document(file);
   if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
@@ -55,7 +55,7 @@ int main() {
                                                         {"large", large.string()}};
   int code = 0;
   for (const auto& [name, file] : scenes)
-    if (test::in_own_process([&] { return measure(name, file); }) != 0) code = 1;
+    if (test::in_own_process([&] { return peak_of(name, file); }) != 0) code = 1;
   fs::remove(large);
   return code;
 }

@@ -64,7 +64,7 @@ struct Rig {
   }
 };
 
-void measure(const char* name, render::Document d) {
+void compare(const char* name, render::Document d) {
   d.width = d.height = 256;
   const Rig rig(std::move(d));
   RayLog log;
@@ -96,8 +96,8 @@ void measure(const char* name, render::Document d) {
 int main() {
   using namespace etendue;
   prepare_thread_for_rays();
-  measure("cornell", *render::new_document("cornell"));
+  compare("cornell", *render::new_document("cornell"));
   auto d = *render::new_document("cornell");
   d.scene = std::make_shared<const scene::Scene>(million());
-  measure("million", d);
+  compare("million", d);
 }

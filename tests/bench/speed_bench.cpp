@@ -47,7 +47,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void measure(const char* name, render::Document document) {
+void compare(const char* name, render::Document document) {
   document.method.settings = {{"path.max-depth", Value(8)}};
   constexpr int kRounds = 7;
   constexpr uint32_t kSamples = 8;
@@ -75,8 +75,8 @@ int main(int argc, char** argv) {
   using namespace etendue;
   auto document = *render::new_document("cornell");
   document.width = document.height = 512;
-  if (argc == 1) measure("cornell", document);
+  if (argc == 1) compare("cornell", document);
   document.scene = std::make_shared<const scene::Scene>(glossy_box_and_glass_sphere());
   if (argc > 1) return save_picture(document, argv[1]);
-  measure("glossy box, glass sphere", document);
+  compare("glossy box, glass sphere", document);
 }

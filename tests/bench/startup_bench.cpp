@@ -49,7 +49,7 @@ double viewer_start(const std::string& file, const fs::path& folder) {
   return nlohmann::json::parse(std::ifstream(state)).value("first_picture_seconds", -1.0);
 }
 
-bool measure(const char* name, const std::string& file, double bound, const fs::path& folder) {
+bool opens_in_time(const char* name, const std::string& file, double bound, const fs::path& folder) {
   std::vector<double> starts;
   for (int i = 0; i < 5; ++i) {
     std::printf("%-12s ", name);
@@ -75,9 +75,9 @@ int main() {
   const fs::path large = folder / "large.glb";
   const size_t triangles = test::write_large_glb(large, 5'000'000);
   std::printf("seconds; the large file has %zu triangles\n", triangles);
-  bool fine = measure("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder);
-  fine = measure("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
-  fine = measure("large", large, 8, folder) && fine;
+  bool fine = opens_in_time("staircase2", data + "/scenes/staircase2/staircase2.glb", 1, folder);
+  fine = opens_in_time("ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 1, folder) && fine;
+  fine = opens_in_time("large", large, 8, folder) && fine;
   fs::remove_all(folder);
   return fine ? 0 : 1;
 }

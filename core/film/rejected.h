@@ -1,0 +1,57 @@
+// Samples that were no radiance: how many, why, and where the first of them were.
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+#include "spectrum/rgb.h"
+
+namespace etendue::film {
+
+enum class Flaw { nan, infinite, negative };
+std::string_view flaw_name(Flaw flaw);
+
+struct Rejection {
+  int x = 0, y = 0;
+  uint32_t sample = 0;  // counted from zero in its pixel
+  Flaw flaw = Flaw::nan;
+
+  friend bool operator==(const Rejection&, const Rejection&) = default;
+};
+
+struct Rejected {
+  uint64_t nan = 0, infinite = 0, negative = 0;
+  std::vector<Rejection> first;  // kFirstRejections of them at most, by sample, row and column
+
+  uint64_t total() const { return nan + infinite + negative; }
+};
+inline constexpr size_t kFirstRejections = 8;
+
+// Counts them from many threads. Which are the first does not depend on who comes first.
+class RejectionCounter {
+ public:
+  RejectionCounter() = default;
+  RejectionCounter(const RejectionCounter& other) { set(other.get()); }
+  RejectionCounter& operator=(const RejectionCounter& other) {
+    if (this != &other) set(other.get());
+    return *this;
+  }
+
+  // `radiance` is not finite, or negative; coordinates are below 65536.
+  void count(int x, int y, uint32_t sample, const Rgb& radiance);
+  Rejected get() const;
+  void set(const Rejected& rejected);
+
+ private:
+  static constexpr uint64_t kNone = std::numeric_limits<uint64_t>::max();
+
+  std::atomic<uint64_t> nan_{0}, infinite_{0}, negative_{0};
+  std::atomic<uint64_t> last_{kNone};  // place of the last one listed, once the list is full
+  mutable std::mutex mutex_;
+  std::vector<Rejection> first_;
+};
+
+}  // namespace etendue::film

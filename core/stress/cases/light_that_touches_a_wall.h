@@ -1,0 +1,33 @@
+// A luminous floor that touches a wall, sampled by area alone. A sample is worth h d / r^4, for a point of the wall at
+// height h and one of the light at distance d from it. Both near the edge, it is above t with a probability of about
+// t^(-3/2) where the light is even: no variance, k = 2/3. Where the light's density grows as 1/d it is 1/t, k = 1.
+#pragma once
+#include "stress/case.h"
+
+namespace etendue::stress {
+
+// Strips of equal power, each half as wide as the one before it; with one strip the light is even.
+inline scene::Scene wall_on_a_light(int strips) {
+  scene::Scene scene;
+  Mat4 upright(1);  // facing +x
+  upright[0] = Vec4(0, 1, 0, 0), upright[1] = Vec4(1, 0, 0, 0), upright[3] = Vec4(0, 1, 0, 1);
+  scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0.5f)), upright);
+  for (int i = 0; i < strips; ++i) {
+    const float far = std::exp2(static_cast<float>(-i)), near = i + 1 < strips ? 0.5f * far : 0;
+    Mat4 place(1);
+    place[0][0] = 0.5f * (far - near), place[3] = Vec4(0.5f * (far + near), 0, 0, 1);
+    Material light = scene::diffuse(Rgb(0), Rgb(1 / (far - near)));
+    light.double_sided = false;
+    scene::add(scene, scene::quad(1), light, place);
+  }
+  return scene;
+}
+
+inline render::Document wall_on_a_light(const Lab& lab, int strips) {
+  // The wall from the floor up, and nothing of the light.
+  auto d = lab.document(wall_on_a_light(strips), look_at({3, 0.5f, 0}, {0, 0.5f, 0}, {0, 1, 0}, 2 * std::atan(0.5f / 3)));
+  d.filter = film::FilterKind::box;
+  return d;
+}
+
+}  // namespace etendue::stress
