@@ -62,7 +62,7 @@ Certificate certificate_of(const json& j) {
   c.beyond_methods = j.at("beyond_all_methods").get<std::vector<std::string>>();
   if (!j.at("khat").is_null()) c.khat = j["khat"].get<double>();
   const auto& rejected = j.at("rejected");
-  c.rejected = {rejected.at("nan"), rejected.at("infinite"), rejected.at("negative")};
+  c.rejected = {rejected.at("nan"), rejected.at("infinite"), rejected.at("negative"), {}};
   for (const auto& [flag, value] : j.at("model").items()) c.model.emplace_back(flag, value);
   return c;
 }

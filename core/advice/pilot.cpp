@@ -12,6 +12,8 @@ namespace {
 constexpr double kHopeless = 3;
 // Errors that fewer samples tell are not yet a reason to give up.
 constexpr uint32_t kLeastSamples = 8;
+// From here on adaptive sampling has found its ways.
+constexpr uint32_t kSettled = 32;
 
 // So many pixels at most, in the same shape.
 render::Document reduced(const render::Document& document, int most_pixels) {
@@ -84,7 +86,9 @@ class Runner {
     pilot.seconds += status.seconds, spent_ += status.seconds;
     pilot.samples = status.samples;
     pilot.error = pilot.film.error();
-    pilot.forecast.add(pilot.samples, pilot.seconds, pilot.error);
+    // The fall of the error on which adaptive sampling sets in is not how it goes on.
+    if (d.method.adaptive == render::Adaptive::off || pilot.samples >= kSettled)
+      pilot.forecast.add(pilot.samples, pilot.seconds, pilot.error);
     if (pilot.error.known) pilot.looks.push_back({pilot.seconds, pilot.error.rmse});
     return whole;
   }
