@@ -76,12 +76,10 @@ void rank(Ranking& ranking) {
 }  // namespace
 
 std::vector<bench::Method> candidates(const render::Document& document) {
-  std::vector<std::string> ways;
-  for (const auto& sampler : sampler_infos()) ways.push_back("sampler=" + sampler.name);
-  ways.push_back("sampler=" + sampler_infos().front().name + ":adaptive=rmse");
   std::vector<bench::Method> list;
   for (const auto& integrator : integrator::integrator_infos())
-    for (const auto& way : ways) list.push_back(*bench::parse_method(integrator.name + ':' + way, document));
+    for (const auto& sampler : sampler_infos())
+      list.push_back(*bench::parse_method(integrator.name + ":sampler=" + sampler.name, document));
   return list;
 }
 

@@ -22,7 +22,7 @@ Ranking ranked(const render::Document& d, double target, double pilot = 0.1) {
   return advice::advise(session, d, question, go_on);
 }
 
-const Advice& of(const Ranking& ranking, const std::string& name) {
+Advice of(const Ranking& ranking, const std::string& name) {
   return *std::ranges::find_if(ranking.methods, [&](const Advice& a) { return a.method.name == name; });
 }
 
@@ -38,7 +38,7 @@ TEST(Advisor, RanksWhatItCanHave) {
   ASSERT_TRUE(ranking.best());
   EXPECT_TRUE(ranking.best()->suitable);
   EXPECT_TRUE(ranking.best()->method.name.starts_with("path:")) << ranking.best()->method.name;
-  const Advice& biased = of(ranking, "raycast:sampler=sobol");
+  const Advice biased = of(ranking, "raycast:sampler=sobol");
   EXPECT_FALSE(biased.suitable);
   EXPECT_TRUE(biased.reason.starts_with("biased")) << biased.reason;
   EXPECT_FALSE(biased.time);
@@ -56,7 +56,7 @@ TEST(Advisor, RanksWhatItCanHave) {
 
 TEST(Advisor, WhatIsMissingCountsAgainstTheTarget) {
   const auto d = things_under(true, false, true, 24);
-  const Advice& fine = of(ranked(d, 1e-3, 0.02), "path-pure:sampler=sobol");
+  const Advice fine = of(ranked(d, 1e-3, 0.02), "path-pure:sampler=sobol");
   EXPECT_FALSE(fine.suitable);
   EXPECT_TRUE(fine.reason.starts_with("misses ")) << fine.reason;
   // An error larger than all the picture is reached without point lights too.
