@@ -76,12 +76,10 @@ void rank(Ranking& ranking) {
 }  // namespace
 
 std::vector<bench::Method> candidates(const render::Document& document) {
-  std::vector<std::string> ways;
-  for (const auto& sampler : sampler_infos()) ways.push_back("sampler=" + sampler.name);
-  ways.push_back("sampler=" + sampler_infos().front().name + ":adaptive=rmse");
   std::vector<bench::Method> list;
   for (const auto& integrator : integrator::integrator_infos())
-    for (const auto& way : ways) list.push_back(*bench::parse_method(integrator.name + ':' + way, document));
+    for (const auto& sampler : sampler_infos())
+      list.push_back(*bench::parse_method(integrator.name + ":sampler=" + sampler.name, document));
   return list;
 }
 
@@ -109,13 +107,17 @@ Ranking advise(render::Session& session, const render::Document& document, const
   const bench::Watch second = [&](double done, const std::string& what) {
     return watch(kTablePart + (1 - kTablePart) * done, what);
   };
-  const auto pilots = run_pilots(session, fit, {question.pilot_seconds, question.target, question.seed}, second);
-  for (const Pilot& pilot : pilots.pilots)
-    for (Advice& advice : ranking.methods)
-      if (advice.method.name == pilot.method.name) take_pilot(advice, pilot, pilots.enlargement, question.target);
+  const auto take = [&](const Pilots& pilots) {
+    for (const Pilot& pilot : pilots.pilots)
+      for (Advice& advice : ranking.methods)
+        if (advice.method.name == pilot.method.name) take_pilot(advice, pilot, pilots.enlargement, question.target);
+    rank(ranking);
+    show();
+  };
+  const PilotPlan plan{question.pilot_seconds, question.target, question.seed};
+  const auto pilots = run_pilots(session, fit, plan, second, take);
+  take(pilots);
   ranking.interrupted = pilots.interrupted;
-  rank(ranking);
-  show();
   return ranking;
 }
 

@@ -45,8 +45,7 @@ struct Ranking {
 // What missing paths may add to the RMSE, in parts of the target: a third adds 5 % to the total.
 inline constexpr double kNegligible = 1.0 / 3;
 
-// Every integrator with every sampler, and with the first one adaptively, in a document's picture. A parameter that the
-// document sets stays.
+// Every integrator with every sampler, in a document's picture. What else the document's method sets stays.
 std::vector<bench::Method> candidates(const render::Document& document);
 
 // The session is used for everything and left with one of the pictures. What is told to `publish` gets better step by

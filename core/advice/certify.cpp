@@ -47,38 +47,44 @@ std::string interval_text(const film::Interval& i) {
   return std::isfinite(i.high) ? number(i.low) + " .. " + number(i.high) : number(i.low) + " or more";
 }
 
-// What the picture says of its error by its own layer of variance, against its statement.
-std::optional<std::string> contradiction(const Claim& claim) {
-  const auto variance = claim.variance();
-  if (variance.empty()) return {};
-  double sum = 0;
-  for (const float v : variance) sum += double{v};
-  const double rmse = std::sqrt(sum / static_cast<double>(variance.size()));
-  const film::Interval stated = claim.certificate.rmse->interval;
-  // Where something is missing the layer says less than the statement; it never says more.
-  const bool less = claim.certificate.missing.empty() && rmse < stated.low;
-  if (!less && rmse <= stated.high) return {};
-  return "it contradicts itself: its layer of variance gives an RMSE of " + number(rmse) + ", it states " +
-         interval_text(stated);
+// What the picture's own layer of variance gives for a stated number; empty if they agree. Where something is missing
+// the layer says less than the statement; it never says more.
+std::string contradiction(const char* what, double by_layer, const Stated& stated, bool complete) {
+  const bool less = complete && by_layer < stated.interval.low;
+  if (!less && by_layer <= stated.interval.high) return {};
+  return std::string("it contradicts itself: its layer of variance gives ") + what + " " + number(by_layer) +
+         ", it states " + interval_text(stated.interval);
 }
 
-// One stated number against the truth.
+std::string contradiction(const Claim& claim) {
+  const auto variance = claim.variance(), rgb = claim.rgb();
+  if (variance.empty()) return {};
+  double squares = 0, relative = 0;
+  for (size_t i = 0; i < variance.size(); ++i)
+    squares += double{variance[i]}, relative += double{variance[i]} / (sqr(double{rgb[i]}) + 0.01);
+  const auto n = static_cast<double>(variance.size());
+  const Certificate& c = claim.certificate;
+  const bool complete = c.missing.empty();
+  const std::string said = contradiction("an RMSE of", std::sqrt(squares / n), *c.rmse, complete);
+  return said.empty() ? contradiction("a relMSE of", relative / n, *c.relmse, complete) : said;
+}
+
 struct Comparison {
   Verdict verdict;
-  double spare = 0;  // of the mean square: how much less exactly it would have to be known
+  double spare = 0;  // so many times more exactly the truth would have to be known
 };
 
-Comparison compare(const MeanSquare& truth, const Stated& stated, bool squared) {
-  film::Interval allowed = generous(stated);
-  if (!squared) allowed = {sqr(allowed.low), sqr(allowed.high)};
+// The stated RMSE against the truth.
+Comparison compare(const MeanSquare& truth, const Stated& stated) {
+  const film::Interval root = generous(stated), allowed{sqr(root.low), sqr(root.high)};
   const double margin = kTrue * truth.standard_error;
   if (truth.value - margin > allowed.high || truth.value + margin < allowed.low) return {Verdict::falls};
-  const bool inside = truth.value >= allowed.low && truth.value <= allowed.high;
   const bool surely = truth.value - margin >= allowed.low && truth.value + margin <= allowed.high;
-  const double needed = std::max(std::min(truth.value - allowed.low, allowed.high - truth.value) / kTrue,
-                                 2 * kPrecise * std::max(0.0, truth.value) / kTrue);
-  if (surely || (inside && margin <= 2 * kPrecise * truth.value)) return {Verdict::stands};
-  return {Verdict::cannot_tell, needed > 0 ? truth.standard_error / needed : INFINITY};
+  const bool inside = truth.value >= allowed.low && truth.value <= allowed.high;
+  const double precise = 2 * kPrecise * std::max(0.0, truth.value);
+  if (surely || (inside && margin <= precise)) return {Verdict::stands};
+  const double room = std::max(precise, std::min(truth.value - allowed.low, allowed.high - truth.value));
+  return {Verdict::cannot_tell, room > 0 ? margin / room : INFINITY};
 }
 
 class Judge {
@@ -94,20 +100,25 @@ class Judge {
 
   Finding judge() {
     if (!claim_.certificate.rmse || !claim_.certificate.relmse) return reject("it states no error");
-    if (const auto said = contradiction(claim_)) return reject(*said);
-    for (uint32_t samples = kFirstLook; finding_.verdict == Verdict::cannot_tell; samples *= 2) {
-      const bool whole = render(samples);
-      if (film_.pixels().empty() || finding_.samples < film::kReplicates) break;
-      look();
-      if (!whole) break;
+    if (const auto said = contradiction(claim_); !said.empty()) return reject(said);
+    for (uint32_t samples = kFirstLook;; samples *= 2) {
+      const bool go_on = render(samples);
+      if (finding_.samples < film::kReplicates) return without_a_look();
+      if (look() || !go_on) return finding_;
     }
-    return finding_;
   }
 
  private:
   Finding reject(const std::string& reason) {
     finding_.verdict = Verdict::falls;
     finding_.reasons.push_back(reason);
+    return finding_;
+  }
+
+  // As many samples as the picture has would mostly do.
+  Finding without_a_look() {
+    const double each = finding_.seconds / std::max(1u, finding_.samples);
+    finding_.seconds_wanted = each * std::max(kFirstLook, claim_.samples);
     return finding_;
   }
 
@@ -129,44 +140,37 @@ class Judge {
     return whole && status.samples == samples && finding_.seconds < options_.seconds;
   }
 
-  void look() {
+  // Whether the picture's error could be told.
+  bool look() {
     const TrueError truth = true_error(claim_.rgb(), film_);
-    const auto root = truth.absolute.root_interval(kTrue);
-    finding_.rmse = {truth.absolute.root(), root};
+    finding_.rmse = {truth.absolute.root(), truth.absolute.root_interval(kTrue)};
     const double margin = kTrue * truth.relative.standard_error;
     finding_.relmse = {truth.relative.value,
                        {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
+    const auto compared = compare(truth.absolute, *claim_.certificate.rmse);
+    finding_.verdict = compared.verdict;
     finding_.reasons.clear();
-    const auto absolute = compare(truth.absolute, *claim_.certificate.rmse, false);
-    // Where something is missing, what the picture shows is no measure for it.
-    const auto relative = claim_.certificate.missing.empty()
-                              ? compare(truth.relative, *claim_.certificate.relmse, true)
-                              : Comparison{Verdict::stands};
+    if (compared.verdict == Verdict::falls)
+      finding_.reasons.push_back("true RMSE " + number(finding_.rmse.value) + " +- " +
+                                 number(0.5 * (finding_.rmse.interval.high - finding_.rmse.interval.low) / kTrue) +
+                                 ", stated " + interval_text(claim_.certificate.rmse->interval));
+    look_for_changes();
+    // Errors of the truth fall as the root of the time at worst.
+    finding_.seconds_wanted = finding_.seconds * sqr(std::max(1.0, compared.spare));
+    return compared.verdict != Verdict::cannot_tell;
+  }
+
+  void look_for_changes() {
+    // Where something is missing, blocks are off without anyone having changed them.
+    if (!claim_.certificate.missing.empty() || claim_.certificate.bias != integrator::Bias::unbiased) return;
     // Adaptive sampling gives a block half of its even share at the least.
     const bool even = claim_.document.method.adaptive == render::Adaptive::off;
     const uint32_t samples = even ? claim_.samples : (claim_.samples + 1) / 2;
     const auto blocks = changed_blocks({claim_.rgb(), claim_.variance(), samples}, film_);
     finding_.changed = blocks.changed;
-    explain(absolute.verdict, relative.verdict, blocks);
-    if (!finding_.reasons.empty())
-      finding_.verdict = Verdict::falls;
-    else if (absolute.verdict == Verdict::stands && relative.verdict == Verdict::stands)
-      finding_.verdict = Verdict::stands;
-    // Errors of the truth fall as the root of the time at worst.
-    finding_.seconds_wanted = finding_.seconds * sqr(std::max({1.0, absolute.spare, relative.spare}));
-  }
-
-  void explain(Verdict absolute, Verdict relative, const BlockTest& blocks) {
-    const auto& c = claim_.certificate;
-    const auto say = [&](const char* what, const Stated& truth, const Stated& stated) {
-      const double margin = 0.5 * (truth.interval.high - truth.interval.low) / kTrue;
-      finding_.reasons.push_back("true " + std::string(what) + " " + number(truth.value) + " +- " + number(margin) +
-                                 ", stated " + interval_text(stated.interval));
-    };
-    if (absolute == Verdict::falls) say("RMSE", finding_.rmse, *c.rmse);
-    if (relative == Verdict::falls) say("relMSE", finding_.relmse, *c.relmse);
     if (blocks.changed.empty()) return;
     const Block& worst = blocks.changed.front();
+    finding_.verdict = Verdict::falls;
     finding_.reasons.push_back(std::to_string(blocks.changed.size()) + " of " + std::to_string(blocks.blocks) +
                                " blocks of pixels are off by more than chance allows, the worst at " +
                                std::to_string(worst.x) + "," + std::to_string(worst.y) + " by " +

@@ -12,6 +12,8 @@ namespace {
 constexpr double kHopeless = 3;
 // Errors that fewer samples tell are not yet a reason to give up.
 constexpr uint32_t kLeastSamples = 8;
+// From here on adaptive sampling has found its ways.
+constexpr uint32_t kSettled = 32;
 
 // So many pixels at most, in the same shape.
 render::Document reduced(const render::Document& document, int most_pixels) {
@@ -26,8 +28,8 @@ render::Document reduced(const render::Document& document, int most_pixels) {
 
 class Runner {
  public:
-  Runner(render::Session& session, const PilotPlan& plan, const bench::Watch& watch)
-      : session_(session), plan_(plan), watch_(watch) {}
+  Runner(render::Session& session, const PilotPlan& plan, const bench::Watch& watch, const PilotPublisher& publish)
+      : session_(session), plan_(plan), watch_(watch), publish_(publish) {}
 
   Pilots go(const std::vector<bench::Method>& methods) {
     for (const auto& method : methods) {
@@ -63,6 +65,7 @@ class Runner {
       }
       if (!any) return true;
       give_up_the_hopeless();
+      if (publish_) publish_(all_);
     }
   }
 
@@ -83,7 +86,9 @@ class Runner {
     pilot.seconds += status.seconds, spent_ += status.seconds;
     pilot.samples = status.samples;
     pilot.error = pilot.film.error();
-    pilot.forecast.add(pilot.samples, pilot.seconds, pilot.error);
+    // The fall of the error on which adaptive sampling sets in is not how it goes on.
+    if (d.method.adaptive == render::Adaptive::off || pilot.samples >= kSettled)
+      pilot.forecast.add(pilot.samples, pilot.seconds, pilot.error);
     if (pilot.error.known) pilot.looks.push_back({pilot.seconds, pilot.error.rmse});
     return whole;
   }
@@ -105,6 +110,7 @@ class Runner {
   render::Session& session_;
   const PilotPlan& plan_;
   const bench::Watch& watch_;
+  const PilotPublisher& publish_;
   double spent_ = 0;
   Pilots all_;
 };
@@ -118,8 +124,8 @@ std::optional<render::Prediction> Pilot::time_to(double rmse) const {
 }
 
 Pilots run_pilots(render::Session& session, const std::vector<bench::Method>& methods, const PilotPlan& plan,
-                  const bench::Watch& watch) {
-  return Runner(session, plan, watch).go(methods);
+                  const bench::Watch& watch, const PilotPublisher& publish) {
+  return Runner(session, plan, watch, publish).go(methods);
 }
 
 }  // namespace etendue::advice

@@ -4,6 +4,7 @@
 // film's halves hold whole nets whenever they are looked at. Pictures of many pixels are piloted smaller: what one more
 // second of samples tells of the exponent is worth more than pixels.
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -52,7 +53,9 @@ struct Pilots {
   bool interrupted = false;
 };
 
+// `publish` is told how things stand after every round.
+using PilotPublisher = std::function<void(const Pilots&)>;
 Pilots run_pilots(render::Session& session, const std::vector<bench::Method>& methods, const PilotPlan& plan,
-                  const bench::Watch& watch);
+                  const bench::Watch& watch, const PilotPublisher& publish = {});
 
 }  // namespace etendue::advice

@@ -1,5 +1,6 @@
 #include "advice/report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -99,9 +100,13 @@ std::string ranking_text(const Ranking& ranking) {
   std::string text;
   print_table(text, ranking.table);
   for (const auto& sentence : ranking.beyond_methods) text += sentence + '\n';
-  print(text, "\n%-28s %-28s %s\n", "method", ("time to RMSE " + number(ranking.target)).c_str(), "reason");
+  size_t widest = 0;
+  for (const auto& advice : ranking.methods) widest = std::max(widest, advice.method.name.size());
+  const auto column = static_cast<int>(widest);
+  print(text, "\n%-*s  %-26s  %s\n", column, "method", ("time to RMSE " + number(ranking.target)).c_str(), "reason");
   for (const auto& advice : ranking.methods)
-    print(text, "%-28s %-28s %s\n", advice.method.name.c_str(), time_text(advice).c_str(), advice.reason.c_str());
+    print(text, "%-*s  %-26s  %s\n", column, advice.method.name.c_str(), time_text(advice).c_str(),
+          advice.reason.c_str());
   return text;
 }
 

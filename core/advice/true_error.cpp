@@ -43,7 +43,7 @@ TrueError true_error(std::span<const float> picture, const film::Film& other) {
       const double a = pixel.sum[0][c] / std::max(1u, pixel.count[0]),
                    b = pixel.sum[1][c] / std::max(1u, pixel.count[1]);
       absolute.add(x - a, x - b, 1);
-      relative.add(x - a, x - b, 1 / (sqr(x) + 0.01));
+      relative.add(x - a, x - b, 1 / (sqr(0.5 * (a + b)) + 0.01));
     }
     absolute.end_pixel(), relative.end_pixel();
   }

@@ -20,8 +20,8 @@ struct MeanSquare {
 };
 
 struct TrueError {
-  // Relative: over the square of the picture plus 0.01. relMSE has that of the truth; but a noisy truth's would know of
-  // the products, and for a picture that is right but for its noise it is the same.
+  // Relative: over the square of the mean of both halves plus 0.01, as relMSE. That mean knows of the products: where
+  // the other rendering is noisy, the value is a rough one.
   MeanSquare absolute, relative;
 };
 
