@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/warp.h"
 #include "light/light_table.h"
 
@@ -98,6 +100,9 @@ EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(en
     }
   }
   for (int i = 0; i < 3; ++i) mean_[i] *= static_cast<float>(sum[i] / solid_angle);
+  // One at most: the brightest that a file can hold has no square among floats, and densities know no scale.
+  if (const float most = *std::max_element(weights_.begin(), weights_.end()); most > 0)
+    for (float& w : weights_) w /= most;
 
   std::vector<float> means;
   means.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height + 1));

@@ -122,6 +122,19 @@ TEST(Environment, RadianceOverDensityStaysBounded) {
   EXPECT_LT(most, 2 * mean);
 }
 
+// Radiance up to what a float can hold: squares of such numbers are infinite, densities are not.
+TEST(Environment, TheBrightestMapHasTheDensityOfADimOne) {
+  const auto scaled = [](float scale) {
+    return EnvironmentMap(environment(8, 4, [&](int x, int y) { return Rgb(scale * static_cast<float>(1 + x + y)); }));
+  };
+  const EnvironmentMap bright = scaled(3e37f), dim = scaled(1);
+  for (int i = 0; i < 100; ++i) {
+    const auto a = bright.sample(spread(i)), b = dim.sample(spread(i));
+    EXPECT_LT(glm::distance(a.direction, b.direction), 1e-4f);
+    EXPECT_NEAR(a.pdf_solid_angle, b.pdf_solid_angle, 1e-3f * b.pdf_solid_angle);
+  }
+}
+
 TEST(Environment, ABlackMapHasNoDensity) {
   const EnvironmentMap map(environment(4, 2, [](int, int) { return Rgb(0); }));
   EXPECT_EQ(map.pdf_solid_angle(direction_at(0.3f, 0.4f)), 0);
