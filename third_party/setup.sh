@@ -1,20 +1,26 @@
 #!/usr/bin/env bash
-# Installs the packages of packages.txt that are missing, then configures and builds. Sourced by ./run and ./test.
-#   setup PRESET TARGET...
-setup() {
-  local preset=$1 root missing
-  shift
-  root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-  missing=$(grep -v '^#' "$root/third_party/packages.txt" | while read -r package; do
+# Installs packages that are missing, then configures and builds. Sourced by ./run and ./test.
+third_party=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+#   install_packages LIST: the packages of third_party/LIST.
+install_packages() {
+  local missing sudo=""
+  missing=$(grep -v '^#' "$third_party/$1" | while read -r package; do
     [ -e "/var/lib/dpkg/info/$package.list" ] || compgen -G "/var/lib/dpkg/info/$package:*.list" >/dev/null || echo "$package"
   done)
-  if [ -n "$missing" ]; then
-    echo "installing: $(echo "$missing" | tr '\n' ' ')" >&2
-    local sudo=""
-    [ "$(id -u)" = 0 ] || sudo=sudo
-    $sudo apt-get update -qq && echo "$missing" | xargs $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends >&2 ||
-      { echo "etendue: packages could not be installed; third_party/packages.txt lists them" >&2; return 1; }
-  fi
+  [ -n "$missing" ] || return 0
+  echo "installing: $(echo "$missing" | tr '\n' ' ')" >&2
+  [ "$(id -u)" = 0 ] || sudo=sudo
+  $sudo apt-get update -qq && echo "$missing" | xargs $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends >&2 ||
+    { echo "etendue: packages could not be installed; third_party/$1 lists them" >&2; return 1; }
+}
+
+#   setup PRESET TARGET...
+setup() {
+  local preset=$1 root
+  shift
+  root=$(dirname "$third_party")
+  install_packages packages.txt || return 1
   [ -f "$root/build/$preset/build.ninja" ] || cmake -S "$root" --preset "$preset" >"$root/build-$preset.log" 2>&1 ||
     { cat "$root/build-$preset.log" >&2; return 1; }
   rm -f "$root/build-$preset.log"
