@@ -94,6 +94,8 @@ int main(int argc, char** argv) {
     slopes(session, "staircase2", data + "/scenes/staircase2/staircase2.glb", 32);
     slopes(session, "veach-bidir", data + "/scenes/veach-bidir/veach-bidir.glb", 32);
     slopes(session, "ToyCar", data + "/gltf/ToyCar/glTF/ToyCar.gltf", 64);
+    slopes(session, "Duck", data + "/gltf/Duck.glb", 64);
+    slopes(session, "Avocado", data + "/gltf/Avocado/glTF/Avocado.gltf", 64);
   }
   return biases(session, argc > 1 ? argv[1] : nullptr);
 }
