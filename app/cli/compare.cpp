@@ -9,7 +9,7 @@
 #include "measure/flip.h"
 #include "measure/heat_map.h"
 #include "measure/metrics.h"
-#include "output.h"
+#include "render/output.h"
 
 namespace etendue::cli {
 namespace {
@@ -22,7 +22,7 @@ struct Options {
 
 // As the reference was shown; a file without settings is shown as it is.
 measure::Look look_of(const image::LayeredImage& reference, double pixels_per_degree) {
-  const auto state = reference.attributes.find(kStateAttribute);
+  const auto state = reference.attributes.find(render::kStateAttribute);
   const auto display =
       state != reference.attributes.end() ? render::display_from_state(state->second) : render::Display();
   return {display.exposure, display.curve, pixels_per_degree};

@@ -12,10 +12,10 @@
 #include "integrator/integrator.h"
 #include "interrupt.h"
 #include "memory.h"
-#include "output.h"
 #include "progress.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
+#include "render/output.h"
 #include "render/session.h"
 #include "settings.h"
 
@@ -53,7 +53,7 @@ Result<Start> starting_point(const Options& o) {
   if (!o.like.empty()) {
     auto snapshot = image::read_exr(o.like);
     if (!snapshot) return snapshot.error();
-    const auto state = snapshot->attributes.find(kStateAttribute);
+    const auto state = snapshot->attributes.find(render::kStateAttribute);
     if (state == snapshot->attributes.end())
       return input_error(o.like + ": carries no settings; give an .exr that this program wrote");
     auto document = render::document_from_state(state->second, o.like, nullptr);
@@ -185,9 +185,9 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
 
 int run(const Options& o) {
   if (o.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
-  if (auto ok = check_output_name(o.out); !ok) return fail(ok.error());
+  if (auto ok = render::check_output_name(o.out); !ok) return fail(ok.error());
   if (!o.png.empty())
-    if (auto ok = check_output_name(o.png); !ok) return fail(ok.error());
+    if (auto ok = render::check_output_name(o.png); !ok) return fail(ok.error());
   if (!o.resume.empty() && changes_light(o))
     return fail(usage_error("--resume: a checkpoint goes on with its own settings; leave out what changes the image"));
   auto aovs = aov_list(o.aov);
@@ -240,16 +240,16 @@ int run(const Options& o) {
   const film::Film film = session.film_copy();
   if (interrupted && o.checkpoint > 0)
     if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
-  Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
+  render::Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
   rendering.sample_counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
   if (const auto compiled = session.scene(); compiled && !aovs->empty())
     rendering.layers =
         render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const transport::Model model = session.model();
   rendering.certificate = certificate_of(session, d, status, film);
-  if (auto ok = write_image(o.out, rendering); !ok) return fail(ok.error());
+  if (auto ok = render::write_image(o.out, rendering); !ok) return fail(ok.error());
   if (!o.png.empty())
-    if (auto ok = write_image(o.png, rendering); !ok) return fail(ok.error());
+    if (auto ok = render::write_image(o.png, rendering); !ok) return fail(ok.error());
   if (!o.json.empty()) {
     const std::string text =
         stats(d, status, model, o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency()),

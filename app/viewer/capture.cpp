@@ -1,48 +1,29 @@
 #include "viewer/capture.h"
 
-#include <cctype>
-#include <filesystem>
-
-#include "image/display.h"
-#include "image/image.h"
+#include "advice/certificate.h"
+#include "render/output.h"
 
 namespace etendue::viewer {
 namespace {
 
-Result<std::string> write(const std::string& file, const render::Document& document, const film::Film& film) {
-  std::vector<float> rgb;
-  image::Layer variance{"variance", {"R", "G", "B"}, {}};
-  const size_t numbers = film.pixels().size() * 3;
-  rgb.reserve(numbers);
-  variance.pixels.reserve(numbers);
-  uint32_t samples = UINT32_MAX;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      const Rgb m = film.mean(x, y), v = film.variance_of_mean(x, y);
-      rgb.insert(rgb.end(), {m.r, m.g, m.b});
-      variance.pixels.insert(variance.pixels.end(), {v.r, v.g, v.b});
-      samples = std::min(samples, film.samples(x, y));
-    }
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const std::string state = render::state_json(document, samples);
-  Result<void> written;
-  if (extension == ".exr") {
-    image::LayeredImage picture;
-    picture.width = film.width(), picture.height = film.height();
-    picture.attributes = {{kStateAttribute, state}, {"software", "etendue"}};
-    picture.layers.push_back({"", {"R", "G", "B"}, std::move(rgb)});
-    picture.layers.push_back(std::move(variance));
-    written = image::write_exr(file, picture);
-  } else if (extension == ".hdr") {
-    written = image::write_hdr(file, film.width(), film.height(), rgb);
-  } else if (extension == ".png") {
-    const auto shown = image::display_pixels(rgb, document.display.exposure, document.display.curve);
-    written = image::write_png(file, film.width(), film.height(), shown, {{kStateAttribute, state}});
-  } else {
-    return usage_error(file + ": '" + extension + "' is no format that can be written; give .exr, .hdr or .png");
-  }
-  if (!written) return written.error();
+// For finding out what a method may miss, where it does not declare to find everything.
+constexpr double kCertificateSeconds = 0.5;
+
+std::string certificate_of(const render::Session& session, const render::Document& document, const film::Film& film) {
+  const render::Status status = session.status();
+  const advice::Evidence evidence{film.error(), status.rejected, session.model(), status.health ? status.health->tail.khat : std::nullopt};
+  render::Session own({.threads = 1});
+  return advice::certificate_json(advice::certificate(own, document, evidence, kCertificateSeconds, [](double, const std::string&) { return true; }));
+}
+
+// An empty name if the picture is no longer of this version.
+Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document, uint64_t version) {
+  if (auto known = render::check_output_name(file); !known) return known.error();
+  const film::Film film = session.film_copy();
+  render::Rendering rendering{document, film, session.status().samples, certificate_of(session, document, film), session.reweighted_copy()};
+  // An edit that came before the copy would have its film under the old settings.
+  if (session.status().version != version) return std::string();
+  if (auto written = render::write_image(file, rendering); !written) return written.error();
   return file;
 }
 
@@ -77,12 +58,7 @@ std::optional<Result<std::string>> Capture::advance() {
     const render::Status status = session_.status();
     if (status.version != version_ || !status.finished) return std::nullopt;
     stage_ = Stage::writing;
-    job_.start([file = files_.front(), document = editor_.document(), version = version_, &session = session_]() -> Result<std::string> {
-      const film::Film film = session.film_copy();
-      // An edit that came before the copy would have its film under the old settings.
-      if (session.status().version != version) return std::string();
-      return write(file, document, film);
-    });
+    job_.start([file = files_.front(), document = editor_.document(), version = version_, &session = session_] { return write(file, session, document, version); });
   }
   auto result = job_.take();
   if (!result) return std::nullopt;

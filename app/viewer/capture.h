@@ -13,15 +13,12 @@
 
 namespace etendue::viewer {
 
-// The attribute of an .exr that holds a document's state.
-inline constexpr const char* kStateAttribute = "etendue:state";
-
 class Capture {
  public:
   Capture(render::Session& session, Editor& editor, std::function<void()> wake)
       : session_(session), editor_(editor), job_(std::move(wake)) {}
 
-  // .exr takes the radiance, its variance and the state; .hdr the radiance; .png what the screen shows of it.
+  // As render::write_image does: .exr takes all, with a certificate; .hdr the radiance; .png what the screen shows of it.
   void request(const std::string& file);
   bool busy() const { return !files_.empty(); }
   const std::string& file() const { return files_.front(); }

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "image/image.h"
-#include "viewer/capture.h"
+#include "render/output.h"
 
 namespace etendue::viewer {
 namespace {
@@ -28,7 +28,7 @@ Result<Opened> read(const std::string& file, const render::Document& current) {
   if (extension == ".exr") {
     const auto picture = image::read_exr(file);
     if (!picture) return picture.error();
-    const auto state = picture->attributes.find(kStateAttribute);
+    const auto state = picture->attributes.find(render::kStateAttribute);
     if (state == picture->attributes.end()) return environment(file, current);
     auto document = render::document_from_state(state->second, file);
     if (!document) return document.error();

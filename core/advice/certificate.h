@@ -49,9 +49,6 @@ struct Evidence {
 Certificate certificate(render::Session& session, const render::Document& document, const Evidence& evidence,
                         double seconds, const bench::Watch& watch);
 
-// The EXR attribute that holds it.
-inline constexpr const char* kCertificateAttribute = "etendue:certificate";
-
 std::string certificate_json(const Certificate& certificate);
 // `source` is for the message. What is not of this program is an input error.
 Result<Certificate> certificate_from_json(const std::string& json, const std::string& source);

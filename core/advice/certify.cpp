@@ -6,6 +6,7 @@
 #include "advice/trusted.h"
 #include "advice/words.h"
 #include "base/hash.h"
+#include "render/output.h"
 
 namespace etendue::advice {
 namespace {
@@ -14,7 +15,6 @@ namespace {
 constexpr double k95 = 1.96, k999 = 3.29, kTrue = 3;
 // So well known, the true error speaks for itself.
 constexpr double kPrecise = 0.02;
-constexpr const char* kStateAttribute = "etendue:state";
 
 // Samples of every pixel for the first look.
 constexpr uint32_t kFirstLook = 4;
@@ -201,8 +201,8 @@ std::string_view verdict_name(Verdict verdict) {
 Result<Claim> read_claim(const std::string& file) {
   auto picture = image::read_exr(file);
   if (!picture) return picture.error();
-  const auto state = picture->attributes.find(kStateAttribute),
-             certificate = picture->attributes.find(kCertificateAttribute);
+  const auto state = picture->attributes.find(render::kStateAttribute),
+             certificate = picture->attributes.find(render::kCertificateAttribute);
   if (state == picture->attributes.end() || certificate == picture->attributes.end())
     return input_error(file + ": states nothing of its error; give an .exr that etendue render wrote");
   Claim claim;

@@ -1,12 +1,11 @@
-#include "output.h"
+#include "render/output.h"
 
 #include <filesystem>
 
-#include "advice/certificate.h"
 #include "film/picture.h"
 #include "image/display.h"
 
-namespace etendue::cli {
+namespace etendue::render {
 namespace {
 
 std::string extension_of(const std::string& path) {
@@ -39,9 +38,9 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   const std::string extension = extension_of(path);
   const film::Film& film = r.film;
   if (extension == ".hdr") return image::write_hdr(path, film.width(), film.height(), film::radiance_of(film));
-  const std::string state = render::state_json(r.document, r.samples);
+  const std::string state = state_json(r.document, r.samples);
   if (extension == ".png") {
-    const render::Display& display = r.document.display;
+    const Display& display = r.document.display;
     const auto shown = image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure,
                                              display.curve);
     return image::write_png(path, film.width(), film.height(), shown, {{kStateAttribute, state}});
@@ -49,11 +48,11 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   image::LayeredImage picture = film::picture_of(film);
   picture.attributes[kStateAttribute] = state;
   picture.attributes["software"] = "etendue";
-  picture.attributes[advice::kCertificateAttribute] = r.certificate;
+  if (!r.certificate.empty()) picture.attributes[kCertificateAttribute] = r.certificate;
   if (r.reweighted) picture.layers.push_back({"reweighted", {"R", "G", "B"}, *r.reweighted});
   if (r.sample_counts) picture.layers.push_back(count_layer(film));
   for (const auto& layer : r.layers) picture.layers.push_back(layer);
   return image::write_exr(path, picture);
 }
 
-}  // namespace etendue::cli
+}  // namespace etendue::render
