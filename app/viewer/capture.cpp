@@ -9,7 +9,8 @@
 namespace etendue::viewer {
 namespace {
 
-Result<std::string> write(const std::string& file, const render::Document& document, const film::Film& film) {
+// `shown` is what stands on the screen where that is not the film's mean; files of radiance keep the mean.
+Result<std::string> write(const std::string& file, const render::Document& document, const film::Film& film, const std::optional<std::vector<float>>& shown) {
   std::vector<float> rgb;
   image::Layer variance{"variance", {"R", "G", "B"}, {}};
   const size_t numbers = film.pixels().size() * 3;
@@ -37,8 +38,8 @@ Result<std::string> write(const std::string& file, const render::Document& docum
   } else if (extension == ".hdr") {
     written = image::write_hdr(file, film.width(), film.height(), rgb);
   } else if (extension == ".png") {
-    const auto shown = image::display_pixels(rgb, document.display.exposure, document.display.curve);
-    written = image::write_png(file, film.width(), film.height(), shown, {{kStateAttribute, state}});
+    const auto pixels = image::display_pixels(shown.value_or(rgb), document.display.exposure, document.display.curve);
+    written = image::write_png(file, film.width(), film.height(), pixels, {{kStateAttribute, state}});
   } else {
     return usage_error(file + ": '" + extension + "' is no format that can be written; give .exr, .hdr or .png");
   }
@@ -79,9 +80,10 @@ std::optional<Result<std::string>> Capture::advance() {
     stage_ = Stage::writing;
     job_.start([file = files_.front(), document = editor_.document(), version = version_, &session = session_]() -> Result<std::string> {
       const film::Film film = session.film_copy();
+      const auto shown = session.reweighted_copy();
       // An edit that came before the copy would have its film under the old settings.
       if (session.status().version != version) return std::string();
-      return write(file, document, film);
+      return write(file, document, film, shown);
     });
   }
   auto result = job_.take();

@@ -91,6 +91,23 @@ class WaitForWork final : public Step {
   Rest rest_{3};
 };
 
+// Until the path classes of the view, or the advice, are whole.
+class WaitForStudy final : public Step {
+ public:
+  explicit WaitForStudy(bool paths) : paths_(paths) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (!rest_.over() || (paths_ ? w.paths.running() : w.advice.running())) return kGoingOn;
+    if (paths_) return w.paths.fresh() ? kDone : impossible("the path classes of this view were not measured; click paths.measure first");
+    return w.advice.shown() ? kDone : impossible("no advice was asked for; click advice.ask first");
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  bool paths_;
+  Rest rest_{3};
+};
+
 class Set final : public Step {
  public:
   Set(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
@@ -368,7 +385,8 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
     if (action == "wait" && j.contains("for")) {
       const std::string what = j["for"].get<std::string>();
       if (what == "contest") return made(std::make_unique<WaitForContest>());
-      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison or contest");
+      if (what == "paths" || what == "advice") return made(std::make_unique<WaitForStudy>(what == "paths"));
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths or advice");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));
