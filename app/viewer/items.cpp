@@ -9,7 +9,7 @@ namespace etendue::viewer {
 void Items::place(const std::string& name) {
   // A script that wants an item which is scrolled out of sight has it brought into sight.
   if (!ImGui::IsItemVisible()) {
-    if (wanted(name)) ImGui::SetScrollHereY();
+    if (wanted(name) || name == sought_) ImGui::SetScrollHereY();
     return;
   }
   const ImVec2 least = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();

@@ -24,12 +24,34 @@ constexpr Column kColumns[] = {
 };
 
 constexpr const char* kLetters =
-    "E eye   D diffuse   G glossy   S mirror or glass   L light\n+ once or more   * any number   . any of D, G, S   | or";
+    "E eye, D diffuse, G glossy, S mirror or glass, L light; + once or more, * any number, . any surface, | or";
+
+// "EDS+L" as "eye, diffuse, mirror or glass (once or more), light".
+std::string in_words(const std::string& paths) {
+  std::string words;
+  bool joins = true;  // no comma comes before the next word
+  const auto word = [&](const char* text) { words += (joins ? "" : ", ") + std::string(text), joins = false; };
+  for (const char c : paths) {
+    if (c == 'E') word("eye");
+    if (c == 'D') word("diffuse");
+    if (c == 'G') word("glossy");
+    if (c == 'S') word("mirror or glass");
+    if (c == 'L') word("light");
+    if (c == '.') word("anything");
+    if (c == '(') word("("), joins = true;
+    if (c == ')') words += ")";
+    if (c == '|') words += " or ", joins = true;
+    if (c == '+') words += " (once or more)";
+    if (c == '*') words += " (any number of times)";
+    if (c == '?') words += " (or not)";
+  }
+  return words;
+}
 
 // The share as a bar with its figure on it.
 void share_bar(const Workbench& w, double share, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight(), figure_width = ImGui::GetFontSize() * 3.6f, room = width - figure_width;
+  const float height = ImGui::GetTextLineHeight(), figure_width = ImGui::GetFontSize() * 4.8f, room = width - figure_width;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({at.x, at.y + 2}, {at.x + room, at.y + height - 2}, ImGui::GetColorU32(ImGuiCol_FrameBg));
   draw->AddRectFilled({at.x, at.y + 2}, {at.x + room * static_cast<float>(std::clamp(share, 0.0, 1.0)), at.y + height - 2}, ImGui::GetColorU32(w.theme.accent));
@@ -66,7 +88,7 @@ void class_row(Workbench& w, const advice::ClassRow& row, size_t index, float ba
   ImGui::TableNextColumn();
   if (ImGui::Selectable(row.paths.c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) w.choose_paths(chosen ? "" : row.paths);
   w.items.place("paths.row." + std::to_string(index));
-  if (ImGui::IsItemHovered()) tooltip(w, row.paths + "\n" + kLetters);
+  if (ImGui::IsItemHovered()) tooltip(w, row.paths + ": " + in_words(row.paths));
   share_and_energy(w, row, bar);
   found_cell(w, w.paths.seen().rows[index]);
 }
@@ -84,7 +106,7 @@ void total_row(Workbench& w, const advice::ClassTable& table, float bar) {
 }
 
 void class_table(Workbench& w, const PathsTable& shown) {
-  const float em = ImGui::GetFontSize(), bar = em * 11;
+  const float em = ImGui::GetFontSize(), bar = em * 13;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {em * 0.5f, std::floor(em * 0.12f)});
   if (ImGui::BeginTable("##classes", static_cast<int>(std::size(kColumns)), ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
     for (const Column& column : kColumns) ImGui::TableSetupColumn(column.label, &column == kColumns ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
@@ -125,8 +147,8 @@ void remarks(Workbench& w) {
     misses.none() ? ImGui::TextWrapped("%s", sentence.c_str()) : warning(w, sentence);
     for (const auto& beyond : shown->beyond_methods) warning(w, "Beyond all methods: " + beyond + ".");
     if (!shown->table.unseen.empty()) {
-      std::string unseen = "No sample found";
-      for (const auto& paths : shown->table.unseen) unseen += " " + paths;
+      std::string unseen = "No sample found light by";
+      for (const auto& paths : shown->table.unseen) unseen += "  " + paths;
       note(w, unseen + ".");
     }
     note(w, text_of("%d x %d pixels, %u spp, %.1f s.", shown->table.width, shown->table.height, shown->table.samples, shown->table.seconds));

@@ -170,6 +170,7 @@ class Click final : public Step {
     if (const Placement* place = w.items.find(item_)) {
       const Action* action = w.actions.find(item_);
       if (action && !action->is_enabled()) return impossible("it is disabled now");
+      w.items.seek("");
       const Vec2 middle = place->corner + place->size * 0.5f;
       pointer_ = std::make_unique<Pointer>(middle, middle, Button::left);
       return pointer_->advance(w, picture);
@@ -182,6 +183,7 @@ class Click final : public Step {
       return kGoingOn;
     }
     if (!w.view.interface) w.view.interface = true;
+    w.items.seek(item_);
     return ++frames_ <= kLookingFrames ? kGoingOn
                                        : impossible("nothing of that name is on screen; see etendue list widgets");
   }

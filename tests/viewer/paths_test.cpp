@@ -29,7 +29,7 @@ TEST_F(PathsSheet, SharesAddUpAndAClickHasOneClassCount) {
     EXPECT_EQ(row["found"], "yes") << row;  // path tracing finds them all
   }
   EXPECT_NEAR(sum, 1, 1e-4);
-  ASSERT_GT(all["paths"]["rows"].size(), 3u);
+  ASSERT_GE(all["paths"]["rows"].size(), 3u);
   EXPECT_EQ(all["undo_depth"], kDepth);
 
   const auto one = state("one.json");
@@ -78,7 +78,7 @@ TEST_F(PathsSheet, AnyExpressionCanBeTypedAndAWrongOneIsRefused) {
 }
 
 TEST_F(PathsSheet, TheBestMethodIsTakenInOneStep) {
-  const auto steps = joined(small(), steps_of({set("render.integrator", "path-pure"), set("advice.pilot", 0.05), set("advice.error", 0.5), click("advice.ask"),
+  const auto steps = joined(small(), steps_of({set("render.integrator", "path-pure"), set("advice.pilot", 0.125), set("advice.error", 0.5), click("advice.ask"),
                                                file_step("state", path("asked.json")), wait_for("advice"), file_step("state", path("told.json")),
                                                click("advice.use.0"), file_step("state", path("used.json")), key("ctrl+z"),
                                                file_step("state", path("back.json"))}));
