@@ -62,7 +62,9 @@ void AdviceHand::stop() {
 void AdviceHand::use(size_t row) {
   if (!shown() || row >= shown()->methods.size()) return;
   render::Document changed = editor_.document();
+  std::string paths = std::move(changed.method.paths);  // no part of the advice
   changed.method = shown()->methods[row].method.document.method;
+  changed.method.paths = std::move(paths);
   changed.limits.rmse = shown()->target;
   editor_.apply(std::move(changed), "Advice");
 }

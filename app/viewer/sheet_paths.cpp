@@ -139,6 +139,11 @@ void remarks(Workbench& w) {
   action_button(w, "paths.all");
   ImGui::PushFont(w.faces.small);
   const auto* shown = w.paths.shown();
+  if (const auto& chosen = w.editor.document().method.paths; !chosen.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, w.theme.accent);
+    ImGui::TextWrapped("The picture is of %s alone.", chosen.c_str());
+    ImGui::PopStyleColor();
+  }
   if (w.paths.running()) note(w, "Measuring.");
   if (shown && !w.paths.fresh()) warning(w, "Of the view before the last edit.");
   if (shown) {

@@ -96,7 +96,9 @@ class WaitForStudy final : public Step {
  public:
   explicit WaitForStudy(bool paths) : paths_(paths) {}
   Progress advance(Workbench& w, Picture&) override {
-    if (!rest_.over() || (paths_ ? w.paths.running() : w.advice.running())) return kGoingOn;
+    if (!begun_.over() || (paths_ ? w.paths.running() : w.advice.running())) return kGoingOn;
+    // A table's columns take some frames to find their widths.
+    if (!settled_.over()) return kGoingOn;
     if (paths_) return w.paths.fresh() ? kDone : impossible("the path classes of this view were not measured; click paths.measure first");
     return w.advice.shown() ? kDone : impossible("no advice was asked for; click advice.ask first");
   }
@@ -105,7 +107,7 @@ class WaitForStudy final : public Step {
 
  private:
   bool paths_;
-  Rest rest_{3};
+  Rest begun_{3}, settled_{3};
 };
 
 class Set final : public Step {
