@@ -67,7 +67,7 @@ void edit_actions(Actions& a, Workbench* w) {
 void render_actions(Actions& a, Workbench* w) {
   const auto loaded = [w] { return !w->editor.empty(); };
   a.add({"render.pause", "Render", "Pause", "Keeps the picture as it is, and the processor free", "space", [w] { w->session.pause(!w->session.paused()); },
-         [w] { return !w->editor.empty() && !w->contest.running(); }, [w] { return w->session.paused(); }});
+         [w] { return !w->editor.empty() && !w->contest.running() && !w->advice.running(); }, [w] { return w->session.paused(); }});
   a.add({"render.restart", "Render", "Restart", "Throws the samples away and starts again", "r", [w] { w->session.restart(); }, loaded, {}});
   a.add({"render.previous", "Render", "Previous integrator", "Back and forth between the last two", "tab", [w] {
            const auto& infos = integrator::integrator_infos();
@@ -108,12 +108,25 @@ void contest_actions(Actions& a, Workbench* w) {
   a.add({"compare.start", "Compare", "Compare", "Methods take turns on this scene from this camera; their errors grow as curves", "", [w] {
            w->view.sheet = "sheet.convergence";
            w->contest.propose();
+           w->advice.stop();
            if (const auto started = w->contest.start(); !started) w->notices.complain(started.error().message);
          }, loaded, {}});
   a.add({"compare.stop", "Compare", "Stop", "Ends the turns; the curves stay", "", [w] { w->contest.stop(); }, [w] { return w->contest.running(); }, {}});
-  a.add({"compare.go-on", "Compare", "Go on", "After a stop from there; after the end to twice the budget", "", [w] { w->contest.go_on(); }, [w] { return w->contest.can_go_on(); }, {}});
+  a.add({"compare.go-on", "Compare", "Go on", "After a stop from there; after the end to twice the budget", "", [w] { w->advice.stop(), w->contest.go_on(); }, [w] { return w->contest.can_go_on(); }, {}});
   a.add({"compare.add-current", "Compare", "Add current", "Puts the method of the Render panel on the list", "", [w] { w->contest.add(name_of(w->editor.document().method)); }, loaded, {}});
   a.add({"compare.export", "Compare", "Export the chart...", ".svg or .png as a figure, .csv as numbers", "", [w] { ask_for_chart(*w); }, [w] { return w->contest.shown() != nullptr; }, {}});
+}
+
+void advice_actions(Actions& a, Workbench* w) {
+  a.add({"paths.measure", "Render", "Measure path classes", "Measures anew which light paths the energy of this view comes by", "", [w] { w->view.sheet = "sheet.paths", w->paths.measure(); },
+         [w] { return !w->editor.empty() && !w->advice.running(); }, {}});
+  a.add({"paths.all", "Render", "All paths", "Lets all light paths count again", "", [w] { w->choose_paths(""); },
+         [w] { return !w->editor.empty() && !w->editor.document().method.paths.empty(); }, {}});
+  a.add({"advice.ask", "Render", "Ask for a method", "Tries every method out and ranks them by the time to the error", "", [w] {
+           w->contest.stop();
+           w->advice.ask();
+         }, [w] { return !w->editor.empty() && !w->advice.running(); }, {}});
+  a.add({"advice.stop", "Render", "Stop asking", "Ends the trials; the ranking stays as far as it came", "", [w] { w->advice.stop(); }, [w] { return w->advice.running(); }, {}});
 }
 
 void compare_actions(Actions& a, Workbench* w) {
@@ -203,6 +216,7 @@ void add_actions(Actions& actions, Workbench* workbench) {
   render_actions(actions, workbench);
   view_actions(actions, workbench);
   contest_actions(actions, workbench);
+  advice_actions(actions, workbench);
   compare_actions(actions, workbench);
 }
 

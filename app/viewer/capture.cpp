@@ -9,9 +9,7 @@ namespace {
 // For finding out what a method may miss, where it does not declare to find everything.
 constexpr double kCertificateSeconds = 0.5;
 
-std::string certificate_of(const render::Session& session, const render::Document& document, const film::Film& film) {
-  const render::Status status = session.status();
-  const advice::Evidence evidence{film.error(), status.rejected, session.model(), status.health ? status.health->tail.khat : std::nullopt};
+std::string certificate_of(const render::Document& document, const advice::Evidence& evidence) {
   render::Session own({.threads = 1});
   return advice::certificate_json(advice::certificate(own, document, evidence, kCertificateSeconds, [](double, const std::string&) { return true; }));
 }
@@ -20,9 +18,12 @@ std::string certificate_of(const render::Session& session, const render::Documen
 Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document, uint64_t version) {
   if (auto known = render::check_output_name(file); !known) return known.error();
   const film::Film film = session.film_copy();
-  render::Rendering rendering{document, film, session.status().samples, certificate_of(session, document, film), session.reweighted_copy()};
+  auto shown = session.reweighted_copy();
+  const render::Status status = session.status();
+  const advice::Evidence evidence{film.error(), status.rejected, session.model(), status.health ? status.health->tail.khat : std::nullopt};
   // An edit that came before the copy would have its film under the old settings.
   if (session.status().version != version) return std::string();
+  const render::Rendering rendering{document, film, status.samples, certificate_of(document, evidence), std::move(shown)};
   if (auto written = render::write_image(file, rendering); !written) return written.error();
   return file;
 }

@@ -13,10 +13,7 @@ namespace etendue::viewer {
 namespace {
 
 // Whether two documents ask for the same picture, by whatever method.
-bool same_picture(const render::Document& a, const render::Document& b) {
-  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height && a.filter == b.filter && a.forced_flags == b.forced_flags &&
-         a.method.paths == b.method.paths;
-}
+bool same_picture(const render::Document& a, const render::Document& b) { return same_view(a, b) && a.method.paths == b.method.paths; }
 
 std::string in_quotes(const std::string& text) {
   std::string quoted = "\"";
@@ -56,6 +53,10 @@ Result<std::string> write_chart(const std::string& file, const bench::ContestSna
 }
 
 }  // namespace
+
+bool same_view(const render::Document& a, const render::Document& b) {
+  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height && a.filter == b.filter && a.forced_flags == b.forced_flags;
+}
 
 std::string name_of(const render::Method& method) {
   std::string name = method.integrator + ":sampler=" + method.sampler;

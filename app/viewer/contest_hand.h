@@ -111,6 +111,9 @@ class ContestHand {
 // Every knob of the setup, for lists.
 std::vector<ParameterInfo> contest_parameters();
 
+// Whether two documents show the same by whatever method, and whichever paths count.
+bool same_view(const render::Document& a, const render::Document& b);
+
 // "path:sampler=sobol:max-depth=3" of a document's method; and as a reader likes it: "path, sobol, max-depth=3".
 std::string name_of(const render::Method& method);
 std::string spoken(const std::string& method);

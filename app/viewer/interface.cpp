@@ -99,6 +99,7 @@ bool reveal(Workbench& w, const std::string& setting) {
   if (first == "material") return w.selection.material = index(), w.show_tab(Tab::material), true;
   if (first == "light") return w.selection.light = index(), w.show_tab(Tab::light), true;
   if (first == "environment") return w.show_tab(Tab::light), true;
+  if (first == "advice") return w.show_tab(Tab::render), true;
   const bool method = integrator::find_integrator(first) || find_sampler(first);
   if (method || first == "render" || first == "film" || first == "model") return w.show_tab(Tab::render), true;
   return false;

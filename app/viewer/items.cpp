@@ -8,11 +8,15 @@ namespace etendue::viewer {
 
 void Items::place(const std::string& name) {
   // A script that wants an item which is scrolled out of sight has it brought into sight.
-  if (!ImGui::IsItemVisible()) {
-    if (wanted(name)) ImGui::SetScrollHereY();
+  const ImVec2 least = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
+  // Its middle is what is clicked.
+  const float middle = least.y + 0.5f * size.y;
+  const ImDrawList* draw = ImGui::GetWindowDrawList();
+  const bool hidden = middle < draw->GetClipRectMin().y || middle >= draw->GetClipRectMax().y;
+  if (!ImGui::IsItemVisible() || hidden) {
+    if (wanted(name) || name == sought_) ImGui::SetScrollHereY();
     return;
   }
-  const ImVec2 least = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
   placed_[name] = {Vec2(least.x, least.y), Vec2(size.x, size.y)};
 }
 

@@ -26,6 +26,8 @@ class Items {
   void request(const std::string& name, const std::string& value);
   bool wanted(std::string_view name) const { return request_ && request_->name == name; }
   bool wanted_below(std::string_view prefix) const { return request_ && request_->name.starts_with(prefix); }
+  // Has this item brought into sight when it is drawn outside of it, until another is sought.
+  void seek(const std::string& name) { sought_ = name; }
   // For the widget: the value asked for, once; the widget then answers with what was wrong, or nothing.
   std::optional<std::string> take(const std::string& name);
   void answer(const std::string& error);
@@ -40,6 +42,7 @@ class Items {
   };
   std::map<std::string, Placement, std::less<>> placed_;
   std::optional<Request> request_;
+  std::string sought_;
   std::optional<std::string> answer_;
 };
 

@@ -1,6 +1,7 @@
 // Which method makes the picture, what can it find, and when does it stop?
 #include <imgui.h>
 
+#include "advice/blind_spots.h"
 #include "integrator/integrator.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
@@ -16,10 +17,15 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
     ImGui::PopFont();
     if (ImGui::IsItemHovered()) tooltip(w, "The light paths it finds, from the light (L) over diffuse (D), glossy (G) and specular (S) surfaces to the eye (E)");
   }
-  if (info.fails.empty()) return;
+  // What was measured of this very view says more than what holds for all.
+  const bool misses = w.paths.fresh() && !w.paths.seen().misses.none();
+  if (info.fails.empty() && !misses) return;
   ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
   ImGui::PushTextWrapPos(0);
-  ImGui::Text("Hard for it: %s", info.fails.c_str());
+  if (misses)
+    ImGui::Text("Here it %s.", advice::sentence_of(w.paths.seen().misses).c_str());
+  else
+    ImGui::Text("Hard for it: %s", info.fails.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
@@ -49,6 +55,7 @@ void draw_render_panel(Workbench& w) {
     other_widgets(w, "render", {"integrator", "sampler", "samples", "seconds", "error"});
   }
   if (group(w, "Stop at", "render.")) some_widgets(w, "render", {"samples", "seconds", "error"});
+  draw_advice(w);
   if (group(w, "Picture", "film.")) {
     section_widgets(w, "film");
     action_button(w, "view.fit");

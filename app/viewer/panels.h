@@ -7,6 +7,8 @@ struct ImDrawList;
 namespace etendue::viewer {
 
 void draw_render_panel(Workbench& w);
+// Its group that ranks methods.
+void draw_advice(Workbench& w);
 void draw_scene_panel(Workbench& w);
 void draw_material_panel(Workbench& w);
 void draw_light_panel(Workbench& w);

@@ -92,6 +92,8 @@ constexpr PlainItem kItems[] = {
     {"compare.b.N", "B", "Shows method N right of the divider"},
     {"compare.remove.N", "Remove", "Takes method N off the list"},
     {"compare.chart", "Chart", "Rest the pointer on it to read the curves"},
+    {"paths.row.N", "Class", "Has only the paths of row N of the table count; all, if they already do"},
+    {"advice.use.N", "Use", "Takes method N of the ranking, and its error as the limit to stop at"},
     {"files.name", "Name", "The name field of the file dialog"},
     {"files.accept", "Open or Save", "Accepts the file dialog"},
     {"files.cancel", "Cancel", "Closes the file dialog"},
@@ -126,6 +128,26 @@ json contest_json(const ContestHand& hand) {
     if (m.slope.known) method["slope"] = m.slope.value;
     j["methods"].push_back(std::move(method));
   }
+  return j;
+}
+
+json paths_json(PathsHand& hand) {
+  json j{{"fresh", hand.fresh()}, {"running", hand.running()}, {"rows", json::array()}};
+  if (!hand.shown()) return j;
+  constexpr const char* kFound[] = {"yes", "in part", "no"};
+  const auto& rows = hand.shown()->table.rows;
+  for (size_t i = 0; i < rows.size(); ++i)
+    j["rows"].push_back({{"paths", rows[i].paths}, {"share", rows[i].share}, {"found", kFound[static_cast<size_t>(hand.seen().rows[i])]}});
+  j["missing_share"] = hand.seen().misses.share;
+  return j;
+}
+
+json advice_json(const AdviceHand& hand) {
+  json j{{"running", hand.running()}, {"fresh", hand.fresh()}, {"best", nullptr}};
+  const auto* ranking = hand.shown();
+  if (!ranking) return j;
+  j["target"] = ranking->target;
+  if (const auto* best = ranking->best()) j["best"] = best->method.name;
   return j;
 }
 
@@ -165,6 +187,8 @@ std::string state_report(Workbench& w) {
       {"sheet", w.view.sheet},
       {"comparison", comparison_json(w.comparison)},
       {"contest", contest_json(w.contest)},
+      {"paths", paths_json(w.paths)},
+      {"advice", advice_json(w.advice)},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
@@ -190,6 +214,7 @@ std::string widgets_json() {
   for (const PlainItem& plain : kItems) list.push_back(item(plain.name, plain.label, plain.doc));
   for (const auto& info : loose_parameters()) list.push_back(parameter(info));
   for (const auto& info : contest_parameters()) list.push_back(parameter(info));
+  for (const auto& info : advice_parameters()) list.push_back(parameter(info));
   for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {

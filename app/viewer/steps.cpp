@@ -91,6 +91,25 @@ class WaitForWork final : public Step {
   Rest rest_{3};
 };
 
+// Until the path classes of the view, or the advice, are whole.
+class WaitForStudy final : public Step {
+ public:
+  explicit WaitForStudy(bool paths) : paths_(paths) {}
+  Progress advance(Workbench& w, Picture&) override {
+    if (!begun_.over() || (paths_ ? w.paths.running() : w.advice.running())) return kGoingOn;
+    // A table's columns take some frames to find their widths.
+    if (!settled_.over()) return kGoingOn;
+    if (paths_) return w.paths.fresh() ? kDone : impossible("the path classes of this view were not measured; click paths.measure first");
+    return w.advice.shown() ? kDone : impossible("no advice was asked for; click advice.ask first");
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  bool paths_;
+  Rest begun_{3}, settled_{3};
+};
+
 class Set final : public Step {
  public:
   Set(std::string name, std::string value) : name_(std::move(name)), value_(std::move(value)) {}
@@ -153,6 +172,7 @@ class Click final : public Step {
     if (const Placement* place = w.items.find(item_)) {
       const Action* action = w.actions.find(item_);
       if (action && !action->is_enabled()) return impossible("it is disabled now");
+      w.items.seek("");
       const Vec2 middle = place->corner + place->size * 0.5f;
       pointer_ = std::make_unique<Pointer>(middle, middle, Button::left);
       return pointer_->advance(w, picture);
@@ -165,6 +185,7 @@ class Click final : public Step {
       return kGoingOn;
     }
     if (!w.view.interface) w.view.interface = true;
+    w.items.seek(item_);
     return ++frames_ <= kLookingFrames ? kGoingOn
                                        : impossible("nothing of that name is on screen; see etendue list widgets");
   }
@@ -368,7 +389,8 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
     if (action == "wait" && j.contains("for")) {
       const std::string what = j["for"].get<std::string>();
       if (what == "contest") return made(std::make_unique<WaitForContest>());
-      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison or contest");
+      if (what == "paths" || what == "advice") return made(std::make_unique<WaitForStudy>(what == "paths"));
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths or advice");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));

@@ -92,8 +92,9 @@ class Application {
     const bool hurry =
         new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
     const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
-    const bool news = w_.contest.has_news() && since_last >= pacing_.interval(0);
-    wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (w_.contest.has_news() && !news);
+    const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news();
+    const bool news = told && since_last >= pacing_.interval(0);
+    wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (told && !news);
     // Status figures move on even when no frame comes.
     const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= 1 || w_.loader.busy() ||
                      w_.capture.busy() || w_.contest.writing() || w_.input.buttons[1] || (script && script->wants_frame());

@@ -1,6 +1,7 @@
 #include "viewer/widgets.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,39 @@ bool ends_with_channel(const std::string& name) {
 
 std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
 
+// What is offered, as a list that opens at a button if `shown` is null.
+void offered(const ParameterInfo& info, const char* shown, size_t index, Change& change) {
+  if (!ImGui::BeginCombo("##offered", shown, shown ? 0 : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft)) return;
+  for (size_t i = 0; i < info.options.size(); ++i)
+    if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) change.value = info.options[i];
+  ImGui::EndCombo();
+}
+
+// A field for a text of one's own with the offered ones beside it; what is wrong with a text is said while it is typed.
+void text_field(Workbench& w, const ParameterInfo& info, size_t index, Change& change) {
+  const auto& now = std::get<std::string>(info.default_value);
+  std::string typed = now;  // as long as the field has the keyboard, ImGui has the text
+  const float button = ImGui::GetFrameHeight();
+  ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - button);
+  ImGui::PushFont(w.faces.figures);
+  const std::string hint = info.option_labels.empty() ? "" : info.option_labels.front();
+  const bool entered = ImGui::InputTextWithHint("##text", hint.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PopFont();
+  const bool active = ImGui::IsItemActive();
+  describe_field(w, info);
+  const auto accepted = typed == now ? Result<void>() : info.accepts_text(typed);
+  if (entered && accepted) change.value = typed;
+  if (entered && !accepted) w.notices.complain(info.label + ": " + accepted.error().message);
+  ImGui::SameLine(0, 0);
+  offered(info, nullptr, index, change);
+  if (!active || accepted) return;
+  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(accepted.error().message.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
 Change one_widget(Workbench& w, const ParameterInfo& info) {
   Change change;
   ImGui::PushID(info.name.c_str());
@@ -31,11 +65,13 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
       const std::string& now = std::get<std::string>(info.default_value);
       const auto at = std::find(info.options.begin(), info.options.end(), now);
       const size_t index = static_cast<size_t>(at - info.options.begin());
-      if (ImGui::BeginCombo("##", index < info.options.size() ? info.option_labels[index].c_str() : now.c_str())) {
-        for (size_t i = 0; i < info.options.size(); ++i)
-          if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) change.value = info.options[i];
-        ImGui::EndCombo();
+      if (info.accepts_text) {
+        text_field(w, info, index, change);
+        ImGui::PopID();
+        if (!change.value) change.value = from_script(w, info);
+        return change;
       }
+      offered(info, index < info.options.size() ? info.option_labels[index].c_str() : now.c_str(), index, change);
       break;
     }
     case ParameterType::integer:

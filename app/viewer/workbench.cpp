@@ -34,6 +34,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       aov(session, editor, [&p] { p.wake(); }),
       comparison([&p] { p.wake(); }),
       contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
+      paths(editor, o.threads, [&p] { p.wake(); }),
+      advice(session, editor, o.threads, [&p] { p.wake(); }),
       probe(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
@@ -71,6 +73,11 @@ void Workbench::choose_integrator(size_t index) {
   if (editor.empty() || index >= infos.size() || infos[index].name == editor.document().method.integrator) return;
   for (const auto& binding : render::bindings(editor.document(), "render"))
     if (binding.info.name == "render.integrator") edit(binding, infos[index].name);
+}
+
+void Workbench::choose_paths(const std::string& expression) {
+  for (const auto& binding : render::bindings(editor.document(), "film"))
+    if (binding.info.name == "film.paths") edit(binding, expression);
 }
 
 void Workbench::select(int node, int material) {
@@ -133,6 +140,8 @@ void Workbench::take_opened(Result<Opened> opened) {
   previous_integrator.clear();
   needs_pivot_ = true;
   contest.stop();
+  paths.forget();
+  advice.forget();
   session.pause(false);
   editor.open(std::move(opened->document));
   platform.set_title(std::filesystem::path(editor.document().scene_name).filename().string() + " - Étendue");
@@ -174,6 +183,8 @@ bool Workbench::advance(Picture& on_screen) {
   shows_aov_ = shows_aov;
   if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
   contest.advance(comparison, notices);
+  advice.advance(notices);
+  paths.advance(view.sheet == "sheet.paths" && !advice.running());
   if (view.sheet != "sheet.sampling")
     probe.rest();
   else if (probe.advance(view.sampling.samples))

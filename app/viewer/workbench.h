@@ -5,6 +5,7 @@
 
 #include "render/session.h"
 #include "viewer/actions.h"
+#include "viewer/advice_hand.h"
 #include "viewer/aov_view.h"
 #include "viewer/camera_hand.h"
 #include "viewer/capture.h"
@@ -15,6 +16,7 @@
 #include "viewer/items.h"
 #include "viewer/loader.h"
 #include "viewer/notices.h"
+#include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
 #include "viewer/settings.h"
 #include "viewer/theme.h"
@@ -85,6 +87,8 @@ struct Workbench {
   }
   void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture);
   void choose_integrator(size_t index);
+  // Has only these paths count, in a step of its own; all of them if the expression is empty.
+  void choose_paths(const std::string& expression);
 
   void select(int node, int material);
   void focus_at(const Picked& picked);
@@ -111,6 +115,8 @@ struct Workbench {
   AovView aov;
   Comparison comparison;
   ContestHand contest;
+  PathsHand paths;
+  AdviceHand advice;
   PixelProbe probe;
   CameraHand hand;
   FileDialog files;

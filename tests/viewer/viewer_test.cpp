@@ -32,6 +32,19 @@ TEST_F(Viewer, ASnapshotBringsEverythingBack) {
   EXPECT_EQ(state("b.json")["undo_depth"], 0);
 }
 
+TEST_F(Viewer, APngIsWhatIsShownAndRadianceKeepsItsFireflies) {
+  const auto saved = [&](const char* fireflies) {
+    const std::string name = fireflies;
+    return json::array({set("film.fireflies", name), {{"do", "wait"}, {"spp", 16}}, file_step("image", path(name + ".png")), file_step("image", path(name + ".exr"))});
+  };
+  // Small lights met by chance alone.
+  ASSERT_EQ(run(joined(joined(joined(json::array({set("render.integrator", "path-pure")}), small(16)), saved("keep")), saved("reweight"))), 0);
+  const auto kept = image::read_linear(path("keep.png")), shown = image::read_linear(path("reweight.png"));
+  ASSERT_TRUE(kept && shown);
+  EXPECT_FALSE(same_pixels(*kept, *shown));
+  EXPECT_TRUE(same_pixels(picture("keep.exr"), picture("reweight.exr")));
+}
+
 TEST_F(Viewer, ADroppedSnapshotBringsEverythingBack) {
   const auto make = joined(small(), json::array({set("material.4.base-color.g", 0.1),
                                                  {{"do", "wait"}, {"spp", 4}},

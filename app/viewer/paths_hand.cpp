@@ -1,0 +1,60 @@
+#include "viewer/paths_hand.h"
+
+#include <algorithm>
+
+#include "viewer/contest_hand.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr double kSeconds = 3;  // that a table may take, besides its coarsest classes
+
+MethodView::Finds finds(const advice::Found& found, const advice::ClassTable& table, const advice::ClassRow& row) {
+  advice::ClassTable alone;
+  alone.total = table.total, alone.rows = {row};
+  const auto misses = advice::blind_spots(found, alone);
+  if (misses.none()) return MethodView::Finds::all;
+  const auto& spot = misses.classes.front();
+  return spot.part || spot.points ? MethodView::Finds::part : MethodView::Finds::nothing;
+}
+
+}  // namespace
+
+void PathsHand::measure() {
+  if (editor_.empty()) return;
+  begun_ = true;
+  document_ = editor_.document();
+  document_.method.paths.clear();
+  // One is left to the picture.
+  const int all = threads_ > 0 ? threads_ : static_cast<int>(std::thread::hardware_concurrency());
+  study_.start([document = document_, threads = std::max(1, all - 1)](const auto& publish, const bench::Watch& watch) {
+    render::Session session({.threads = threads});
+    advice::TableOptions options;
+    options.seconds = kSeconds;
+    advice::class_table(session, document, options, watch, [&](const advice::ClassTable& table) {
+      publish({table, advice::beyond_all_methods(*session.scene())});
+    });
+  });
+}
+
+bool PathsHand::fresh() const { return shown() && same_view(editor_.document(), document_); }
+
+void PathsHand::advance(bool looked_at) {
+  study_.advance();
+  if (running() && !same_view(editor_.document(), document_)) study_.call_off();
+  if (looked_at && !begun_) measure();
+}
+
+const MethodView& PathsHand::seen() {
+  const auto& method = editor_.document().method;
+  if (study_.shown() == seen_table_ && method == seen_method_) return seen_;
+  seen_table_ = study_.shown(), seen_method_ = method;
+  seen_ = {};
+  const auto found = advice::declared(method);
+  const auto& table = seen_table_->table;
+  for (const auto& row : table.rows) seen_.rows.push_back(finds(found, table, row));
+  seen_.misses = advice::blind_spots(found, table);
+  return seen_;
+}
+
+}  // namespace etendue::viewer
