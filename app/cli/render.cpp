@@ -154,7 +154,7 @@ constexpr double kCertificatePart = 0.1, kCertificateSeconds = 0.5;
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
                            const film::Film& film) {
   const double seconds = std::min(kCertificateSeconds, kCertificatePart * s.seconds);
-  const advice::Evidence evidence{film.error(), s.rejected, session.model(),
+  const advice::Evidence evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
                                   s.health ? s.health->tail.khat : std::optional<double>()};
   return advice::certificate_json(
       advice::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
@@ -243,8 +243,7 @@ int run(const Options& o) {
   Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
   rendering.sample_counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
   if (const auto compiled = session.scene(); compiled && !aovs->empty())
-    rendering.layers =
-        render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
+    rendering.layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const transport::Model model = session.model();
   rendering.certificate = certificate_of(session, d, status, film);
   if (auto ok = write_image(o.out, rendering); !ok) return fail(ok.error());
