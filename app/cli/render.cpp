@@ -243,7 +243,8 @@ int run(const Options& o) {
   Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
   rendering.sample_counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
   if (const auto compiled = session.scene(); compiled && !aovs->empty())
-    rendering.layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
+    rendering.layers =
+        render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const transport::Model model = session.model();
   rendering.certificate = certificate_of(session, d, status, film);
   if (auto ok = write_image(o.out, rendering); !ok) return fail(ok.error());
