@@ -1,6 +1,6 @@
 // Films whose truth is known, and how often the stated interval holds their relMSE.
 //
-// The interval is for 95 of 100 films. With 60 films each, 50 or fewer held have a probability of 4e-4 at 95 %; seeds
+// The interval is for 95 of 100 films. With 60 films each, 50 or fewer held have a probability of 7e-4 at 95 %; seeds
 // are fixed.
 #include "film/relative_error.h"
 
