@@ -26,12 +26,14 @@ Stated root_of(const Stated& s) {
   return {std::sqrt(s.value), {std::sqrt(s.interval.low), std::sqrt(s.interval.high)}};
 }
 
-void state_error(Certificate& c, const film::ErrorEstimate& e, const MeasuredBlindSpots& missing, bool same_size) {
-  if (!e.known) return;
+void state_error(Certificate& c, const Evidence& evidence, const MeasuredBlindSpots& missing, bool same_size) {
+  const film::ErrorEstimate& e = evidence.error;
+  if (!e.known || !evidence.relative) return;
   const double lack = sqr(missing.spots.rms), relative = missing.relative_square;
   const auto squared = [](const film::Interval& i) { return film::Interval{sqr(i.low), sqr(i.high)}; };
   c.rmse = root_of(total(sqr(e.rmse), squared(e.rmse_interval), lack, lack_of(lack, same_size, sqr(kBlur))));
-  c.relmse = total(e.relmse, e.relmse_interval, relative, lack_of(relative, same_size, sqr(kBlur)));
+  c.relmse =
+      total(evidence.relative->relmse, evidence.relative->interval, relative, lack_of(relative, same_size, sqr(kBlur)));
 }
 
 json interval_json(const film::Interval& interval) {
@@ -81,7 +83,7 @@ Certificate certificate(render::Session& session, const render::Document& docume
   const auto missing = measured_blind_spots(session, document, options, watch);
   for (const auto& spot : missing.spots.classes) c.missing.push_back({spot.paths, spot.share, spot.points});
   c.missing_share = missing.spots.share;
-  state_error(c, evidence.error, missing, missing.width == document.width);
+  state_error(c, evidence, missing, missing.width == document.width);
   const auto& info = *integrator::find_integrator(document.method.integrator);
   if (info.bias != Bias::unbiased)
     for (auto* stated : {&c.rmse, &c.relmse})

@@ -1,8 +1,8 @@
 // What a picture is worth: a statement that goes with it.
 //
-// Its error is told from its two halves (film/error.h); what its method cannot find is measured on a small picture by
-// the trusted method and added: the error of this very picture is noise and lack together. Of a method that has a bias
-// of its own, nothing can be stated from above.
+// Its error is told from its two halves (film/error.h, film/relative_error.h); what its method cannot find is measured
+// on a small picture by the trusted method and added: the error of this very picture is noise and lack together. Of a
+// method that has a bias of its own, nothing can be stated from above.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "advice/blind_spots.h"
+#include "film/relative_error.h"
 
 namespace etendue::advice {
 
@@ -39,6 +40,7 @@ struct Certificate {
 
 struct Evidence {
   film::ErrorEstimate error;
+  std::optional<film::RelativeError> relative;
   film::Rejected rejected;
   transport::Model model;
   std::optional<double> khat;

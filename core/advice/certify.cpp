@@ -59,14 +59,15 @@ std::string contradiction(const char* what, double by_layer, const Stated& state
 std::string contradiction(const Claim& claim) {
   const auto variance = claim.variance(), rgb = claim.rgb();
   if (variance.empty()) return {};
-  double squares = 0, relative = 0;
-  for (size_t i = 0; i < variance.size(); ++i)
-    squares += double{variance[i]}, relative += double{variance[i]} / (sqr(double{rgb[i]}) + 0.01);
+  double squares = 0;
+  for (const float v : variance) squares += double{v};
   const auto n = static_cast<double>(variance.size());
   const Certificate& c = claim.certificate;
   const bool complete = c.missing.empty();
   const std::string said = contradiction("an RMSE of", std::sqrt(squares / n), *c.rmse, complete);
-  return said.empty() ? contradiction("a relMSE of", relative / n, *c.relmse, complete) : said;
+  if (!said.empty()) return said;
+  const auto relative = film::relative_error(claim.picture.width, claim.picture.height, rgb, variance);
+  return contradiction("a relMSE of", relative.relmse, *c.relmse, complete);
 }
 
 struct Comparison {

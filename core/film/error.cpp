@@ -38,17 +38,18 @@ void RowSum::add(double squared_error) {
 }
 
 ErrorEstimate error_of(std::span<const RowError> rows, double numbers) {
-  RowError::Sum absolute, relative;
+  RowError::Sum absolute;
+  double relative = 0;
   for (const RowError& row : rows) {
     if (!row.known) return {};
-    add(absolute, row.absolute), add(relative, row.relative);
+    add(absolute, row.absolute), relative += row.relative;
   }
   if (!(numbers > 0)) return {};
-  const Estimate a = estimate(absolute, numbers), r = estimate(relative, numbers);
+  const Estimate a = estimate(absolute, numbers);
   // A normal number's square has twice its squared variance as variance, and three times as mean square.
   const double scatter = absolute.squares > 0 ? 0.5 * std::sqrt(2.0 / 3 * absolute.fourth) / absolute.squares : 0;
-  return {std::sqrt(a.mean), r.mean,  {std::sqrt(a.interval.low), std::sqrt(a.interval.high)},
-          r.interval,        scatter, true};
+  return {
+      std::sqrt(a.mean), {std::sqrt(a.interval.low), std::sqrt(a.interval.high)}, relative / numbers, scatter, true};
 }
 
 }  // namespace etendue::film

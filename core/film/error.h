@@ -16,8 +16,11 @@ struct Interval {
 };
 
 struct ErrorEstimate {
-  double rmse = 0, relmse = 0;  // of the mean image, over pixels and channels
-  Interval rmse_interval, relmse_interval;
+  double rmse = 0;  // of the mean image, over pixels and channels
+  Interval rmse_interval;
+  // A rough one without an interval: it divides by the picture where relMSE divides by the truth, and is up to a third
+  // too low. To state one, see relative_error.h, which takes longer.
+  double rough_relmse = 0;
   // By how much the RMSE of another picture, made in the same way with other random numbers, differs from this one's: a
   // standard deviation in parts of it. About 1/2 where a few pixels make all of the error.
   double scatter = 0;
@@ -30,7 +33,8 @@ struct RowError {
   struct Sum {
     double squares = 0, spread = 0, fourth = 0;
   };
-  Sum absolute, relative;
+  Sum absolute;
+  double relative = 0;  // squares, over the picture's own
   bool known = true;
 };
 

@@ -50,14 +50,14 @@ ErrorEstimate Film::error() const {
 
 RowError Film::error_of_row(int y) const {
   RowError row;
-  RowSum absolute(row.absolute), relative(row.relative);
+  RowSum absolute(row.absolute);
   for (int x = 0; x < width_; ++x) {
     const Pixel& p = at(x, y);
-    if (p.count[0] == 0 || p.count[1] == 0) return {{}, {}, false};
+    if (p.count[0] == 0 || p.count[1] == 0) return {{}, 0, false};
     const Rgb v = variance_of_mean(x, y), m = mean(x, y);
-    double squares = 0, relative_squares = 0;
-    for (int c = 0; c < 3; ++c) squares += v[c], relative_squares += v[c] / (sqr(double{m[c]}) + 0.01);
-    absolute.add(squares), relative.add(relative_squares);
+    double squares = 0;
+    for (int c = 0; c < 3; ++c) squares += v[c], row.relative += v[c] / (sqr(double{m[c]}) + 0.01);
+    absolute.add(squares);
   }
   return row;
 }

@@ -30,8 +30,8 @@ Claim claim_of(const render::Document& d, uint32_t samples) {
   const auto status = session.status();
   Claim claim;
   claim.document = limited, claim.samples = samples, claim.picture = film::picture_of(film);
-  claim.certificate =
-      advice::certificate(session, limited, {film.error(), status.rejected, session.model(), {}}, 1, go_on);
+  claim.certificate = advice::certificate(
+      session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1, go_on);
   return claim;
 }
 
@@ -129,12 +129,25 @@ TEST(Certify, AnEditedStatementFalls) {
   }
 }
 
+TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
+  for (const double factor : {0.1, 10.0}) {
+    Claim claim = claim_of(cornell(32), 32);
+    auto& stated = *claim.certificate.relmse;
+    stated = {stated.value * factor, {stated.interval.low * factor, stated.interval.high * factor}};
+    const Finding finding = judged(claim);
+    EXPECT_EQ(finding.verdict, Verdict::falls) << factor;
+    EXPECT_NE(said(finding).find("a relMSE of"), std::string::npos) << said(finding);
+  }
+}
+
 TEST(Certify, ABiasedPictureWhoseStatementHidesItFalls) {
   const auto cut = changed(cornell(32), "path.max-depth", "2");
   Claim claim = claim_of(cut, 64);
   // Its own noise, stated for a method that misses nothing.
   render::Session session({2});
-  claim.certificate = advice::certificate(session, cornell(32), {rendered(cut, 64).error(), {}, {}, {}}, 1, go_on);
+  const film::Film film = rendered(cut, 64);
+  const advice::Evidence evidence{film.error(), film::relative_error(film), {}, {}, {}};
+  claim.certificate = advice::certificate(session, cornell(32), evidence, 1, go_on);
   const Finding finding = judged(claim);
   EXPECT_EQ(finding.verdict, Verdict::falls);
   EXPECT_TRUE(std::ranges::any_of(finding.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))

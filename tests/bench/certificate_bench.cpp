@@ -8,7 +8,7 @@
 #include "advice/tampering.h"
 #include "advice/true_error.h"
 #include "film/picture.h"
-#include "measure/metrics.h"
+#include "film/relative_error.h"
 #include "render/session.h"
 #include "support/scenes.h"
 
@@ -26,22 +26,25 @@ void cover(const std::string& scene, int renderings) {
   render::Document d = *opened;
   d.width = kWidth, d.height = kHeight, d.seed = 1u << 30;
   const film::Film reference = render::rendered(d, kReference);
-  const auto truth = film::radiance_of(reference);
   int held = 0, held_relative = 0, unchanged = 0;
-  double width = 0;
+  double width = 0, width_relative = 0;
   for (int i = 0; i < renderings; ++i) {
     d.seed = static_cast<uint64_t>(i);
     const film::Film film = render::rendered(d, kSamples);
     const auto picture = film::picture_of(film);
     const auto& rgb = picture.find("")->pixels;
     const auto error = film.error();
-    held += holds(error.rmse_interval, advice::true_error(rgb, reference).absolute.root());
-    held_relative += holds(error.relmse_interval, measure::metrics_of(rgb, truth).relmse);
+    const auto relative = *film::relative_error(film);
+    const auto true_error = advice::true_error(rgb, reference);
+    held += holds(error.rmse_interval, true_error.absolute.root());
+    held_relative += holds(relative.interval, true_error.relative.value);
     width += error.rmse_interval.high / error.rmse_interval.low / renderings;
+    width_relative += relative.interval.high / relative.interval.low / renderings;
     unchanged += advice::changed_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
   }
-  std::printf("%-60s RMSE held %d, relMSE held %d, blocks unsuspected %d of %d; high / low %.3f; reference %.2g\n",
-              scene.c_str(), held, held_relative, unchanged, renderings, width, reference.error().rmse);
+  std::printf(
+      "%-60s RMSE held %d, relMSE held %d, blocks unsuspected %d of %d; high / low %.3f, %.3f; reference %.2g\n",
+      scene.c_str(), held, held_relative, unchanged, renderings, width, width_relative, reference.error().rmse);
   std::fflush(stdout);
 }
 
