@@ -246,7 +246,8 @@ int run(const Options& o) {
     rendering.layers =
         render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const transport::Model model = session.model();
-  rendering.certificate = certificate_of(session, d, status, film);
+  const bool has_place = !o.json.empty() || !(o.out.ends_with(".png") || o.out.ends_with(".hdr"));
+  if (has_place) rendering.certificate = certificate_of(session, d, status, film);
   if (auto ok = render::write_image(o.out, rendering); !ok) return fail(ok.error());
   if (!o.png.empty())
     if (auto ok = render::write_image(o.png, rendering); !ok) return fail(ok.error());

@@ -9,7 +9,9 @@ namespace etendue::render {
 namespace {
 
 film::ErrorEstimate estimate(double rmse, double relative) {
-  return {rmse, 0, {rmse * (1 - relative), rmse / (1 - relative)}, {}, 0, true};
+  film::ErrorEstimate e;
+  e.rmse = rmse, e.rmse_interval = {rmse * (1 - relative), rmse / (1 - relative)}, e.known = true;
+  return e;
 }
 
 Forecast with_slope(double slope, double relative) {
