@@ -29,7 +29,7 @@ void edit_exposure(Workbench& w, double change) {
 }
 
 void next_aov(Workbench& w) {
-  const auto& names = render::aov_names();
+  const auto names = layer_names();
   const auto at = std::find(names.begin(), names.end(), w.view.aov);
   // After the last comes the picture itself again.
   w.view.aov = w.view.aov.empty() ? names.front() : at == names.end() || at + 1 == names.end() ? "" : *(at + 1);
@@ -165,7 +165,7 @@ void view_actions(Actions& a, Workbench* w) {
          }, loaded, {}});
   a.add({"display.darker", "View", "Exposure down", "By half a stop", "[", [w] { edit_exposure(*w, -0.5); }, loaded, {}});
   a.add({"display.brighter", "View", "Exposure up", "By half a stop", "]", [w] { edit_exposure(*w, 0.5); }, loaded, {}});
-  a.add({"display.next-aov", "View", "Next layer", "Albedo, normals, depth, ids, and the picture again", "v", [w] { next_aov(*w); }, loaded, {}});
+  a.add({"display.next-aov", "View", "Next layer", "Albedo, normals, depth, ids, the error of each pixel, and the picture again", "v", [w] { next_aov(*w); }, loaded, {}});
   a.add({"display.toggle-false-color", "View", "False colour", "Luminance on a logarithmic scale", "l", [w] { w->view.false_color = !w->view.false_color; }, {},
          [w] { return w->view.false_color; }});
   a.add({"view.health-map", "View", "Map of tails", "Marks the parts of the picture whose rarest samples are too bright for its error to be trusted", "", [w] { w->view.health_map = !w->view.health_map; }, loaded,

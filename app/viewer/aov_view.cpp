@@ -3,6 +3,8 @@
 #include "base/hash.h"
 #include "render/aov.h"
 #include "spectrum/colormap.h"
+#include "viewer/error_layer.h"
+#include "viewer/words.h"
 
 namespace etendue::viewer {
 namespace {
@@ -40,7 +42,26 @@ std::vector<Rgb> to_look_at(const image::Layer& layer, size_t pixels) {
   return shown;
 }
 
+AovPicture errors_of(render::Session& session, uint64_t version) {
+  const film::Film film = session.film_copy();
+  ErrorLayer layer = error_layer(film);
+  return {kErrorLayer, version, session.status().samples, text_of("%.2g to %.2g, dark to bright", layer.low, layer.high), film.width(), film.height(), std::move(layer.pixels)};
+}
+
 }  // namespace
+
+std::vector<std::string> layer_names() {
+  auto names = render::aov_names();
+  names.emplace_back(kErrorLayer);
+  return names;
+}
+
+// Errors fall with samples; a fourth more is a difference that can be seen.
+bool AovView::is_stale(const std::string& name) const {
+  if (picture_.name != name || picture_.version != editor_.version()) return true;
+  const render::Status status = session_.status();
+  return name == kErrorLayer && (status.samples > picture_.samples + picture_.samples / 4 || (status.finished && status.samples > picture_.samples));
+}
 
 bool AovView::advance(const std::string& name) {
   bool fresh = false;
@@ -49,12 +70,16 @@ bool AovView::advance(const std::string& name) {
     fresh = true;
   }
   const auto scene = session_.scene();
-  const bool wanted = !name.empty() && (picture_.name != name || picture_.version != editor_.version());
+  const bool wanted = !name.empty() && is_stale(name);
   if (wanted && !job_.running() && scene &&
       session_.status().version == editor_.version()) {
+    if (name == kErrorLayer) {
+      job_.start([&session = session_, version = editor_.version()] { return errors_of(session, version); });
+      return fresh;
+    }
     job_.start([scene, name, document = editor_.document(), version = editor_.version()] {
       const auto layers = render::render_aovs(*scene, document, {name}, kSamples, 1);
-      AovPicture picture{name, version, document.width, document.height, {}};
+      AovPicture picture{name, version, 0, {}, document.width, document.height, {}};
       const size_t pixels = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
       picture.pixels = layers.empty() ? std::vector<Rgb>(pixels) : to_look_at(layers.front(), pixels);
       return picture;

@@ -149,6 +149,12 @@ void legend(const Workbench& w, ImDrawList* draw) {
   draw_scale_bar(w, draw, viridis, figures, "luminance, W/(m\u00b2 sr)");
 }
 
+std::string layer_label(const Workbench& w) {
+  const AovPicture& shown = w.aov.picture();
+  if (shown.name != w.view.aov) return w.view.aov + " ...";
+  return shown.scale.empty() ? w.view.aov + (w.aov.busy() ? " ..." : "") : w.view.aov + ", " + shown.scale;
+}
+
 }  // namespace
 
 void handle_viewport(Workbench& w, float seconds) {
@@ -177,7 +183,7 @@ void draw_viewport_overlay(Workbench& w) {
   if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
   draw_comparison_overlay(w, draw);
   draw_pixel_marker(w, draw);
-  if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), w.view.aov + (w.aov.busy() ? " ..." : ""));
+  if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), layer_label(w));
   draw->PopClipRect();
 }
 

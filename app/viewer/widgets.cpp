@@ -197,7 +197,7 @@ std::vector<ParameterInfo> loose_parameters() {
   layer.doc = "What lies under the pixels instead of the picture; the rendering goes on";
   layer.type = ParameterType::choice;
   layer.options = {"picture"}, layer.option_labels = {"Picture"};
-  for (std::string name : render::aov_names()) {
+  for (std::string name : layer_names()) {
     layer.options.push_back(name);
     name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     std::replace(name.begin(), name.end(), '-', ' ');
