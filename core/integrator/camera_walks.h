@@ -34,8 +34,8 @@ void launch_camera_walks(const Pass& pass, const PixelBlock& block, const BlockO
   if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
   for (int i = 0; i < order.size(); ++i)
     front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
-  SampleTable& random = front.draw_camera(dimensions(camera_dimension::kPixel, 2) |
-                                          (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0));
+  SampleTable& random = front.draw_start(dimensions(camera_dimension::kPixel, 2) |
+                                         (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0));
   auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
   const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
   const auto count = static_cast<size_t>(order.size());

@@ -2,6 +2,8 @@
 #include <cassert>
 #include <functional>
 
+#include "integrator/light.h"
+#include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/raycast.h"
@@ -26,6 +28,8 @@ const std::vector<Entry>& entries() {
       entry<Raycast>(),
       entry<PathPure>(),
       entry<Path>(),
+      entry<LightPure>(),
+      entry<Light>(),
   };
   return all;
 }

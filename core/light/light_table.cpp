@@ -2,6 +2,7 @@
 
 #include "base/warp.h"
 #include "base/wide.h"
+#include "light/punctual.h"
 
 namespace etendue {
 namespace {
@@ -22,19 +23,6 @@ float power_of(const PlacedLight& placed, float scene_radius) {
       return kPi * sqr(scene_radius) * intensity;
   }
   return 0;
-}
-
-// The falloff that KHR_lights_punctual recommends, between the cosines of the two cones.
-float spot_falloff(const Light& light, float cosine) {
-  const float outer = std::cos(light.outer_cone);
-  const float scale = 1 / std::max(0.001f, std::cos(light.inner_cone) - outer);
-  return sqr(std::clamp((cosine - outer) * scale, 0.0f, 1.0f));
-}
-
-// The window that KHR_lights_punctual recommends for a light with a range.
-float range_window(const Light& light, float distance) {
-  if (!std::isfinite(light.range)) return 1;
-  return std::clamp(1 - sqr(sqr(distance / light.range)), 0.0f, 1.0f);
 }
 
 }  // namespace
@@ -89,13 +77,16 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
                        const Environment& environment, const Bounds& scene_bounds)
-    : triangles_(std::move(triangles)), placed_(std::move(placed)), environment_(environment) {
-  const float radius = std::max(scene_bounds.radius(), 1e-6f);
+    : triangles_(std::move(triangles)),
+      placed_(std::move(placed)),
+      centre_(scene_bounds.empty() ? Vec3(0) : scene_bounds.center()),
+      radius_(std::max(scene_bounds.radius(), 1e-6f)),
+      environment_(environment) {
   std::vector<float> powers;
   powers.reserve(triangles_.size() + placed_.size() + 1);
   for (const auto& t : triangles_) powers.push_back(power_of(t));
-  for (const auto& l : placed_) powers.push_back(power_of(l, radius));
-  if (!environment_.black()) powers.push_back(4 * sqr(kPi * radius) * luminance(environment_.mean_radiance()));
+  for (const auto& l : placed_) powers.push_back(power_of(l, radius_));
+  if (!environment_.black()) powers.push_back(4 * sqr(kPi * radius_) * luminance(environment_.mean_radiance()));
   bool any = false;
   for (const float p : powers) any = any || p > 0;
   if (any) choice_ = AliasTable(powers);

@@ -166,6 +166,17 @@ bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v
   return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
 }
 
+SurfacePoint CompiledScene::point_of(const Emission& emission) const {
+  const EmissiveTriangle& t = lights_->triangles()[emission.light];
+  const Vec3 normal = glm::normalize(t.cross), side = emission.back ? -normal : normal;
+  Hit hit;
+  hit.instance = t.instance, hit.triangle = t.triangle;
+  hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
+  SurfacePoint point;
+  surfaces({&side, 1}, {&hit, 1}, &point);
+  return point;
+}
+
 size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
                  lights_->triangles().size() * (sizeof(EmissiveTriangle) + 12);
