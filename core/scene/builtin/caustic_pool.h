@@ -63,7 +63,7 @@ inline std::shared_ptr<const Mesh> water() {
   const uint32_t middle = add_vertex({0, kBottom, 0}, {0, -1, 0});
   for (size_t k = 0; k < edge.size(); ++k) {
     const Vec3 a = mesh->positions[edge[k]], b = mesh->positions[edge[(k + 1) % edge.size()]];
-    const Vec3 c(a.x, kBottom, a.z), d(b.x, kBottom, b.z), out = glm::normalize(glm::cross(c - b, a - b));
+    const Vec3 c(a.x, kBottom, a.z), d(b.x, kBottom, b.z), out = glm::normalize(glm::cross(a - b, c - b));
     const uint32_t va = add_vertex(a, out), vb = add_vertex(b, out), vc = add_vertex(c, out), vd = add_vertex(d, out);
     mesh->triangles.push_back({va, vc, vd}), mesh->triangles.push_back({va, vd, vb});
     const uint32_t below_c = add_vertex(c, {0, -1, 0}), below_d = add_vertex(d, {0, -1, 0});
@@ -110,12 +110,12 @@ inline Scene caustic_pool() {
   scene.name = "Caustic pool";
   pool::add_basin(scene);
   add(scene, "water", pool::water(), add_glass(scene, "water", 1.33f));
-  add(scene, "lamp", ball(0.2f, 16), add_lamp(scene, "lamp", Rgb(330, 300, 260)), moved({1.5f, 4.2f, -3}));
+  add(scene, "lamp", ball(0.25f, 16), add_lamp(scene, "lamp", Rgb(620, 570, 490)), moved({1.4f, 4.6f, -2.6f}));
   // Makes the water's light easy to find when it is shown.
-  add(scene, "fill light", rectangle({-6, 7, -6}, {12, 0, 0}, {0, 0, 12}), add_lamp(scene, "fill light", Rgb(0.3f)))
+  add(scene, "fill light", rectangle({-6, 7, -6}, {12, 0, 0}, {0, 0, 12}), add_lamp(scene, "fill light", Rgb(1)))
       .visible = false;
 
-  Camera camera = look_at({0, 5.2f, 4.4f}, {0, -0.5f, 0.1f}, {0, 1, 0}, 0.6f);
+  Camera camera = look_at({0, 6.3f, 3.9f}, {0, -0.5f, 0.05f}, {0, 1, 0}, 0.64f);
   camera.aspect = 1;
   add(scene, camera);
   return scene;

@@ -17,13 +17,12 @@ inline void add_door(Scene& scene, int wall) {
   add_box(scene, "wall left of the door", wall, {kLeft - kInto, -kInto, kWall}, {kHinge, kHeight + kInto, 0});
   add_box(scene, "wall right of the door", wall, {kJamb, -kInto, kWall}, {kRight + kInto, kHeight + kInto, 0});
   add_box(scene, "wall over the door", wall, {kHinge - kInto, kTop, kWall}, {kJamb + kInto, kHeight + kInto, 0});
-  // The leaf turns about its hinge into the next room; it begins within the wall.
+  // The leaf turns about its hinge into the next room; shut, it covers the edges of the doorway.
   constexpr float kAngle = 0.35f, kWidth = kJamb - kHinge, kOverlap = 0.02f, kThickness = 0.04f;
-  const float middle = 0.5f * (kWidth - kOverlap);
   const Vec3 along(std::cos(kAngle), 0, -std::sin(kAngle)), into(-std::sin(kAngle), 0, -std::cos(kAngle));
-  const Vec3 center = Vec3(kHinge, 0.5f * kTop, kWall) + along * middle + into * (0.5f * kThickness);
-  add(scene, "door", box({0.5f * (kWidth + kOverlap), 0.5f * kTop + kInto, 0.5f * kThickness}),
-      add_paint(scene, "door", {0.5f, 0.32f, 0.18f}), turned(center, kAngle));
+  const Vec3 middle = Vec3(kHinge, 0.5f * kTop, kWall) + along * (0.5f * kWidth) + into * (0.5f * kThickness);
+  add(scene, "door", box({0.5f * kWidth + kOverlap, 0.5f * kTop + kInto, 0.5f * kThickness}),
+      add_paint(scene, "door", {0.5f, 0.32f, 0.18f}), turned(middle, kAngle));
 }
 
 inline std::shared_ptr<const Mesh> jug() {
@@ -34,7 +33,7 @@ inline std::shared_ptr<const Mesh> jug() {
 
 inline void add_table(Scene& scene) {
   const int wood = add_paint(scene, "wood", {0.45f, 0.27f, 0.14f});
-  const Vec3 middle(-0.55f, 0.7f, 1.3f);
+  const Vec3 middle(-0.1f, 0.7f, 2.1f);
   add_box(scene, "table top", wood, middle + Vec3(-0.65f, -0.04f, -0.4f), middle + Vec3(0.65f, 0, 0.4f));
   for (const float x : {-0.58f, 0.52f})
     for (const float z : {-0.35f, 0.29f})
@@ -60,9 +59,9 @@ inline Scene door_ajar() {
   ajar::add_door(scene, wall);
   ajar::add_table(scene);
   // Lower than the doorway: nothing of it goes over the leaf and down again.
-  add(scene, "lamp", ball(0.15f, 16), add_lamp(scene, "lamp", Rgb(1700, 1500, 1200)), moved({-0.9f, 1.4f, -1.8f}));
+  add(scene, "lamp", ball(0.15f, 16), add_lamp(scene, "lamp", Rgb(8000, 7200, 6000)), moved({-0.9f, 1.4f, -1.8f}));
 
-  Camera camera = look_at({-0.9f, 1.45f, 4.0f}, {0.25f, 1.0f, 0}, {0, 1, 0}, 0.8f);
+  Camera camera = look_at({0.8f, 1.5f, 4.1f}, {0.1f, 0.85f, 0}, {0, 1, 0}, 0.8f);
   camera.aspect = 1;
   add(scene, camera);
   return scene;

@@ -13,7 +13,7 @@ inline Scene glass_caustic() {
   add(scene, "wall", rectangle({-4, 0, -2}, {8, 0, 0}, {0, 5, 0}), add_paint(scene, "wall", {0.35f, 0.42f, 0.5f}));
   constexpr float kRadius = 0.5f, kLift = 0.001f;  // off the floor, so that no surfaces touch
   add(scene, "glass ball", ball(kRadius, 80), add_glass(scene, "glass", 1.5f), moved({0, kRadius + kLift, 0}));
-  add(scene, "lamp", ball(0.07f, 12), add_lamp(scene, "lamp", Rgb(330, 300, 255)), moved({-2.1f, 2.4f, -0.5f}));
+  add(scene, "lamp", ball(0.1f, 12), add_lamp(scene, "lamp", Rgb(735, 670, 570)), moved({-2.4f, 2.1f, -0.5f}));
 
   Camera camera = look_at({0.9f, 1.9f, 3.6f}, {0.3f, 0.35f, 0}, {0, 1, 0}, 0.6f);
   camera.aspect = 1;

@@ -55,7 +55,7 @@ inline Scene spot_indirect() {
   spot::add_table(scene);
   Light light;
   light.type = LightType::spot;
-  light.color = {1, 0.9f, 0.75f}, light.intensity = 90;
+  light.color = {1, 0.9f, 0.75f}, light.intensity = 140;
   light.inner_cone = 0.3f, light.outer_cone = 0.5f;
   add(scene, "spot light", light, look_at(spot::kLamp, spot::kLamp + Vec3(-0.1f, 1, 0.1f), {0, 0, 1}, 1).to_world);
 
