@@ -59,7 +59,7 @@ inline Scene door_ajar() {
   ajar::add_door(scene, wall);
   ajar::add_table(scene);
   // Lower than the doorway: nothing of it goes over the leaf and down again.
-  add(scene, "lamp", ball(0.15f, 16), add_lamp(scene, "lamp", Rgb(8000, 7200, 6000)), moved({-0.9f, 1.4f, -1.8f}));
+  add(scene, "lamp", ball(0.15f, 16), add_lamp(scene, "lamp", Rgb(6000, 5400, 4500)), moved({-0.9f, 1.4f, -1.8f}));
 
   Camera camera = look_at({0.8f, 1.5f, 4.1f}, {0.1f, 0.85f, 0}, {0, 1, 0}, 0.8f);
   camera.aspect = 1;
