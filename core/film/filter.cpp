@@ -37,7 +37,7 @@ double unnormalised(FilterKind kind, double x) {
 
 }  // namespace
 
-Filter::Filter(FilterKind kind) : kind_(kind) {
+Filter::Filter(FilterKind kind) : kind_(kind), radius_(radius(kind)), per_radius_(kTable / radius_) {
   struct Tables {
     Table positions, values;
   };

@@ -19,7 +19,7 @@ class Filter {
 
   FilterKind kind() const { return kind_; }
   // Half the width of the support in pixels.
-  float radius() const { return radius(kind_); }
+  float radius() const { return radius_; }
   // The offset for a point of the unit square.
   Vec2 sample(Vec2 u) const { return Vec2(inverse(u.x), inverse(u.y)); }
   // One coordinate of it for many points, in place; the array has room for whole registers.
@@ -28,7 +28,7 @@ class Filter {
   float value(float x) const { return value(kind_, x); }
   // The same between -radius and radius, from a table: off by 1e-5 at most.
   float quick_value(float x) const {
-    const float at = std::min(std::abs(x) / radius(), 1.0f) * kTable;
+    const float at = std::min(std::abs(x) * per_radius_, static_cast<float>(kTable));
     const auto i = static_cast<size_t>(std::min(at, kTable - 1.0f));
     return values_[i] + (values_[i + 1] - values_[i]) * (at - static_cast<float>(i));
   }
@@ -55,6 +55,7 @@ class Filter {
   static Table values(FilterKind kind);
 
   FilterKind kind_;
+  float radius_, per_radius_;  // the second: table cells to a pixel
   // A table for each kind is made once: filters are made anew with every edit.
   const float* positions_;
   const float* values_;

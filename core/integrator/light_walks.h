@@ -40,14 +40,23 @@ class LightWalks {
     const SampleTable& random =
         front.draw_start(dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
                          (pass.camera->has_lens() ? dimensions(kLens, 2) : 0));
-    for (int i = 0; i < count; ++i) {
-      const auto at = [&](int dimension) {
-        return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
-      };
-      const Vec2 point(at(kPoint), at(kPoint + 1)), direction(at(kDirection), at(kDirection + 1));
-      const Start start = start_of(*pass.scene, {at(kChoice), point, direction});
-      launch_one(i, start, front);
-      begun(i, start, pass.camera->has_lens() ? Vec2(at(kLens), at(kLens + 1)) : Vec2(0));
+    const auto at = [&](int i, int dimension) {
+      return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
+    };
+    const auto pair = [&](int i, int dimension) { return Vec2(at(i, dimension), at(i, dimension + 1)); };
+    for (int begin = 0; begin < count; begin += kBatch) {
+      const int size = std::min(kBatch, count - begin);
+      for (int k = 0; k < size; ++k) {
+        const int i = begin + k;
+        starts_[static_cast<size_t>(k)].emission =
+            pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection)});
+      }
+      finish_starts(*pass.scene, size);
+      for (int k = 0; k < size; ++k) {
+        const Start& start = starts_[static_cast<size_t>(k)];
+        launch_one(begin + k, start, front);
+        begun(begin + k, start, pass.camera->has_lens() ? pair(begin + k, kLens) : Vec2(0));
+      }
     }
   }
 
@@ -66,18 +75,30 @@ class LightWalks {
   }
 
  private:
-  static Start start_of(const scene::CompiledScene& scene, const EmissionDraw& draw) {
-    Start start;
-    start.emission = scene.lights().emit(draw);
-    Emission& e = start.emission;
-    if (!(e.per_density > 0)) return start;
-    if (e.kind == LightKind::triangle) {
-      start.point = scene.point_of(e);
-      e.position = start.point.position;
-      e.direction = Frame(start.point.front ? start.point.ng : -start.point.ng).to_world(e.direction);
+  // Where they are, and what they send out: many at once, because surfaces are looked at many at once.
+  void finish_starts(const scene::CompiledScene& scene, int size) {
+    std::array<Hit, kBatch> hits;
+    std::array<Vec3, kBatch> sides;
+    std::array<int, kBatch> of;
+    size_t count = 0;
+    for (int k = 0; k < size; ++k) {
+      const Emission& e = starts_[static_cast<size_t>(k)].emission;
+      if (!(e.per_density > 0) || e.kind != LightKind::triangle) continue;
+      scene.locate(e, hits[count], sides[count]);
+      of[count++] = k;
     }
-    start.emitted = scene.emitted(e, start.point);
-    return start;
+    scene.surfaces({sides.data(), count}, {hits.data(), count}, points_.data());
+    for (size_t n = 0; n < count; ++n) {
+      Start& start = starts_[static_cast<size_t>(of[n])];
+      start.point = points_[n];
+      start.emission.position = start.point.position;
+      const Vec3 out = start.point.front ? start.point.ng : -start.point.ng;
+      start.emission.direction = Frame(out).to_world(start.emission.direction);
+    }
+    for (int k = 0; k < size; ++k) {
+      Start& start = starts_[static_cast<size_t>(k)];
+      start.emitted = start.emission.per_density > 0 ? Color(scene.emitted(start.emission, start.point)) : Color(0);
+    }
   }
 
   void launch_one(int i, const Start& start, Front& front) {
@@ -94,6 +115,10 @@ class LightWalks {
     front.state(i).from = e.position;
   }
 
+  static constexpr int kBatch = 64;
+
+  std::array<Start, kBatch> starts_;
+  std::array<scene::SurfacePoint, kBatch> points_;
   std::array<float, Front::kCapacity> flux_;
   std::array<uint32_t, Front::kCapacity> lights_;
 };

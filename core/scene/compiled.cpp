@@ -166,15 +166,12 @@ bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v
   return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
 }
 
-SurfacePoint CompiledScene::point_of(const Emission& emission) const {
+void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
   const EmissiveTriangle& t = lights_->triangles()[emission.light];
-  const Vec3 normal = glm::normalize(t.cross), side = emission.back ? -normal : normal;
-  Hit hit;
+  const Vec3 normal = glm::normalize(t.cross);
+  side = emission.back ? -normal : normal;
   hit.instance = t.instance, hit.triangle = t.triangle;
   hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
-  SurfacePoint point;
-  surfaces({&side, 1}, {&hit, 1}, &point);
-  return point;
 }
 
 size_t CompiledScene::memory() const {

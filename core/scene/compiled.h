@@ -101,8 +101,8 @@ class CompiledScene final : public OpacityTest {
   Rgb radiance_of(const LightSample& sample) const {
     return sample.textured ? textured_radiance_of(sample) : sample.radiance;
   }
-  // Where a ray leaves a triangle, seen from the side that it leaves.
-  SurfacePoint point_of(const Emission& emission) const;
+  // Where a ray leaves a triangle, for `surfaces`; `side` is the normal of the side that it leaves.
+  void locate(const Emission& emission, Hit& hit, Vec3& side) const;
   // What leaves the light along the ray: radiance, and the other quantities where Emission::radiance names them.
   // `point` is that of a triangle.
   Rgb emitted(const Emission& emission, const SurfacePoint& point) const {
