@@ -2,9 +2,12 @@
 #include <cassert>
 #include <functional>
 
+#include "integrator/appel.h"
+#include "integrator/distribution.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/raycast.h"
+#include "integrator/whitted.h"
 
 namespace etendue::integrator {
 namespace {
@@ -23,9 +26,7 @@ Entry entry() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(),
-      entry<PathPure>(),
-      entry<Path>(),
+      entry<Raycast>(), entry<Appel>(), entry<Whitted>(), entry<Distribution>(), entry<PathPure>(), entry<Path>(),
   };
   return all;
 }

@@ -13,19 +13,22 @@ namespace etendue::transport {
 
 using Combination = std::optional<MisHeuristic>;
 
-// Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that keeps
-// r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made heavier than
-// one by living is therefore hardly played for any more.
+// Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that
+// keeps r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made
+// heavier than one by living is therefore hardly played for any more.
 inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalOfTheHeavy = 0.995f;
 
 // The weight of emission that the walk's own direction found.
 template <class Color>
 float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
-                    Combination shared) {
+                    Combination shared, LightStrategy strategy) {
   if (!shared || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  return mis_weight(*shared, path.pdf, scene.lights().pdf_triangle(light, path.from, point.position));
+  const LightTable& lights = scene.lights();
+  float pdf = lights.pdf_triangle(light, path.from, point.position);
+  if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(light);
+  return mis_weight(*shared, path.pdf, pdf);
 }
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
@@ -39,21 +42,21 @@ typename M::Color admitted(Front<M>& front, const PathState<typename M::Color>& 
 
 // Light that surfaces emit towards the walks. An unlit surface shows itself and lights nothing.
 template <class M>
-void add_emission(Front<M>& front, Combination shared = {}) {
+void add_emission(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::one) {
   const scene::CompiledScene& scene = front.scene();
   for (int i = 0; i < front.arrived(); ++i) {
     const scene::SurfacePoint& point = front.point(i);
     if (!point.material->shines) continue;
     auto& path = front.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
-    path.radiance +=
-        admitted(front, path, front.path_at(i)) * scene.emitted(point) * weight_of_hit(path, scene, point, shared);
+    path.radiance += admitted(front, path, front.path_at(i)) * scene.emitted(point) *
+                     weight_of_hit(path, scene, point, shared, strategy);
   }
 }
 
 // Light from infinity along the last direction of the walks that left.
 template <class M>
-void add_environment(Front<M>& front, Combination shared = {}) {
+void add_environment(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::one) {
   const LightTable& lights = front.scene().lights();
   const EnvironmentMap& map = lights.environment();
   if (map.black() || (front.length() == 1 && !map.visible())) return;
@@ -61,7 +64,9 @@ void add_environment(Front<M>& front, Combination shared = {}) {
     auto& path = front.escapee(i);
     const Vec3& direction = front.escape_direction(i);
     const bool alone = !shared || path.pdf == 0;
-    const float weight = alone ? 1 : mis_weight(*shared, path.pdf, lights.pdf_environment(direction));
+    float pdf = alone ? 0 : lights.pdf_environment(direction);
+    if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(lights.environment_light());
+    const float weight = alone ? 1 : mis_weight(*shared, path.pdf, pdf);
     path.radiance += admitted(front, path, front.path_of_escape(i)) * map.radiance(direction) * weight;
   }
 }
@@ -69,12 +74,12 @@ void add_environment(Front<M>& front, Combination shared = {}) {
 // Whether shadow rays are traced: thesis 8.2 knows local illumination without them.
 enum class Shadows { cast, ignored };
 
-// Next event estimation: one point on one light for each vertex.
+// Light from these points, one for each vertex. `branches` is the number of directions that the walk then takes, each
+// of which may find the same light.
 template <class M>
-void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast) {
+void add_light_samples(Front<M>& front, std::span<const LightSample> samples, Combination shared, Shadows shadows,
+                       float branches) {
   const scene::CompiledScene& scene = front.scene();
-  if (scene.lights().empty()) return;
-  const std::span<const LightSample> samples = front.sample_lights();
   for (int i = 0; i < front.arrived(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = front.bsdf(i);
@@ -84,11 +89,38 @@ void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Sha
       scattered.f_cos = front.shares().of_connection(front.path_at(i), bsdf, front.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
     const float weight =
-        shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
+        shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, branches * scattered.pdf) : 1 / light.pdf;
     auto& path = front.state_at(i);
     auto& gain = shadows == Shadows::cast ? front.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
+}
+
+// Next event estimation: one point on one light for each vertex.
+template <class M>
+void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast, float branches = 1) {
+  if (front.scene().lights().empty()) return;
+  add_light_samples(front, front.sample_lights(), shared, shadows, branches);
+}
+
+// The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
+template <class M>
+void add_light_of_every_source(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast,
+                               float branches = 1) {
+  for (size_t source = 0; source < front.scene().lights().sources(); ++source) {
+    front.make_room_for_connections();
+    add_light_samples(front, front.sample_source(source), shared, shadows, branches);
+  }
+  front.take_twig(0);
+}
+
+template <class M>
+void add_direct_light(Front<M>& front, LightStrategy strategy, Combination shared, Shadows shadows = Shadows::cast,
+                      float branches = 1) {
+  if (strategy == LightStrategy::every)
+    add_light_of_every_source(front, shared, shadows, branches);
+  else
+    add_direct_light(front, shared, shadows, branches);
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
@@ -100,6 +132,14 @@ bool survives_roulette(PathState<Color>& path, float random) {
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;
+}
+
+// What a walk remembers of the event by which it goes on.
+template <class Color>
+void leave(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
+  path.pdf = s.delta ? 0 : s.pdf_solid_angle;
+  path.from = from;
+  path.all_specular = path.all_specular && s.delta;
 }
 
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
@@ -118,9 +158,7 @@ void scatter(Front<M>& front, int roulette_from) {
     if constexpr (M::kClasses)
       if (!front.shares().scatter(front.path_at(i), front.bsdf(i), front.wo(i), s)) continue;
     if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
-    path.pdf = s.delta ? 0 : s.pdf_solid_angle;
-    path.from = front.point(i).position;
-    path.all_specular = path.all_specular && s.delta;
+    leave(path, front.point(i).position, s);
     front.depart(i, s.wi);
   }
 }
