@@ -4,16 +4,21 @@
 
 #include "integrator/integrator.h"
 #include "support/scenes.h"
+#include "transport/path_expression.h"
 
 namespace etendue {
 namespace {
 
 using test::Mean;
 
+// Those that find every path of lights with an extent.
 std::vector<std::string> unbiased_integrators() {
+  const auto& all = transport::PathExpression::all().automaton();
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.bias == integrator::Bias::unbiased) names.push_back(info.name);
+    if (info.bias == integrator::Bias::unbiased &&
+        transport::PathExpression::parse_paths(info.paths)->automaton() == all)
+      names.push_back(info.name);
   return names;
 }
 
