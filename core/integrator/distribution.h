@@ -24,7 +24,7 @@ class Distribution final : public Gathering<Distribution> {
       "in path tracing; point lights behind glass: never"};
 
   Number<int> branches_1{"branches-1", "Branches at the first vertex", 4, {1, 64}, kBranchesDoc};
-  Number<int> branches_2{"branches-2", "At the second", 2, {1, 64}, kBranchesDoc};
+  Number<int> branches_2{"branches-2", "At the second", 1, {1, 64}, kBranchesDoc};
   Number<int> branches_3{"branches-3", "At the third", 1, {1, 64}, "Later ones have one"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
                      "Direct light from points on lights; without, only what rays meet counts (Example 6.44)"};
