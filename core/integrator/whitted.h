@@ -22,7 +22,10 @@ class Whitted final : public Gathering<Whitted> {
       "light between diffuse or glossy surfaces, caustics: exactly zero; chains of mirrors beyond depth or threshold"};
 
   // Rays that mirrors hold captive would go on for ever.
-  Whitted() { max_depth.value = 16, max_depth.range = {1, 1000}; }
+  Whitted() {
+    max_depth.value = 16, max_depth.range = {1, 1000};
+    max_depth.doc = "Path segments from camera to light: 1 is a light seen directly, 2 direct illumination";
+  }
 
   Number<float> threshold{"threshold",
                           "Least intensity",
