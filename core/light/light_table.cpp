@@ -1,5 +1,7 @@
 #include "light/light_table.h"
 
+#include <algorithm>
+
 #include "base/warp.h"
 #include "base/wide.h"
 #include "light/punctual.h"
@@ -89,23 +91,64 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
   if (!environment_.black()) powers.push_back(4 * sqr(kPi * radius_) * luminance(environment_.mean_radiance()));
   bool any = false;
   for (const float p : powers) any = any || p > 0;
-  if (any) choice_ = AliasTable(powers);
+  if (!any) return;
+  choice_ = AliasTable(powers);
+  find_sources();
+}
+
+void LightTable::find_sources() {
+  mass_.resize(triangles_.size());
+  const auto lights = static_cast<uint32_t>(choice_.size()), triangles = static_cast<uint32_t>(triangles_.size());
+  for (uint32_t first = 0, end = 0; first < lights; first = end) {
+    Source source{first, 0, 0};
+    do {
+      source.probability += choice_.probability(end);
+      if (end < triangles) mass_[end] = source.probability;
+      ++end;
+    } while (end < triangles && triangles_[end].instance == triangles_[first].instance);
+    source.count = end - first;
+    if (source.probability > 0) sources_.push_back(source);
+  }
+}
+
+size_t LightTable::source_of(uint32_t light) const {
+  const auto after = std::upper_bound(sources_.begin() + 1, sources_.end(), light,
+                                      [](uint32_t l, const Source& source) { return l < source.first; });
+  return static_cast<size_t>(after - sources_.begin()) - 1;
+}
+
+AliasTable::Choice LightTable::choose_within(const Source& source, float u) const {
+  if (source.count == 1) return {source.first, 1};
+  const auto begin = mass_.begin() + source.first, last = begin + (source.count - 1);
+  const auto index = static_cast<uint32_t>(std::upper_bound(begin, last, u * source.probability) - mass_.begin());
+  return {index, choice_.probability(index) / source.probability};
 }
 
 void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
+  sample_chosen(queries, samples, [&](float u) { return choice_.sample(u); });
+}
+
+void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
+  sample_chosen(queries, samples, [&](float u) { return choose_within(sources_[source], u); });
+}
+
+template <class Choose>
+void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const {
   ChosenTriangles triangles;
   for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
     sample_batch({queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
                   std::min(ChosenTriangles::kSize, queries.count - first)},
-                 triangles, samples + first);
+                 triangles, samples + first, choose);
 }
 
-void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const {
+template <class Choose>
+void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
+                              Choose&& choose) const {
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     sample.pdf = 0;
     if (choice_.empty()) continue;
-    const auto choice = choice_.sample(queries.choice[i]);
+    const auto choice = choose(queries.choice[i]);
     sample.light = choice.index;
     sample.kind = choice.index < triangles_.size() ? LightKind::triangle : LightKind::placed;
     if (sample.kind == LightKind::triangle)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/distribution.h"
+#include "base/parameter.h"
 #include "base/wide.h"
 #include "geometry/mesh.h"
 #include "light/light.h"
@@ -112,6 +113,9 @@ struct LightQueries {
   size_t count;
 };
 
+// Whether one light is asked at a time, chosen by its power, or every one: the sum over lights (thesis 8.2; E3).
+enum class LightStrategy : uint8_t { one, every };
+
 class LightTable {
  public:
   LightTable() = default;
@@ -127,6 +131,15 @@ class LightTable {
   // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
   // that looks away) or if there is no light at all.
   void sample(const LightQueries& queries, LightSample* samples) const;
+
+  // Lights as a user counts them: the emissive triangles of an instance are one source, so are a placed light and the
+  // environment. Those without power are none.
+  size_t sources() const { return sources_.size(); }
+  // As `sample`, on one source: only the point on it is chosen.
+  void sample_source(size_t source, const LightQueries& queries, LightSample* samples) const;
+  // The density of `sample_source` over that of `sample`, for the source that this light belongs to.
+  float density_within_source(uint32_t light) const { return 1 / sources_[source_of(light)].probability; }
+  uint32_t environment_light() const { return static_cast<uint32_t>(choice_.size() - 1); }
 
   // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const;
@@ -144,7 +157,12 @@ class LightTable {
 
  private:
   struct ChosenTriangles;
-  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const;
+  // `choose` turns a random number into a light and its probability.
+  template <class Choose>
+  void sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const;
+  template <class Choose>
+  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
+                    Choose&& choose) const;
   bool sample_placed(const PlacedLight& light, const Vec3& from, LightSample& sample) const;
   void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;
@@ -153,6 +171,14 @@ class LightTable {
   Emission emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   Emission emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
+  // Neighbours in the order of `choice_`.
+  struct Source {
+    uint32_t first, count;
+    float probability;  // of `sample` choosing one of them
+  };
+  void find_sources();
+  size_t source_of(uint32_t light) const;
+  AliasTable::Choice choose_within(const Source& source, float u) const;
 
   std::vector<EmissiveTriangle> triangles_;
   std::vector<PlacedLight> placed_;
@@ -160,6 +186,14 @@ class LightTable {
   float radius_ = 1;  // the scene
   EnvironmentMap environment_;
   AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
+  std::vector<Source> sources_;
+  std::vector<float> mass_;  // probability of a triangle and those of its source before it
 };
 
 }  // namespace etendue
+
+template <>
+struct etendue::Options<etendue::LightStrategy> {
+  static constexpr std::array<etendue::Option, 2> kOptions{
+      {{"one", "One, chosen by its power"}, {"every", "Every light"}}};
+};

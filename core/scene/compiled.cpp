@@ -176,7 +176,7 @@ void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const
 
 size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
-                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 12);
+                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 16);
   std::unordered_map<const void*, size_t> seen;
   for (const auto& instance : *instances_) seen[instance.mesh.get()] = instance.mesh->memory();
   for (const auto& texture : *textures_)

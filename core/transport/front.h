@@ -9,6 +9,7 @@
 #pragma once
 #include <functional>
 
+#include "base/hash.h"
 #include "sampling/sampler.h"
 #include "transport/absorption.h"
 #include "transport/class_shares.h"
@@ -21,7 +22,8 @@ struct alignas(64) PathState {
   Color throughput, radiance;
   Vec3 from;          // where the last direction started: what the density of a light refers to
   float pdf;          // of the last direction per solid angle; 0 if it could not have been found by sampling a light
-  float eta_scale;    // refraction's compression of radiance so far, squared indices
+  float eta_scale;    // by what roulette takes it for heavier: refraction's compression of radiance so far, squared
+                      // indices, and the shares that branches were given
   uint32_t seed;      // the pixel's
   bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
 };
@@ -34,6 +36,8 @@ class Front {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kArrivals = 64;
+  // Twigs up to here are branches of paths, those beyond are lights.
+  static constexpr uint32_t kMostBranches = 256;
 
   // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
@@ -61,6 +65,18 @@ class Front {
     if constexpr (M::kClasses) shares_.launch(path);
     state(path) = {Color(1), Color(0), ray.origin, 0, 1, state(path).seed, true};
     travel(path, ray);
+  }
+
+  // Takes other paths in place of all that came to their end; those are at a vertex of so many edges from the camera.
+  void restart(int length) {
+    size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = 0;
+    length_ = length;
+  }
+  // Returns the path's number.
+  int resume(const PathState<Color>& path, const Ray& ray) {
+    state(size_) = path;
+    travel(size_, ray);
+    return size_++;
   }
 
   int size() const { return size_; }
@@ -106,6 +122,20 @@ class Front {
   const scene::SurfacePoint& point(int arrival) const { return points_[static_cast<size_t>(arrival)]; }
   const Bsdf<M>& bsdf(int arrival) const { return bsdfs_[static_cast<size_t>(arrival)]; }
   const Vec3& wo(int arrival) const { return wo_[static_cast<size_t>(visited_ + arrival)]; }
+  // From here on the numbers of the present vertices are those of one of their twigs: 0 is the path itself, any other
+  // has a seed of its own, which paths that branch off there inherit.
+  void take_twig(uint32_t twig) {
+    drawn_ = 0;
+    for (int i = 0; i < arrived_; ++i) {
+      const uint32_t seed = state_at(i).seed;
+      // Twigs of the same path at other vertices are others.
+      constexpr uint32_t kLengths = 1024;
+      pixel_seeds_[static_cast<size_t>(i)] =
+          twig == 0 ? seed : hash_combine(seed, twig * kLengths + static_cast<uint32_t>(length_) % kLengths);
+    }
+  }
+  uint32_t seed(int arrival) const { return pixel_seeds_[static_cast<size_t>(arrival)]; }
+
   // Draws these of the numbers that the present vertices own, for `random` to give out.
   void draw(DimensionSet wanted) {
     if ((wanted & ~drawn_) == 0) return;
@@ -135,12 +165,13 @@ class Front {
 
   // A point on a light for each arrival.
   std::span<const LightSample> sample_lights() {
-    draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
-    const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
-    scene_->lights().sample(
-        {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
-         numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_)},
-        light_samples_.data());
+    scene_->lights().sample(draw_lights(), light_samples_.data());
+    return light_samples_;
+  }
+  // A point on one of the light table's sources for each arrival, from numbers of a twig of its own but for the first.
+  std::span<const LightSample> sample_source(size_t source) {
+    take_twig(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
+    scene_->lights().sample_source(source, draw_lights(), light_samples_.data());
     return light_samples_;
   }
 
@@ -151,10 +182,11 @@ class Front {
   const Vec3& escape_direction(int i) const { return escape_directions_[static_cast<size_t>(i)]; }
 
   // The path goes on from an arrival in this direction.
-  void depart(int arrival, const Vec3& direction) {
+  void depart(int arrival, const Vec3& direction) { travel(path_at(arrival), ray_from(arrival, direction)); }
+  Ray ray_from(int arrival, const Vec3& direction) const {
     Ray ray;
     point(arrival).spawn(direction, ray);
-    travel(path_at(arrival), ray);
+    return ray;
   }
 
   // A sum, zero at first, that the path gains unless something lies between the arrival and `distance` along
@@ -166,6 +198,10 @@ class Front {
     connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
     connected_[slot] = static_cast<uint16_t>(path_at(arrival));
     return contributions_[slot] = Color(0);
+  }
+  // Decides about those so far at once if there is no room for one more from every arrival.
+  void make_room_for_connections() {
+    if (connections_ + arrived_ > kCapacity) settle_connections();
   }
 
  private:
@@ -184,6 +220,13 @@ class Front {
 
   DimensionSet draw(std::span<const uint32_t> pixel_seeds, uint32_t block, DimensionSet wanted) {
     return sampler_->blocks(pixel_seeds, sample_, block, wanted, random_);
+  }
+
+  LightQueries draw_lights() {
+    draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
+    const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
+    return {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
+            numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_)};
   }
 
   // Seeds for the rays of these paths, where stochastic opacity asks for them.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 namespace etendue {
 namespace {
@@ -93,6 +94,49 @@ TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
     }
   }
   for (const int n : of_kind) EXPECT_GT(n, 0);
+}
+
+TEST(LightTable, SourcesAreInstancesLampsAndTheSky) {
+  auto triangles = ceiling();
+  triangles.push_back(triangle({0, 3, 1}, {1, 3, 0}, {1, 3, 1}, 1, false));
+  triangles[1].instance = 1, triangles[2].instance = 2;
+  triangles.push_back(triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 1, false));
+  triangles[3].instance = 2;
+  triangles.push_back(triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 0, false));
+  triangles[4].instance = 3;  // black: no source
+  PlacedLight lamp;
+  lamp.light.type = LightType::point;
+  lamp.position = Vec3(0.5f, 2, 0.5f);
+  Environment sky;
+  sky.tint = Rgb(0.01f);
+  const LightTable table(triangles, {lamp}, sky, bounds());
+  ASSERT_EQ(table.sources(), 5U);
+  Queries queries(Vec3(0));
+  std::vector<LightSample> samples(Queries::kCount);
+  const uint32_t first[] = {0, 1, 2, 5, 6}, last[] = {0, 1, 3, 5, 6};
+  for (size_t source = 0; source < 5; ++source) {
+    table.sample_source(source,
+                        {queries.from, queries.choice.data(), queries.u0.data(), queries.u1.data(), Queries::kCount},
+                        samples.data());
+    std::set<uint32_t> met;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const LightSample& s = samples[i];
+      met.insert(s.light);
+      if (s.kind == LightKind::triangle) {
+        const Vec3 point = queries.from[i] + s.wi * s.distance;
+        const float expected =
+            table.pdf_triangle(s.light, queries.from[i], point) * table.density_within_source(s.light);
+        EXPECT_NEAR(s.pdf / expected, 1, 1e-3f);
+      } else if (s.kind == LightKind::environment) {
+        EXPECT_NEAR(s.pdf, table.pdf_environment(s.wi) * table.density_within_source(s.light), 1e-5f);
+      } else {
+        EXPECT_EQ(s.pdf, 1);
+      }
+    }
+    std::set<uint32_t> expected;
+    for (uint32_t light = first[source]; light <= last[source]; ++light) expected.insert(light);
+    EXPECT_EQ(met, expected);
+  }
 }
 
 TEST(LightTable, WithoutLightsHasNoSamples) {
