@@ -71,14 +71,16 @@ class Gathering : public Integrator {
   template <class M>
   static void launch(const Pass& pass, const PixelBlock& block, const BlockOrder& order, transport::Front<M>& front) {
     const uint32_t replicate = block.sample % film::kReplicates;
-    front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, pass.wanted);
+    front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, pass.wanted, pass.model->moving);
     if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
     for (int i = 0; i < order.size(); ++i)
       front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
     SampleTable& random = front.draw_camera(dimensions(camera_dimension::kPixel, 2) |
-                                            (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0));
+                                            (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
+                                            (pass.model->moving ? dimensions(camera_dimension::kTime, 1) : 0));
     auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
     const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
+    const auto& times = random.values[camera_dimension::kTime];
     const auto count = static_cast<size_t>(order.size());
     pass.filter->sample_all(x.data(), count), pass.filter->sample_all(y.data(), count);
     for (int i = 0; i < order.size(); ++i) {
@@ -87,8 +89,11 @@ class Gathering : public Integrator {
       y[path] += static_cast<float>(block.y + order.y(i)) + 0.5f;
     }
     std::array<Ray, transport::Front<M>::kCapacity> rays;
-    pass.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, count, rays.data());
-    for (int i = 0; i < order.size(); ++i) front.launch(i, rays[static_cast<size_t>(i)]);
+    pass.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, times.data(), count, rays.data());
+    for (int i = 0; i < order.size(); ++i) {
+      const auto path = static_cast<size_t>(i);
+      front.launch(i, rays[path], pass.model->moving ? times[path] : 0);
+    }
   }
 };
 

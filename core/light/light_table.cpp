@@ -88,8 +88,11 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
 }
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
-                       const Environment& environment, const Bounds& scene_bounds)
-    : triangles_(std::move(triangles)), placed_(std::move(placed)), environment_(environment) {
+                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers)
+    : triangles_(std::move(triangles)),
+      placed_(std::move(placed)),
+      movers_(std::move(movers)),
+      environment_(environment) {
   const float radius = std::max(scene_bounds.radius(), 1e-6f);
   std::vector<float> powers;
   powers.reserve(triangles_.size() + placed_.size() + 1);
@@ -104,9 +107,10 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
 void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
   ChosenTriangles triangles;
   for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
-    sample_batch({queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
-                  std::min(ChosenTriangles::kSize, queries.count - first)},
-                 triangles, samples + first);
+    sample_batch(
+        {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
+         std::min(ChosenTriangles::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
+        triangles, samples + first);
 }
 
 void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const {
@@ -120,7 +124,10 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
     if (sample.kind == LightKind::triangle)
       triangles.set(i, triangles_[choice.index], choice.probability);
     else
-      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, sample);
+      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, queries.times ? queries.times + i : nullptr,
+                   sample);
+    if (queries.times && sample.kind == LightKind::triangle && triangles_[choice.index].moving)
+      triangles.set(i, triangle_at(choice.index, queries.times[i]), choice.probability);
   }
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
@@ -134,11 +141,12 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   }
 }
 
-void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const {
+void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, const float* time,
+                              LightSample& sample) const {
   const size_t placed = choice.index - triangles_.size();
   sample.textured = false;
   const bool reached =
-      placed < placed_.size() ? sample_placed(placed_[placed], from, sample) : sample_environment(u, sample);
+      placed < placed_.size() ? sample_placed(placed_[placed], from, time, sample) : sample_environment(u, sample);
   sample.pdf = reached ? sample.pdf * choice.probability : 0;
 }
 
@@ -153,7 +161,13 @@ bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
   return sample.pdf > 0;
 }
 
-bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, LightSample& sample) const {
+bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, const float* time,
+                               LightSample& sample) const {
+  if (time && placed.motion) {
+    PlacedLight now{placed.light};
+    now.place(placed.motion->matrix_at(*time));
+    return sample_placed(now, from, nullptr, sample);
+  }
   const Light& light = placed.light;
   sample.kind = LightKind::placed;
   sample.delta = true;
@@ -174,12 +188,19 @@ bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, Ligh
   return !is_black(sample.radiance);
 }
 
-float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const {
+EmissiveTriangle LightTable::triangle_at(uint32_t light, float time) const {
+  EmissiveTriangle t = triangles_[light];
+  const MovingEmitter& emitter = movers_[t.instance];
+  t.place(emitter.motion->facet_at(*emitter.mesh, emitter.mesh->triangles[t.triangle], time));
+  return t;
+}
+
+float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time) const {
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const EmissiveTriangle& t = triangles_[light];
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const float facing = std::abs(glm::dot(t.cross, to_light));
+  const float facing = std::abs(glm::dot(t.moving ? triangle_at(light, time).cross : t.cross, to_light));
   if (!(facing > 0)) return 0;
   return choice_.probability(light) * 2 * distance2 * std::sqrt(distance2) / facing;
 }

@@ -2,6 +2,9 @@
 //
 // A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density
 // with its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
+//
+// Lights that move while the shutter is open are sampled where they are at the time that is asked for, and chosen by
+// their power halfway.
 #pragma once
 #include <memory>
 #include <span>
@@ -9,7 +12,7 @@
 
 #include "base/distribution.h"
 #include "base/wide.h"
-#include "geometry/mesh.h"
+#include "geometry/motion.h"
 #include "light/light.h"
 #include "spectrum/rgb.h"
 
@@ -23,14 +26,31 @@ struct EmissiveTriangle {
   Rgb radiance{0};
   bool double_sided = false;
   bool textured = false;  // what is shaded varies over the triangle
+  bool moving = false;    // then this is where it is halfway through the shutter
   Vec3 cross{0};          // of the edges, pointing to the front: as long as twice the area
 
   float area() const { return 0.5f * glm::length(cross); }
+  void place(const Facet& facet) {
+    p0 = facet.p0, e1 = facet.p1 - p0, e2 = facet.p2 - p0;
+    cross = glm::cross(e1, e2) * facet.winding;
+  }
+};
+
+// What tells where the moving triangles of an instance are.
+struct MovingEmitter {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Motion> motion;
 };
 
 struct PlacedLight {
   Light light;
   Vec3 position{0}, direction{0, 0, -1};
+  std::shared_ptr<const Motion> motion = nullptr;  // of its node; null if it stands still
+
+  void place(const Mat4& node) {
+    position = Vec3(node[3]);
+    direction = normalize_or(-Vec3(node[2]), Vec3(0, 0, -1));
+  }
 };
 
 // The environment ready for sampling.
@@ -78,13 +98,15 @@ struct LightQueries {
   WideVec3View from;
   const float *choice, *u0, *u1;
   size_t count;
+  const float* times = nullptr;  // from 0 at the shutter's opening to 1 at its closing; null where no light moves
 };
 
 class LightTable {
  public:
   LightTable() = default;
+  // `movers` has an entry for each instance if any of the triangles moves.
   LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
-             const Bounds& scene_bounds);
+             const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {});
 
   bool empty() const { return choice_.empty(); }
   size_t size() const { return choice_.size(); }
@@ -97,18 +119,21 @@ class LightTable {
   void sample(const LightQueries& queries, LightSample* samples) const;
 
   // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const;
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0) const;
   float pdf_environment(const Vec3& direction) const;
 
  private:
   struct ChosenTriangles;
   void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const;
-  bool sample_placed(const PlacedLight& light, const Vec3& from, LightSample& sample) const;
-  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const;
+  bool sample_placed(const PlacedLight& light, const Vec3& from, const float* time, LightSample& sample) const;
+  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, const float* time,
+                    LightSample& sample) const;
+  EmissiveTriangle triangle_at(uint32_t light, float time) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;
 
   std::vector<EmissiveTriangle> triangles_;
   std::vector<PlacedLight> placed_;
+  std::vector<MovingEmitter> movers_;
   EnvironmentMap environment_;
   AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
 };

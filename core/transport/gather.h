@@ -25,7 +25,7 @@ float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& sc
   if (!shared || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  return mis_weight(*shared, path.pdf, scene.lights().pdf_triangle(light, path.from, point.position));
+  return mis_weight(*shared, path.pdf, scene.lights().pdf_triangle(light, path.from, point.position, path.time));
 }
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
