@@ -126,9 +126,10 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
     else
       sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, queries.times ? queries.times + i : nullptr,
                    sample);
-    if (queries.times && sample.kind == LightKind::triangle && triangles_[choice.index].moving)
-      triangles.set(i, triangle_at(choice.index, queries.times[i]), choice.probability);
   }
+  for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
+    if (const uint32_t light = samples[i].light; light < triangles_.size() && triangles_[light].moving)
+      triangles.set(i, triangle_at(light, queries.times[i]), choice_.probability(light));
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
   for (size_t i = 0; i < queries.count; ++i) {

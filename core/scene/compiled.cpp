@@ -95,6 +95,9 @@ ETENDUE_WIDE void shape(Facets& f, size_t count) {
   }
 }
 
+// Whether the shading normal is another than the geometric one.
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->normal; }
+
 }  // namespace
 
 void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
@@ -110,13 +113,17 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
     shape(facets, count);
     for (size_t i = 0; i < count; ++i) {
       facets.get(i, points[first + i]);
-      finish(wo[first + i], hits[first + i], times ? times + first + i : nullptr, points[first + i]);
+      finish(wo[first + i], hits[first + i], points[first + i]);
     }
+    // Normals of what moves, once more: of what stands still nobody asks for a time.
+    for (size_t i = 0; times && i < count; ++i)
+      if (SurfacePoint& point = points[first + i]; point.instance->motion && is_bent(point))
+        bend(wo[first + i], hits[first + i], times + first + i, point);
   }
 }
 
 // What is not the same for every flat triangle: textures, interpolated normals, normal maps.
-void CompiledScene::finish(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {
+void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
   const InstanceData& instance = (*instances_)[hit.instance];
   point.instance = &instance;
   point.material = &(*materials_)[instance.material];
@@ -125,7 +132,7 @@ void CompiledScene::finish(const Vec3& wo, const Hit& hit, const float* time, Su
     point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
   else
     point.texture.color = Vec4(1);
-  if (instance.smooth || point.material->normal) bend(wo, hit, time, point);
+  if (is_bent(point)) bend(wo, hit, nullptr, point);
 }
 
 void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {

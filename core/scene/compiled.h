@@ -134,7 +134,8 @@ class CompiledScene final : public OpacityTest {
  private:
   friend class Compiler;
   Rgb textured_radiance_of(const LightSample& sample) const;
-  void finish(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const;
+  void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
+  // `time` is null for the opening.
   void bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const;
   const OpacityTest* opacity() const { return transparency_ ? this : nullptr; }
 

@@ -93,7 +93,7 @@ TEST_F(MovingMeshes, AreMetWhereTheyAre) {
   std::uniform_real_distribution<float> uniform;
   const std::array<uint32_t, kSize> seeds{};
   std::array<int, 3> met{};
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < 400; ++round) {
     RayPacket packet;
     std::array<Ray, kSize> rays;
     std::array<float, kSize> times;

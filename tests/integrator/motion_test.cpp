@@ -177,7 +177,7 @@ TEST(Shutter, OfWhatStandsStillIsNotSeen) {
 }
 
 TEST(Shutter, OfNoTimeIsTheStillPicture) {
-  auto d = test::lens_and_shutter();
+  auto d = *render::with(test::lens_and_shutter(), "scene.time", 0.5);
   d.camera.shutter = 0;
   auto still = *d.scene;
   still.animations.clear();

@@ -68,8 +68,8 @@ TEST(Shutter, TakesMoreStepsTheMoreItTurns) {
   EXPECT_LT(turning(0.1f).steps(1), turning(1).steps(1));
   EXPECT_LT(turning(1).steps(0.1f), turning(1).steps(1));
   EXPECT_EQ(turning(6).steps(1), Motion::kMostSteps);
-  // The radius of the cube is the square root of three.
-  for (const float radians : {0.1f, 1.0f, 3.0f}) EXPECT_LT(farthest_from_truth(turning(radians), 1), 1.8f / 4096);
+  // The box around a turned cube has a radius of the square root of five at most.
+  for (const float radians : {0.1f, 1.0f, 3.0f}) EXPECT_LT(farthest_from_truth(turning(radians), 1), 2.24f / 4096);
   EXPECT_LT(farthest_from_truth(turning(6), 1), 1e-3f);
 }
 
