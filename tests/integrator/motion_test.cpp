@@ -285,5 +285,18 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesFromAMovingCamera) {
   expect_mean_of_moments(d, 512, 24, "camera");
 }
 
+// A normal-mapped cube that turns, a cube that morphs, a fox with joints, wheels that spin.
+TEST(BlurredPicture, IsTheMeanOfStillOnesOfRealFiles) {
+  const std::string folder = test::data_folder();
+  if (folder.empty()) GTEST_SKIP() << "no data";
+  for (const char* file :
+       {"AnimatedCube/glTF/AnimatedCube.gltf", "AnimatedMorphCube.glb", "Fox.glb", "CesiumMilkTruck.glb"}) {
+    auto d = *render::new_document(folder + "/gltf/" + file);
+    d.width = d.height = test::kSize;
+    d.camera.shutter = 0.4f;
+    expect_mean_of_moments(d, 256, 16, file);
+  }
+}
+
 }  // namespace
 }  // namespace etendue
