@@ -55,6 +55,27 @@ TEST(Motion, NormalsOfATurnTurnAlong) {
   EXPECT_LT(glm::distance(n, Vec3(std::cos(1.0f), std::sin(1.0f), 0)), 1e-5f);
 }
 
+TEST(Motion, TangentsOfATurnTurnAlong) {
+  auto mesh = *test::cube(1, false);
+  mesh.tangents.assign(mesh.positions.size(), Vec4(1, 0, 0, -1));
+  const Vec4 t = turning()->tangent_at(mesh, mesh.triangles[0], 0.2f, 0.3f, 2.0f / 3);
+  EXPECT_LT(glm::distance(t, Vec4(std::cos(1.0f), std::sin(1.0f), 0, -1)), 1e-5f);
+}
+
+TEST(Motion, NormalsAndTangentsOfADeformationAreThoseOfItsSteps) {
+  const auto mesh = test::sphere(1, 8, false);
+  const auto motion = growing(*mesh);
+  for (auto& v : motion->vertices)
+    for (const Vec3& n : v.normals) v.tangents.emplace_back(-n, 1);
+  const Triangle& t = mesh->triangles[20];
+  const auto& p = mesh->positions;
+  const Vec3 at_first = p[t[0]] * 0.5f + p[t[1]] * 0.2f + p[t[2]] * 0.3f;
+  for (const auto& [time, size] : {std::pair{0.0f, 1.0f}, {0.25f, 1.25f}, {0.5f, 1.5f}, {1.0f, 1.2f}}) {
+    EXPECT_LT(glm::distance(motion->normal_at(*mesh, t, 0.2f, 0.3f, time), size * at_first), 1e-6f);
+    EXPECT_LT(glm::distance(motion->tangent_at(*mesh, t, 0.2f, 0.3f, time), Vec4(-size * at_first, 1)), 1e-6f);
+  }
+}
+
 class MovingMeshes : public testing::Test {
  protected:
   MovingMeshes() {
