@@ -72,7 +72,7 @@ class Application {
     if (script || fading_ || wait_for_frame_) return 0.02;
     if (w_.editor.empty()) return 0.5;
     const auto phase = w_.session.status().phase;
-    return phase == "rendering" || phase == "compiling" ? 0.1 : 1.0;
+    return phase == "done" || phase == "paused" ? 1.0 : 0.1;
   }
 
   void step(Script* script) {

@@ -38,15 +38,29 @@ double unnormalised(FilterKind kind, double x) {
 }  // namespace
 
 Filter::Filter(FilterKind kind) : kind_(kind) {
+  struct Tables {
+    Table positions, values;
+  };
   static const auto tables = [] {
-    std::array<Positions, Options<FilterKind>::kOptions.size()> all;
-    for (size_t i = 0; i < all.size(); ++i) all[i] = tabulated(static_cast<FilterKind>(i));
+    std::array<Tables, Options<FilterKind>::kOptions.size()> all;
+    for (size_t i = 0; i < all.size(); ++i) {
+      const auto k = static_cast<FilterKind>(i);
+      all[i] = {positions(k), values(k)};
+    }
     return all;
   }();
-  positions_ = tables[static_cast<size_t>(kind)].data();
+  const Tables& mine = tables[static_cast<size_t>(kind)];
+  positions_ = mine.positions.data(), values_ = mine.values.data();
 }
 
-Filter::Positions Filter::tabulated(FilterKind kind) {
+Filter::Table Filter::values(FilterKind kind) {
+  Table values;
+  for (size_t i = 0; i < values.size(); ++i)
+    values[i] = value(kind, static_cast<float>(i) / kTable * Filter::radius(kind));
+  return values;
+}
+
+Filter::Table Filter::positions(FilterKind kind) {
   // Mass from the end of the tail inwards, on cells so small that a constant on each is the filter.
   constexpr int kCells = 1 << 15;
   const double radius = Filter::radius(kind), width = radius / kCells;
@@ -55,7 +69,7 @@ Filter::Positions Filter::tabulated(FilterKind kind) {
     const auto i = static_cast<size_t>(cell);
     mass[i + 1] = mass[i] + unnormalised(kind, radius - (cell + 0.5) * width);
   }
-  Positions positions;
+  Table positions;
   size_t cell = 0;
   for (size_t i = 0; i < positions.size(); ++i) {
     const double wanted = mass.back() * std::pow(static_cast<double>(i) / kTable, 4);
@@ -85,9 +99,9 @@ float Filter::radius(FilterKind kind) {
   return 0;
 }
 
-float Filter::value(float x) const {
-  if (std::abs(x) > radius()) return 0;
-  switch (kind_) {
+float Filter::value(FilterKind kind, float x) {
+  if (std::abs(x) > Filter::radius(kind)) return 0;
+  switch (kind) {
     case FilterKind::box:
       return 1;
     case FilterKind::tent:

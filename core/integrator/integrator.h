@@ -1,6 +1,10 @@
-// What an integrator is to the rest of the program: a description, parameters, and a way to sample a run of pixels.
+// What an integrator is to the rest of the program: a description, parameters, and the work of making a picture.
 //
-// It is chosen once per pass through a virtual call; inside, the hot loop is a template over the transport model.
+// A picture is made sample by sample of all its pixels. A method that gathers answers for a block of pixels at a time,
+// and for each by itself. One that sends something out first (photons, virtual lights), or whose paths end on pixels
+// that it did not choose (light paths, Markov chains), has phases before that, whose tasks run side by side. All of it
+// is chosen through virtual calls of tasks that trace thousands of rays; inside, the hot loops are templates over the
+// transport model.
 #pragma once
 #include <functional>
 #include <memory>
@@ -13,6 +17,7 @@
 #include "base/parameter.h"
 #include "camera/camera_ray.h"
 #include "film/filter.h"
+#include "film/splats.h"
 #include "sampling/sampler.h"
 #include "scene/compiled.h"
 #include "transport/model.h"
@@ -22,25 +27,34 @@ namespace etendue::integrator {
 enum class Bias { unbiased, consistent, biased };
 std::string_view bias_name(Bias bias);
 
+// How samples come to the pixels.
+enum class Sampling {
+  pixels,    // block by block, each by itself: a pixel may have more of them than another
+  pictures,  // block by block, but all pixels of the picture have the same number at a time
+  splats,    // and what is found in a block, or before it, may belong to pixels anywhere
+  only_splats
+};
+
 struct IntegratorInfo {
   std::string name, label, doc;
   std::string paths;  // the light paths it finds, in Heckbert's notation as the thesis extends it (8.1)
   // Those among them that it finds even if the light has no extent (point, spot, directional); empty if none.
   std::string point_paths;
   Bias bias = Bias::unbiased;
+  Sampling sampling = Sampling::pixels;
   std::string cost, fails;
   std::vector<ParameterInfo> parameters;
 };
 
-// Everything of a pass that does not change from pixel to pixel.
+// Everything of a picture that does not change from pixel to pixel.
 struct Pass {
   const scene::CompiledScene* scene;
   const transport::Model* model;
   const Sampler* sampler;
   const CameraRays* camera;
   const film::Filter* filter;
-  uint64_t seed;                                  // the user's
-  const std::function<bool()>* wanted = nullptr;  // asked now and then: a block is given up if nobody wants it any more
+  uint64_t seed;  // the user's
+  int width, height;
 };
 
 // One sample of each pixel of a rectangle, kWidth x kHeight pixels at most.
@@ -51,13 +65,44 @@ struct PixelBlock {
   uint32_t sample;  // counts all samples of a pixel: it alternates between the film's halves
 };
 
+// What a task is given besides its name.
+struct Turn {
+  const std::function<bool()>* wanted = nullptr;  // asked now and then: a task is given up if nobody wants it any more
+  film::Splats* splats = nullptr;                 // takes what is found for pixels anywhere
+};
+
+// Tasks that may run side by side, and are done before anything else goes on.
+struct Phase {
+  const char* name;  // for people: "tracing photons"
+  int tasks;
+};
+
+// One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
+// rays traced; nothing if they were given up, and are then done again from their beginning.
+class Work {
+ public:
+  virtual ~Work() = default;
+
+  // What comes before sample `sample` of the pixels.
+  virtual std::vector<Phase> phases(uint32_t sample) { return (void)sample, std::vector<Phase>(); }
+  virtual std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn);
+  // Called alone, after the last task of a phase.
+  virtual void finish(uint32_t sample, size_t phase) { (void)sample, (void)phase; }
+
+  // Fills `radiance` row by row of the block. Of methods that only splat nobody asks it.
+  virtual std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn);
+
+  virtual size_t memory() const { return 0; }  // bytes, of what it keeps
+};
+
 class Integrator {
  public:
   virtual ~Integrator() = default;
   virtual std::vector<ParameterInfo> parameters() const = 0;
   virtual bool set(std::string_view name, const Value& value) = 0;
-  // Fills `radiance`, row by row of the block, and returns the number of rays traced; nothing if it was given up.
-  virtual std::optional<uint64_t> sample(const Pass& pass, const PixelBlock& block, std::span<Rgb> radiance) const = 0;
+  // What `pass` points to, and the integrator itself, must outlive the work. `previous` is what the picture before this
+  // one left, by any method, or null: what it knows of the same scene may be used again.
+  virtual std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const = 0;
 };
 
 const std::vector<IntegratorInfo>& integrator_infos();

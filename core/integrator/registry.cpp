@@ -2,6 +2,8 @@
 #include <cassert>
 #include <functional>
 
+#include "integrator/light.h"
+#include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/raycast.h"
@@ -17,7 +19,7 @@ struct Entry {
 template <class T>
 Entry entry() {
   const Description& d = T::kDescription;
-  return {{d.name, d.label, d.doc, d.paths, d.point_paths, d.bias, d.cost, d.fails, T().parameters()},
+  return {{d.name, d.label, d.doc, d.paths, d.point_paths, d.bias, d.sampling, d.cost, d.fails, T().parameters()},
           [] { return std::make_unique<T>(); }};
 }
 
@@ -26,6 +28,8 @@ const std::vector<Entry>& entries() {
       entry<Raycast>(),
       entry<PathPure>(),
       entry<Path>(),
+      entry<LightPure>(),
+      entry<Light>(),
   };
   return all;
 }
@@ -35,6 +39,9 @@ const std::vector<Entry>& entries() {
 std::string_view bias_name(Bias bias) {
   return bias == Bias::unbiased ? "unbiased" : bias == Bias::consistent ? "consistent" : "biased";
 }
+
+std::optional<uint64_t> Work::run(uint32_t, size_t, int, const Turn&) { return 0; }
+std::optional<uint64_t> Work::sample(const PixelBlock&, std::span<Rgb>, const Turn&) { return 0; }
 
 const std::vector<IntegratorInfo>& integrator_infos() {
   static const auto infos = [] {

@@ -2,6 +2,7 @@
 
 #include "base/warp.h"
 #include "base/wide.h"
+#include "light/punctual.h"
 
 namespace etendue {
 namespace {
@@ -22,19 +23,6 @@ float power_of(const PlacedLight& placed, float scene_radius) {
       return kPi * sqr(scene_radius) * intensity;
   }
   return 0;
-}
-
-// The falloff that KHR_lights_punctual recommends, between the cosines of the two cones.
-float spot_falloff(const Light& light, float cosine) {
-  const float outer = std::cos(light.outer_cone);
-  const float scale = 1 / std::max(0.001f, std::cos(light.inner_cone) - outer);
-  return sqr(std::clamp((cosine - outer) * scale, 0.0f, 1.0f));
-}
-
-// The window that KHR_lights_punctual recommends for a light with a range.
-float range_window(const Light& light, float distance) {
-  if (!std::isfinite(light.range)) return 1;
-  return std::clamp(1 - sqr(sqr(distance / light.range)), 0.0f, 1.0f);
 }
 
 }  // namespace
@@ -92,13 +80,14 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
     : triangles_(std::move(triangles)),
       placed_(std::move(placed)),
       movers_(std::move(movers)),
+      centre_(scene_bounds.empty() ? Vec3(0) : scene_bounds.center()),
+      radius_(std::max(scene_bounds.radius(), 1e-6f)),
       environment_(environment) {
-  const float radius = std::max(scene_bounds.radius(), 1e-6f);
   std::vector<float> powers;
   powers.reserve(triangles_.size() + placed_.size() + 1);
   for (const auto& t : triangles_) powers.push_back(power_of(t));
-  for (const auto& l : placed_) powers.push_back(power_of(l, radius));
-  if (!environment_.black()) powers.push_back(4 * sqr(kPi * radius) * luminance(environment_.mean_radiance()));
+  for (const auto& l : placed_) powers.push_back(power_of(l, radius_));
+  if (!environment_.black()) powers.push_back(4 * sqr(kPi * radius_) * luminance(environment_.mean_radiance()));
   bool any = false;
   for (const float p : powers) any = any || p > 0;
   if (any) choice_ = AliasTable(powers);
@@ -124,7 +113,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
     if (sample.kind == LightKind::triangle)
       triangles.set(i, triangles_[choice.index], choice.probability);
     else
-      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, queries.times ? queries.times + i : nullptr,
+      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, queries.times ? queries.times[i] : 0,
                    sample);
   }
   for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
@@ -142,7 +131,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   }
 }
 
-void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, const float* time,
+void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time,
                               LightSample& sample) const {
   const size_t placed = choice.index - triangles_.size();
   sample.textured = false;
@@ -162,35 +151,31 @@ bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
   return sample.pdf > 0;
 }
 
-bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, const float* time,
-                               LightSample& sample) const {
-  if (time && placed.motion) {
-    PlacedLight now{placed.light};
-    now.place(placed.motion->matrix_at(*time));
-    return sample_placed(now, from, nullptr, sample);
-  }
+bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, float time, LightSample& sample) const {
   const Light& light = placed.light;
+  const LightPlace place = placed.at(time);
   sample.kind = LightKind::placed;
   sample.delta = true;
   sample.pdf = 1;
   sample.radiance = light.color * light.intensity;
   if (light.type == LightType::directional) {
-    sample.wi = -placed.direction;
+    sample.wi = -place.direction;
     sample.distance = kInfinity;
     return true;
   }
-  const Vec3 to_light = placed.position - from;
+  const Vec3 to_light = place.position - from;
   const float distance2 = length_squared(to_light);
   if (!(distance2 > 0)) return false;
   sample.distance = std::sqrt(distance2);
   sample.wi = to_light / sample.distance;
   sample.radiance *= range_window(light, sample.distance) / distance2;
-  if (light.type == LightType::spot) sample.radiance *= spot_falloff(light, -glm::dot(sample.wi, placed.direction));
+  if (light.type == LightType::spot) sample.radiance *= spot_falloff(light, -glm::dot(sample.wi, place.direction));
   return !is_black(sample.radiance);
 }
 
 EmissiveTriangle LightTable::triangle_at(uint32_t light, float time) const {
   EmissiveTriangle t = triangles_[light];
+  if (!t.moving) return t;
   const MovingEmitter& emitter = movers_[t.instance];
   t.place(emitter.motion->facet_at(*emitter.mesh, emitter.mesh->triangles[t.triangle], time));
   return t;

@@ -42,15 +42,19 @@ struct MovingEmitter {
   std::shared_ptr<const Motion> motion;
 };
 
+struct LightPlace {
+  Vec3 position{0}, direction{0, 0, -1};
+
+  LightPlace() = default;
+  explicit LightPlace(const Mat4& node) : position(node[3]), direction(normalize_or(-Vec3(node[2]), Vec3(0, 0, -1))) {}
+};
+
 struct PlacedLight {
   Light light;
-  Vec3 position{0}, direction{0, 0, -1};
+  LightPlace place;                                // halfway through the shutter
   std::shared_ptr<const Motion> motion = nullptr;  // of its node; null if it stands still
 
-  void place(const Mat4& node) {
-    position = Vec3(node[3]);
-    direction = normalize_or(-Vec3(node[2]), Vec3(0, 0, -1));
-  }
+  LightPlace at(float time) const { return motion ? LightPlace(motion->matrix_at(time)) : place; }
 };
 
 // The environment ready for sampling.
@@ -93,6 +97,40 @@ struct LightSample {
   Vec2 barycentric{0};  // on a triangle
 };
 
+// Where a ray that leaves a light comes from, and how densely such rays lie.
+//
+// The two densities belong to the ray's two ends, in the order in which a walk from the light finds them: of a surface
+// the point (per area) and the direction (per solid angle), of a point light the point (discrete) and the direction. Of
+// what is infinitely far away the direction comes first (per solid angle; discrete for a directional light), then the
+// point that the ray passes through (per area of a plane across it).
+struct EmissionDensity {
+  float first = 0, second = 0;
+  bool delta = false;     // the light has no extent: no walk ends on it
+  bool infinite = false;  // it is infinitely far away
+};
+
+// A ray that leaves a light.
+struct Emission {
+  LightKind kind = LightKind::triangle;
+  uint32_t light = 0;
+  Vec2 barycentric{0};    // on a triangle
+  bool back = false;      // it leaves the back of a triangle
+  Vec3 position{0};       // of a point light; a point outside of the scene where the light is infinitely far away
+  Vec3 direction{0};      // unit; of a triangle, in the frame of the side that it leaves
+  bool textured = false;  // `radiance` is only the mean over the triangle: ask the scene for what it is here
+  Rgb radiance{0};        // of a point light intensity, of a directional one irradiance
+  float time = 0;         // from 0 at the shutter's opening to 1 at its closing
+  float per_density = 0;  // the cosine over both densities: times the radiance, the watts that this ray stands for
+  EmissionDensity density;
+};
+
+// The random numbers of one emission, each in [0, 1).
+struct EmissionDraw {
+  float choice;
+  Vec2 point, direction;
+  float time = 0;
+};
+
 // Where light is asked for, and the random numbers to find some: arrays with room for whole registers.
 struct LightQueries {
   WideVec3View from;
@@ -114,6 +152,9 @@ class LightTable {
   const std::vector<PlacedLight>& placed() const { return placed_; }
   const EnvironmentMap& environment() const { return environment_; }
 
+  // A triangle where it is at that time.
+  EmissiveTriangle triangle_at(uint32_t light, float time) const;
+
   // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
   // that looks away) or if there is no light at all.
   void sample(const LightQueries& queries, LightSample* samples) const;
@@ -122,18 +163,33 @@ class LightTable {
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0) const;
   float pdf_environment(const Vec3& direction) const;
 
+  // A ray that leaves some light; of power zero if there is none.
+  Emission emit(const EmissionDraw& draw) const;
+  // The densities with which `emit` finds a ray that was found otherwise: one that connects to a sample; one along
+  // which a walk came to a triangle, its cosine there to the normal; one that a walk left the scene by.
+  EmissionDensity density_of(const LightSample& sample, float time = 0) const;
+  EmissionDensity density_of_triangle(uint32_t light, float cosine, float time = 0) const;
+  EmissionDensity density_of_escape(const Vec3& direction) const;
+  // What is left of a light's emission after so many metres; glTF's punctual lights may have a range.
+  float window(uint32_t light, float distance) const;
+
  private:
   struct ChosenTriangles;
   void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const;
-  bool sample_placed(const PlacedLight& light, const Vec3& from, const float* time, LightSample& sample) const;
-  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, const float* time,
-                    LightSample& sample) const;
-  EmissiveTriangle triangle_at(uint32_t light, float time) const;
+  bool sample_placed(const PlacedLight& light, const Vec3& from, float time, LightSample& sample) const;
+  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time, LightSample& sample) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;
+
+  Emission emit_from_triangle(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
+  Emission emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
+  Emission emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
+  float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
 
   std::vector<EmissiveTriangle> triangles_;
   std::vector<PlacedLight> placed_;
   std::vector<MovingEmitter> movers_;
+  Vec3 centre_{0};    // of a sphere around
+  float radius_ = 1;  // the scene
   EnvironmentMap environment_;
   AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
 };

@@ -1,4 +1,9 @@
 // One document made ready for sampling, and the loops over its pixels.
+//
+// A step has stages: the phases that the method has before it looks at pixels, the blocks of pixels themselves, and,
+// where what is found may belong to pixels anywhere, bringing all of it into the film at once. The film never sees a
+// part of a sample. Each stage is a number of tasks, handed out a group at a time: what a group has splatted is added
+// up before the next one begins, so that lists stay short.
 #pragma once
 #include <memory>
 
@@ -14,7 +19,11 @@ namespace etendue::render {
 
 class PassRunner {
  public:
-  PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height);
+  // `previous` is what rendered before, if anything did: its method may have left something to go on with.
+  PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
+             const PassRunner* previous = nullptr);
+  PassRunner(const PassRunner&) = delete;
+  PassRunner& operator=(const PassRunner&) = delete;
 
   struct Counters {
     std::atomic<uint64_t> rays{0}, paths{0};
@@ -37,14 +46,28 @@ class PassRunner {
   uint32_t samples() const { return samples_; }
 
   const transport::Model& model() const { return model_; }
+  size_t memory() const;  // bytes, beyond the film
+
+  // What the running step is at.
+  struct Progress {
+    const char* phase = nullptr;  // null while pixels are sampled
+    double done = 0;              // of the phase, 0 to 1
+  };
+  Progress progress() const;
 
  private:
   using PixelBlock = integrator::PixelBlock;
-  // One task of a step.
+  // What all tasks of a step hear of.
   struct Task {
     const Sinks& sinks;
     const std::function<bool()>& wanted;
     Counters& counters;
+  };
+  struct Stage {
+    enum class Kind { phase, blocks, deposit } kind;
+    size_t phase = 0;
+    size_t tasks = 0;
+    const char* name = nullptr;
   };
 
   Allocation::Piece piece() const;
@@ -52,9 +75,23 @@ class PassRunner {
   void finish_step(const film::Film& film);
   uint32_t average(const film::Film& film) const;
   PixelBlock block_at(size_t tile) const;
-  // What the step wants of a tile; false if it was given up.
-  bool visit(const Task& task, size_t tile) const;
-  bool sample(const Task& task, size_t tile, const PixelBlock& block) const;
+  bool has_blocks() const { return sampling_ != integrator::Sampling::only_splats; }
+  bool splats() const { return sampling_ >= integrator::Sampling::splats; }
+  void plan();
+  bool run_stage(Workers& workers, const Task& task, const std::function<bool()>& keep_going);
+  void open_group();
+  void add_splats(Workers& workers);
+  // All of these are false if the task was given up.
+  bool run(const Task& task, size_t index);
+  bool run_phase(const Task& task, size_t index);
+  bool visit(const Task& task, size_t tile);
+  bool sample(const Task& task, size_t tile, const PixelBlock& block);
+  bool deposit(const Task& task, size_t tile);
+  void add_to_picture(const PixelBlock& block, std::span<const Rgb> radiance);
+  Rgb& pixel(int x, int y);  // of the picture
+  film::Splats* splat_list(size_t index);
+  static bool give_up(film::Splats* splats);
+  void add(const Task& task, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) const;
   static void note_spread(film::Film& film, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance);
 
   std::shared_ptr<const scene::CompiledScene> scene_;
@@ -64,13 +101,22 @@ class PassRunner {
   CameraRays camera_;
   film::Filter filter_;
   uint64_t seed_;
-  Adaptive adaptive_;
   int width_, height_;
+  integrator::Sampling sampling_;
+  Adaptive adaptive_;
+  std::unique_ptr<integrator::Work> work_;
   size_t tiles_ = 0;
   std::optional<Allocation> allocation_;  // in adaptive sampling
   uint32_t samples_ = 0;
-  uint32_t prepared_ = 0;           // samples the sampler has tables for, per half
-  std::vector<size_t> open_tiles_;  // those that the running step still has to visit; none between steps
+  uint32_t prepared_ = 0;  // samples the sampler has tables for, per half
+
+  // The running step; no stages between steps.
+  std::vector<Stage> stages_;
+  size_t stage_ = 0;
+  size_t group_ = 0, group_end_ = 0;    // tasks of the stage that are being handed out
+  std::vector<size_t> open_;            // those of them that still have to be done
+  std::vector<film::Splats> splatted_;  // by task of the group
+  std::vector<Rgb> picture_;            // this sample of all pixels, where splats belong to it
 };
 
 // Samples for which the samplers make tables at a time.

@@ -18,6 +18,10 @@ uint64_t seed_of(uint64_t seed, uint32_t replicate) {
 
 }  // namespace
 
+bool PixelSamples::possible(const Document& document) {
+  return integrator::find_integrator(document.method.integrator)->sampling == integrator::Sampling::pixels;
+}
+
 PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel)
     : scene_(std::move(scene)),
       model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
@@ -27,6 +31,8 @@ PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene
       camera_(document.camera, document.width, document.height, scene_->camera_motion()),
       filter_(document.filter),
       seed_(document.seed),
+      width_(document.width),
+      height_(document.height),
       pixel_(pixel) {}
 
 void PixelSamples::prepare(uint32_t sample) {
@@ -39,11 +45,12 @@ void PixelSamples::prepare(uint32_t sample) {
 bool PixelSamples::draw(uint32_t first, uint32_t replicate, std::span<Rgb> samples,
                         const std::function<bool()>& wanted) {
   const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_of(seed_, replicate),
-                              &wanted};
+                              width_,       height_};
+  const auto work = integrator_->begin(pass, nullptr);
   for (size_t i = 0; i < samples.size(); ++i) {
     const uint32_t sample = first + static_cast<uint32_t>(i);
     prepare(sample);
-    if (!integrator_->sample(pass, {pixel_.x, pixel_.y, 1, 1, sample}, samples.subspan(i, 1))) return false;
+    if (!work->sample({pixel_.x, pixel_.y, 1, 1, sample}, samples.subspan(i, 1), {&wanted})) return false;
     samples[i] = accepted(samples[i]);
   }
   return true;

@@ -16,7 +16,11 @@ namespace etendue::render {
 
 class PixelSamples {
  public:
-  // The pixel lies in the document's picture.
+  // Whether the method's samples are made pixel by pixel. Where paths end on pixels that they did not choose, or wait
+  // for what all pixels share, no sample is one pixel's own.
+  static bool possible(const Document& document);
+
+  // The pixel lies in the document's picture, and samples of one are possible.
   PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel);
 
   // Samples first, first + 1, ... as radiance in W/(m^2 sr); what a film would reject is zero, as it is there.
@@ -36,6 +40,7 @@ class PixelSamples {
   CameraRays camera_;
   film::Filter filter_;
   uint64_t seed_;
+  int width_, height_;
   Vec2i pixel_;
   uint32_t prepared_ = 0;  // one more than the window of samples that the sampler has tables for
 };

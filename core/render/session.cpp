@@ -224,7 +224,7 @@ class Session::Impl {
     document_ = std::move(edit.document);
     film_stale_ = !edit.start;
     if (edit.start) take_over(std::move(*edit.start));
-    runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height);
+    runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height, runner_.get());
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
     if (!film_stale_) runner_->begin(film_);
@@ -363,7 +363,7 @@ class Session::Impl {
     Document small = document_;
     small.method.adaptive = Adaptive::off;
     small.seed = mix_bits(document_.seed + 0x9e3779b97f4a7c15ULL * static_cast<uint64_t>(coarse_scale_));
-    PassRunner runner(small, shown_scene_, w, h);
+    PassRunner runner(small, shown_scene_, w, h, runner_.get());
     film::Film film(w, h);
     PassRunner::Counters counters;
     const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
@@ -451,6 +451,10 @@ class Session::Impl {
     status_.health = health_;
     status_.progress = progress();
     status_.left = left();
+    status_.memory = shown_scene_->memory() + embree_memory() + film_bytes() + runner_->memory();
+    const PassRunner::Progress step = runner_->progress();
+    status_.phase = step.phase ? step.phase : "rendering";
+    status_.phase_progress = step.phase ? step.done : 0;
     status_.finished = finished;
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
   }

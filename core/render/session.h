@@ -37,9 +37,10 @@ struct Status {
   std::shared_ptr<const Health> health;  // as it was at some sample before; null until it was first looked at
   size_t memory = 0;                     // bytes of scene arrays, Embree, the film and what watches its samples
   scene::BuildReport build;
-  std::string phase;      // "compiling", "rendering", "paused", "done"
-  bool finished = false;  // a limit was reached
-  double progress = 0;    // towards the nearest limit, 0 to 1
+  std::string phase;  // "compiling", "rendering", what a method does first ("tracing photons"), "paused", "done"
+  double phase_progress = 0;       // of what a method does first, 0 to 1
+  bool finished = false;           // a limit was reached
+  double progress = 0;             // towards the nearest limit, 0 to 1
   std::optional<Prediction> left;  // seconds to the nearest limit, if there is one and it can be told
 };
 

@@ -31,10 +31,19 @@ inline constexpr int kLens = 2;   // 2
 inline constexpr int kTime = 4;   // 1
 }  // namespace camera_dimension
 
+// The layout of block 0 of a path that starts on a light.
+namespace emission_dimension {
+inline constexpr int kPoint = 0;      // 2: on the light
+inline constexpr int kDirection = 2;  // 2
+inline constexpr int kTime = 4;       // 1
+inline constexpr int kChoice = 5;     // 1
+inline constexpr int kLens = 6;       // 2: the point of the lens that sees the light itself
+}  // namespace emission_dimension
+
 // The layout of block 1 + k, path vertex k (0 is the first hit). One number is spare.
 namespace vertex_dimension {
 inline constexpr int kBsdfDirection = 0;  // 2
-inline constexpr int kLightPoint = 2;     // 2
+inline constexpr int kLightPoint = 2;     // 2; of a path that starts on a light, the point of the lens that sees it
 inline constexpr int kLightChoice = 4;    // 1
 inline constexpr int kBsdfLobe = 5;       // 1
 inline constexpr int kRoulette = 6;       // 1

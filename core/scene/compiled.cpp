@@ -199,6 +199,17 @@ std::string CompiledScene::moving() const {
   return camera_motion_ ? "the camera" : "";
 }
 
+SurfacePoint CompiledScene::point_of(const Emission& emission) const {
+  const EmissiveTriangle t = lights_->triangle_at(emission.light, emission.time);
+  const Vec3 normal = glm::normalize(t.cross), side = emission.back ? -normal : normal;
+  Hit hit;
+  hit.instance = t.instance, hit.triangle = t.triangle;
+  hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
+  SurfacePoint point;
+  surfaces({&side, 1}, {&hit, 1}, &point, &emission.time);
+  return point;
+}
+
 size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
                  lights_->triangles().size() * (sizeof(EmissiveTriangle) + 12);
@@ -467,7 +478,7 @@ class Compiler {
       if (n.light < 0) continue;
       PlacedLight& light = placed.emplace_back(scene_->lights[static_cast<size_t>(n.light)]);
       light.motion = shutter_.motion_of(static_cast<int>(node));
-      light.place(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
+      light.place = LightPlace(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
     }
     return placed;
   }

@@ -108,6 +108,13 @@ class CompiledScene final : public OpacityTest {
   Rgb radiance_of(const LightSample& sample) const {
     return sample.textured ? textured_radiance_of(sample) : sample.radiance;
   }
+  // Where a ray leaves a triangle, seen from the side that it leaves.
+  SurfacePoint point_of(const Emission& emission) const;
+  // What leaves the light along the ray: radiance, and the other quantities where Emission::radiance names them.
+  // `point` is that of a triangle.
+  Rgb emitted(const Emission& emission, const SurfacePoint& point) const {
+    return emission.textured ? point.material->emission_at(point.texture) : emission.radiance;
+  }
   // The number of the light that this point lies on, or InstanceData::kNotALight.
   uint32_t light_at(const SurfacePoint& point) const {
     const uint32_t first = point.instance->first_light;

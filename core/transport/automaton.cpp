@@ -116,6 +116,36 @@ std::optional<Automaton> Automaton::difference(const Automaton& a, const Automat
   return product(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
 }
 
+Automaton::States Automaton::before(States set, Event event) const {
+  States before = 0;
+  for (size_t i = 0; i < rows_.size(); ++i)
+    if (set >> next(static_cast<State>(i), event) & 1) before |= bit(static_cast<State>(i));
+  return before;
+}
+
+Automaton::States Automaton::accepting() const {
+  States accepting = 0;
+  for (size_t i = 0; i < rows_.size(); ++i)
+    if (rows_[i].accepting) accepting |= bit(static_cast<State>(i));
+  return accepting;
+}
+
+// A state of the reversal is a set of states: those from which what was read, the other way round, is accepted.
+std::optional<Automaton> Automaton::reversal(const Automaton& a) {
+  Numbering<States> sets;
+  sets(a.accepting());
+  std::vector<WideRow> rows;
+  for (size_t i = 0; i < sets.size(); ++i) {
+    const States set = sets[i];
+    WideRow row;
+    for (size_t e = 0; e < kEvents; ++e) row.next[e] = sets(a.before(set, static_cast<Event>(e)));
+    row.accepting = set >> a.start() & 1;
+    rows.push_back(row);
+    if (sets.size() > kMostSubsets) return {};
+  }
+  return minimal(rows);
+}
+
 std::optional<Automaton> Automaton::product(const Automaton& a, const Automaton& b, bool (*accepts)(bool, bool)) {
   Numbering<std::pair<State, State>> pairs;
   pairs({a.start(), b.start()});

@@ -70,8 +70,18 @@ class Automaton {
   static std::optional<Automaton> of(const Pattern& pattern, Pattern::Part whole);
   // The words that both accept.
   static std::optional<Automaton> intersection(const Automaton& a, const Automaton& b);
+  // The words that are accepted if they are read from their ends.
+  static std::optional<Automaton> reversal(const Automaton& a);
   // The words that `a` accepts and `b` does not.
   static std::optional<Automaton> difference(const Automaton& a, const Automaton& b);
+
+  // A set of states, one bit for each.
+  using States = uint64_t;
+  static_assert(kMostStates <= 64);
+  static States bit(State state) { return States{1} << state; }
+  // Those that the letter takes to a state of `set`.
+  States before(States set, Event event) const;
+  States accepting() const;
 
   State start() const { return start_; }
   State next(State state, Event event) const { return rows_[state].next[static_cast<size_t>(event)]; }

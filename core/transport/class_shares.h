@@ -19,6 +19,8 @@
 // exactly as they would without classes, roulette included; only one without any share left ends early. Shares of a
 // partition of all paths add up to one, so its images add up to the whole image up to rounding, sample by sample.
 //
+// Walks from a light read the same words from their other end.
+//
 // Passing through a surface by stochastic opacity is no event.
 #pragma once
 #include <array>
@@ -41,23 +43,24 @@ class ClassShares<M, true> {
  public:
   using Color = typename M::Color;
 
-  // `automaton` must stay where it is while walks go on.
-  void begin(const Automaton& automaton) {
+  // `automaton` must stay where it is while walks go on. Words begin with `first` and end with `last`.
+  void begin(const Automaton& automaton, Event first = Event::camera, Event last = Event::light) {
     automaton_ = &automaton, states_ = automaton.size();
+    first_ = first, last_ = last;
     shares_.resize(SampleTable::kPaths * states_);
     moved_.resize(states_);
     find_lit_states();
   }
   void launch(int path) {
-    const Automaton::State first = automaton_->next(automaton_->start(), Event::camera);
+    const Automaton::State first = automaton_->next(automaton_->start(), first_);
     alive_[static_cast<size_t>(path)] = bit(first);
     row(path)[first] = Color(1);
   }
 
-  // Of the throughput, if the path ends on a light here.
+  // Of the throughput, if the path ends here, on a light or on the lens.
   Color of_end(int path) const { return sum(path, alive(path) & lit_); }
 
-  // Of f cos, if the path is connected to a light in direction wi: the same but for the letters that do not count.
+  // Of f cos, if the path is connected to its end in direction wi: the same but for the letters that do not count.
   Color of_connection(int path, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, const Color& f_cos) const {
     const States diffuse = alive(path) & lit_after_diffuse_, glossy = alive(path) & lit_after_glossy_;
     if (diffuse == glossy) return diffuse == 0 ? Color(0) : f_cos * sum(path, diffuse);
@@ -77,9 +80,8 @@ class ClassShares<M, true> {
   }
 
  private:
-  using States = uint64_t;
-  static States bit(Automaton::State state) { return States{1} << state; }
-  static_assert(Automaton::kMostStates <= 64);
+  using States = Automaton::States;
+  static constexpr auto bit = Automaton::bit;
 
   // Shares of the letters in one scattering event; together they are one.
   struct Parts {
@@ -133,7 +135,7 @@ class ClassShares<M, true> {
   }
 
   void find_lit_states() {
-    const auto lit = [&](Automaton::State q) { return automaton_->accepts(automaton_->next(q, Event::light)); };
+    const auto lit = [&](Automaton::State q) { return automaton_->accepts(automaton_->next(q, last_)); };
     lit_ = lit_after_diffuse_ = lit_after_glossy_ = apart_ = 0;
     for (size_t i = 1; i < states_; ++i) {
       const auto q = static_cast<Automaton::State>(i);
@@ -147,8 +149,9 @@ class ClassShares<M, true> {
 
   const Automaton* automaton_ = nullptr;
   size_t states_ = 0;
-  States lit_ = 0;                                       // L is accepted from here
-  States lit_after_diffuse_ = 0, lit_after_glossy_ = 0;  // DL, GL
+  Event first_ = Event::camera, last_ = Event::light;
+  States lit_ = 0;                                       // the last letter is accepted from here
+  States lit_after_diffuse_ = 0, lit_after_glossy_ = 0;  // after a D, a G
   States apart_ = 0;                                     // D and G lead to different states
   // By path.
   std::array<States, SampleTable::kPaths> alive_{};  // states with a share; the other shares are not defined

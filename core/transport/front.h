@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "sampling/sampler.h"
+#include "transport/absorption.h"
 #include "transport/class_shares.h"
 
 namespace etendue::transport {
@@ -49,8 +50,8 @@ class Front {
 
   // Adds a path for the pixel with this seed; the next number is its own.
   void add(uint32_t pixel_seed) { states_[static_cast<size_t>(size_++)].seed = pixel_seed; }
-  // Numbers of block 0 of all paths, which belong to the camera.
-  SampleTable& draw_camera(DimensionSet wanted) {
+  // Numbers of block 0 of all paths, which decide where they start.
+  SampleTable& draw_start(DimensionSet wanted) {
     PerPath<uint32_t>& seeds = lane_seeds_;
     for (int i = 0; i < size_; ++i) seeds[static_cast<size_t>(i)] = state(i).seed;
     draw({seeds.data(), static_cast<size_t>(size_)}, 0, wanted);
@@ -58,6 +59,7 @@ class Front {
   }
   // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
   void admit(const Automaton& classes) { shares_.begin(classes); }
+  void admit_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
   void launch(int path, const Ray& ray, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
     state(path) = {Color(1), Color(0), Vec3(0), 0, 1, time, state(path).seed, true};
@@ -94,7 +96,10 @@ class Front {
   // The walks were ended before their time: what they found is no estimate.
   bool given_up() const { return given_up_; }
 
-  // Edges from the camera to the present vertices.
+  // The index of the present sample within the pixels' sequence.
+  uint32_t sample() const { return sample_; }
+
+  // Edges from where the walks started to the present vertices.
   int length() const { return length_; }
 
   // The vertices that `arrive` took.
@@ -285,14 +290,9 @@ void Front<M>::shade() {
   }
 }
 
-// Beer's law along the part of the ray that lies inside a solid: a back face met from within.
 template <class M>
 void Front<M>::absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const {
-  const Material& m = point.material->description;
-  if (point.front || !m.solid() || !std::isfinite(m.attenuation_distance)) return;
-  const float x = distance / m.attenuation_distance;
-  state.throughput *=
-      Color(std::pow(m.attenuation_color.r, x), std::pow(m.attenuation_color.g, x), std::pow(m.attenuation_color.b, x));
+  if (!point.front) state.throughput *= inner_transmittance<Color>(point, distance);
 }
 
 template <class M>

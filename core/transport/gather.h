@@ -13,9 +13,9 @@ namespace etendue::transport {
 
 using Combination = std::optional<MisHeuristic>;
 
-// Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that keeps
-// r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made heavier than
-// one by living is therefore hardly played for any more.
+// Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that
+// keeps r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made
+// heavier than one by living is therefore hardly played for any more.
 inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalOfTheHeavy = 0.995f;
 
 // The weight of emission that the walk's own direction found.
@@ -103,18 +103,19 @@ bool survives_roulette(PathState<Color>& path, float random) {
 }
 
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
-// behind.
+// behind. Walks from lights carry importance's mode: what flows along them is power, which refraction does not
+// compress.
 template <class M>
-void scatter(Front<M>& front, int roulette_from) {
+void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance) {
   const bool roulette = front.length() >= roulette_from;
   front.draw_lobes();
   if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
   for (int i = 0; i < front.arrived(); ++i) {
     LobeSample<typename M::Color> s;
-    if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), Transport::radiance, s)) continue;
+    if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), mode, s)) continue;
     auto& path = front.state_at(i);
     path.throughput *= s.weight;
-    path.eta_scale *= sqr(s.eta);
+    if (mode == Transport::radiance) path.eta_scale *= sqr(s.eta);
     if constexpr (M::kClasses)
       if (!front.shares().scatter(front.path_at(i), front.bsdf(i), front.wo(i), s)) continue;
     if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;

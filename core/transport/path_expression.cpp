@@ -169,14 +169,15 @@ Result<PathExpression> PathExpression::parse_paths(std::string_view text) {
   auto any = parse(text);
   if (!any) return any;
   const auto paths = Automaton::intersection(any->automaton(), all().automaton());
-  if (!paths)
+  auto from_light = paths ? Automaton::reversal(*paths) : std::nullopt;
+  if (!from_light)
     return usage_error("path expression '" + std::string(text) + "': it needs more than " +
                        std::to_string(Automaton::kMostStates) + " states; give a simpler one");
   if (paths->empty())
     return usage_error("path expression '" + std::string(text) +
                        "': no path matches; a path begins with E, the eye, ends with L, the light, and has neither in "
                        "between: E(D|G|S)*L is every path");
-  return PathExpression(text, *paths);
+  return PathExpression(text, *paths, std::move(from_light));
 }
 
 const PathExpression& PathExpression::all() {

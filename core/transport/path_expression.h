@@ -36,7 +36,7 @@ class PathExpression {
   static Result<PathExpression> parse(std::string_view text);
 
   // The same, and no path at all (a word from E over scattering to L) matching it is a usage error too. Words that are
-  // no paths are left out of it, so that the dead state is reached as early as can be.
+  // no paths are left out of it, so that the dead state is reached as early as can be. It can be read from both ends.
   static Result<PathExpression> parse_paths(std::string_view text);
 
   // E(D|G|S)*L
@@ -44,13 +44,17 @@ class PathExpression {
 
   const std::string& text() const { return text_; }
   const Automaton& automaton() const { return automaton_; }
+  // Reads words from the light; only expressions of paths have one.
+  const std::optional<Automaton>& from_light() const { return from_light_; }
   bool matches(std::string_view word) const { return automaton_.accepts(word); }
 
  private:
-  PathExpression(std::string_view text, Automaton automaton) : text_(text), automaton_(std::move(automaton)) {}
+  PathExpression(std::string_view text, Automaton automaton, std::optional<Automaton> from_light = {})
+      : text_(text), automaton_(std::move(automaton)), from_light_(std::move(from_light)) {}
 
   std::string text_;
   Automaton automaton_;
+  std::optional<Automaton> from_light_;
 };
 
 // Text that stands for the words of an automaton, which must accept one at least (states eliminated one by one:

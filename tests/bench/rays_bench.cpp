@@ -41,6 +41,7 @@ struct Rig {
   std::unique_ptr<integrator::Integrator> integrator;
   CameraRays camera;
   film::Filter filter;
+  std::unique_ptr<integrator::Work> work;
 
   explicit Rig(render::Document d)
       : document(std::move(d)),
@@ -50,16 +51,18 @@ struct Rig {
         integrator(integrator::make_integrator("path", document.method.settings_of("path"))),
         camera(document.camera, document.width, document.height) {
     sampler->prepare(0, 64);
+    work = integrator->begin(
+        {scene.get(), &model, sampler.get(), &camera, &filter, 0, document.width, document.height}, nullptr);
   }
+  Rig(const Rig&) = delete;
 
   uint64_t render(uint32_t sample) const {
     using integrator::PixelBlock;
-    const integrator::Pass pass{scene.get(), &model, sampler.get(), &camera, &filter, 0};
     std::array<Rgb, PixelBlock::kMostPixels> out;
     uint64_t rays = 0;
     for (int y = 0; y < document.height; y += PixelBlock::kHeight)
       for (int x = 0; x < document.width; x += PixelBlock::kWidth)
-        rays += integrator->sample(pass, {x, y, PixelBlock::kWidth, PixelBlock::kHeight, sample}, out).value_or(0);
+        rays += work->sample({x, y, PixelBlock::kWidth, PixelBlock::kHeight, sample}, out, {}).value_or(0);
     return rays;
   }
 };

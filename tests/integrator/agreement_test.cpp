@@ -30,6 +30,8 @@ TEST(Agreement, GlossyThings) { expect_agreement(test::glossy_things(), 512, "pa
 // Everything moves, the camera and the light too, and most of it is out of focus.
 TEST(Agreement, LensAndShutter) { expect_agreement(test::lens_and_shutter(), 512, "path", 2048, "path-pure"); }
 
+TEST(Agreement, LensAndShutterFromTheLight) { expect_agreement(test::lens_and_shutter(), 512, "path", 1024, "light"); }
+
 // The depth limit cuts both at the same path length.
 TEST(Agreement, DirectLightOnly) {
   auto d = *render::new_document("cornell");

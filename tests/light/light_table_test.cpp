@@ -76,7 +76,7 @@ TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
   PlacedLight lamp;
   lamp.light.type = LightType::point;
   lamp.light.color = Rgb(1), lamp.light.intensity = 5;
-  lamp.position = Vec3(0.5f, 2, 0.5f);
+  lamp.place.position = Vec3(0.5f, 2, 0.5f);
   Environment sky;
   sky.tint = Rgb(0.01f);
   const LightTable table(ceiling(), {lamp}, sky, bounds());
@@ -89,7 +89,7 @@ TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
     EXPECT_EQ(s.delta, s.kind == LightKind::placed);
     EXPECT_FALSE(s.textured);
     if (s.kind == LightKind::placed) {
-      EXPECT_LT(glm::length(queries.from[i] + s.wi * s.distance - lamp.position), 1e-5f);
+      EXPECT_LT(glm::length(queries.from[i] + s.wi * s.distance - lamp.place.position), 1e-5f);
     }
   }
   for (const int n : of_kind) EXPECT_GT(n, 0);
@@ -118,7 +118,7 @@ TEST(LightTable, SamplesMovingLightsWhereTheyAre) {
   moving.place(motion->facet_at(*mesh, mesh->triangles[0], 0.5f));
   PlacedLight lamp;
   lamp.motion = motion;
-  lamp.place(motion->matrix_at(0.5f));
+  lamp.place = LightPlace(motion->matrix_at(0.5f));
   const LightTable table({moving}, {lamp}, Environment{}, bounds(), {{mesh, motion}});
 
   Queries queries(Vec3(0));

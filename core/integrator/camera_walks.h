@@ -1,0 +1,66 @@
+// Walks that start at the camera: one for each pixel of a block.
+#pragma once
+#include <array>
+#include <memory>
+
+#include "base/hash.h"
+#include "film/film.h"
+#include "integrator/block_order.h"
+#include "integrator/integrator.h"
+#include "transport/front.h"
+
+namespace etendue::integrator {
+
+// The seed of a pixel's random numbers in one half of the film.
+inline uint32_t pixel_seed(uint64_t seed, int x, int y, uint32_t replicate) {
+  uint64_t h = mix_bits(seed * film::kReplicates + replicate + 1);
+  h = mix_bits(h ^ (static_cast<uint64_t>(static_cast<uint32_t>(y)) << 32 | static_cast<uint32_t>(x)));
+  return static_cast<uint32_t>(h >> 32);
+}
+
+// One for each thread and model: it is too large to be made anew for every block.
+template <class M>
+transport::Front<M>& front_of_thread() {
+  static thread_local const auto front = std::make_unique<transport::Front<M>>();
+  return *front;
+}
+
+// Lets a walk go from every pixel of the block, in the given order; on return nothing has been traced yet.
+template <class M>
+void launch_camera_walks(const Pass& pass, const PixelBlock& block, const BlockOrder& order, const Turn& turn,
+                         transport::Front<M>& front) {
+  const uint32_t replicate = block.sample % film::kReplicates;
+  front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, turn.wanted, pass.model->moving);
+  if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
+  for (int i = 0; i < order.size(); ++i)
+    front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
+  SampleTable& random = front.draw_start(dimensions(camera_dimension::kPixel, 2) |
+                                         (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
+                                         (pass.model->moving ? dimensions(camera_dimension::kTime, 1) : 0));
+  auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
+  const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
+  const auto& times = random.values[camera_dimension::kTime];
+  const auto count = static_cast<size_t>(order.size());
+  pass.filter->sample_all(x.data(), count), pass.filter->sample_all(y.data(), count);
+  for (int i = 0; i < order.size(); ++i) {
+    const auto path = static_cast<size_t>(i);
+    x[path] += static_cast<float>(block.x + order.x(i)) + 0.5f;
+    y[path] += static_cast<float>(block.y + order.y(i)) + 0.5f;
+  }
+  std::array<Ray, transport::Front<M>::kCapacity> rays;
+  pass.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, times.data(), count, rays.data());
+  for (int i = 0; i < order.size(); ++i) {
+    const auto path = static_cast<size_t>(i);
+    front.launch(i, rays[path], pass.model->moving ? times[path] : 0);
+  }
+}
+
+// What the walks found, pixel by pixel of the block; the number of rays, or nothing if the walks were given up.
+template <class M>
+std::optional<uint64_t> collect(transport::Front<M>& front, const BlockOrder& order, std::span<Rgb> radiance) {
+  if (front.given_up()) return {};
+  for (int i = 0; i < front.size(); ++i) radiance[order.index(i)] = front.state(i).radiance;
+  return front.rays_traced();
+}
+
+}  // namespace etendue::integrator

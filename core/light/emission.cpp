@@ -1,0 +1,127 @@
+// Rays that leave lights: the dual of sampling a light from a receiver.       thesis 9.2, (9.33)-(9.35); Veach
+// 1997, 8.2
+#include "base/frame.h"
+#include "base/warp.h"
+#include "light/light_table.h"
+#include "light/punctual.h"
+
+namespace etendue {
+namespace {
+
+// Half of what a double-sided triangle sends goes either way.
+float side_probability(const EmissiveTriangle& t) { return t.double_sided ? 0.5f : 1.0f; }
+
+// Point lights shine everywhere alike; a spot's rays fill its outer cone.
+float pdf_direction(const Light& light) {
+  if (light.type == LightType::point) return 1 / (4 * kPi);
+  return 1 / (2 * kPi * std::max(1 - std::cos(light.outer_cone), 1e-7f));
+}
+
+}  // namespace
+
+Emission LightTable::emit(const EmissionDraw& draw) const {
+  if (choice_.empty()) return {};
+  const auto choice = choice_.sample(draw.choice);
+  if (choice.index < triangles_.size()) return emit_from_triangle(choice, draw);
+  const size_t placed = choice.index - triangles_.size();
+  if (placed < placed_.size() && placed_[placed].light.type != LightType::directional)
+    return emit_from_point(choice, draw);
+  return emit_from_infinity(choice, draw);
+}
+
+Emission LightTable::emit_from_triangle(const AliasTable::Choice& choice, const EmissionDraw& draw) const {
+  const EmissiveTriangle& triangle = triangles_[choice.index];
+  Emission e;
+  e.light = choice.index;
+  Vec2 u = draw.direction;
+  if (triangle.double_sided) {
+    e.back = u.x >= 0.5f;
+    u.x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
+  }
+  e.barycentric = square_to_triangle(draw.point);
+  e.direction = square_to_cosine_hemisphere(u);
+  e.time = draw.time;
+  e.density = density_of_triangle(choice.index, e.direction.z, draw.time);
+  e.radiance = triangle.radiance, e.textured = triangle.textured;
+  if (e.direction.z > 0 && e.density.first < kInfinity)
+    e.per_density = kPi / (side_probability(triangle) * e.density.first);
+  return e;
+}
+
+Emission LightTable::emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const {
+  const PlacedLight& placed = placed_[choice.index - triangles_.size()];
+  const Light& light = placed.light;
+  Emission e;
+  e.kind = LightKind::placed;
+  e.light = choice.index;
+  const LightPlace place = placed.at(draw.time);
+  e.time = draw.time;
+  e.position = place.position;
+  e.density = {choice.probability, pdf_direction(light), true, false};
+  e.radiance = light.color * light.intensity;
+  if (light.type == LightType::point) {
+    e.direction = square_to_sphere(draw.direction);
+  } else {
+    const Vec3 local = square_to_cone(draw.direction, std::cos(light.outer_cone));
+    e.direction = Frame(place.direction).to_world(local);
+    e.radiance *= spot_falloff(light, local.z);
+  }
+  e.per_density = 1 / (e.density.first * e.density.second);
+  return e;
+}
+
+Emission LightTable::emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const {
+  const size_t placed = choice.index - triangles_.size();
+  Emission e;
+  e.light = choice.index;
+  e.time = draw.time;
+  if (placed < placed_.size()) {
+    e.kind = LightKind::placed;
+    e.direction = placed_[placed].at(draw.time).direction;
+    e.density = {choice.probability, pdf_across(), true, true};
+    e.radiance = placed_[placed].light.color * placed_[placed].light.intensity;
+  } else {
+    const auto sample = environment_.sample(draw.direction);
+    e.kind = LightKind::environment;
+    e.direction = -sample.direction;
+    e.density = {choice.probability * sample.pdf_solid_angle, pdf_across(), false, true};
+    e.radiance = environment_.radiance(sample.direction);
+  }
+  const Vec2 across = square_to_disk(draw.point) * radius_;
+  const Frame frame(e.direction);
+  e.position = centre_ + frame.x * across.x + frame.y * across.y - e.direction * radius_;
+  if (e.density.first > 0) e.per_density = 1 / (e.density.first * e.density.second);
+  return e;
+}
+
+EmissionDensity LightTable::density_of_triangle(uint32_t light, float cosine, float time) const {
+  if (choice_.empty() || light >= triangles_.size()) return {};
+  const EmissiveTriangle& t = triangles_[light];
+  const float area = t.moving ? triangle_at(light, time).area() : t.area();
+  return {choice_.probability(light) / area, side_probability(t) * std::abs(cosine) * kInvPi, false, false};
+}
+
+EmissionDensity LightTable::density_of_escape(const Vec3& direction) const {
+  return {pdf_environment(direction), pdf_across(), false, true};
+}
+
+EmissionDensity LightTable::density_of(const LightSample& sample, float time) const {
+  if (sample.kind == LightKind::environment) return density_of_escape(sample.wi);
+  if (sample.kind == LightKind::triangle) {
+    const Vec3 cross = triangle_at(sample.light, time).cross;
+    return density_of_triangle(sample.light, glm::dot(cross, sample.wi) / glm::length(cross), time);
+  }
+  const float choice = choice_.probability(sample.light);
+  const Light& light = placed_[sample.light - triangles_.size()].light;
+  if (light.type == LightType::directional) return {choice, pdf_across(), true, true};
+  return {choice, pdf_direction(light), true, false};
+}
+
+float LightTable::window(uint32_t light, float distance) const {
+  const size_t placed = light - triangles_.size();
+  return light >= triangles_.size() && placed < placed_.size() && placed_[placed].light.type != LightType::directional
+             ? range_window(placed_[placed].light, distance)
+             : 1;
+}
+
+}  // namespace etendue
