@@ -27,15 +27,15 @@ class LightWalks {
     Color emitted{0};
   };
 
-  // Lets paths [first, first + count) of a sample go; on return nothing has been traced yet. `begun` is called with the
-  // number of each path of the front and its Start, those included that carry nothing.
-  template <class Begun>
-  void launch(const Pass& pass, uint32_t sample, uint32_t first, int count, const Turn& turn, Front& front,
+  // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
+  // yet. begun(i, start, point of the lens) is called for each, those included that carry nothing.
+  template <class NumberOf, class Begun>
+  void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
     if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
-    for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, first + static_cast<uint32_t>(i), replicate));
+    for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
     using namespace emission_dimension;
     const SampleTable& random = front.draw_start(
         dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
@@ -45,7 +45,9 @@ class LightWalks {
         return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
       };
       const Vec2 point(at(kPoint), at(kPoint + 1)), direction(at(kDirection), at(kDirection + 1));
-      const Start start = start_of(*pass.scene, {at(kChoice), point, direction, pass.model->moving ? at(kTime) : 0});
+      const float time = pass.model->moving ? at(kTime) : 0;
+      times_[static_cast<size_t>(i)] = time;
+      const Start start = start_of(*pass.scene, {at(kChoice), point, direction, time});
       launch_one(i, start, front);
       begun(i, start, pass.camera->has_lens() ? Vec2(at(kLens), at(kLens + 1)) : Vec2(0));
     }
@@ -53,6 +55,8 @@ class LightWalks {
 
   // What the throughput of a walk is to be multiplied by.
   float flux(int path) const { return flux_[static_cast<size_t>(path)]; }
+  // Of all walks, those included that carry nothing.
+  const float* times() const { return times_.data(); }
   // The number of the light that a walk started on.
   uint32_t light(int path) const { return lights_[static_cast<size_t>(path)]; }
 
@@ -94,7 +98,7 @@ class LightWalks {
     front.state(i).from = e.position;
   }
 
-  std::array<float, Front::kCapacity> flux_;
+  std::array<float, Front::kCapacity> flux_, times_;
   std::array<uint32_t, Front::kCapacity> lights_;
 };
 

@@ -2,6 +2,7 @@
 #include <cassert>
 #include <functional>
 
+#include "integrator/bdpt.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
@@ -25,11 +26,7 @@ Entry entry() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(),
-      entry<PathPure>(),
-      entry<Path>(),
-      entry<LightPure>(),
-      entry<Light>(),
+      entry<Raycast>(), entry<PathPure>(), entry<Path>(), entry<LightPure>(), entry<Light>(), entry<Bdpt>(),
   };
   return all;
 }

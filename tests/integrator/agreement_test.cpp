@@ -31,6 +31,7 @@ TEST(Agreement, GlossyThings) { expect_agreement(test::glossy_things(), 512, "pa
 TEST(Agreement, LensAndShutter) { expect_agreement(test::lens_and_shutter(), 512, "path", 2048, "path-pure"); }
 
 TEST(Agreement, LensAndShutterFromTheLight) { expect_agreement(test::lens_and_shutter(), 512, "path", 1024, "light"); }
+TEST(Agreement, LensAndShutterFromBothEnds) { expect_agreement(test::lens_and_shutter(), 512, "path", 256, "bdpt"); }
 
 // The depth limit cuts both at the same path length.
 TEST(Agreement, DirectLightOnly) {
