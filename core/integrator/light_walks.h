@@ -33,13 +33,13 @@ class LightWalks {
   void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
-    front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted);
+    front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
     if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
     for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
     using namespace emission_dimension;
-    const SampleTable& random =
-        front.draw_start(dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
-                         (pass.camera->has_lens() ? dimensions(kLens, 2) : 0));
+    const SampleTable& random = front.draw_start(
+        dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
+        (pass.camera->has_lens() ? dimensions(kLens, 2) : 0) | (pass.model->moving ? dimensions(kTime, 1) : 0));
     const auto at = [&](int i, int dimension) {
       return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
     };
@@ -48,8 +48,10 @@ class LightWalks {
       const int size = std::min(kBatch, count - begin);
       for (int k = 0; k < size; ++k) {
         const int i = begin + k;
+        const float time = pass.model->moving ? at(i, kTime) : 0;
+        times_[static_cast<size_t>(i)] = time;
         starts_[static_cast<size_t>(k)].emission =
-            pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection)});
+            pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time});
       }
       finish_starts(*pass.scene, size);
       for (int k = 0; k < size; ++k) {
@@ -62,6 +64,8 @@ class LightWalks {
 
   // What the throughput of a walk is to be multiplied by.
   float flux(int path) const { return flux_[static_cast<size_t>(path)]; }
+  // Of all walks, those included that carry nothing.
+  const float* times() const { return times_.data(); }
   // The number of the light that a walk started on.
   uint32_t light(int path) const { return lights_[static_cast<size_t>(path)]; }
 
@@ -79,15 +83,17 @@ class LightWalks {
   void finish_starts(const scene::CompiledScene& scene, int size) {
     std::array<Hit, kBatch> hits;
     std::array<Vec3, kBatch> sides;
+    std::array<float, kBatch> times{};
     std::array<int, kBatch> of;
     size_t count = 0;
     for (int k = 0; k < size; ++k) {
       const Emission& e = starts_[static_cast<size_t>(k)].emission;
       if (!(e.per_density > 0) || e.kind != LightKind::triangle) continue;
       scene.locate(e, hits[count], sides[count]);
+      times[count] = e.time;
       of[count++] = k;
     }
-    scene.surfaces({sides.data(), count}, {hits.data(), count}, points_.data());
+    scene.surfaces({sides.data(), count}, {hits.data(), count}, points_.data(), times.data());
     for (size_t n = 0; n < count; ++n) {
       Start& start = starts_[static_cast<size_t>(of[n])];
       start.point = points_[n];
@@ -110,7 +116,7 @@ class LightWalks {
     Ray ray;
     ray.origin = e.position, ray.direction = e.direction;
     if (e.kind == LightKind::triangle) start.point.spawn(e.direction, ray);
-    front.launch(i, ray);
+    front.launch(i, ray, e.time);
     front.state(i).throughput = flux / most;
     front.state(i).from = e.position;
   }
@@ -119,7 +125,7 @@ class LightWalks {
 
   std::array<Start, kBatch> starts_;
   std::array<scene::SurfacePoint, kBatch> points_;
-  std::array<float, Front::kCapacity> flux_;
+  std::array<float, Front::kCapacity> flux_, times_;
   std::array<uint32_t, Front::kCapacity> lights_;
 };
 

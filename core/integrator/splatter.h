@@ -17,9 +17,9 @@ class Splatter {
   // What is seen of the camera for sure. `seed` stands for a random choice among the pixels whose filters reach there.
   void add(Vec2 raster, uint32_t seed, const Rgb& contribution) { deliver({raster, seed, contribution}); }
 
-  // What counts unless something lies along the ray.
-  void connect(const Ray& ray, uint32_t seed, Vec2 raster, const Rgb& contribution) {
-    connections_.add(ray, seed, {raster, seed, contribution});
+  // What counts unless something lies along the ray at that time.
+  void connect(const Ray& ray, float time, uint32_t seed, Vec2 raster, const Rgb& contribution) {
+    connections_.add(ray, time, seed, {raster, seed, contribution});
     if (connections_.full()) settle();
   }
 

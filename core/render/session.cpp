@@ -299,9 +299,10 @@ class Session::Impl {
     const double took = seconds_since(start);
     rendering_seconds_ += took;
     if (first) note_rate(counters_.paths - before, took);
-    update_status();
-    // Nothing is new where the limit was reached before: the frame that stands goes on.
-    if (!options_.interactive || cut()) return;
+    const bool finished = update_status();
+    // The last frame is shown even if somebody wants the film meanwhile: no slice comes after it. Nothing is new where
+    // the limit was reached before: the frame that stands goes on.
+    if (!options_.interactive || (cut() && !finished)) return;
     if (!awaiting_first_frame_ && counters_.paths == shown_paths_ && frame_->samples == complete_) return;
     shown_paths_ = counters_.paths;
     publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get(), cascades()));
@@ -436,7 +437,8 @@ class Session::Impl {
     if (health) health_ = std::move(health), health_at_ = complete_;
   }
 
-  void update_status() {
+  // Whether a limit was reached.
+  bool update_status() {
     const bool finished = reached_limit(rendering_seconds_);
     if (error_is_due() || (finished && error_at_ != complete_)) measure_error(rendering_seconds_);
     if (health_is_due() || (finished && health_at_ != complete_)) measure_health();
@@ -457,6 +459,7 @@ class Session::Impl {
     status_.phase_progress = step.phase ? step.done : 0;
     status_.finished = finished;
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
+    return finished;
   }
 
   // Until the nearest limit, as far as that can be told.

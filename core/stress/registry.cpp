@@ -18,6 +18,7 @@
 #include "stress/cases/inverted_normals.h"
 #include "stress/cases/lamp_in_a_sphere.h"
 #include "stress/cases/late_dimensions.h"
+#include "stress/cases/lens_of_no_size.h"
 #include "stress/cases/light_of_a_micrometre.h"
 #include "stress/cases/light_that_touches_a_wall.h"
 #include "stress/cases/lossless_glass.h"
@@ -34,6 +35,7 @@
 #include "stress/cases/seeds_and_pixels.h"
 #include "stress/cases/settings_that_are_no_numbers.h"
 #include "stress/cases/shadows_ignored.h"
+#include "stress/cases/shutter_of_no_time.h"
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
 #include "stress/cases/thirty_stops.h"
@@ -92,6 +94,8 @@ const std::vector<Case>& cases() {
       kOpticalDepth,
       kLightOfAMicrometre,
       kThirtyStops,
+      kLensOfNoSize,
+      kShutterOfNoTime,
       kAllScales,
       kFarFromTheOrigin,
       kSlivers,

@@ -24,6 +24,7 @@ struct alignas(64) PathState {
   float pdf;          // of the last direction per solid angle; 0 if it could not have been found by sampling a light
   float eta_scale;    // by what roulette takes it for heavier: refraction's compression of radiance so far, squared
                       // indices, and the shares that branches were given
+  float time;         // from 0 at the shutter's opening to 1 at its closing; 0 in a model without motion
   uint32_t seed;      // the pixel's
   bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
 };
@@ -40,8 +41,10 @@ class Front {
   static constexpr uint32_t kMostBranches = 256;
 
   // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
+  // `timed`: walks have times.
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
-             const std::function<bool()>* wanted = nullptr) {
+             const std::function<bool()>* wanted = nullptr, bool timed = false) {
+    timed_ = timed;
     wanted_ = wanted, given_up_ = false;
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = length_ = 0;
@@ -61,9 +64,9 @@ class Front {
   // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
   void admit(const Automaton& classes) { shares_.begin(classes); }
   void admit_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
-  void launch(int path, const Ray& ray) {
+  void launch(int path, const Ray& ray, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
-    state(path) = {Color(1), Color(0), ray.origin, 0, 1, state(path).seed, true};
+    state(path) = {Color(1), Color(0), ray.origin, 0, 1, time, state(path).seed, true};
     travel(path, ray);
   }
 
@@ -226,7 +229,7 @@ class Front {
     draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
     const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
     return {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
-            numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_)};
+            numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_), times_of_arrivals()};
   }
 
   // Seeds for the rays of these paths, where stochastic opacity asks for them.
@@ -236,6 +239,14 @@ class Front {
       lane_seeds_[lane] = path_seed(state(paths[lane]).seed, sample_) + static_cast<uint32_t>(length_) + salt;
     }
   }
+
+  // Tells rays when they are, where walks have times.
+  void time_lanes(const PerPath<uint16_t>& paths, int count, Packets& packets) {
+    for (int i = 0; timed_ && i < count; ++i)
+      packets[static_cast<size_t>(i / RayPacket::kSize)].set_time(i % RayPacket::kSize,
+                                                                  state(paths[static_cast<size_t>(i)]).time);
+  }
+  const float* times_of_arrivals() const { return timed_ ? times_.data() : nullptr; }
 
   void trace();
   void trace_connections();
@@ -248,7 +259,7 @@ class Front {
   uint32_t sample_ = 0;
   int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
   uint64_t rays_traced_ = 0;
-  bool seeded_ = false, given_up_ = false;
+  bool seeded_ = false, timed_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
 
   // By path.
@@ -261,6 +272,7 @@ class Front {
   std::array<scene::SurfacePoint, kArrivals> points_;
   std::array<Bsdf<M>, kArrivals> bsdfs_;
   std::array<uint32_t, kArrivals> pixel_seeds_;
+  std::array<float, kArrivals> times_;
   SampleTable random_;
   DimensionSet drawn_ = 0;
   WideVec3<kArrivals> cosine_directions_, positions_;
@@ -283,6 +295,7 @@ class Front {
 template <class M>
 void Front<M>::trace() {
   seed_lanes(travellers_, travelling_, 0);
+  time_lanes(travellers_, travelling_, travelling_packets_);
   for (int first = 0; first < travelling_; first += RayPacket::kSize)
     scene_->intersect(travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)],
                       std::min(RayPacket::kSize, travelling_ - first), length_ == 1,
@@ -309,7 +322,8 @@ void Front<M>::trace() {
 template <class M>
 void Front<M>::shade() {
   const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(arrived_);
-  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data());
+  for (size_t i = 0; timed_ && i < count; ++i) times_[i] = states_[reached_by_[first + i]].time;
+  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), times_of_arrivals());
   for (size_t i = 0; i < count; ++i) {
     PathState<Color>& path = states_[reached_by_[first + i]];
     scene_->template bsdf<M>(points_[i], bsdfs_[i]);
@@ -338,6 +352,7 @@ void Front<M>::settle_connections() {
 template <class M>
 void Front<M>::trace_connections() {
   seed_lanes(connected_, connections_, 0x5bd1e995U);
+  time_lanes(connected_, connections_, connecting_);
   for (int first = 0; first < connections_; first += RayPacket::kSize)
     scene_->occluded(connecting_[static_cast<size_t>(first / RayPacket::kSize)],
                      std::min(RayPacket::kSize, connections_ - first), &lane_seeds_[static_cast<size_t>(first)]);

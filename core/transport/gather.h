@@ -26,7 +26,7 @@ float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& sc
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
   const LightTable& lights = scene.lights();
-  float pdf = lights.pdf_triangle(light, path.from, point.position);
+  float pdf = lights.pdf_triangle(light, path.from, point.position, path.time);
   if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(light);
   return mis_weight(*shared, path.pdf, pdf);
 }
