@@ -3,8 +3,8 @@
 // Samples alternate between the halves, and each half has its own random numbers. The mean of both is the image; their
 // difference is its error, also for quasi-Monte Carlo points, whose spread inside one sequence says nothing:
 // Var(mean) = (A - B)^2 / 4 per pixel, in expectation. Halves weigh by their numbers of samples, unless these numbers
-// were chosen by what samples are: then both weigh the same. What is not a finite, non-negative radiance is counted and left
-// out.
+// were chosen by what samples are: then both weigh the same. What is not a finite, non-negative radiance is counted and
+// left out.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -39,27 +39,31 @@ double unnormalised(FilterKind kind, double x) {
 
 }  // namespace
 
-Filter::Filter(FilterKind kind) : kind_(kind), radius_(radius(kind)), per_radius_(kTable / radius_) {
+Filter::Filter(FilterKind kind) : kind_(kind) {
   struct Tables {
-    Table positions, values;
+    Table positions;
+    SumsTable sums;
   };
   static const auto tables = [] {
     std::array<Tables, Options<FilterKind>::kOptions.size()> all;
     for (size_t i = 0; i < all.size(); ++i) {
       const auto k = static_cast<FilterKind>(i);
-      all[i] = {positions(k), values(k)};
+      all[i] = {positions(k), sums(k)};
     }
     return all;
   }();
   const Tables& mine = tables[static_cast<size_t>(kind)];
-  positions_ = mine.positions.data(), values_ = mine.values.data();
+  positions_ = mine.positions.data(), sums_ = mine.sums.data();
 }
 
-Filter::Table Filter::values(FilterKind kind) {
-  Table values;
-  for (size_t i = 0; i < values.size(); ++i)
-    values[i] = value(kind, static_cast<float>(i) / kTable * Filter::radius(kind));
-  return values;
+Filter::SumsTable Filter::sums(FilterKind kind) {
+  SumsTable table;
+  for (size_t i = 0; i < table.size(); ++i) {
+    const float t = static_cast<float>(i) / kSteps;
+    float sum = 0;
+    for (size_t k = 0; k < table[i].size(); ++k) table[i][k] = sum += value(kind, t + 1 - static_cast<float>(k));
+  }
+  return table;
 }
 
 Filter::Table Filter::positions(FilterKind kind) {

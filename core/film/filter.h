@@ -19,18 +19,24 @@ class Filter {
 
   FilterKind kind() const { return kind_; }
   // Half the width of the support in pixels.
-  float radius() const { return radius_; }
+  float radius() const { return radius(kind_); }
   // The offset for a point of the unit square.
   Vec2 sample(Vec2 u) const { return Vec2(inverse(u.x), inverse(u.y)); }
   // One coordinate of it for many points, in place; the array has room for whole registers.
   void sample_all(float* u, size_t count) const;
   // The density of one coordinate of the offset; the filter's own value where that is normalised. The centre has none.
   float value(float x) const { return value(kind_, x); }
-  // The same between -radius and radius, from a table: off by 1e-5 at most.
-  float quick_value(float x) const {
-    const float at = std::min(std::abs(x) * per_radius_, static_cast<float>(kTable));
-    const auto i = static_cast<size_t>(std::min(at, kTable - 1.0f));
-    return values_[i] + (values_[i + 1] - values_[i]) * (at - static_cast<float>(i));
+
+  // The four pixel centres around a place on an axis, from the second to its left: sums of the filter's values there,
+  // up to each of them, for the place at `t` between the two next ones, 0 <= t <= 1. From a table: off by 1e-5 at most.
+  using Sums = std::array<float, 4>;
+  Sums sums_around(float t) const {
+    const float at = std::min(t * kSteps, static_cast<float>(kSteps));
+    const auto i = static_cast<size_t>(std::min(at, kSteps - 1.0f));
+    const float part = at - static_cast<float>(i);
+    Sums sums;
+    for (size_t k = 0; k < sums.size(); ++k) sums[k] = sums_[i][k] + (sums_[i + 1][k] - sums_[i][k]) * part;
+    return sums;
   }
 
  private:
@@ -52,13 +58,14 @@ class Filter {
 
   using Table = std::array<float, kTable + 1>;
   static Table positions(FilterKind kind);
-  static Table values(FilterKind kind);
+  static constexpr int kSteps = 512;
+  using SumsTable = std::array<Sums, kSteps + 1>;
+  static SumsTable sums(FilterKind kind);
 
   FilterKind kind_;
-  float radius_, per_radius_;  // the second: table cells to a pixel
   // A table for each kind is made once: filters are made anew with every edit.
   const float* positions_;
-  const float* values_;
+  const Sums* sums_;
 };
 
 }  // namespace etendue::film

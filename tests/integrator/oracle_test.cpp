@@ -22,8 +22,8 @@ std::vector<std::string> unbiased_integrators() {
   return names;
 }
 
-// Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo). Late roulette leaves next to no variance, so that
-// the mean stands to 0.1 %.
+// Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo). Late roulette leaves next to no variance where
+// pixels are sampled alone, so that the mean stands to 0.1 %; light paths choose their pixels, and leave some.
 TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
   for (const float albedo : {0.5f, 0.9f})
     for (const auto& method : unbiased_integrators())
@@ -36,7 +36,7 @@ TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
         if (const auto smaller = render::with_text(d, "branches-1", "1")) d = *smaller;
         const Mean mean = test::mean_of(test::rendered(d, 32));
         const double expected = 1 / (1 - albedo);
-        EXPECT_NEAR(mean.value, expected, 1e-3 * expected)
+        EXPECT_NEAR(mean.value, expected, std::max(1e-3 * expected, 4 * mean.standard_error))
             << method << ' ' << sampler.name << ' ' << albedo << " +- " << mean.standard_error;
       }
 }
