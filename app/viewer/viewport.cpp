@@ -155,6 +155,20 @@ std::string layer_label(const Workbench& w) {
   return shown.scale.empty() ? w.view.aov + (w.aov.busy() ? " ..." : "") : w.view.aov + ", " + shown.scale;
 }
 
+// Why the picture is black, in its middle.
+void obstacle_notice(const Workbench& w, ImDrawList* draw) {
+  const std::string text = w.obstacle();
+  if (text.empty() || w.shows_layer()) return;
+  const Placement& p = w.view.picture;
+  const float em = ImGui::GetFontSize(), width = std::min(em * 26, w.view.region.size.x - 2 * em);
+  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  const Vec2 corner = glm::floor(p.corner + (p.size - Vec2(words.x, words.y)) * 0.5f), margin(em * 0.7f, em * 0.5f);
+  const Vec2 from = corner - margin, to = corner + Vec2(words.x, words.y) + margin;
+  draw->AddRectFilled({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.92f), em * 0.25f);
+  draw->AddRect({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(w.theme.warning), em * 0.25f);
+  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, width);
+}
+
 }  // namespace
 
 void handle_viewport(Workbench& w, float seconds) {
@@ -183,6 +197,7 @@ void draw_viewport_overlay(Workbench& w) {
   if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
   draw_comparison_overlay(w, draw);
   draw_pixel_marker(w, draw);
+  if (w.view.interface) obstacle_notice(w, draw);
   if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), layer_label(w));
   draw->PopClipRect();
 }

@@ -8,6 +8,7 @@
 #include "viewer/advice_hand.h"
 #include "viewer/aov_view.h"
 #include "viewer/camera_hand.h"
+#include "viewer/blind_spots_hand.h"
 #include "viewer/capture.h"
 #include "viewer/comparison.h"
 #include "viewer/contest_hand.h"
@@ -19,7 +20,9 @@
 #include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
 #include "viewer/settings.h"
+#include "viewer/techniques_hand.h"
 #include "viewer/theme.h"
+#include "viewer/thumbnails.h"
 #include "viewer/viewer.h"
 
 namespace etendue::viewer {
@@ -86,7 +89,7 @@ struct Workbench {
     editor.apply(std::move(changed), name, gesture);
   }
   void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture);
-  void choose_integrator(size_t index);
+  void choose_integrator(const std::string& name);
   // Has only these paths count, in a step of its own; all of them if the expression is empty.
   void choose_paths(const std::string& expression);
 
@@ -97,6 +100,11 @@ struct Workbench {
 
   // Takes up what came from other threads since the last frame; true if the picture has to be drawn again.
   bool advance(Picture& picture_on_screen);
+
+  // Why the method finds no light at all in the picture on the desk; empty if it may, or as long as that is not known.
+  std::string obstacle() const;
+  // What the method misses of the view on the desk, as far as it was measured; null if it was not.
+  const advice::BlindSpots* misses();
 
   // A layer stands in the picture's place.
   bool shows_layer() const { return !view.aov.empty() && aov.picture().name == view.aov; }
@@ -116,6 +124,9 @@ struct Workbench {
   Comparison comparison;
   ContestHand contest;
   PathsHand paths;
+  BlindSpotsHand blind_spots;
+  TechniquesHand techniques;
+  Thumbnails thumbnails;  // of the techniques
   AdviceHand advice;
   PixelProbe probe;
   CameraHand hand;

@@ -13,16 +13,26 @@ class PathPure final : public Gathering<PathPure> {
       "path-pure",
       "Pure path tracing",
       "Random walks from the camera that count light only where they meet it",
+      Group::gathering,
       "E(D|G|S)*L",
       "",
       Bias::unbiased,
       "1 ray per vertex; no memory beyond the path",
-      "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: never"};
+      "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: never",
+      Sampling::pixels,
+      '3'};
 
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
   auto knobs() { return std::tie(max_depth, roulette_start); }
+
+  std::string obstacle(const Pass& pass) const override {
+    const LightTable& lights = pass.scene->lights();
+    if (lights.placed().empty() || !lights.triangles().empty() || !lights.environment().black()) return {};
+    return "no walk can meet a light without extent, and the scene has no others: take an integrator that samples "
+           "lights";
+  }
 
   template <class M>
   void estimate(transport::Front<M>& front) const {

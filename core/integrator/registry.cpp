@@ -20,8 +20,9 @@ struct Entry {
 template <class T>
 Entry entry() {
   const Description& d = T::kDescription;
-  return {{d.name, d.label, d.doc, d.paths, d.point_paths, d.bias, d.sampling, d.cost, d.fails, T().parameters()},
-          [] { return std::make_unique<T>(); }};
+  IntegratorInfo info{d.name,     d.label, d.doc,   d.group, d.paths,      d.point_paths,   d.bias,
+                      d.sampling, d.cost,  d.fails, d.key,   d.techniques, T().parameters()};
+  return {std::move(info), [] { return std::make_unique<T>(); }};
 }
 
 const std::vector<Entry>& entries() {
