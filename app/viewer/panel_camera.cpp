@@ -53,7 +53,7 @@ void draw_opening(Workbench& w) {
 }  // namespace
 
 void draw_camera_panel(Workbench& w) {
-  const std::vector<std::string> lens{"lens-radius", "focus-distance"};
+  const std::vector<std::string> lens{"lens-radius", "focus-distance", "shutter"};
   const std::vector<std::string> eye{"eye.x", "eye.y", "eye.z"};
   const std::vector<std::string> axes{"right.x", "right.y", "right.z", "up.x",  "up.y",
                                       "up.z",    "back.x",  "back.y",  "back.z"};

@@ -18,7 +18,8 @@ Automaton automaton_of(const std::string& paths) {
 int64_t limit_of(const render::Method& method) {
   for (const auto& setting : method.settings_of(method.integrator))
     if (const auto* depth = std::get_if<int64_t>(&setting.value); depth && setting.name == "max-depth") return *depth;
-  return 0;
+  const auto* depth = find_parameter(integrator::find_integrator(method.integrator)->parameters, "max-depth");
+  return depth ? std::get<int64_t>(depth->default_value) : 0;
 }
 
 // E[.[.[.]]]L: paths of so many segments at most.

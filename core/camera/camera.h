@@ -17,6 +17,7 @@ struct Camera {
   float aspect = 0;          // width / height the author asked for; 0 if the file leaves it to the window
   float lens_radius = 0;     // metres; 0 is a pinhole
   float focus_distance = 1;  // metres from the lens along -z
+  float shutter = 0;         // seconds that it stays open from the scene's time on; 0 is an instant
   float near_clip = 0, far_clip = kInfinity;
 
   friend bool operator==(const Camera&, const Camera&) = default;

@@ -2,7 +2,9 @@
 
 namespace etendue {
 
-CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(camera) {
+CameraRays::CameraRays(const Camera& camera, int width, int height, std::shared_ptr<const CameraMotion> motion)
+    : camera_(camera), motion_(std::move(motion)) {
+  if (motion_) camera_.to_world = Mat4(1);
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const float half_height = camera.projection == Projection::perspective ? std::tan(0.5f * camera.yfov) : camera.ymag;
   half_size_ = Vec2(half_height * aspect, half_height);
@@ -30,9 +32,24 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(ca
   return ray;
 }
 
-Ray CameraRays::ray(Vec2 raster, Vec2 lens) const { return ray_of(raster, lens); }
+void CameraRays::place(float time, Ray& ray) const {
+  const Mat4 to_world = motion_->at(time);
+  ray.origin = Vec3(to_world * Vec4(ray.origin, 1));
+  ray.direction = Mat3(to_world) * ray.direction;
+}
 
-ETENDUE_WIDE void CameraRays::rays(const Pairs& raster, const Pairs& lens, size_t count, Ray* rays) const {
+Ray CameraRays::ray(Vec2 raster, Vec2 lens, float time) const {
+  Ray ray = ray_of(raster, lens);
+  if (motion_) place(time, ray);
+  return ray;
+}
+
+void CameraRays::rays(const Pairs& raster, const Pairs& lens, const float* times, size_t count, Ray* rays) const {
+  rays_in_place(raster, lens, count, rays);
+  for (size_t i = 0; motion_ && i < count; ++i) place(times[i], rays[i]);
+}
+
+ETENDUE_WIDE void CameraRays::rays_in_place(const Pairs& raster, const Pairs& lens, size_t count, Ray* rays) const {
   struct Wide {
     WideVec3<kWidest> origin, direction;
     alignas(64) std::array<float, kWidest> tnear, tfar;

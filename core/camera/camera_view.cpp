@@ -23,14 +23,15 @@ float CameraRays::pixels_across(float cosine) const {
   return 1 / (to_unit_.x * to_unit_.y * half_size_.x * half_size_.y * cosine);
 }
 
-float CameraRays::pixels_per_area(const Vec3& direction, float distance) const {
-  const float c = cosine(direction);
+float CameraRays::pixels_per_area(const Vec3& direction, float distance, float time) const {
+  const float c = cosine(direction, time);
   return parallel() ? pixels_across(c) : pixels_per_solid_angle(c) / sqr(distance);
 }
 
-std::optional<CameraRays::View> CameraRays::view(const Vec3& point, Vec2 lens) const {
-  const Mat3 rotation(camera_.to_world);
-  const Vec3 local = glm::transpose(rotation) * (point - Vec3(camera_.to_world[3]));
+std::optional<CameraRays::View> CameraRays::view(const Vec3& point, Vec2 lens, float time) const {
+  const Mat4 placed = to_world(time);
+  const Mat3 rotation(placed);
+  const Vec3 local = glm::transpose(rotation) * (point - Vec3(placed[3]));
   const float depth = -local.z;
   if (!(depth > camera_.near_clip) || depth > camera_.far_clip) return {};
   const Vec2 on_lens = point_of_lens(lens);
@@ -55,25 +56,27 @@ std::optional<CameraRays::View> CameraRays::view(const Vec3& point, Vec2 lens) c
   return view;
 }
 
-std::optional<CameraRays::FarView> CameraRays::view_of_infinity(const Vec3& direction, Vec2 lens) const {
-  const Mat3 rotation(camera_.to_world);
+std::optional<CameraRays::FarView> CameraRays::view_of_infinity(const Vec3& direction, Vec2 lens, float time) const {
+  const Mat4 placed = to_world(time);
+  const Mat3 rotation(placed);
   const Vec3 local = glm::transpose(rotation) * direction;
   const float cosine = -local.z;
   if (!can_see_infinity() || !(cosine > 0)) return {};
   const Vec2 on_lens = point_of_lens(lens);
   FarView view;
   view.raster = raster_of(local, on_lens);
-  view.ray.origin = Vec3(camera_.to_world * Vec4(on_lens, 0, 1));
+  view.ray.origin = Vec3(placed * Vec4(on_lens, 0, 1));
   view.ray.direction = direction;
   view.ray.tnear = camera_.near_clip / cosine;
   view.importance = pixels_per_solid_angle(cosine);
   return view;
 }
 
-std::optional<CameraRays::Arrival> CameraRays::arrival(const Ray& ray, float length) const {
+std::optional<CameraRays::Arrival> CameraRays::arrival(const Ray& ray, float length, float time) const {
   if (!can_be_hit()) return {};
-  const Mat3 to_camera = glm::transpose(Mat3(camera_.to_world));
-  const Vec3 origin = to_camera * (ray.origin - Vec3(camera_.to_world[3])), direction = to_camera * ray.direction;
+  const Mat4 placed = to_world(time);
+  const Mat3 to_camera = glm::transpose(Mat3(placed));
+  const Vec3 origin = to_camera * (ray.origin - Vec3(placed[3])), direction = to_camera * ray.direction;
   if (!(direction.z > 0) || !(origin.z < 0) || -origin.z > camera_.far_clip) return {};
   Arrival a;
   a.distance = -origin.z / direction.z;

@@ -31,13 +31,15 @@ double unnormalised(FilterKind kind, double x) {
       return gaussian(x);
     case FilterKind::blackman_harris:
       return blackman_harris(x);
+    case FilterKind::centre:
+      return 1;
   }
   return 0;
 }
 
 }  // namespace
 
-Filter::Filter(FilterKind kind) : kind_(kind) {
+Filter::Filter(FilterKind kind) : kind_(kind), radius_(radius(kind)), per_radius_(kTable / radius_) {
   struct Tables {
     Table positions, values;
   };
@@ -95,6 +97,8 @@ float Filter::radius(FilterKind kind) {
       return kGaussianRadius;
     case FilterKind::blackman_harris:
       return kBlackmanHarrisRadius;
+    case FilterKind::centre:
+      return 0;
   }
   return 0;
 }
@@ -111,6 +115,8 @@ float Filter::value(FilterKind kind, float x) {
              (kGaussianSigma * std::sqrt(2 * kPi) * std::erf(kGaussianRadius / (kGaussianSigma * std::sqrt(2.0f))));
     case FilterKind::blackman_harris:
       return static_cast<float>(blackman_harris(x) / (0.35875 * 2 * kBlackmanHarrisRadius));
+    case FilterKind::centre:
+      return 0;
   }
   return 0;
 }

@@ -1,8 +1,8 @@
 // Reconstruction filters, by importance sampling: a sample's place under the pixel is drawn from the filter itself,
 // every sample weighs one and belongs to one pixel.                        thesis (8.47)-(8.54); Ernst et al. 2006
 //
-// All four filters are separable and positive, so that every sample weighs the same. Offsets are in pixels from the
-// centre.
+// All are separable and positive, so that every sample weighs the same. Offsets are in pixels from the centre. One is
+// no filter at all: the centre alone, as ray casting began (thesis 8.2), which aliases however many samples are taken.
 #pragma once
 #include <array>
 
@@ -11,7 +11,7 @@
 
 namespace etendue::film {
 
-enum class FilterKind { box, tent, gaussian, blackman_harris };
+enum class FilterKind { box, tent, gaussian, blackman_harris, centre };
 
 class Filter {
  public:
@@ -19,16 +19,16 @@ class Filter {
 
   FilterKind kind() const { return kind_; }
   // Half the width of the support in pixels.
-  float radius() const { return radius(kind_); }
+  float radius() const { return radius_; }
   // The offset for a point of the unit square.
   Vec2 sample(Vec2 u) const { return Vec2(inverse(u.x), inverse(u.y)); }
   // One coordinate of it for many points, in place; the array has room for whole registers.
   void sample_all(float* u, size_t count) const;
-  // The density of one coordinate of the offset; the filter's own value where that is normalised.
+  // The density of one coordinate of the offset; the filter's own value where that is normalised. The centre has none.
   float value(float x) const { return value(kind_, x); }
   // The same between -radius and radius, from a table: off by 1e-5 at most.
   float quick_value(float x) const {
-    const float at = std::min(std::abs(x) / radius(), 1.0f) * kTable;
+    const float at = std::min(std::abs(x) * per_radius_, static_cast<float>(kTable));
     const auto i = static_cast<size_t>(std::min(at, kTable - 1.0f));
     return values_[i] + (values_[i + 1] - values_[i]) * (at - static_cast<float>(i));
   }
@@ -55,6 +55,7 @@ class Filter {
   static Table values(FilterKind kind);
 
   FilterKind kind_;
+  float radius_, per_radius_;  // the second: table cells to a pixel
   // A table for each kind is made once: filters are made anew with every edit.
   const float* positions_;
   const float* values_;
@@ -64,6 +65,9 @@ class Filter {
 
 template <>
 struct etendue::Options<etendue::film::FilterKind> {
-  static constexpr std::array<etendue::Option, 4> kOptions{
-      {{"box", "Box"}, {"tent", "Tent"}, {"gaussian", "Gaussian"}, {"blackman-harris", "Blackman-Harris"}}};
+  static constexpr std::array<etendue::Option, 5> kOptions{{{"box", "Box"},
+                                                            {"tent", "Tent"},
+                                                            {"gaussian", "Gaussian"},
+                                                            {"blackman-harris", "Blackman-Harris"},
+                                                            {"centre", "Pixel centre"}}};
 };

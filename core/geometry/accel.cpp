@@ -39,10 +39,20 @@ RTCScene new_scene() {
   return scene;
 }
 
-RTCGeometry triangle_geometry(const Mesh& mesh) {
+void set_positions(RTCGeometry geometry, unsigned step, const std::vector<Vec3>& positions) {
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3, positions.data(), 0,
+                             sizeof(Vec3), positions.size());
+}
+
+// `motion` is null, or that of a mesh that deforms.
+RTCGeometry triangle_geometry(const Mesh& mesh, const Motion* motion = nullptr) {
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
-                             sizeof(Vec3), mesh.positions.size());
+  if (motion) {
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(motion->steps()));
+    for (unsigned i = 0; i < motion->steps(); ++i) set_positions(geometry, i, motion->vertices[i].positions);
+  } else {
+    set_positions(geometry, 0, mesh.positions);
+  }
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                              sizeof(Triangle), mesh.triangles.size());
   rtcCommitGeometry(geometry);
@@ -52,7 +62,15 @@ RTCGeometry triangle_geometry(const Mesh& mesh) {
 RTCGeometry instance_geometry(const AccelInstance& instance) {
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, instance.accel->scene());
-  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.to_world[0][0]);
+  const auto place = [&](unsigned step, const Mat4& to_world) {
+    rtcSetGeometryTransform(geometry, step, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &to_world[0][0]);
+  };
+  if (instance.motion) {
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(instance.motion->steps()));
+    for (unsigned i = 0; i < instance.motion->steps(); ++i) place(i, instance.motion->to_world[i]);
+  } else {
+    place(0, instance.to_world);
+  }
   rtcCommitGeometry(geometry);
   return geometry;
 }
@@ -92,11 +110,11 @@ TraceContext make_context(const OpacityTest* opacity, const uint32_t* seeds, boo
   return context;
 }
 
-void fill(RTCRay& r, const Ray& ray) {
+void fill(RTCRay& r, const Ray& ray, float time) {
   r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
   r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
   r.tnear = ray.tnear, r.tfar = ray.tfar;
-  r.time = 0;
+  r.time = time;
   r.mask = 0xffffffffU;
   r.id = 0, r.flags = 0;
 }
@@ -134,7 +152,8 @@ Accel::Accel(std::span<const AccelInstance> instances)
   for (uint32_t i = 0; i < kept_.size(); ++i) {
     const AccelInstance& instance = kept_[i];
     if (instance.mesh->triangles.empty()) continue;
-    const RTCGeometry geometry = instance.accel ? instance_geometry(instance) : triangle_geometry(*instance.mesh);
+    const RTCGeometry geometry =
+        instance.accel ? instance_geometry(instance) : triangle_geometry(*instance.mesh, instance.motion.get());
     rtcAttachGeometryByID(scene_, geometry, i);
     rtcReleaseGeometry(geometry);
   }
@@ -143,10 +162,10 @@ Accel::Accel(std::span<const AccelInstance> instances)
 
 Accel::~Accel() { rtcReleaseScene(scene_); }
 
-void Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit) const {
+void Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit, float time) const {
   TraceContext context = make_context(opacity, &ray_seed, false);
   RTCRayHit query;
-  fill(query.ray, ray);
+  fill(query.ray, ray, time);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene_, &context.embree, &query);

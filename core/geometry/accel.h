@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/mesh.h"
+#include "geometry/motion.h"
 #include "geometry/ray.h"
 
 namespace etendue {
@@ -47,6 +47,9 @@ class RayPacket {
     r.dir_x[lane] = ray.direction.x, r.dir_y[lane] = ray.direction.y, r.dir_z[lane] = ray.direction.z;
     r.tnear[lane] = ray.tnear, r.tfar[lane] = ray.tfar;
   }
+
+  // When the ray is, from 0 at the shutter's opening to 1 at its closing; what stands still is the same at all times.
+  void set_time(int lane, float time) { query_.ray.time[lane] = time; }
 
   Vec3 direction(int lane) const { return {query_.ray.dir_x[lane], query_.ray.dir_y[lane], query_.ray.dir_z[lane]}; }
 
@@ -84,20 +87,21 @@ class MeshAccel {
 
 struct AccelInstance {
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const MeshAccel> accel;  // null: the mesh stands in the top level, and is in world space
-  Mat4 to_world{1};                        // of an instanced mesh
+  std::shared_ptr<const MeshAccel> accel;          // null: the mesh stands in the top level, and is in world space
+  Mat4 to_world{1};                                // of an instanced mesh
+  std::shared_ptr<const Motion> motion = nullptr;  // null: it stands still; a mesh that deforms stands in the top level
 };
 
 class Accel {
  public:
-  // Instance i of `instances` is Hit::instance i.
+  // Instance i of `instances` is Hit::instance i. What moves is where it is at the time of each ray.
   explicit Accel(std::span<const AccelInstance> instances);
   ~Accel();
   Accel(const Accel&) = delete;
   Accel& operator=(const Accel&) = delete;
 
   // The nearest hit in [tnear, tfar]. `ray_seed` drives stochastic opacity.
-  void intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit) const;
+  void intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit, float time = 0) const;
 
   // The same for the first `count` rays of a packet; ray i has seeds[i]. `coherent`: they start close together and go
   // about the same way.

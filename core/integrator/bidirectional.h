@@ -104,7 +104,7 @@ class Bidirectional {
     const float hit = possible(0, 2) ? light_rule().ratio(pixels / pixels_ / light.first) : 0;
     float fall = 0;
     if (pass_->camera->can_be_hit() && possible(2, 0)) {
-      const float cosine = pass_->camera->cosine(-wi), area = pass_->camera->lens_area();
+      const float cosine = pass_->camera->cosine(-wi, start.emission.time), area = pass_->camera->lens_area();
       fall = light.infinite ? light.second * cosine : side_density(start, wi) * cosine / sqr(distance);
       fall = camera_rule().ratio(fall * area);
     }
@@ -113,7 +113,8 @@ class Bidirectional {
 
   // Of a direction in which a triangle shines, per solid angle.
   float side_density(const Start& start, const Vec3& wi) const {
-    return pass_->scene->lights().density_of_triangle(start.emission.light, glm::dot(start.point.ng, wi)).second;
+    const Emission& e = start.emission;
+    return pass_->scene->lights().density_of_triangle(e.light, glm::dot(start.point.ng, wi), e.time).second;
   }
 
   // The walk fell onto the lens: t = 0.
@@ -139,7 +140,7 @@ class Bidirectional {
                   view.importance * cosine / pixels_, bsdf.pdf(view.wi, wo), 1);
     float lens = 0;
     if (pass_->camera->can_be_hit() && possible(s + 1, 0)) {
-      const float distance = view.distance, c = pass_->camera->cosine(-view.wi);
+      const float distance = view.distance, c = pass_->camera->cosine(-view.wi, light_.state_at(i).time);
       lens = camera_rule().ratio(bsdf.pdf(wo, view.wi) * c / sqr(distance) * pass_->camera->lens_area());
     }
     return weight(s, 1, lights, lens);
@@ -168,7 +169,8 @@ class Bidirectional {
 
   void gather(const PixelBlock& block, const BlockOrder& order, const Turn& turn) {
     connection_rays_ = 0;
-    launch_camera_walks(*pass_, block, order, turn, camera_);
+    // What is to be connected must be there at one time.
+    launch_camera_walks(*pass_, block, order, turn, camera_, walks_.times());
     for (int i = 0; i < order.size(); ++i) {
       MisChain& chain = camera_chains_[static_cast<size_t>(i)];
       const bool hit = pass_->camera->can_be_hit();
@@ -197,10 +199,12 @@ class Bidirectional {
   // Directions through the lens have the density of the picture's pixels.
   void leave_lens() {
     for (int i = 0; i < camera_.arrived(); ++i) {
+      const auto& state = camera_.state_at(i);
       const Vec3 direction = -camera_.wo(i);
-      const float distance = glm::distance(camera_.state_at(i).from, camera_.point(i).position);
-      const float density = pass_->camera->pixels_per_area(direction, distance) * sqr(distance) / pixels_;
-      camera_chains_[static_cast<size_t>(camera_.path_at(i))].leave(density, pass_->camera->cosine(direction));
+      const float distance = glm::distance(state.from, camera_.point(i).position);
+      const float density = pass_->camera->pixels_per_area(direction, distance, state.time) * sqr(distance) / pixels_;
+      camera_chains_[static_cast<size_t>(camera_.path_at(i))].leave(density,
+                                                                    pass_->camera->cosine(direction, state.time));
     }
   }
 
@@ -217,7 +221,8 @@ class Bidirectional {
     const scene::SurfacePoint& point = camera_.point(i);
     const uint32_t light = pass_->scene->light_at(point);
     if (light == scene::InstanceData::kNotALight) return weight(0, t, 0, 0);
-    const auto d = pass_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)));
+    const auto d =
+        pass_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)), camera_.state_at(i).time);
     return weight(
         0, t, 0, camera_sum(camera_.path_at(i), camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
   }
@@ -230,7 +235,7 @@ class Bidirectional {
     MisChain chain = camera_chains_[static_cast<size_t>(path)];
     if (camera_.length() == 1) {
       // From the lens to infinity: (1, 1) is the only other one.
-      const float pixels = pass_->camera->pixels_per_area(direction, 1) / pixels_;
+      const float pixels = pass_->camera->pixels_per_area(direction, 1, camera_.escapee(i).time) / pixels_;
       const bool seen = pass_->camera->can_see_infinity() && possible(1, 1);
       return weight(0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
     }
@@ -244,7 +249,7 @@ class Bidirectional {
     if (plan_->too_long(t)) return 0;
     const scene::SurfacePoint& point = camera_.point(i);
     const float cosine = std::abs(glm::dot(point.ng, light.wi));
-    const EmissionDensity d = pass_->scene->lights().density_of(light);
+    const EmissionDensity d = pass_->scene->lights().density_of(light, camera_.state_at(i).time);
     const float hits = light.delta || !possible(0, t + 1) ? 0.0f : light_rule().ratio(pdf / light.pdf);
     const float back = d.second * (d.infinite ? cosine : cosine / sqr(light.distance));
     const float cameras = camera_sum(camera_.path_at(i), camera_vertices_[static_cast<size_t>(i)], t - 1, back,
@@ -287,7 +292,7 @@ class Bidirectional {
     if constexpr (M::kClasses) value *= share(i, y, wi);
     if (is_black(value)) return;
     const uint32_t seed = path_seed(state.seed, camera_.sample()) + static_cast<uint32_t>(64 * s + t);
-    connections_.add(ray_to(z, wi, distance), seed, {static_cast<uint16_t>(path), value});
+    connections_.add(ray_to(z, wi, distance), state.time, seed, {static_cast<uint16_t>(path), value});
     if (connections_.full()) settle();
   }
 

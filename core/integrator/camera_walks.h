@@ -25,19 +25,23 @@ transport::Front<M>& front_of_thread() {
   return *front;
 }
 
-// Lets a walk go from every pixel of the block, in the given order; on return nothing has been traced yet.
+// Lets a walk go from every pixel of the block, in the given order; on return nothing has been traced yet. The walks
+// have times of their own in a model with motion, or these.
 template <class M>
 void launch_camera_walks(const Pass& pass, const PixelBlock& block, const BlockOrder& order, const Turn& turn,
-                         transport::Front<M>& front) {
+                         transport::Front<M>& front, const float* given_times = nullptr) {
   const uint32_t replicate = block.sample % film::kReplicates;
-  front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, turn.wanted);
+  front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, turn.wanted, pass.model->moving);
   if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
   for (int i = 0; i < order.size(); ++i)
     front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
+  const bool draws_time = pass.model->moving && !given_times;
   SampleTable& random = front.draw_start(dimensions(camera_dimension::kPixel, 2) |
-                                         (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0));
+                                         (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
+                                         (draws_time ? dimensions(camera_dimension::kTime, 1) : 0));
   auto &x = random.values[camera_dimension::kPixel], &y = random.values[camera_dimension::kPixel + 1];
   const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
+  const float* times = draws_time ? random.values[camera_dimension::kTime].data() : given_times;
   const auto count = static_cast<size_t>(order.size());
   pass.filter->sample_all(x.data(), count), pass.filter->sample_all(y.data(), count);
   for (int i = 0; i < order.size(); ++i) {
@@ -46,8 +50,11 @@ void launch_camera_walks(const Pass& pass, const PixelBlock& block, const BlockO
     y[path] += static_cast<float>(block.y + order.y(i)) + 0.5f;
   }
   std::array<Ray, transport::Front<M>::kCapacity> rays;
-  pass.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, count, rays.data());
-  for (int i = 0; i < order.size(); ++i) front.launch(i, rays[static_cast<size_t>(i)]);
+  pass.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, times, count, rays.data());
+  for (int i = 0; i < order.size(); ++i) {
+    const auto path = static_cast<size_t>(i);
+    front.launch(i, rays[path], pass.model->moving ? times[i] : 0);
+  }
 }
 
 // What the walks found, pixel by pixel of the block; the number of rays, or nothing if the walks were given up.

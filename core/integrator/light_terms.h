@@ -30,20 +30,20 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
     if (!pass.model->paths->matches("EL")) return;
   if (e.density.infinite) {
     if (!pass.scene->lights().environment().visible()) return;
-    const auto view = pass.camera->view_of_infinity(-e.direction, lens);
-    const auto to = view ? splatter.pixel(view->raster, seed) : std::nullopt;
-    if (!to) return;
+    const auto view = pass.camera->view_of_infinity(-e.direction, lens, e.time);
+    if (!view || !splatter.reaches(view->raster)) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
-    return splatter.connect(view->ray, seed, *to, start.emitted * value);
+    return splatter.connect(view->ray, e.time, seed, view->raster, start.emitted * value);
   }
-  const auto view = pass.camera->view(e.position, lens);
-  if (!view) return;
-  const float cosine = glm::dot(start.point.front ? start.point.ng : -start.point.ng, view->wi);
-  const auto to = cosine > 0 ? splatter.pixel(view->raster, seed) : std::nullopt;
-  if (!to) return;
+  const auto view = pass.camera->view(e.position, lens, e.time);
+  if (!view || !splatter.reaches(view->raster)) return;
+  const float facing = glm::dot(start.point.front ? start.point.ng : -start.point.ng, view->wi);
+  // Whichever side the walk left by, the other one shines as well.
+  const float cosine = start.point.material->description.double_sided ? std::abs(facing) : facing;
+  if (!(cosine > 0)) return;
   const float density = cosine * view->importance;
   const auto through = transport::transmittance<M>(start.point, view->wi, view->distance);
-  splatter.connect(ray_to(start.point, view->wi, view->distance), seed, *to,
+  splatter.connect(ray_to(start.point, view->wi, view->distance), e.time, seed, view->raster,
                    start.emitted * through * (density / e.density.first * weigh(density, view->wi, view->distance)));
 }
 
@@ -57,19 +57,17 @@ void connect_to_camera(const Pass& pass, const LightWalks<M>& walks, transport::
     const scene::SurfacePoint& point = front.point(i);
     const Bsdf<M>& bsdf = front.bsdf(i);
     if (!bsdf.has_non_delta()) continue;
-    const auto view =
-        pass.camera->view(point.position, lens ? front.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0));
-    if (!view) continue;
     const int path = front.path_at(i);
     const auto& state = front.state(path);
-    const uint32_t seed = path_seed(state.seed, front.sample()) + static_cast<uint32_t>(front.length());
-    const auto to = splatter.pixel(view->raster, seed);
-    if (!to) continue;
+    const Vec2 on_lens = lens ? front.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);
+    const auto view = pass.camera->view(point.position, on_lens, state.time);
+    if (!view || !splatter.reaches(view->raster)) continue;
     auto f_cos = bsdf.evaluate(front.wo(i), view->wi, Transport::importance).f_cos;
     if constexpr (M::kClasses) f_cos = front.shares().of_connection(path, bsdf, front.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
+    const uint32_t seed = path_seed(state.seed, front.sample()) + static_cast<uint32_t>(front.length());
     const auto through = transport::transmittance<M>(point, view->wi, view->distance);
-    splatter.connect(ray_to(point, view->wi, view->distance), seed, *to,
+    splatter.connect(ray_to(point, view->wi, view->distance), state.time, seed, view->raster,
                      state.throughput * f_cos * through * (walks.flux(path) * view->importance * weigh(i, *view)));
   }
 }
@@ -81,13 +79,12 @@ void fall_onto_lens(const Pass& pass, const LightWalks<M>& walks, transport::Fro
   const auto& state = front.state(path);
   Ray ray;
   ray.origin = state.from, ray.direction = direction;
-  const auto arrival = pass.camera->arrival(ray, length);
-  if (!arrival) return;
-  const auto to = splatter.pixel(arrival->raster, state.seed ^ static_cast<uint32_t>(front.length()));
-  if (!to) return;
+  const auto arrival = pass.camera->arrival(ray, length, state.time);
+  if (!arrival || !splatter.reaches(arrival->raster)) return;
   auto carried = transport::admitted(front, state, path) * (walks.flux(path) * arrival->importance);
   if (front.length() == 1) carried *= front.scene().lights().window(walks.light(path), arrival->distance);
-  splatter.add(*to, carried * weigh(path, *arrival));
+  const uint32_t seed = path_seed(state.seed, front.sample()) ^ static_cast<uint32_t>(front.length());
+  splatter.add(arrival->raster, seed, carried * weigh(path, *arrival));
 }
 
 // The same for all walks that were traced: before anything else is done with the vertices that were reached.

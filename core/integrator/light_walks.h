@@ -33,26 +33,39 @@ class LightWalks {
   void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
-    front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted);
+    front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
     if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
     for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
     using namespace emission_dimension;
-    const SampleTable& random =
-        front.draw_start(dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
-                         (pass.camera->has_lens() ? dimensions(kLens, 2) : 0));
-    for (int i = 0; i < count; ++i) {
-      const auto at = [&](int dimension) {
-        return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
-      };
-      const Vec2 point(at(kPoint), at(kPoint + 1)), direction(at(kDirection), at(kDirection + 1));
-      const Start start = start_of(*pass.scene, {at(kChoice), point, direction});
-      launch_one(i, start, front);
-      begun(i, start, pass.camera->has_lens() ? Vec2(at(kLens), at(kLens + 1)) : Vec2(0));
+    const SampleTable& random = front.draw_start(
+        dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
+        (pass.camera->has_lens() ? dimensions(kLens, 2) : 0) | (pass.model->moving ? dimensions(kTime, 1) : 0));
+    const auto at = [&](int i, int dimension) {
+      return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
+    };
+    const auto pair = [&](int i, int dimension) { return Vec2(at(i, dimension), at(i, dimension + 1)); };
+    for (int begin = 0; begin < count; begin += kBatch) {
+      const int size = std::min(kBatch, count - begin);
+      for (int k = 0; k < size; ++k) {
+        const int i = begin + k;
+        const float time = pass.model->moving ? at(i, kTime) : 0;
+        times_[static_cast<size_t>(i)] = time;
+        starts_[static_cast<size_t>(k)].emission =
+            pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time});
+      }
+      finish_starts(*pass.scene, size);
+      for (int k = 0; k < size; ++k) {
+        const Start& start = starts_[static_cast<size_t>(k)];
+        launch_one(begin + k, start, front);
+        begun(begin + k, start, pass.camera->has_lens() ? pair(begin + k, kLens) : Vec2(0));
+      }
     }
   }
 
   // What the throughput of a walk is to be multiplied by.
   float flux(int path) const { return flux_[static_cast<size_t>(path)]; }
+  // Of all walks, those included that carry nothing.
+  const float* times() const { return times_.data(); }
   // The number of the light that a walk started on.
   uint32_t light(int path) const { return lights_[static_cast<size_t>(path)]; }
 
@@ -66,18 +79,32 @@ class LightWalks {
   }
 
  private:
-  static Start start_of(const scene::CompiledScene& scene, const EmissionDraw& draw) {
-    Start start;
-    start.emission = scene.lights().emit(draw);
-    Emission& e = start.emission;
-    if (!(e.per_density > 0)) return start;
-    if (e.kind == LightKind::triangle) {
-      start.point = scene.point_of(e);
-      e.position = start.point.position;
-      e.direction = Frame(start.point.front ? start.point.ng : -start.point.ng).to_world(e.direction);
+  // Where they are, and what they send out: many at once, because surfaces are looked at many at once.
+  void finish_starts(const scene::CompiledScene& scene, int size) {
+    std::array<Hit, kBatch> hits;
+    std::array<Vec3, kBatch> sides;
+    std::array<float, kBatch> times{};
+    std::array<int, kBatch> of;
+    size_t count = 0;
+    for (int k = 0; k < size; ++k) {
+      const Emission& e = starts_[static_cast<size_t>(k)].emission;
+      if (!(e.per_density > 0) || e.kind != LightKind::triangle) continue;
+      scene.locate(e, hits[count], sides[count]);
+      times[count] = e.time;
+      of[count++] = k;
     }
-    start.emitted = scene.emitted(e, start.point);
-    return start;
+    scene.surfaces({sides.data(), count}, {hits.data(), count}, points_.data(), times.data());
+    for (size_t n = 0; n < count; ++n) {
+      Start& start = starts_[static_cast<size_t>(of[n])];
+      start.point = points_[n];
+      start.emission.position = start.point.position;
+      const Vec3 out = start.point.front ? start.point.ng : -start.point.ng;
+      start.emission.direction = Frame(out).to_world(start.emission.direction);
+    }
+    for (int k = 0; k < size; ++k) {
+      Start& start = starts_[static_cast<size_t>(k)];
+      start.emitted = start.emission.per_density > 0 ? Color(scene.emitted(start.emission, start.point)) : Color(0);
+    }
   }
 
   void launch_one(int i, const Start& start, Front& front) {
@@ -89,12 +116,16 @@ class LightWalks {
     Ray ray;
     ray.origin = e.position, ray.direction = e.direction;
     if (e.kind == LightKind::triangle) start.point.spawn(e.direction, ray);
-    front.launch(i, ray);
+    front.launch(i, ray, e.time);
     front.state(i).throughput = flux / most;
     front.state(i).from = e.position;
   }
 
-  std::array<float, Front::kCapacity> flux_;
+  static constexpr int kBatch = 64;
+
+  std::array<Start, kBatch> starts_;
+  std::array<scene::SurfacePoint, kBatch> points_;
+  std::array<float, Front::kCapacity> flux_, times_;
   std::array<uint32_t, Front::kCapacity> lights_;
 };
 

@@ -27,12 +27,7 @@ class PathPure final : public Gathering<PathPure> {
 
   auto knobs() { return std::tie(max_depth, roulette_start); }
 
-  std::string obstacle(const Pass& pass) const override {
-    const LightTable& lights = pass.scene->lights();
-    if (lights.placed().empty() || !lights.triangles().empty() || !lights.environment().black()) return {};
-    return "no walk can meet a light without extent, and the scene has no others: take an integrator that samples "
-           "lights";
-  }
+  std::string obstacle(const Pass& pass) const override { return obstacle_to_meeting_lights(pass); }
 
   template <class M>
   void estimate(transport::Front<M>& front) const {

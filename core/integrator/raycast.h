@@ -1,8 +1,8 @@
 // Ray casting: what the camera sees, and a local illumination model without shadows.   thesis 8.2, (8.14)-(8.19),
 // errata E3, E5
 //
-// Plain, a pixel shows the emission of what its ray meets. With the local model one point on one light is added, as if
-// nothing stood between it and the surface.
+// Plain, a pixel shows the emission of what its ray meets. With the local model a point on each light is added, as if
+// nothing stood between it and the surface. The thesis's one ray through the centre of each pixel is the centre filter.
 #pragma once
 #include "integrator/gathering.h"
 
@@ -26,7 +26,10 @@ class Raycast final : public Gathering<Raycast> {
   Toggle local{"local", "Local illumination", true,
                "Light from every source, as if nothing stood in between (thesis 8.2)"};
 
-  auto knobs() { return std::tie(max_depth, local); }
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every,
+                               "Every light has no noise of choosing; one has the same cost however many there are"};
+
+  auto knobs() { return std::tie(max_depth, local, lights); }
 
   template <class M>
   void estimate(transport::Front<M>& front) const {
@@ -35,7 +38,7 @@ class Raycast final : public Gathering<Raycast> {
     add_environment(front);
     while (front.arrive()) {
       add_emission(front);
-      if (local && !at_limit(1)) add_direct_light(front, {}, Shadows::ignored);
+      if (local && !at_limit(1)) add_direct_light(front, lights, {}, Shadows::ignored);
     }
   }
 };

@@ -2,12 +2,15 @@
 #include <cassert>
 #include <functional>
 
+#include "integrator/appel.h"
 #include "integrator/bdpt.h"
+#include "integrator/distribution.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/raycast.h"
+#include "integrator/whitted.h"
 
 namespace etendue::integrator {
 namespace {
@@ -27,7 +30,8 @@ Entry entry() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(), entry<PathPure>(), entry<Path>(), entry<LightPure>(), entry<Light>(), entry<Bdpt>(),
+      entry<Raycast>(), entry<Appel>(),     entry<Whitted>(), entry<Distribution>(), entry<PathPure>(),
+      entry<Path>(),    entry<LightPure>(), entry<Light>(),   entry<Bdpt>(),
   };
   return all;
 }

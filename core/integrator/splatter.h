@@ -11,21 +11,15 @@ class Splatter {
   Splatter(const Pass& pass, const Turn& turn, float scale)
       : scene_(*pass.scene), filter_(*pass.filter, pass.width, pass.height), splats_(*turn.splats), scale_(scale) {}
 
-  // Where a point of the picture falls; nothing if it is outside. `seed` stands for a random choice among the pixels
-  // whose filters reach there.
-  std::optional<film::SplatFilter::Choice> pixel(Vec2 raster, uint32_t seed) const {
-    const uint32_t more = mix_bits(seed);
-    return filter_.choose(raster, {to_unit_float(more), to_unit_float(mix_bits(more))});
-  }
+  // Whether a point of the picture belongs to any of its pixels.
+  bool reaches(Vec2 raster) const { return filter_.reaches(raster); }
 
-  // What is seen of the camera for sure.
-  void add(const film::SplatFilter::Choice& to, const Rgb& contribution) {
-    splats_.push_back({to.pixel, contribution * (to.weight * scale_)});
-  }
+  // What is seen of the camera for sure. `seed` stands for a random choice among the pixels whose filters reach there.
+  void add(Vec2 raster, uint32_t seed, const Rgb& contribution) { deliver({raster, seed, contribution}); }
 
-  // What counts unless something lies along the ray.
-  void connect(const Ray& ray, uint32_t seed, const film::SplatFilter::Choice& to, const Rgb& contribution) {
-    connections_.add(ray, seed, {to.pixel, contribution * (to.weight * scale_)});
+  // What counts unless something lies along the ray at that time.
+  void connect(const Ray& ray, float time, uint32_t seed, Vec2 raster, const Rgb& contribution) {
+    connections_.add(ray, time, seed, {raster, seed, contribution});
     if (connections_.full()) settle();
   }
 
@@ -36,8 +30,19 @@ class Splatter {
   }
 
  private:
+  struct Seen {
+    Vec2 raster;
+    uint32_t seed;
+    Rgb contribution;
+  };
+
+  void deliver(const Seen& seen) {
+    const uint32_t first = mix_bits(seen.seed), second = mix_bits(first);
+    const auto to = filter_.choose(seen.raster, {to_unit_float(first), to_unit_float(second)});
+    if (to) splats_.push_back({to->pixel, seen.contribution * (to->weight * scale_)});
+  }
   void settle() {
-    rays_ += connections_.settle(scene_, [this](const film::Splat& splat) { splats_.push_back(splat); });
+    rays_ += connections_.settle(scene_, [this](const Seen& seen) { deliver(seen); });
   }
 
   const scene::CompiledScene& scene_;
@@ -45,7 +50,7 @@ class Splatter {
   film::Splats& splats_;
   float scale_;
   uint64_t rays_ = 0;
-  transport::Connections<film::Splat> connections_;
+  transport::Connections<Seen> connections_;
 };
 
 }  // namespace etendue::integrator

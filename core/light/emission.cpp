@@ -40,7 +40,8 @@ Emission LightTable::emit_from_triangle(const AliasTable::Choice& choice, const 
   }
   e.barycentric = square_to_triangle(draw.point);
   e.direction = square_to_cosine_hemisphere(u);
-  e.density = density_of_triangle(choice.index, e.direction.z);
+  e.time = draw.time;
+  e.density = density_of_triangle(choice.index, e.direction.z, draw.time);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)
     e.per_density = kPi / (side_probability(triangle) * e.density.first);
@@ -53,14 +54,16 @@ Emission LightTable::emit_from_point(const AliasTable::Choice& choice, const Emi
   Emission e;
   e.kind = LightKind::placed;
   e.light = choice.index;
-  e.position = placed.position;
+  const LightPlace place = placed.at(draw.time);
+  e.time = draw.time;
+  e.position = place.position;
   e.density = {choice.probability, pdf_direction(light), true, false};
   e.radiance = light.color * light.intensity;
   if (light.type == LightType::point) {
     e.direction = square_to_sphere(draw.direction);
   } else {
     const Vec3 local = square_to_cone(draw.direction, std::cos(light.outer_cone));
-    e.direction = Frame(placed.direction).to_world(local);
+    e.direction = Frame(place.direction).to_world(local);
     e.radiance *= spot_falloff(light, local.z);
   }
   e.per_density = 1 / (e.density.first * e.density.second);
@@ -71,9 +74,10 @@ Emission LightTable::emit_from_infinity(const AliasTable::Choice& choice, const 
   const size_t placed = choice.index - triangles_.size();
   Emission e;
   e.light = choice.index;
+  e.time = draw.time;
   if (placed < placed_.size()) {
     e.kind = LightKind::placed;
-    e.direction = placed_[placed].direction;
+    e.direction = placed_[placed].at(draw.time).direction;
     e.density = {choice.probability, pdf_across(), true, true};
     e.radiance = placed_[placed].light.color * placed_[placed].light.intensity;
   } else {
@@ -90,21 +94,22 @@ Emission LightTable::emit_from_infinity(const AliasTable::Choice& choice, const 
   return e;
 }
 
-EmissionDensity LightTable::density_of_triangle(uint32_t light, float cosine) const {
+EmissionDensity LightTable::density_of_triangle(uint32_t light, float cosine, float time) const {
   if (choice_.empty() || light >= triangles_.size()) return {};
   const EmissiveTriangle& t = triangles_[light];
-  return {choice_.probability(light) / t.area(), side_probability(t) * std::abs(cosine) * kInvPi, false, false};
+  const float area = t.moving ? triangle_at(light, time).area() : t.area();
+  return {choice_.probability(light) / area, side_probability(t) * std::abs(cosine) * kInvPi, false, false};
 }
 
 EmissionDensity LightTable::density_of_escape(const Vec3& direction) const {
   return {pdf_environment(direction), pdf_across(), false, true};
 }
 
-EmissionDensity LightTable::density_of(const LightSample& sample) const {
+EmissionDensity LightTable::density_of(const LightSample& sample, float time) const {
   if (sample.kind == LightKind::environment) return density_of_escape(sample.wi);
   if (sample.kind == LightKind::triangle) {
-    const Vec3& cross = triangles_[sample.light].cross;
-    return density_of_triangle(sample.light, glm::dot(cross, sample.wi) / glm::length(cross));
+    const Vec3 cross = triangle_at(sample.light, time).cross;
+    return density_of_triangle(sample.light, glm::dot(cross, sample.wi) / glm::length(cross), time);
   }
   const float choice = choice_.probability(sample.light);
   const Light& light = placed_[sample.light - triangles_.size()].light;

@@ -1,5 +1,7 @@
 #include "light/light_table.h"
 
+#include <algorithm>
+
 #include "base/warp.h"
 #include "base/wide.h"
 #include "light/punctual.h"
@@ -76,9 +78,10 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
 }
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
-                       const Environment& environment, const Bounds& scene_bounds)
+                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers)
     : triangles_(std::move(triangles)),
       placed_(std::move(placed)),
+      movers_(std::move(movers)),
       centre_(scene_bounds.empty() ? Vec3(0) : scene_bounds.center()),
       radius_(std::max(scene_bounds.radius(), 1e-6f)),
       environment_(environment) {
@@ -89,30 +92,76 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
   if (!environment_.black()) powers.push_back(4 * sqr(kPi * radius_) * luminance(environment_.mean_radiance()));
   bool any = false;
   for (const float p : powers) any = any || p > 0;
-  if (any) choice_ = AliasTable(powers);
+  if (!any) return;
+  choice_ = AliasTable(powers);
+  find_sources();
+}
+
+void LightTable::find_sources() {
+  mass_.resize(triangles_.size());
+  const auto lights = static_cast<uint32_t>(choice_.size()), triangles = static_cast<uint32_t>(triangles_.size());
+  for (uint32_t first = 0, end = 0; first < lights; first = end) {
+    Source source{first, 0, 0};
+    do {
+      source.probability += choice_.probability(end);
+      if (end < triangles) mass_[end] = source.probability;
+      ++end;
+    } while (end < triangles && triangles_[end].instance == triangles_[first].instance);
+    source.count = end - first;
+    if (source.probability > 0) sources_.push_back(source);
+  }
+}
+
+size_t LightTable::source_of(uint32_t light) const {
+  const auto after = std::upper_bound(sources_.begin() + 1, sources_.end(), light,
+                                      [](uint32_t l, const Source& source) { return l < source.first; });
+  return static_cast<size_t>(after - sources_.begin()) - 1;
+}
+
+AliasTable::Choice LightTable::choose_within(const Source& source, float u) const {
+  if (source.count == 1) return {source.first, 1};
+  const auto begin = mass_.begin() + source.first, last = begin + (source.count - 1);
+  const auto index = static_cast<uint32_t>(std::upper_bound(begin, last, u * source.probability) - mass_.begin());
+  return {index, choice_.probability(index) / source.probability};
 }
 
 void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
-  ChosenTriangles triangles;
-  for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
-    sample_batch({queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
-                  std::min(ChosenTriangles::kSize, queries.count - first)},
-                 triangles, samples + first);
+  sample_chosen(queries, samples, [&](float u) { return choice_.sample(u); });
 }
 
-void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const {
+void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
+  sample_chosen(queries, samples, [&](float u) { return choose_within(sources_[source], u); });
+}
+
+template <class Choose>
+void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const {
+  ChosenTriangles triangles;
+  for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
+    sample_batch(
+        {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
+         std::min(ChosenTriangles::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
+        triangles, samples + first, choose);
+}
+
+template <class Choose>
+void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
+                              Choose&& choose) const {
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     sample.pdf = 0;
     if (choice_.empty()) continue;
-    const auto choice = choice_.sample(queries.choice[i]);
+    const auto choice = choose(queries.choice[i]);
     sample.light = choice.index;
     sample.kind = choice.index < triangles_.size() ? LightKind::triangle : LightKind::placed;
     if (sample.kind == LightKind::triangle)
       triangles.set(i, triangles_[choice.index], choice.probability);
     else
-      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, sample);
+      sample_other(choice, queries.from[i], {queries.u0[i], queries.u1[i]}, queries.times ? queries.times[i] : 0,
+                   sample);
   }
+  for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
+    if (const uint32_t light = samples[i].light; light < triangles_.size() && triangles_[light].moving)
+      triangles.set(i, triangle_at(light, queries.times[i]), choice_.probability(light));
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
   for (size_t i = 0; i < queries.count; ++i) {
@@ -125,11 +174,12 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   }
 }
 
-void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const {
+void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time,
+                              LightSample& sample) const {
   const size_t placed = choice.index - triangles_.size();
   sample.textured = false;
   const bool reached =
-      placed < placed_.size() ? sample_placed(placed_[placed], from, sample) : sample_environment(u, sample);
+      placed < placed_.size() ? sample_placed(placed_[placed], from, time, sample) : sample_environment(u, sample);
   sample.pdf = reached ? sample.pdf * choice.probability : 0;
 }
 
@@ -144,33 +194,42 @@ bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
   return sample.pdf > 0;
 }
 
-bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, LightSample& sample) const {
+bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, float time, LightSample& sample) const {
   const Light& light = placed.light;
+  const LightPlace place = placed.at(time);
   sample.kind = LightKind::placed;
   sample.delta = true;
   sample.pdf = 1;
   sample.radiance = light.color * light.intensity;
   if (light.type == LightType::directional) {
-    sample.wi = -placed.direction;
+    sample.wi = -place.direction;
     sample.distance = kInfinity;
     return true;
   }
-  const Vec3 to_light = placed.position - from;
+  const Vec3 to_light = place.position - from;
   const float distance2 = length_squared(to_light);
   if (!(distance2 > 0)) return false;
   sample.distance = std::sqrt(distance2);
   sample.wi = to_light / sample.distance;
   sample.radiance *= range_window(light, sample.distance) / distance2;
-  if (light.type == LightType::spot) sample.radiance *= spot_falloff(light, -glm::dot(sample.wi, placed.direction));
+  if (light.type == LightType::spot) sample.radiance *= spot_falloff(light, -glm::dot(sample.wi, place.direction));
   return !is_black(sample.radiance);
 }
 
-float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const {
+EmissiveTriangle LightTable::triangle_at(uint32_t light, float time) const {
+  EmissiveTriangle t = triangles_[light];
+  if (!t.moving) return t;
+  const MovingEmitter& emitter = movers_[t.instance];
+  t.place(emitter.motion->facet_at(*emitter.mesh, emitter.mesh->triangles[t.triangle], time));
+  return t;
+}
+
+float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time) const {
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const EmissiveTriangle& t = triangles_[light];
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const float facing = std::abs(glm::dot(t.cross, to_light));
+  const float facing = std::abs(glm::dot(t.moving ? triangle_at(light, time).cross : t.cross, to_light));
   if (!(facing > 0)) return 0;
   return choice_.probability(light) * 2 * distance2 * std::sqrt(distance2) / facing;
 }

@@ -2,14 +2,18 @@
 //
 // A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density
 // with its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
+//
+// Lights that move while the shutter is open are sampled where they are at the time that is asked for, and chosen by
+// their power halfway.
 #pragma once
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "base/distribution.h"
+#include "base/parameter.h"
 #include "base/wide.h"
-#include "geometry/mesh.h"
+#include "geometry/motion.h"
 #include "light/light.h"
 #include "spectrum/rgb.h"
 
@@ -23,14 +27,35 @@ struct EmissiveTriangle {
   Rgb radiance{0};
   bool double_sided = false;
   bool textured = false;  // what is shaded varies over the triangle
+  bool moving = false;    // then this is where it is halfway through the shutter
   Vec3 cross{0};          // of the edges, pointing to the front: as long as twice the area
 
   float area() const { return 0.5f * glm::length(cross); }
+  void place(const Facet& facet) {
+    p0 = facet.p0, e1 = facet.p1 - p0, e2 = facet.p2 - p0;
+    cross = glm::cross(e1, e2) * facet.winding;
+  }
+};
+
+// What tells where the moving triangles of an instance are.
+struct MovingEmitter {
+  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Motion> motion;
+};
+
+struct LightPlace {
+  Vec3 position{0}, direction{0, 0, -1};
+
+  LightPlace() = default;
+  explicit LightPlace(const Mat4& node) : position(node[3]), direction(normalize_or(-Vec3(node[2]), Vec3(0, 0, -1))) {}
 };
 
 struct PlacedLight {
   Light light;
-  Vec3 position{0}, direction{0, 0, -1};
+  LightPlace place;                                // halfway through the shutter
+  std::shared_ptr<const Motion> motion = nullptr;  // of its node; null if it stands still
+
+  LightPlace at(float time) const { return motion ? LightPlace(motion->matrix_at(time)) : place; }
 };
 
 // The environment ready for sampling.
@@ -95,6 +120,7 @@ struct Emission {
   Vec3 direction{0};      // unit; of a triangle, in the frame of the side that it leaves
   bool textured = false;  // `radiance` is only the mean over the triangle: ask the scene for what it is here
   Rgb radiance{0};        // of a point light intensity, of a directional one irradiance
+  float time = 0;         // from 0 at the shutter's opening to 1 at its closing
   float per_density = 0;  // the cosine over both densities: times the radiance, the watts that this ray stands for
   EmissionDensity density;
 };
@@ -103,6 +129,7 @@ struct Emission {
 struct EmissionDraw {
   float choice;
   Vec2 point, direction;
+  float time = 0;
 };
 
 // Where light is asked for, and the random numbers to find some: arrays with room for whole registers.
@@ -110,13 +137,18 @@ struct LightQueries {
   WideVec3View from;
   const float *choice, *u0, *u1;
   size_t count;
+  const float* times = nullptr;  // from 0 at the shutter's opening to 1 at its closing; null where no light moves
 };
+
+// Whether one light is asked at a time, chosen by its power, or every one: the sum over lights (thesis 8.2; E3).
+enum class LightStrategy : uint8_t { one, every };
 
 class LightTable {
  public:
   LightTable() = default;
+  // `movers` has an entry for each instance if any of the triangles moves.
   LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
-             const Bounds& scene_bounds);
+             const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {});
 
   bool empty() const { return choice_.empty(); }
   size_t size() const { return choice_.size(); }
@@ -124,42 +156,76 @@ class LightTable {
   const std::vector<PlacedLight>& placed() const { return placed_; }
   const EnvironmentMap& environment() const { return environment_; }
 
+  // A triangle where it is at that time.
+  EmissiveTriangle triangle_at(uint32_t light, float time) const;
+
   // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
   // that looks away) or if there is no light at all.
   void sample(const LightQueries& queries, LightSample* samples) const;
 
+  // Lights as a user counts them: the emissive triangles of an instance are one source, so are a placed light and the
+  // environment. Those without power are none.
+  size_t sources() const { return sources_.size(); }
+  // As `sample`, on one source: only the point on it is chosen.
+  void sample_source(size_t source, const LightQueries& queries, LightSample* samples) const;
+  // The density of `sample_source` over that of `sample`, for the source that this light belongs to.
+  float density_within_source(uint32_t light) const { return 1 / sources_[source_of(light)].probability; }
+  uint32_t environment_light() const { return static_cast<uint32_t>(choice_.size() - 1); }
+
   // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at) const;
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0) const;
   float pdf_environment(const Vec3& direction) const;
 
   // A ray that leaves some light; of power zero if there is none.
   Emission emit(const EmissionDraw& draw) const;
   // The densities with which `emit` finds a ray that was found otherwise: one that connects to a sample; one along
   // which a walk came to a triangle, its cosine there to the normal; one that a walk left the scene by.
-  EmissionDensity density_of(const LightSample& sample) const;
-  EmissionDensity density_of_triangle(uint32_t light, float cosine) const;
+  EmissionDensity density_of(const LightSample& sample, float time = 0) const;
+  EmissionDensity density_of_triangle(uint32_t light, float cosine, float time = 0) const;
   EmissionDensity density_of_escape(const Vec3& direction) const;
   // What is left of a light's emission after so many metres; glTF's punctual lights may have a range.
   float window(uint32_t light, float distance) const;
 
  private:
   struct ChosenTriangles;
-  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples) const;
-  bool sample_placed(const PlacedLight& light, const Vec3& from, LightSample& sample) const;
-  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, LightSample& sample) const;
+  // `choose` turns a random number into a light and its probability.
+  template <class Choose>
+  void sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const;
+  template <class Choose>
+  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
+                    Choose&& choose) const;
+  bool sample_placed(const PlacedLight& light, const Vec3& from, float time, LightSample& sample) const;
+  void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time, LightSample& sample) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;
 
   Emission emit_from_triangle(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   Emission emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   Emission emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
+  // Neighbours in the order of `choice_`.
+  struct Source {
+    uint32_t first, count;
+    float probability;  // of `sample` choosing one of them
+  };
+  void find_sources();
+  size_t source_of(uint32_t light) const;
+  AliasTable::Choice choose_within(const Source& source, float u) const;
 
   std::vector<EmissiveTriangle> triangles_;
   std::vector<PlacedLight> placed_;
+  std::vector<MovingEmitter> movers_;
   Vec3 centre_{0};    // of a sphere around
   float radius_ = 1;  // the scene
   EnvironmentMap environment_;
   AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
+  std::vector<Source> sources_;
+  std::vector<float> mass_;  // probability of a triangle and those of its source before it
 };
 
 }  // namespace etendue
+
+template <>
+struct etendue::Options<etendue::LightStrategy> {
+  static constexpr std::array<etendue::Option, 2> kOptions{
+      {{"one", "One, chosen by its power"}, {"every", "Every light"}}};
+};

@@ -77,6 +77,10 @@ class LobeMix {
     return true;
   }
 
+  void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
+    for (int i = 0; i < count_; ++i) visit(i, [&](const auto& l) { l.add_deltas(wo, mode, deltas); });
+  }
+
  private:
   using Shares = std::array<float, kMaxLobes>;
 
@@ -114,6 +118,7 @@ class DiffuseOnly {
   bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
     return lobe_.sample(wo, draw, mode, s);
   }
+  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
 
  private:
   Lambert<Color> lobe_;
@@ -180,6 +185,23 @@ class Bsdf {
     if (!consistent(wo, s.wi, o, i)) return false;
     s.weight *= adjoint_factor(wo, s.wi, o, i, mode);
     return !is_black(s.weight);
+  }
+
+  // Every delta with its coefficient, in world space: what `sample` finds when it chooses one, each over the
+  // probability of that choice.
+  Deltas<Color> deltas(const Vec3& wo, Transport mode = Transport::radiance) const {
+    Deltas<Color> all, kept;
+    const Vec3 o = frame_->to_local(wo);
+    if (o.z != 0) lobes.add_deltas(o, mode, all);
+    for (int k = 0; k < all.count; ++k) {
+      LobeSample<Color> s = all.lobes[static_cast<size_t>(k)];
+      const Vec3 i = s.wi;
+      s.wi = frame_->to_world(i);
+      if (!consistent(wo, s.wi, o, i)) continue;
+      s.weight *= adjoint_factor(wo, s.wi, o, i, mode);
+      if (!is_black(s.weight)) kept.lobes[static_cast<size_t>(kept.count++)] = s;
+    }
+    return kept;
   }
 
   // |cos| to the shading normal: what an integral over solid angle multiplies f by.

@@ -87,6 +87,17 @@ struct Dielectric {
     return true;
   }
 
+  void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
+    if (!is_delta()) return;
+    const Vec3 h(0, 0, wo.z < 0 ? -1.0f : 1.0f);
+    const float e = relative_eta(wo), oh = std::abs(wo.z);
+    float cos_t;
+    const float f = fresnel_dielectric(oh, e, cos_t);
+    deltas.reflect(reflect(wo, h), reflected(f));
+    if (f < 1)
+      deltas.transmit(-wo / e + h * (oh / e - cos_t), passed(f) * (mode == Transport::radiance ? 1 / sqr(e) : 1), e);
+  }
+
  private:
   // The facet normal, on the outside, that takes wo to wi, and its Fresnel term; false if there is none.
   bool half_vector(const Vec3& wo, const Vec3& wi, Vec3& h, float& f) const {

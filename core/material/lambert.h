@@ -33,6 +33,8 @@ struct Lambert {
     s.scatter = Scatter::diffuse;
     return s.pdf_solid_angle > 0;
   }
+
+  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
 };
 
 }  // namespace etendue

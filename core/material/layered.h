@@ -100,6 +100,10 @@ struct Layered {
     return true;
   }
 
+  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
+    if (smooth()) deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)));
+  }
+
  private:
   float layer_pdf(Vec3 wo, Vec3 wi) const {
     if (wo.z < 0) wo.z = -wo.z, wi.z = -wi.z;

@@ -10,7 +10,10 @@
 //   bool  is_delta() const;                                             // eval and pdf are zero
 //   bool  scatters(Scatter) const;                                      // eval has a part of this letter
 //   Color eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
+//   void  add_deltas(wo, Transport, Deltas<Color>&) const;              // those that `sample` would choose from
 #pragma once
+#include <array>
+
 #include "base/warp.h"
 
 namespace etendue {
@@ -41,6 +44,23 @@ struct LobeSample {
   Scatter scatter = Scatter::diffuse;
   bool delta = false;
   bool transmitted = false;
+};
+
+// Every delta of a surface at once, for methods that follow each: `weight` is its coefficient, nothing was chosen.
+template <class Color>
+struct Deltas {
+  static constexpr int kMost = 4;
+
+  std::array<LobeSample<Color>, kMost> lobes;
+  int count = 0;
+
+  void reflect(const Vec3& wi, const Color& weight) { add({wi, weight, 0, 1, Scatter::specular, true, false}); }
+  void transmit(const Vec3& wi, const Color& weight, float eta) {
+    add({wi, weight, 0, eta, Scatter::specular, true, true});
+  }
+
+ private:
+  void add(const LobeSample<Color>& lobe) { lobes[static_cast<size_t>(count++)] = lobe; }
 };
 
 }  // namespace etendue

@@ -74,6 +74,13 @@ struct ThinSheet {
     s.weight = eval(wo_any, s.wi, mode) * (std::abs(s.wi.z) / s.pdf_solid_angle);
     return true;
   }
+
+  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
+    if (!smooth()) return;
+    const float c = std::abs(wo.z);
+    deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(c) * share);
+    deltas.transmit(-wo, passed(c) * share, 1);
+  }
 };
 
 }  // namespace etendue

@@ -80,7 +80,7 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
            std::vector<float>(static_cast<size_t>(width) * static_cast<size_t>(height) * kind->channels.size())});
     }
   const auto sampler = make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler));
-  const CameraRays camera(document.camera, width, height);
+  const CameraRays camera(document.camera, width, height, scene.camera_motion());
   const film::Filter filter(document.filter);
   sampler->prepare(0, samples / film::kReplicates + 1);
 
@@ -93,12 +93,13 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
         sampler->block(seed, s / film::kReplicates, 0, random);
         const Vec2 at = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +
                         filter.sample(pair_of(random, camera_dimension::kPixel));
-        const Ray ray = camera.ray(at, pair_of(random, camera_dimension::kLens));
-        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kReplicates));
+        const float time = random[camera_dimension::kTime];
+        const Ray ray = camera.ray(at, pair_of(random, camera_dimension::kLens), time);
+        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kReplicates), time);
         if (!hit) continue;
         scene::SurfacePoint point;
         const Vec3 wo = -ray.direction;
-        scene.surfaces({&wo, 1}, {&hit, 1}, &point);
+        scene.surfaces({&wo, 1}, {&hit, 1}, &point, &time);
         for (size_t k = 0; k < wanted.size(); ++k) {
           if (!wanted[k]->averaged && s > 0) continue;
           const auto v = value_of(wanted[k]->name, point, hit.t);

@@ -5,6 +5,7 @@
 #include "integrator/integrator.h"
 #include "render/bindings.h"
 #include "render/obstacle.h"
+#include "scene/pose.h"
 #include "transport/model.h"
 
 namespace etendue::render {
@@ -129,6 +130,15 @@ std::vector<Binding> display_bindings(const Document& d) {
       [](Document& doc, image::ToneCurve v) { doc.display.curve = v; })};
 }
 
+// A camera that belongs to a node goes with it.
+void show_at(Document& document, float time) {
+  const int node = scene::node_of_camera(*document.scene, document.camera);
+  edit_scene(document, [time](scene::Scene& s) { s.time = time; });
+  if (node < 0) return;
+  const auto world = scene::world_matrices(*document.scene);
+  document.camera.to_world = scene::camera_to_world(world[static_cast<size_t>(node)]);
+}
+
 std::vector<Binding> scene_bindings(const Document& d) {
   float longest = 0;
   for (const auto& animation : d.scene->animations) longest = std::max(longest, animation->duration);
@@ -136,7 +146,7 @@ std::vector<Binding> scene_bindings(const Document& d) {
       "scene",
       Number<float>{
           "time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
-      [](Document& doc, float v) { edit_scene(doc, [v](scene::Scene& s) { s.time = v; }); })};
+      [](Document& doc, float v) { show_at(doc, v); })};
 }
 
 enum class Force { automatic, on };

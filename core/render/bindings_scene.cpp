@@ -248,6 +248,17 @@ std::vector<Binding> camera_bindings(const Document& document, const std::string
                                        "m",
                                        Scale::logarithmic},
                          [](Document& d, float v) { d.camera.focus_distance = v; }));
+  list.push_back(
+      binding(section,
+              Number<float>{"shutter",
+                            "Shutter",
+                            c.shutter,
+                            {0, 1e4f},
+                            "How long it is open, from the scene's time on: what moves meanwhile is blurred; "
+                            "0 is an instant",
+                            "s",
+                            Scale::logarithmic},
+              [](Document& d, float v) { d.camera.shutter = v; }));
   // The columns of the matrix: x right, y up, z backwards, w where the camera is.
   static constexpr const char* kMatrix[4][3] = {{"right.x", "right.y", "right.z"},
                                                 {"up.x", "up.y", "up.z"},

@@ -32,7 +32,7 @@ PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::Co
       sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),
-      camera_(document.camera, width, height),
+      camera_(document.camera, width, height, scene_->camera_motion()),
       filter_(document.filter),
       seed_(document.seed),
       width_(width),

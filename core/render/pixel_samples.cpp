@@ -28,7 +28,7 @@ PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene
       sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),
-      camera_(document.camera, document.width, document.height),
+      camera_(document.camera, document.width, document.height, scene_->camera_motion()),
       filter_(document.filter),
       seed_(document.seed),
       width_(document.width),
@@ -60,7 +60,8 @@ std::vector<Dimension> path_dimensions(uint32_t vertices) {
   std::vector<Dimension> list{{"pixel-x", "Pixel x", 0, camera_dimension::kPixel},
                               {"pixel-y", "Pixel y", 0, camera_dimension::kPixel + 1},
                               {"lens-u", "Lens u", 0, camera_dimension::kLens},
-                              {"lens-v", "Lens v", 0, camera_dimension::kLens + 1}};
+                              {"lens-v", "Lens v", 0, camera_dimension::kLens + 1},
+                              {"time", "Time", 0, camera_dimension::kTime}};
   for (uint32_t k = 1; k <= vertices; ++k) {
     const auto add = [&](const char* name, const char* label, int index) {
       const std::string number = std::to_string(k);

@@ -309,9 +309,10 @@ class Session::Impl {
     const double took = seconds_since(start);
     rendering_seconds_ += took;
     if (first && complete_ > 0) note_rate(counters_.paths, rendering_seconds_);
-    update_status();
-    // Nothing is new where the limit was reached before: the frame that stands goes on.
-    if (!options_.interactive || cut() || (first && complete_ == 0)) return;
+    const bool finished = update_status();
+    // The last frame is shown even if somebody wants the film meanwhile: no slice comes after it. Nothing is new where
+    // the limit was reached before: the frame that stands goes on.
+    if (!options_.interactive || (cut() && !finished) || (first && complete_ == 0)) return;
     if (!awaiting_first_frame_ && counters_.paths == shown_paths_ && frame_->samples == complete_) return;
     shown_paths_ = counters_.paths;
     publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get(), cascades()));
@@ -453,7 +454,8 @@ class Session::Impl {
     if (health) health_ = std::move(health), health_at_ = complete_;
   }
 
-  void update_status() {
+  // Whether a limit was reached.
+  bool update_status() {
     const bool finished = reached_limit(rendering_seconds_);
     if (error_is_due() || (finished && error_at_ != complete_)) measure_error(rendering_seconds_);
     if (health_is_due() || (finished && health_at_ != complete_)) measure_health();
@@ -472,6 +474,7 @@ class Session::Impl {
     note_phase(*runner_);
     status_.finished = finished;
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
+    return finished;
   }
 
   // What a method does first, where it takes long enough to be read. Under mutex_.

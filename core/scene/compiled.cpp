@@ -5,6 +5,8 @@
 
 #include "base/hash.h"
 #include "base/wide.h"
+#include "scene/pose.h"
+#include "scene/shutter.h"
 
 namespace etendue::scene {
 namespace {
@@ -54,6 +56,13 @@ struct Facets {
     wo.set(i, back);
   }
 
+  // Where an instance that moves is at that time.
+  void move(size_t i, const InstanceData& instance, const Hit& hit, float time) {
+    const Facet f = instance.motion->facet_at(*instance.mesh, instance.mesh->triangles[hit.triangle], time);
+    p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
+    winding[i] = f.winding;
+  }
+
   void get(size_t i, SurfacePoint& point) const {
     point.position = position[i];
     point.ng = ng[i];
@@ -86,19 +95,30 @@ ETENDUE_WIDE void shape(Facets& f, size_t count) {
   }
 }
 
+// Whether the shading normal is another than the geometric one.
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->normal; }
+
 }  // namespace
 
-void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points) const {
+void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
+                             const float* times) const {
   for (size_t first = 0; first < hits.size(); first += Facets::kSize) {
     const size_t count = std::min(Facets::kSize, hits.size() - first);
     Facets facets;
     for (size_t i = 0; i < count; ++i)
       facets.set(i, (*instances_)[hits[first + i].instance], hits[first + i], wo[first + i]);
+    for (size_t i = 0; times && i < count; ++i)
+      if (const InstanceData& instance = (*instances_)[hits[first + i].instance]; instance.motion)
+        facets.move(i, instance, hits[first + i], times[first + i]);
     shape(facets, count);
     for (size_t i = 0; i < count; ++i) {
       facets.get(i, points[first + i]);
       finish(wo[first + i], hits[first + i], points[first + i]);
     }
+    // Normals of what moves, once more: of what stands still nobody asks for a time.
+    for (size_t i = 0; times && i < count; ++i)
+      if (SurfacePoint& point = points[first + i]; point.instance->motion && is_bent(point))
+        bend(wo[first + i], hits[first + i], times + first + i, point);
   }
 }
 
@@ -112,22 +132,27 @@ void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) 
     point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
   else
     point.texture.color = Vec4(1);
-  if (instance.smooth || point.material->normal) bend(wo, hit, point);
+  if (is_bent(point)) bend(wo, hit, nullptr, point);
 }
 
-void CompiledScene::bend(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
+void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {
   const InstanceData& instance = *point.instance;
   const Mesh& mesh = *instance.mesh;
   const Triangle& t = mesh.triangles[hit.triangle];
+  const Motion* motion = time ? instance.motion.get() : nullptr;
   Vec3 ns = point.ng;
   if (!mesh.normals.empty())
-    ns = normalize_or(instance.normal_to_world * barycentric(mesh.normals, t, hit.u, hit.v), point.ng);
+    ns = normalize_or(motion ? motion->normal_at(mesh, t, hit.u, hit.v, *time)
+                             : instance.normal_to_world * barycentric(mesh.normals, t, hit.u, hit.v),
+                      point.ng);
   if (glm::dot(ns, point.ng) < 0) ns = -ns;
   if (!mesh.tangents.empty()) {
     const Vec4 tangent =
-        mesh.tangents[t[0]] * (1 - hit.u - hit.v) + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
-    const Vec3 in_world = instance.identity ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
-    point.shading.build(ns, in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
+        motion ? motion->tangent_at(mesh, t, hit.u, hit.v, *time)
+               : mesh.tangents[t[0]] * (1 - hit.u - hit.v) + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
+    const bool placed = motion || instance.identity;
+    const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
+    point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
   } else {
     point.shading.build(ns);
   }
@@ -166,20 +191,25 @@ bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v
   return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
 }
 
-SurfacePoint CompiledScene::point_of(const Emission& emission) const {
-  const EmissiveTriangle& t = lights_->triangles()[emission.light];
-  const Vec3 normal = glm::normalize(t.cross), side = emission.back ? -normal : normal;
-  Hit hit;
+std::string CompiledScene::moving() const {
+  if (moving_node_ >= 0) {
+    const std::string& name = description_->nodes[static_cast<size_t>(moving_node_)].name;
+    return name.empty() ? "node " + std::to_string(moving_node_) : "node '" + name + "'";
+  }
+  return camera_motion_ ? "the camera" : "";
+}
+
+void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
+  const EmissiveTriangle t = lights_->triangle_at(emission.light, emission.time);
+  const Vec3 normal = glm::normalize(t.cross);
+  side = emission.back ? -normal : normal;
   hit.instance = t.instance, hit.triangle = t.triangle;
   hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
-  SurfacePoint point;
-  surfaces({&side, 1}, {&hit, 1}, &point);
-  return point;
 }
 
 size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
-                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 12);
+                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 16);
   std::unordered_map<const void*, size_t> seen;
   for (const auto& instance : *instances_) seen[instance.mesh.get()] = instance.mesh->memory();
   for (const auto& texture : *textures_)
@@ -192,7 +222,10 @@ size_t CompiledScene::memory() const {
 class Compiler {
  public:
   Compiler(std::shared_ptr<const Scene> scene, const Camera& camera, const CompiledScene* previous)
-      : scene_(std::move(scene)), previous_(previous), result_(std::make_shared<CompiledScene>()) {
+      : scene_(std::move(scene)),
+        previous_(previous),
+        shutter_(*scene_, camera.shutter),
+        result_(std::make_shared<CompiledScene>()) {
     result_->description_ = scene_;
     result_->camera_ = camera;
   }
@@ -202,6 +235,7 @@ class Compiler {
     geometry();
     materials();
     lights();
+    result_->camera_motion_ = shutter_.motion_of(result_->camera_);
     result_->report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result_;
   }
@@ -211,11 +245,13 @@ class Compiler {
     std::shared_ptr<const Mesh> mesh;
     Mat4 to_world{1};
     uint32_t material, node;
+    std::shared_ptr<const Motion> motion = nullptr;
   };
 
   bool same_geometry() const {
     if (!previous_) return false;
     const Scene& old = previous_->description();
+    if (!scene_->animations.empty() && previous_->camera().shutter != result_->camera_.shutter) return false;
     if (scene_->time != old.time || scene_->roots != old.roots || scene_->skins != old.skins ||
         scene_->animations != old.animations || scene_->meshes.size() != old.meshes.size() ||
         scene_->nodes.size() != old.nodes.size())
@@ -233,6 +269,7 @@ class Compiler {
       result_->instances_ = previous_->instances_;
       result_->mesh_accels_ = previous_->mesh_accels_;
       result_->bounds_ = previous_->bounds_;
+      result_->moving_node_ = previous_->moving_node_;
       result_->triangles_ = previous_->triangles_;
       return;
     }
@@ -241,17 +278,29 @@ class Compiler {
     result_->report_.top_level_built = true;
   }
 
-  std::vector<Placed> place() const {
+  void note_motion(uint32_t node) {
+    if (result_->moving_node_ < 0) result_->moving_node_ = static_cast<int>(node);
+  }
+
+  std::vector<Placed> place() {
     std::vector<Placed> placed;
     const std::vector<Mat4> world = world_matrices(*scene_);
     for (const uint32_t node : reached_nodes()) {
       const Node& n = scene_->nodes[node];
+      if (n.light >= 0 && shutter_.motion_of(static_cast<int>(node))) note_motion(node);
       if (n.mesh < 0) continue;
       for (const Primitive& primitive : scene_->meshes[static_cast<size_t>(n.mesh)].primitives) {
+        if (primitive.mesh->triangles.empty()) continue;
+        const auto material = static_cast<uint32_t>(primitive.material);
+        if (const auto moving = shutter_.moving(static_cast<int>(node), primitive)) {
+          const Mat4 to_world = moving->motion->deforms() ? Mat4(1) : world[node];
+          placed.push_back({moving->mesh, to_world, material, node, moving->motion});
+          note_motion(node);
+          continue;
+        }
         const PosedMesh posed = posed_mesh(*scene_, static_cast<int>(node), primitive, world);
         if (posed.mesh->triangles.empty()) continue;
-        placed.push_back(
-            {posed.mesh, posed.in_world ? Mat4(1) : world[node], static_cast<uint32_t>(primitive.material), node});
+        placed.push_back({posed.mesh, posed.in_world ? Mat4(1) : world[node], material, node});
       }
     }
     return placed;
@@ -294,12 +343,14 @@ class Compiler {
       AccelInstance in_accel;
       const size_t triangles = p.mesh->triangles.size();
       result_->triangles_ += triangles;
-      const bool flat = uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
-      data.mesh = p.mesh;
-      data.mirrored = glm::determinant(Mat3(p.to_world)) < 0;
+      // What deforms is in world space at all times; what moves as it is has a matrix for each.
+      const bool flat = p.motion ? p.motion->deforms()
+                                 : uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
+      data.mesh = p.mesh, data.motion = p.motion;
+      data.mirrored = flat && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
       data.material = p.material, data.node = p.node;
       if (flat) {
-        budget -= triangles;
+        budget -= std::min(budget, triangles);
         data.mesh = in_world(p.mesh, p.to_world);
       } else {
         data.identity = p.to_world == Mat4(1);
@@ -317,7 +368,7 @@ class Compiler {
       }
       data.smooth = !data.mesh->normals.empty();
       data.textured = !data.mesh->uvs[0].empty() || !data.mesh->uvs[1].empty() || !data.mesh->colors.empty();
-      in_accel.mesh = data.mesh;
+      in_accel.mesh = data.mesh, in_accel.motion = p.motion;
       result_->mesh_accels_.push_back(in_accel.accel);
       instances->push_back(std::move(data));
       accel_instances.push_back(std::move(in_accel));
@@ -325,17 +376,6 @@ class Compiler {
     result_->accel_ = std::make_shared<Accel>(accel_instances);
     result_->bounds_ = result_->accel_->bounds();
     result_->instances_ = std::move(instances);
-  }
-
-  static std::shared_ptr<const Mesh> in_world(const std::shared_ptr<const Mesh>& mesh, const Mat4& to_world) {
-    if (to_world == Mat4(1)) return mesh;
-    auto moved = std::make_shared<Mesh>(*mesh);
-    const Mat3 linear(to_world), normals = glm::transpose(glm::inverse(linear));
-    moved->positions.reserve(mesh->positions.size() + 1);
-    for (auto& p : moved->positions) p = Vec3(to_world * Vec4(p, 1));
-    for (auto& n : moved->normals) n = normalize_or(normals * n, n);
-    for (auto& t : moved->tangents) t = Vec4(linear * Vec3(t), t.w);
-    return moved;
   }
 
   void materials() {
@@ -382,6 +422,7 @@ class Compiler {
     }
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
     std::vector<EmissiveTriangle> triangles;
+    std::vector<MovingEmitter> movers;
     for (uint32_t i = 0; i < instances->size(); ++i) {
       InstanceData& instance = (*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
@@ -390,25 +431,24 @@ class Compiler {
       instance.first_light = static_cast<uint32_t>(triangles.size());
       for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
         triangles.push_back(emissive(instance, material, i, t));
+      if (!instance.motion) continue;
+      movers.resize(instances->size());
+      movers[i] = {instance.mesh, instance.motion};
     }
     result_->instances_ = std::move(instances);
-    result_->lights_ =
-        std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment, result_->bounds_);
+    result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
+                                                    result_->bounds_, std::move(movers));
     result_->report_.lights_built = true;
   }
 
   static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
                                    uint32_t t) {
     const Mesh& mesh = *instance.mesh;
-    const Triangle& corner = mesh.triangles[t];
-    Vec3 p[3];
-    for (size_t k = 0; k < 3; ++k) {
-      p[k] = mesh.positions[corner[k]];
-      if (!instance.identity) p[k] = Vec3(instance.to_world * Vec4(p[k], 1));
-    }
-    EmissiveTriangle e{
-        p[0], p[1] - p[0], p[2] - p[0], i, t, material.description.emission, material.description.double_sided};
-    e.cross = glm::cross(e.e1, e.e2) * (instance.mirrored ? -1.0f : 1.0f);
+    EmissiveTriangle e;
+    e.instance = i, e.triangle = t;
+    e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
+    e.moving = instance.motion != nullptr;
+    e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
     if (material.emission) {
       Rgb sum(0);
       constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
@@ -419,21 +459,30 @@ class Compiler {
     return e;
   }
 
-  std::vector<PlacedLight> placed_lights() const {
+  static Facet facet(const InstanceData& instance, const Triangle& t) {
+    const auto corner = [&](size_t k) {
+      const Vec3& p = instance.mesh->positions[t[k]];
+      return instance.identity ? p : Vec3(instance.to_world * Vec4(p, 1));
+    };
+    return {corner(0), corner(1), corner(2), instance.mirrored ? -1.0f : 1.0f};
+  }
+
+  std::vector<PlacedLight> placed_lights() {
     std::vector<PlacedLight> placed;
     const std::vector<Mat4> world = world_matrices(*scene_);
     for (const uint32_t node : reached_nodes()) {
       const Node& n = scene_->nodes[node];
       if (n.light < 0) continue;
-      const Mat4& m = world[node];
-      placed.push_back(
-          {scene_->lights[static_cast<size_t>(n.light)], Vec3(m[3]), normalize_or(-Vec3(m[2]), Vec3(0, 0, -1))});
+      PlacedLight& light = placed.emplace_back(scene_->lights[static_cast<size_t>(n.light)]);
+      light.motion = shutter_.motion_of(static_cast<int>(node));
+      light.place = LightPlace(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
     }
     return placed;
   }
 
   std::shared_ptr<const Scene> scene_;
   const CompiledScene* previous_;
+  Shutter shutter_;
   std::shared_ptr<CompiledScene> result_;
 };
 

@@ -3,6 +3,9 @@
 // Compiling reuses everything of the previous CompiledScene that an edit did not touch; `BuildReport` says what was
 // built, and tests hold it to that: a camera or a material rebuilds no acceleration structure, a transform only the top
 // level.
+//
+// Where the camera's shutter is open and something moves meanwhile, times say when: from 0 at the opening to 1 at the
+// closing. They are only read of what moves.
 #pragma once
 #include <memory>
 #include <vector>
@@ -28,6 +31,8 @@ struct InstanceData {
   uint32_t material = 0;
   uint32_t node = 0;                  // the object that a user picks
   uint32_t first_light = kNotALight;  // light number of its first triangle
+  // How it moves, or null; all the rest is as it is at the opening. One that deforms is in world space then.
+  std::shared_ptr<const Motion> motion = nullptr;
   static constexpr uint32_t kNotALight = 0xffffffffU;
 };
 
@@ -74,9 +79,9 @@ struct BuildReport {
 
 class CompiledScene final : public OpacityTest {
  public:
-  Hit intersect(const Ray& ray, uint32_t ray_seed) const {
+  Hit intersect(const Ray& ray, uint32_t ray_seed, float time = 0) const {
     Hit hit;
-    accel_->intersect(ray, opacity(), ray_seed, hit);
+    accel_->intersect(ray, opacity(), ray_seed, hit, time);
     return hit;
   }
   void intersect(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const {
@@ -86,8 +91,10 @@ class CompiledScene final : public OpacityTest {
     accel_->occluded(packet, count, opacity(), seeds);
   }
 
-  // Where rays hit, one point for each; wo[i] points back along the ray of hits[i].
-  void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points) const;
+  // Where rays hit, one point for each; wo[i] points back along the ray of hits[i], which was at times[i]. Without
+  // times all is as it was at the opening.
+  void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
+                const float* times = nullptr) const;
 
   template <class M>
   void bsdf(const SurfacePoint& point, Bsdf<M>& bsdf) const {
@@ -101,8 +108,8 @@ class CompiledScene final : public OpacityTest {
   Rgb radiance_of(const LightSample& sample) const {
     return sample.textured ? textured_radiance_of(sample) : sample.radiance;
   }
-  // Where a ray leaves a triangle, seen from the side that it leaves.
-  SurfacePoint point_of(const Emission& emission) const;
+  // Where a ray leaves a triangle, for `surfaces`; `side` is the normal of the side that it leaves.
+  void locate(const Emission& emission, Hit& hit, Vec3& side) const;
   // What leaves the light along the ray: radiance, and the other quantities where Emission::radiance names them.
   // `point` is that of a triangle.
   Rgb emitted(const Emission& emission, const SurfacePoint& point) const {
@@ -123,6 +130,10 @@ class CompiledScene final : public OpacityTest {
   const Bounds& bounds() const { return bounds_; }
   size_t triangle_count() const { return triangles_; }
   bool has_transparency() const { return transparency_; }
+  // What moves while the shutter is open, the first of several: "node 'Wheel'"; empty if all stands still.
+  std::string moving() const;
+  // How the camera moves, or null.
+  const std::shared_ptr<const CameraMotion>& camera_motion() const { return camera_motion_; }
   size_t memory() const;  // bytes of arrays, without Embree's
 
   bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override;
@@ -131,7 +142,8 @@ class CompiledScene final : public OpacityTest {
   friend class Compiler;
   Rgb textured_radiance_of(const LightSample& sample) const;
   void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
-  void bend(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
+  // `time` is null for the opening.
+  void bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const;
   const OpacityTest* opacity() const { return transparency_ ? this : nullptr; }
 
   std::shared_ptr<const Scene> description_;
@@ -143,6 +155,8 @@ class CompiledScene final : public OpacityTest {
   std::vector<std::shared_ptr<const MeshAccel>>
       mesh_accels_;  // one per instance, null where it stands in the top level
   Camera camera_;
+  std::shared_ptr<const CameraMotion> camera_motion_;
+  int moving_node_ = -1;  // the first that moves a mesh or a light
   Bounds bounds_;
   BuildReport report_;
   size_t triangles_ = 0;

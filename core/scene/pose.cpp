@@ -25,25 +25,14 @@ Mat4 rotation_matrix(const Vec4& rotation) {
   return m;
 }
 
-// Calls apply(channel, value) for every channel that plays.
-template <class Apply>
-void for_each_channel(const Scene& scene, Apply&& apply) {
-  for (const size_t animation : playing_animations(scene))
-    for (const AnimationChannel& channel : scene.animations[animation]->channels) {
-      const bool usable =
-          channel.node >= 0 && static_cast<size_t>(channel.node) < scene.nodes.size() && !channel.times.empty();
-      if (usable) apply(channel);
-    }
-}
-
-std::vector<Transform> animated_transforms(const Scene& scene) {
+std::vector<Transform> animated_transforms(const Scene& scene, float time) {
   std::vector<Transform> transforms;
   transforms.reserve(scene.nodes.size());
   for (const Node& node : scene.nodes) transforms.push_back(node.transform);
   for_each_channel(scene, [&](const AnimationChannel& channel) {
     if (channel.path == AnimatedPath::weights) return;
     std::array<float, 4> v{};
-    sample_channel(channel, scene.time, v);
+    sample_channel(channel, time, v);
     Transform& t = transforms[static_cast<size_t>(channel.node)];
     t.matrix.reset();
     if (channel.path == AnimatedPath::translation) t.translation = Vec3(v[0], v[1], v[2]);
@@ -53,14 +42,14 @@ std::vector<Transform> animated_transforms(const Scene& scene) {
   return transforms;
 }
 
-std::vector<float> morph_weights(const Scene& scene, int node) {
+std::vector<float> morph_weights(const Scene& scene, int node, float time) {
   const Node& n = scene.nodes[static_cast<size_t>(node)];
   std::vector<float> weights = n.weights;
   if (weights.empty() && n.mesh >= 0) weights = scene.meshes[static_cast<size_t>(n.mesh)].weights;
   for_each_channel(scene, [&](const AnimationChannel& channel) {
     if (channel.node != node || channel.path != AnimatedPath::weights) return;
     weights.resize(channel.components);
-    sample_channel(channel, scene.time, weights);
+    sample_channel(channel, time, weights);
   });
   return weights;
 }
@@ -164,8 +153,10 @@ std::vector<size_t> playing_animations(const Scene& scene) {
   return playing;
 }
 
-std::vector<Mat4> world_matrices(const Scene& scene) {
-  const auto transforms = animated_transforms(scene);
+std::vector<Mat4> world_matrices(const Scene& scene) { return world_matrices(scene, scene.time); }
+
+std::vector<Mat4> world_matrices(const Scene& scene, float time) {
+  const auto transforms = animated_transforms(scene, time);
   std::vector<Mat4> world(scene.nodes.size(), Mat4(1));
   std::vector<bool> is_root(scene.nodes.size(), false);
   for (const int root : scene.roots) is_root[static_cast<size_t>(root)] = true;
@@ -177,37 +168,78 @@ std::vector<Mat4> world_matrices(const Scene& scene) {
   return world;
 }
 
+bool is_skinned(const Scene& scene, int node, const Primitive& primitive) {
+  return primitive.deformation && scene.nodes[static_cast<size_t>(node)].skin >= 0 &&
+         primitive.deformation->joint_sets > 0;
+}
+
+std::shared_ptr<Mesh> deformed_mesh(const Scene& scene, int node, const Primitive& primitive,
+                                    const std::vector<Mat4>& world, float time) {
+  auto mesh = std::make_shared<Mesh>(*primitive.mesh);
+  mesh->positions.reserve(mesh->positions.size() + 1);
+  morph(*mesh, *primitive.deformation, morph_weights(scene, node, time));
+  const auto skin = static_cast<size_t>(scene.nodes[static_cast<size_t>(node)].skin);
+  if (is_skinned(scene, node, primitive)) skin_mesh(*mesh, *primitive.deformation, *scene.skins[skin], world);
+  return mesh;
+}
+
 PosedMesh posed_mesh(const Scene& scene, int node, const Primitive& primitive, const std::vector<Mat4>& world) {
-  const Node& n = scene.nodes[static_cast<size_t>(node)];
-  const bool skinned = primitive.deformation && n.skin >= 0 && primitive.deformation->joint_sets > 0;
+  const bool skinned = is_skinned(scene, node, primitive);
   if (!skinned && is_singular(world[static_cast<size_t>(node)])) {
     static const auto kNothing = std::make_shared<const Mesh>();
     return {kNothing, false};
   }
   if (!primitive.deformation) return {primitive.mesh, false};
-  auto mesh = std::make_shared<Mesh>(*primitive.mesh);
-  mesh->positions.reserve(mesh->positions.size() + 1);
-  morph(*mesh, *primitive.deformation, morph_weights(scene, node));
-  if (skinned) skin_mesh(*mesh, *primitive.deformation, *scene.skins[static_cast<size_t>(n.skin)], world);
-  return {std::move(mesh), skinned};
+  return {deformed_mesh(scene, node, primitive, world, scene.time), skinned};
 }
 
-std::vector<Camera> placed_cameras(const Scene& scene) {
-  std::vector<Camera> cameras;
+std::shared_ptr<const Mesh> in_world(const std::shared_ptr<const Mesh>& mesh, const Mat4& to_world) {
+  if (to_world == Mat4(1)) return mesh;
+  auto moved = std::make_shared<Mesh>(*mesh);
+  const Mat3 linear(to_world), normals = glm::transpose(glm::inverse(linear));
+  moved->positions.reserve(mesh->positions.size() + 1);
+  for (auto& p : moved->positions) p = Vec3(to_world * Vec4(p, 1));
+  for (auto& n : moved->normals) n = normalize_or(normals * n, n);
+  for (auto& t : moved->tangents) t = Vec4(linear * Vec3(t), t.w);
+  return moved;
+}
+
+Mat4 camera_to_world(const Mat4& m) {
+  const Vec3 back = normalize_or(Vec3(m[2]), Vec3(0, 0, 1));
+  const Vec3 right = normalize_or(glm::cross(Vec3(m[1]), back), Vec3(1, 0, 0));
+  return Mat4(Vec4(right, 0), Vec4(glm::cross(back, right), 0), Vec4(back, 0), Vec4(Vec3(m[3]), 1));
+}
+
+namespace {
+
+// Calls visit(node, camera) for each camera at its place at the scene's time, in their order.
+template <class Visit>
+void for_each_camera(const Scene& scene, Visit&& visit) {
   const auto world = world_matrices(scene);
   for (const int node : reached_nodes(scene, false)) {
     const Node& n = scene.nodes[static_cast<size_t>(node)];
     if (n.camera < 0) continue;
     Camera camera = scene.cameras[static_cast<size_t>(n.camera)];
-    const Mat4& m = world[static_cast<size_t>(node)];
-    // Scale does not belong to a camera.
-    const Vec3 back = normalize_or(Vec3(m[2]), Vec3(0, 0, 1));
-    const Vec3 right = normalize_or(glm::cross(Vec3(m[1]), back), Vec3(1, 0, 0));
-    camera.to_world = Mat4(Vec4(right, 0), Vec4(glm::cross(back, right), 0), Vec4(back, 0), Vec4(Vec3(m[3]), 1));
+    camera.to_world = camera_to_world(world[static_cast<size_t>(node)]);
     if (camera.name.empty()) camera.name = n.name;
-    cameras.push_back(camera);
+    visit(node, camera);
   }
+}
+
+}  // namespace
+
+std::vector<Camera> placed_cameras(const Scene& scene) {
+  std::vector<Camera> cameras;
+  for_each_camera(scene, [&](int, const Camera& camera) { cameras.push_back(camera); });
   return cameras;
+}
+
+int node_of_camera(const Scene& scene, const Camera& camera) {
+  int found = -1;
+  for_each_camera(scene, [&](int node, const Camera& placed) {
+    if (found < 0 && placed.name == camera.name && placed.to_world == camera.to_world) found = node;
+  });
+  return found;
 }
 
 Bounds world_bounds(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include "image/display.h"
 #include "integrator/integrator.h"
 #include "render/session.h"
+#include "transport/path_expression.h"
 
 namespace etendue::stress {
 namespace {
@@ -27,9 +28,12 @@ std::string number(double value) {
 }
 
 std::vector<std::string> unbiased_methods() {
+  const auto& all = transport::PathExpression::all().automaton();
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.bias == integrator::Bias::unbiased) names.push_back(info.name);
+    if (info.bias == integrator::Bias::unbiased &&
+        transport::PathExpression::parse_paths(info.paths)->automaton() == all)
+      names.push_back(info.name);
   return names;
 }
 

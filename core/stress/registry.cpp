@@ -10,14 +10,19 @@
 #include "stress/cases/far_from_the_origin.h"
 #include "stress/cases/grazing_albedo.h"
 #include "stress/cases/grazing_light.h"
+#include "stress/cases/grille_as_fine_as_pixels.h"
+#include "stress/cases/hall_of_mirrors.h"
 #include "stress/cases/index_of_one.h"
 #include "stress/cases/infinite_emission.h"
+#include "stress/cases/integrating_sphere.h"
 #include "stress/cases/inverted_normals.h"
 #include "stress/cases/lamp_in_a_sphere.h"
 #include "stress/cases/late_dimensions.h"
+#include "stress/cases/lens_of_no_size.h"
 #include "stress/cases/light_of_a_micrometre.h"
 #include "stress/cases/light_that_touches_a_wall.h"
 #include "stress/cases/lossless_glass.h"
+#include "stress/cases/many_lights.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
 #include "stress/cases/nested_glass.h"
@@ -30,6 +35,7 @@
 #include "stress/cases/seeds_and_pixels.h"
 #include "stress/cases/settings_that_are_no_numbers.h"
 #include "stress/cases/shadows_ignored.h"
+#include "stress/cases/shutter_of_no_time.h"
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
 #include "stress/cases/thirty_stops.h"
@@ -64,6 +70,7 @@ const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       kCausticOfAPointLight,
       kPointLightUnseen,
+      kIntegratingSphere,
       kSmallLightByChance,
       kLampInASphere,
       kCausticOfASmallLamp,
@@ -71,11 +78,14 @@ const std::vector<Case>& cases() {
       kLightThatTouchesAWall,
       kRouletteBelowTheSquare,
       kShadowsIgnored,
+      kManyLights,
+      kGrilleAsFineAsPixels,
       kDepthCutOff,
       kRouletteOfABrightRoom,
       kSeedsAndPixels,
       kReusedSeeds,
       kLateDimensions,
+      kHallOfMirrors,
       kIndexOfOne,
       kLosslessGlass,
       kTotalReflection,
@@ -84,6 +94,8 @@ const std::vector<Case>& cases() {
       kOpticalDepth,
       kLightOfAMicrometre,
       kThirtyStops,
+      kLensOfNoSize,
+      kShutterOfNoTime,
       kAllScales,
       kFarFromTheOrigin,
       kSlivers,

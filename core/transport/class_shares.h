@@ -36,7 +36,10 @@ template <class M, bool classes = M::kClasses>
 class ClassShares;
 
 template <class M>
-class ClassShares<M, false> {};
+class ClassShares<M, false> {
+ public:
+  struct Kept {};
+};
 
 template <class M>
 class ClassShares<M, true> {
@@ -47,7 +50,7 @@ class ClassShares<M, true> {
   void begin(const Automaton& automaton, Event first = Event::camera, Event last = Event::light) {
     automaton_ = &automaton, states_ = automaton.size();
     first_ = first, last_ = last;
-    shares_.resize(SampleTable::kPaths * states_);
+    shares_.resize((SampleTable::kPaths + 1) * states_);
     moved_.resize(states_);
     find_lit_states();
   }
@@ -55,6 +58,28 @@ class ClassShares<M, true> {
     const Automaton::State first = automaton_->next(automaton_->start(), first_);
     alive_[static_cast<size_t>(path)] = bit(first);
     row(path)[first] = Color(1);
+  }
+
+  // A row that belongs to no path: for branches, which scatter on their own.
+  static constexpr int kBranch = SampleTable::kPaths;
+  void copy_to_branch(int path) {
+    alive_[kBranch] = alive(path);
+    for_each(alive(path), [&](Automaton::State q) { row(kBranch)[q] = row(path)[q]; });
+  }
+  // What a branch has, for as long as no path stands for it. Its shares are put at the end of `shares`, where
+  // `give_back` takes them from again.
+  struct Kept {
+    uint64_t alive;
+  };
+  Kept keep_branch(std::vector<Color>& shares) const {
+    for_each(alive(kBranch), [&](Automaton::State q) { shares.push_back(row(kBranch)[q]); });
+    return {alive(kBranch)};
+  }
+  void give_back(const Kept& kept, std::vector<Color>& shares, int path) {
+    alive_[static_cast<size_t>(path)] = kept.alive;
+    shares.resize(shares.size() - static_cast<size_t>(std::popcount(kept.alive)));
+    const Color* share = shares.data() + shares.size();
+    for_each(kept.alive, [&](Automaton::State q) { row(path)[q] = *share++; });
   }
 
   // Of the throughput, if the path ends here, on a light or on the lens.
@@ -170,8 +195,8 @@ class ClassShares<M, true> {
   States lit_after_diffuse_ = 0, lit_after_glossy_ = 0;  // after a D, a G
   States apart_ = 0;                                     // D and G lead to different states
   // By path.
-  std::array<States, SampleTable::kPaths> alive_{};  // states with a share; the other shares are not defined
-  std::vector<Color> shares_;                        // of each state
+  std::array<States, SampleTable::kPaths + 1> alive_{};  // states with a share; the other shares are not defined
+  std::vector<Color> shares_;                            // of each state
   std::vector<Color> moved_;
 };
 

@@ -9,6 +9,7 @@
 #pragma once
 #include <functional>
 
+#include "base/hash.h"
 #include "sampling/sampler.h"
 #include "transport/absorption.h"
 #include "transport/class_shares.h"
@@ -21,7 +22,9 @@ struct alignas(64) PathState {
   Color throughput, radiance;
   Vec3 from;          // where the last direction started: what the density of a light refers to
   float pdf;          // of the last direction per solid angle; 0 if it could not have been found by sampling a light
-  float eta_scale;    // refraction's compression of radiance so far, squared indices
+  float eta_scale;    // by what roulette takes it for heavier: refraction's compression of radiance so far, squared
+                      // indices, and the shares that branches were given
+  float time;         // from 0 at the shutter's opening to 1 at its closing; 0 in a model without motion
   uint32_t seed;      // the pixel's
   bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
 };
@@ -34,10 +37,14 @@ class Front {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kArrivals = 64;
+  // Twigs up to here are branches of paths, those beyond are lights.
+  static constexpr uint32_t kMostBranches = 256;
 
   // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
+  // `timed`: walks have times.
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
-             const std::function<bool()>* wanted = nullptr) {
+             const std::function<bool()>* wanted = nullptr, bool timed = false) {
+    timed_ = timed;
     wanted_ = wanted, given_up_ = false;
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = length_ = 0;
@@ -57,10 +64,22 @@ class Front {
   // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
   void admit(const Automaton& classes) { shares_.begin(classes); }
   void admit_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
-  void launch(int path, const Ray& ray) {
+  void launch(int path, const Ray& ray, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
-    state(path) = {Color(1), Color(0), ray.origin, 0, 1, state(path).seed, true};
+    state(path) = {Color(1), Color(0), ray.origin, 0, 1, time, state(path).seed, true};
     travel(path, ray);
+  }
+
+  // Takes other paths in place of all that came to their end; those are at a vertex of so many edges from the camera.
+  void restart(int length) {
+    size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = 0;
+    length_ = length;
+  }
+  // Returns the path's number.
+  int resume(const PathState<Color>& path, const Ray& ray) {
+    state(size_) = path;
+    travel(size_, ray);
+    return size_++;
   }
 
   int size() const { return size_; }
@@ -106,6 +125,20 @@ class Front {
   const scene::SurfacePoint& point(int arrival) const { return points_[static_cast<size_t>(arrival)]; }
   const Bsdf<M>& bsdf(int arrival) const { return bsdfs_[static_cast<size_t>(arrival)]; }
   const Vec3& wo(int arrival) const { return wo_[static_cast<size_t>(visited_ + arrival)]; }
+  // From here on the numbers of the present vertices are those of one of their twigs: 0 is the path itself, any other
+  // has a seed of its own, which paths that branch off there inherit.
+  void take_twig(uint32_t twig) {
+    drawn_ = 0;
+    for (int i = 0; i < arrived_; ++i) {
+      const uint32_t seed = state_at(i).seed;
+      // Twigs of the same path at other vertices are others.
+      constexpr uint32_t kLengths = 1024;
+      pixel_seeds_[static_cast<size_t>(i)] =
+          twig == 0 ? seed : hash_combine(seed, twig * kLengths + static_cast<uint32_t>(length_) % kLengths);
+    }
+  }
+  uint32_t seed(int arrival) const { return pixel_seeds_[static_cast<size_t>(arrival)]; }
+
   // Draws these of the numbers that the present vertices own, for `random` to give out.
   void draw(DimensionSet wanted) {
     if ((wanted & ~drawn_) == 0) return;
@@ -135,12 +168,13 @@ class Front {
 
   // A point on a light for each arrival.
   std::span<const LightSample> sample_lights() {
-    draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
-    const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
-    scene_->lights().sample(
-        {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
-         numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_)},
-        light_samples_.data());
+    scene_->lights().sample(draw_lights(), light_samples_.data());
+    return light_samples_;
+  }
+  // A point on one of the light table's sources for each arrival, from numbers of a twig of its own but for the first.
+  std::span<const LightSample> sample_source(size_t source) {
+    take_twig(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
+    scene_->lights().sample_source(source, draw_lights(), light_samples_.data());
     return light_samples_;
   }
 
@@ -151,10 +185,11 @@ class Front {
   const Vec3& escape_direction(int i) const { return escape_directions_[static_cast<size_t>(i)]; }
 
   // The path goes on from an arrival in this direction.
-  void depart(int arrival, const Vec3& direction) {
+  void depart(int arrival, const Vec3& direction) { travel(path_at(arrival), ray_from(arrival, direction)); }
+  Ray ray_from(int arrival, const Vec3& direction) const {
     Ray ray;
     point(arrival).spawn(direction, ray);
-    travel(path_at(arrival), ray);
+    return ray;
   }
 
   // A sum, zero at first, that the path gains unless something lies between the arrival and `distance` along
@@ -166,6 +201,10 @@ class Front {
     connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
     connected_[slot] = static_cast<uint16_t>(path_at(arrival));
     return contributions_[slot] = Color(0);
+  }
+  // Decides about those so far at once if there is no room for one more from every arrival.
+  void make_room_for_connections() {
+    if (connections_ + arrived_ > kCapacity) settle_connections();
   }
 
  private:
@@ -186,6 +225,13 @@ class Front {
     return sampler_->blocks(pixel_seeds, sample_, block, wanted, random_);
   }
 
+  LightQueries draw_lights() {
+    draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
+    const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
+    return {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
+            numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_), times_of_arrivals()};
+  }
+
   // Seeds for the rays of these paths, where stochastic opacity asks for them.
   void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
     for (int i = 0; seeded_ && i < count; ++i) {
@@ -193,6 +239,14 @@ class Front {
       lane_seeds_[lane] = path_seed(state(paths[lane]).seed, sample_) + static_cast<uint32_t>(length_) + salt;
     }
   }
+
+  // Tells rays when they are, where walks have times.
+  void time_lanes(const PerPath<uint16_t>& paths, int count, Packets& packets) {
+    for (int i = 0; timed_ && i < count; ++i)
+      packets[static_cast<size_t>(i / RayPacket::kSize)].set_time(i % RayPacket::kSize,
+                                                                  state(paths[static_cast<size_t>(i)]).time);
+  }
+  const float* times_of_arrivals() const { return timed_ ? times_.data() : nullptr; }
 
   void trace();
   void trace_connections();
@@ -205,7 +259,7 @@ class Front {
   uint32_t sample_ = 0;
   int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
   uint64_t rays_traced_ = 0;
-  bool seeded_ = false, given_up_ = false;
+  bool seeded_ = false, timed_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
 
   // By path.
@@ -218,6 +272,7 @@ class Front {
   std::array<scene::SurfacePoint, kArrivals> points_;
   std::array<Bsdf<M>, kArrivals> bsdfs_;
   std::array<uint32_t, kArrivals> pixel_seeds_;
+  std::array<float, kArrivals> times_;
   SampleTable random_;
   DimensionSet drawn_ = 0;
   WideVec3<kArrivals> cosine_directions_, positions_;
@@ -240,6 +295,7 @@ class Front {
 template <class M>
 void Front<M>::trace() {
   seed_lanes(travellers_, travelling_, 0);
+  time_lanes(travellers_, travelling_, travelling_packets_);
   for (int first = 0; first < travelling_; first += RayPacket::kSize)
     scene_->intersect(travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)],
                       std::min(RayPacket::kSize, travelling_ - first), length_ == 1,
@@ -266,7 +322,8 @@ void Front<M>::trace() {
 template <class M>
 void Front<M>::shade() {
   const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(arrived_);
-  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data());
+  for (size_t i = 0; timed_ && i < count; ++i) times_[i] = states_[reached_by_[first + i]].time;
+  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), times_of_arrivals());
   for (size_t i = 0; i < count; ++i) {
     PathState<Color>& path = states_[reached_by_[first + i]];
     scene_->template bsdf<M>(points_[i], bsdfs_[i]);
@@ -295,6 +352,7 @@ void Front<M>::settle_connections() {
 template <class M>
 void Front<M>::trace_connections() {
   seed_lanes(connected_, connections_, 0x5bd1e995U);
+  time_lanes(connected_, connections_, connecting_);
   for (int first = 0; first < connections_; first += RayPacket::kSize)
     scene_->occluded(connecting_[static_cast<size_t>(first / RayPacket::kSize)],
                      std::min(RayPacket::kSize, connections_ - first), &lane_seeds_[static_cast<size_t>(first)]);

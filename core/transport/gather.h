@@ -21,11 +21,14 @@ inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalOfTheHeavy = 0.995f;
 // The weight of emission that the walk's own direction found.
 template <class Color>
 float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
-                    Combination shared) {
+                    Combination shared, LightStrategy strategy) {
   if (!shared || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  return mis_weight(*shared, path.pdf, scene.lights().pdf_triangle(light, path.from, point.position));
+  const LightTable& lights = scene.lights();
+  float pdf = lights.pdf_triangle(light, path.from, point.position, path.time);
+  if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(light);
+  return mis_weight(*shared, path.pdf, pdf);
 }
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
@@ -53,9 +56,9 @@ void add_emission_weighed(Front<M>& front, Weigh&& weigh) {
 }
 
 template <class M>
-void add_emission(Front<M>& front, Combination shared = {}) {
-  add_emission_weighed(front,
-                       [&](int i) { return weight_of_hit(front.state_at(i), front.scene(), front.point(i), shared); });
+void add_emission(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::one) {
+  add_emission_weighed(
+      front, [&](int i) { return weight_of_hit(front.state_at(i), front.scene(), front.point(i), shared, strategy); });
 }
 
 // Light from infinity along the last direction of the walks that left, times weigh(escape).
@@ -72,24 +75,25 @@ void add_environment_weighed(Front<M>& front, Weigh&& weigh) {
 }
 
 template <class M>
-void add_environment(Front<M>& front, Combination shared = {}) {
+void add_environment(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::one) {
   const LightTable& lights = front.scene().lights();
   add_environment_weighed(front, [&](int i) {
-    const float pdf = front.escapee(i).pdf;
-    return !shared || pdf == 0 ? 1 : mis_weight(*shared, pdf, lights.pdf_environment(front.escape_direction(i)));
+    const float own = front.escapee(i).pdf;
+    if (!shared || own == 0) return 1.0f;
+    float pdf = lights.pdf_environment(front.escape_direction(i));
+    if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(lights.environment_light());
+    return mis_weight(*shared, own, pdf);
   });
 }
 
 // Whether shadow rays are traced: thesis 8.2 knows local illumination without them.
 enum class Shadows { cast, ignored };
 
-// Next event estimation: one point on one light for each vertex, times weigh(arrival, light sample, value of the
-// scattering function), which is a weight over the density of the sample.
+// Light from these points, one for each vertex, times weigh(arrival, light sample, value of the scattering function),
+// which is a weight over the density of the sample.
 template <class M, class Weigh>
-void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh) {
+void add_light_samples_weighed(Front<M>& front, std::span<const LightSample> samples, Shadows shadows, Weigh&& weigh) {
   const scene::CompiledScene& scene = front.scene();
-  if (scene.lights().empty()) return;
-  const std::span<const LightSample> samples = front.sample_lights();
   for (int i = 0; i < front.arrived(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = front.bsdf(i);
@@ -105,11 +109,46 @@ void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh) {
   }
 }
 
+// `branches` is the number of directions that the walk then takes, each of which may find the same light.
 template <class M>
-void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast) {
-  add_direct_light_weighed(front, shadows, [&](int, const LightSample& light, const auto& scattered) {
-    return shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
+void add_light_samples(Front<M>& front, std::span<const LightSample> samples, Combination shared, Shadows shadows,
+                       float branches) {
+  add_light_samples_weighed(front, samples, shadows, [&](int, const LightSample& light, const auto& scattered) {
+    return shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, branches * scattered.pdf) : 1 / light.pdf;
   });
+}
+
+// Next event estimation: one point on one light for each vertex.
+template <class M, class Weigh>
+void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh) {
+  if (front.scene().lights().empty()) return;
+  add_light_samples_weighed(front, front.sample_lights(), shadows, weigh);
+}
+
+template <class M>
+void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast, float branches = 1) {
+  if (front.scene().lights().empty()) return;
+  add_light_samples(front, front.sample_lights(), shared, shadows, branches);
+}
+
+// The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
+template <class M>
+void add_light_of_every_source(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast,
+                               float branches = 1) {
+  for (size_t source = 0; source < front.scene().lights().sources(); ++source) {
+    front.make_room_for_connections();
+    add_light_samples(front, front.sample_source(source), shared, shadows, branches);
+  }
+  front.take_twig(0);
+}
+
+template <class M>
+void add_direct_light(Front<M>& front, LightStrategy strategy, Combination shared, Shadows shadows = Shadows::cast,
+                      float branches = 1) {
+  if (strategy == LightStrategy::every)
+    add_light_of_every_source(front, shared, shadows, branches);
+  else
+    add_direct_light(front, shared, shadows, branches);
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
@@ -121,6 +160,14 @@ bool survives_roulette(PathState<Color>& path, float random) {
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;
+}
+
+// What a walk remembers of the event by which it goes on.
+template <class Color>
+void leave(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
+  path.pdf = s.delta ? 0 : s.pdf_solid_angle;
+  path.from = from;
+  path.all_specular = path.all_specular && s.delta;
 }
 
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
@@ -141,9 +188,7 @@ void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& no
     if constexpr (M::kClasses)
       if (!front.shares().scatter(front.path_at(i), front.bsdf(i), front.wo(i), s)) continue;
     if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
-    path.pdf = s.delta ? 0 : s.pdf_solid_angle;
-    path.from = front.point(i).position;
-    path.all_specular = path.all_specular && s.delta;
+    leave(path, front.point(i).position, s);
     note(i, s);
     front.depart(i, s.wi);
   }

@@ -42,9 +42,15 @@ std::string reason_for_classes(std::string_view paths, bool filtered) {
   return "'" + std::string(paths) + (filtered ? "' leaves paths out" : "' takes every path");
 }
 
+std::string reason_for_motion(const CompiledScene& scene) {
+  if (!(scene.camera().shutter > 0)) return "the shutter is open for an instant only";
+  const std::string moving = scene.moving();
+  return moving.empty() ? "nothing moves while the shutter is open" : moving + " moves while the shutter is open";
+}
+
 }  // namespace
 
-std::vector<std::string> model_flags() { return {"surfaces", "media", "classes"}; }
+std::vector<std::string> model_flags() { return {"surfaces", "media", "motion", "classes"}; }
 
 std::string Model::summary() const {
   std::string text;
@@ -74,7 +80,8 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   const auto* textured = find_used(scene, [](const auto& m) { return m.textured; });
   out.push_back({"textures", textured ? "textured" : "constant", textured ? "textured" : "constant",
                  textured ? named(*textured) + " has a texture" : "no material has a texture"});
-  out.push_back({"motion", "static", "static", "the shutter is closed at one instant"});
+  const bool moves = !scene.moving().empty();
+  out.push_back(decide("motion", moves, "static", "moving", reason_for_motion(scene), is_forced("motion")));
   const bool lens = scene.camera().lens_radius > 0;
   out.push_back({"lens", lens ? "thin lens" : "pinhole", lens ? "thin lens" : "pinhole",
                  lens ? "the camera's lens has a radius" : "the camera's lens radius is 0"});
@@ -83,6 +90,7 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   out.push_back(decide("classes", filtered, "all paths", "path classes", reason_for_classes(paths, filtered),
                        is_forced("classes")));
 
+  model.moving = moves || is_forced("motion");
   model.classes = filtered || is_forced("classes");
   if (model.classes)
     model.paths =

@@ -46,6 +46,7 @@ struct Decision {
 struct Model {
   bool diffuse = false;                         // every surface is Lambertian
   bool absorbing = false;                       // some solid absorbs
+  bool moving = false;                          // something moves while the shutter is open: paths have a time
   bool classes = false;                         // some paths do not count
   std::shared_ptr<const PathExpression> paths;  // those that do; where `classes`
   std::vector<Decision> decisions;

@@ -42,6 +42,27 @@ TEST(CameraRays, OfAPixelMeetInTheFocalPlane) {
   EXPECT_GT(glm::length(rays.ray({20, 30}, {0, 0}).origin - rays.ray({20, 30}, {0.9f, 0.9f}).origin), 0.3f);
 }
 
+// O9: seen through a lens of diameter D that is focused at z_f, a point at the depth z is a disk of diameter
+// D |1 - z_f / z| in the focal plane: the rays of its rim all go through the point.
+TEST(CameraRays, BlurAPointToTheDiskOfAThinLens) {
+  constexpr float kRadius = 0.2f, kFocus = 3;
+  Camera camera;
+  camera.lens_radius = kRadius, camera.focus_distance = kFocus, camera.yfov = 1;
+  const CameraRays rays(camera, kWidth, kHeight);
+  const float pixels_per_metre = kHeight / (2 * kFocus * std::tan(0.5f * camera.yfov));
+  for (const float z : {1.0f, 2.0f, 3.0f, 7.0f, 100.0f})
+    for (const Vec2 lens : {Vec2(0, 0.5f), Vec2(1, 0.5f), Vec2(0.5f, 0), Vec2(0.3f, 1)}) {
+      const Vec3 start = rays.ray({0, 0}, lens).origin;
+      ASSERT_NEAR(glm::length(start), kRadius, 1e-6f) << "a point of the lens's rim";
+      const Vec2 on_focal_plane = Vec2(start) * (1 - kFocus / z);
+      const Vec2 raster = Vec2(kWidth, kHeight) * 0.5f + Vec2(on_focal_plane.x, -on_focal_plane.y) * pixels_per_metre;
+      const Ray ray = rays.ray(raster, lens);
+      const Vec3 at_depth = ray.origin + ray.direction * (z / -ray.direction.z);
+      EXPECT_LT(glm::distance(at_depth, Vec3(0, 0, -z)), 3e-6f * (1 + z)) << z;
+      EXPECT_NEAR(2 * glm::length(on_focal_plane), 2 * kRadius * std::abs(1 - kFocus / z), 1e-6f);
+    }
+}
+
 TEST(CameraRays, AreParallelInAnOrthographicPicture) {
   const CameraRays rays(camera_of(Projection::orthographic, 0), kWidth, kHeight);
   EXPECT_EQ(rays.ray({0, 0}, Vec2(0)).direction, rays.ray({150, 80}, Vec2(0)).direction);
@@ -59,7 +80,7 @@ TEST(CameraRays, ManyAtOnceAreThoseOfEachAlone) {
     for (const float radius : {0.0f, 0.3f}) {
       const CameraRays rays(camera_of(projection, radius), kWidth, kHeight);
       std::array<Ray, kRays> many;
-      rays.rays({x.data(), y.data()}, {u.data(), v.data()}, kRays, many.data());
+      rays.rays({x.data(), y.data()}, {u.data(), v.data()}, nullptr, kRays, many.data());
       for (size_t i = 0; i < kRays; ++i) {
         const Ray one = rays.ray({x[i], y[i]}, {u[i], v[i]});
         EXPECT_EQ(many[i].origin, one.origin);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
+#include "support/motion.h"
 #include "support/replicates.h"
 
 namespace etendue {
@@ -25,6 +26,12 @@ TEST(Agreement, CornellBox) {
 
 // Every lobe and every weight takes part.
 TEST(Agreement, GlossyThings) { expect_agreement(test::glossy_things(), 512, "path", 1024, "path-pure"); }
+
+// Everything moves, the camera and the light too, and most of it is out of focus.
+TEST(Agreement, LensAndShutter) { expect_agreement(test::lens_and_shutter(), 512, "path", 2048, "path-pure"); }
+
+TEST(Agreement, LensAndShutterFromTheLight) { expect_agreement(test::lens_and_shutter(), 512, "path", 1024, "light"); }
+TEST(Agreement, LensAndShutterFromBothEnds) { expect_agreement(test::lens_and_shutter(), 512, "path", 256, "bdpt"); }
 
 // The depth limit cuts both at the same path length.
 TEST(Agreement, DirectLightOnly) {

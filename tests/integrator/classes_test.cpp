@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "integrator/integrator.h"
 #include "render/session.h"
@@ -16,11 +15,7 @@ namespace {
 
 using test::expect_agreement;
 using test::replicated;
-
-bool same_bits(const film::Film& a, const film::Film& b) {
-  return a.pixels().size() == b.pixels().size() &&
-         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
-}
+using test::same_bits;
 
 render::Document cornell() {
   auto d = *render::new_document("cornell");
@@ -46,6 +41,8 @@ render::Document with(const render::Document& d, const char* name, const std::st
 
 render::Document only(const render::Document& d, const std::string& paths) { return with(d, "film.paths", paths); }
 
+constexpr const char* kMethods[] = {"path", "path-pure", "raycast", "appel", "whitted", "distribution"};
+
 using Partition = std::vector<std::string>;
 const std::vector<Partition> kPartitions{
     {"EL", "E(D|G)L", "E(D|G).+L", "ES.*L"},
@@ -56,7 +53,7 @@ const std::vector<Partition> kPartitions{
 
 TEST(Classes, EveryPathIsTheWholeImageBitForBit) {
   for (const auto& d : {cornell(), test::glossy_things(), glazed()})
-    for (const char* integrator : {"path", "path-pure", "raycast"}) {
+    for (const char* integrator : kMethods) {
       const auto document = with(d, "render.integrator", integrator);
       const auto whole = test::rendered(document, 16);
       EXPECT_TRUE(same_bits(whole, test::rendered(only(document, "E(D|G|S)*L"), 16))) << integrator;
@@ -68,7 +65,7 @@ TEST(Classes, EveryPathIsTheWholeImageBitForBit) {
 
 TEST(Classes, PartitionsAddUpSampleBySample) {
   for (const auto& d : {cornell(), test::glossy_things(), glazed()})
-    for (const char* integrator : {"path", "path-pure", "raycast"})
+    for (const char* integrator : kMethods)
       for (const Partition& partition : kPartitions) {
         const auto document = with(d, "render.integrator", integrator);
         const auto whole = test::rendered(document, 16);

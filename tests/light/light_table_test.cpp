@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 namespace etendue {
 namespace {
@@ -76,7 +77,7 @@ TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
   PlacedLight lamp;
   lamp.light.type = LightType::point;
   lamp.light.color = Rgb(1), lamp.light.intensity = 5;
-  lamp.position = Vec3(0.5f, 2, 0.5f);
+  lamp.place.position = Vec3(0.5f, 2, 0.5f);
   Environment sky;
   sky.tint = Rgb(0.01f);
   const LightTable table(ceiling(), {lamp}, sky, bounds());
@@ -89,10 +90,53 @@ TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
     EXPECT_EQ(s.delta, s.kind == LightKind::placed);
     EXPECT_FALSE(s.textured);
     if (s.kind == LightKind::placed) {
-      EXPECT_LT(glm::length(queries.from[i] + s.wi * s.distance - lamp.position), 1e-5f);
+      EXPECT_LT(glm::length(queries.from[i] + s.wi * s.distance - lamp.place.position), 1e-5f);
     }
   }
   for (const int n : of_kind) EXPECT_GT(n, 0);
+}
+
+TEST(LightTable, SourcesAreInstancesLampsAndTheSky) {
+  auto triangles = ceiling();
+  triangles.push_back(triangle({0, 3, 1}, {1, 3, 0}, {1, 3, 1}, 1, false));
+  triangles[1].instance = 1, triangles[2].instance = 2;
+  triangles.push_back(triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 1, false));
+  triangles[3].instance = 2;
+  triangles.push_back(triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 0, false));
+  triangles[4].instance = 3;  // black: no source
+  PlacedLight lamp;
+  lamp.light.type = LightType::point;
+  lamp.position = Vec3(0.5f, 2, 0.5f);
+  Environment sky;
+  sky.tint = Rgb(0.01f);
+  const LightTable table(triangles, {lamp}, sky, bounds());
+  ASSERT_EQ(table.sources(), 5U);
+  Queries queries(Vec3(0));
+  std::vector<LightSample> samples(Queries::kCount);
+  const uint32_t first[] = {0, 1, 2, 5, 6}, last[] = {0, 1, 3, 5, 6};
+  for (size_t source = 0; source < 5; ++source) {
+    table.sample_source(source,
+                        {queries.from, queries.choice.data(), queries.u0.data(), queries.u1.data(), Queries::kCount},
+                        samples.data());
+    std::set<uint32_t> met;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const LightSample& s = samples[i];
+      met.insert(s.light);
+      if (s.kind == LightKind::triangle) {
+        const Vec3 point = queries.from[i] + s.wi * s.distance;
+        const float expected =
+            table.pdf_triangle(s.light, queries.from[i], point) * table.density_within_source(s.light);
+        EXPECT_NEAR(s.pdf / expected, 1, 1e-3f);
+      } else if (s.kind == LightKind::environment) {
+        EXPECT_NEAR(s.pdf, table.pdf_environment(s.wi) * table.density_within_source(s.light), 1e-5f);
+      } else {
+        EXPECT_EQ(s.pdf, 1);
+      }
+    }
+    std::set<uint32_t> expected;
+    for (uint32_t light = first[source]; light <= last[source]; ++light) expected.insert(light);
+    EXPECT_EQ(met, expected);
+  }
 }
 
 TEST(LightTable, WithoutLightsHasNoSamples) {
@@ -101,6 +145,50 @@ TEST(LightTable, WithoutLightsHasNoSamples) {
   const LightTable table({}, {}, dark, bounds());
   Queries queries(Vec3(0));
   for (const LightSample& s : queries.sample(table)) EXPECT_EQ(s.pdf, 0);
+}
+
+// A triangle that turns and goes up, and a lamp that goes along: found where they are at the time that is asked for.
+TEST(LightTable, SamplesMovingLightsWhereTheyAre) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions.reserve(4);
+  mesh->positions = {{0, 3, 0}, {1, 3, 0}, {0, 3, 1}};
+  mesh->triangles = {{0, 1, 2}};
+  auto motion = std::make_shared<Motion>();
+  Mat4 end(1);
+  end[0] = Vec4(0.8f, 0.6f, 0, 0), end[1] = Vec4(-0.6f, 0.8f, 0, 0), end[3] = Vec4(0, 2, 0, 1);
+  motion->to_world = {Mat4(1), end};
+  EmissiveTriangle moving;
+  moving.radiance = Rgb(1), moving.moving = true;
+  moving.place(motion->facet_at(*mesh, mesh->triangles[0], 0.5f));
+  PlacedLight lamp;
+  lamp.motion = motion;
+  lamp.place = LightPlace(motion->matrix_at(0.5f));
+  const LightTable table({moving}, {lamp}, Environment{}, bounds(), {{mesh, motion}});
+
+  Queries queries(Vec3(0));
+  std::array<float, 160> times{};
+  for (size_t i = 0; i < times.size(); ++i) times[i] = static_cast<float>(i) / 160;
+  std::vector<LightSample> samples(Queries::kCount);
+  table.sample(
+      {queries.from, queries.choice.data(), queries.u0.data(), queries.u1.data(), samples.size(), times.data()},
+      samples.data());
+  int of_each[2] = {0, 0};
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const LightSample& s = samples[i];
+    const Vec3 point = queries.from[i] + s.wi * s.distance;
+    ++of_each[s.light];
+    if (s.kind == LightKind::placed) {
+      EXPECT_LT(glm::distance(point, Vec3(motion->matrix_at(times[i])[3])), 1e-4f);
+      continue;
+    }
+    const Facet f = motion->facet_at(*mesh, mesh->triangles[0], times[i]);
+    const Vec3 expected = f.p0 + s.barycentric.x * (f.p1 - f.p0) + s.barycentric.y * (f.p2 - f.p0);
+    EXPECT_LT(glm::distance(point, expected), 1e-4f);
+    if (s.pdf == 0) continue;
+    EXPECT_NEAR(table.pdf_triangle(s.light, queries.from[i], point, times[i]), s.pdf, 2e-3f * s.pdf);
+  }
+  EXPECT_GT(of_each[0], 10);
+  EXPECT_GT(of_each[1], 10);
 }
 
 }  // namespace

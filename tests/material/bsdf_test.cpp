@@ -108,6 +108,51 @@ TEST(Bsdf, SampleWeightIsEvalOverPdf) {
     }
 }
 
+// A delta's coefficient is what `sample` gives it on average, and every delta that is sampled is listed.
+TEST(Bsdf, DeltasAreThoseThatAreSampled) {
+  Material mirror, glaze, glass, sheet, mix;
+  mirror.base_color = {0.9f, 0.7f, 0.4f}, mirror.metallic = 1;
+  glaze.base_color = {0.7f, 0.3f, 0.2f}, glaze.metallic = 0;
+  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.specular = 0.8f;
+  sheet = glass, sheet.thickness = 0;
+  mix = glass, mix.transmission = 0.6f;
+  for (Material* m : {&mirror, &glaze, &glass, &sheet, &mix}) m->roughness = 0;
+  const std::pair<Material, int> all[] = {{mirror, 1}, {glaze, 1}, {glass, 2}, {sheet, 2}, {mix, 3}};
+  for (const auto& [material, count] : all)
+    for (const auto mode : {Transport::radiance, Transport::importance})
+      for (const Vec3& wo : {direction(10), direction(35), -direction(30)}) {
+        const auto lobes = lobes_of(material);
+        Deltas<Rgb> deltas;
+        lobes.add_deltas(wo, mode, deltas);
+        ASSERT_EQ(deltas.count, count);
+        constexpr int kSamples = 20'000;
+        std::array<double, Deltas<Rgb>::kMost> sums{};
+        Draw draw(9);
+        for (int i = 0; i < kSamples; ++i) {
+          LobeSample<Rgb> s;
+          if (!lobes.sample(wo, {draw.one(), draw.two()}, mode, s) || !s.delta) continue;
+          size_t k = 0;
+          while (k < static_cast<size_t>(count) && glm::length(deltas.lobes[k].wi - s.wi) > 1e-5f) ++k;
+          ASSERT_LT(k, static_cast<size_t>(count));
+          ASSERT_EQ(s.eta, deltas.lobes[k].eta);
+          ASSERT_EQ(s.transmitted, deltas.lobes[k].transmitted);
+          sums[k] += average(s.weight) / kSamples;
+        }
+        // Two of the same direction, of two lobes, are told apart by nothing: their sum is compared.
+        for (size_t k = 0; k < static_cast<size_t>(count); ++k) {
+          double listed = 0, sampled = 0;
+          for (size_t l = 0; l < static_cast<size_t>(count); ++l)
+            if (glm::length(deltas.lobes[l].wi - deltas.lobes[k].wi) < 1e-5f)
+              listed += average(deltas.lobes[l].weight), sampled += sums[l];
+          EXPECT_NEAR(sampled, listed, 0.02 * listed + 0.003) << count << ' ' << wo.z << ' ' << k;
+        }
+      }
+  Material matte;
+  Deltas<Rgb> none;
+  lobes_of(matte).add_deltas(direction(30), Transport::radiance, none);
+  EXPECT_EQ(none.count, 0);
+}
+
 // f(wo, wi) = f(wi, wo) where both are on one side; across a boundary f / eta^2 of the side that is looked into.
 TEST(Bsdf, ReciprocalUpToTheSquaredIndexLaw) {
   for (const auto& c : cases()) {

@@ -87,7 +87,7 @@ TEST(PathDimensions, HaveNamesAndPlacesOfTheirOwn) {
   for (const auto& d : list) names.insert(d.name), places.insert({d.block, d.index});
   EXPECT_EQ(names.size(), list.size());
   EXPECT_EQ(places.size(), list.size());
-  EXPECT_EQ(list.size(), 4U + 3 * 7);
+  EXPECT_EQ(list.size(), 5U + 3 * 7);
 }
 
 // Each half is a (0, m, 2)-net in the first two dimensions of a sequence: 64 points, one in each cell of 8 x 8.

@@ -38,7 +38,7 @@ TEST(Session, AnotherSeedIsAnotherImage) {
 
 TEST(Session, LargerModelsGiveTheSameImage) {
   for (const auto& d : {test::cornell(48), test::glossy_things()})
-    for (const char* integrator : {"path", "path-pure", "raycast"}) {
+    for (const char* integrator : {"path", "path-pure", "raycast", "whitted", "distribution"}) {
       const auto document = *render::with_text(d, "render.integrator", integrator);
       const auto small = test::rendered(document, 16);
       for (const std::string& flag : transport::model_flags()) {

@@ -30,7 +30,7 @@ int count(render::Document d, const std::string& method, uint32_t samples, Verdi
 // k = 1: missed in 6 % at most at 64 samples a pixel, in 20 % at 16.
 TEST(Health, InfiniteVarianceIsCalledUnreliable) {
   const auto d = wall_on_a_light(Lab({}), 12);
-  for (const char* method : {"raycast", "raycast:sampler=random"}) {
+  for (const char* method : {"raycast:lights=one", "raycast:lights=one:sampler=random"}) {
     EXPECT_GE(count(d, method, 64, Verdict::unreliable), 94) << method;
     EXPECT_GE(count(d, method, 16, Verdict::unreliable), 80) << method;
   }

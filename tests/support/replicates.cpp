@@ -42,16 +42,26 @@ Estimate Estimate::operator+(const Estimate& other) const {
   return sum;
 }
 
+Blocks block_means(const film::Film& film) {
+  Blocks means;
+  for (size_t i = 0; i < kBlocks * kBlocks; ++i) means.push_back(block_mean(film, i));
+  return means;
+}
+
 Estimate replicated(render::Document d, uint32_t samples, uint64_t first_seed) {
+  const auto picture = [&](uint64_t seed) {
+    d.seed = seed;
+    return block_means(rendered(d, samples));
+  };
+  return replicated(picture, first_seed);
+}
+
+Estimate replicated(const std::function<Blocks(uint64_t seed)>& picture, uint64_t first_seed) {
   constexpr size_t n = kBlocks * kBlocks;
   std::vector<double> sum(n, 0), squares(n, 0);
   for (int r = 0; r < kReplicates; ++r) {
-    d.seed = first_seed + static_cast<uint64_t>(r);
-    const auto film = rendered(d, samples);
-    for (size_t i = 0; i < n; ++i) {
-      const double v = block_mean(film, i);
-      sum[i] += v, squares[i] += v * v;
-    }
+    const Blocks means = picture(first_seed + static_cast<uint64_t>(r));
+    for (size_t i = 0; i < n; ++i) sum[i] += means[i], squares[i] += means[i] * means[i];
   }
   Estimate e;
   for (size_t i = 0; i < n; ++i) {

@@ -1,6 +1,7 @@
 // Means over independent renderings, to compare what should agree in expectation: z-tests over blocks of pixels, 1 %
 // false alarms for the family.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,13 @@ struct Estimate {
   Estimate operator+(const Estimate& other) const;
 };
 
-// Twelve renderings with seeds from `first_seed` on.
+// Means of a picture over its blocks.
+using Blocks = std::vector<double>;
+Blocks block_means(const film::Film& film);
+
+// Twelve pictures, each made with a seed of its own from `first_seed` on.
+Estimate replicated(const std::function<Blocks(uint64_t seed)>& picture, uint64_t first_seed = 1000);
+// Twelve renderings.
 Estimate replicated(render::Document document, uint32_t samples, uint64_t first_seed = 1000);
 
 // Expects every block, and all of them together, to agree. A test that makes several comparisons says how many: the

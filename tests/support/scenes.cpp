@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 #include "integrator/integrator.h"
@@ -42,6 +43,11 @@ Rgb mean_color(const film::Film& film) {
       for (int c = 0; c < 3; ++c) sum[c] += film.mean(x, y)[c];
   const double n = static_cast<double>(film.width()) * film.height();
   return {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n)};
+}
+
+bool same_bits(const film::Film& a, const film::Film& b) {
+  return a.pixels().size() == b.pixels().size() &&
+         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
 std::string data_folder() {

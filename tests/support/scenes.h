@@ -35,6 +35,9 @@ using render::rendered;
 
 Rgb mean_color(const film::Film& film);
 
+// The same picture to the last bit.
+bool same_bits(const film::Film& a, const film::Film& b);
+
 // The folder of the real data, or empty.
 std::string data_folder();
 

@@ -1,0 +1,41 @@
+// Ray casting with shadow rays.                                                  thesis 8.2.1, Fig. 8.8; Appel 1968
+//
+// Local illumination as in raycast.h, but a light counts only where nothing stands between it and the surface: direct
+// light, and nothing else.
+#pragma once
+#include "integrator/gathering.h"
+
+namespace etendue::integrator {
+
+class Appel final : public Gathering<Appel> {
+ public:
+  static constexpr Description kDescription{
+      "appel",
+      "Ray casting with shadows (Appel)",
+      "The first surface a ray meets, lit by what it sees of the lights",
+      Group::gathering,
+      "E[D|G]L",
+      "E(D|G)L",
+      Bias::unbiased,
+      "1 ray per sample and 1 for each light; no memory",
+      "everything indirect, mirrors and glass: black; narrow glossy lobes under large lights: noise"};
+
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every,
+                               "Every light has no noise of choosing; one has the same cost however many there are"};
+
+  auto knobs() { return std::tie(max_depth, lights); }
+
+  template <class M>
+  void estimate(transport::Front<M>& front) const {
+    using namespace transport;
+    while (front.advance()) {
+      add_environment(front);
+      while (front.arrive()) {
+        add_emission(front);
+        if (!at_limit(front.length())) add_direct_light(front, lights, {});
+      }
+    }
+  }
+};
+
+}  // namespace etendue::integrator

@@ -1,0 +1,302 @@
+// The shutter: pictures in closed form, and blurred pictures against the mean of still ones.       digest 8-10: O10
+//
+// Z-tests at a false-alarm rate of 1 % for the columns, or blocks, of one comparison together.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "base/hash.h"
+#include "support/motion.h"
+#include "support/replicates.h"
+
+namespace etendue {
+namespace {
+
+using scene::AnimatedPath;
+using test::animate;
+
+bool same_bits(const film::Film& a, const film::Film& b) {
+  return std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
+}
+
+// A picture of the xy plane, 2 m high, without a filter that would reach over pixels; every sample is one or zero.
+render::Document silhouette(scene::Scene scene, int size) {
+  Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  camera.projection = Projection::orthographic;
+  auto d = test::document(std::move(scene), camera, size, size);
+  d.filter = film::FilterKind::box;
+  d.method.sampler = "random";
+  return d;
+}
+
+const Material& white() {
+  static const Material material = test::diffuse(Rgb(0), Rgb(1));
+  return material;
+}
+
+// In the xy plane, with corners at these x and y.
+std::shared_ptr<const Mesh> rectangle(float x0, float x1, float y0, float y1) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->positions.reserve(5);
+  mesh->positions = {{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}};
+  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+// A binomial proportion of `n` samples against its expectation.
+void expect_proportion(double measured, double expected, double n, int comparisons, const std::string& what) {
+  double z = 0;
+  while (std::pow(std::erf(z / std::sqrt(2.0)), comparisons) < 0.99) z += 0.01;
+  const double error = std::sqrt(std::max(0.0, expected * (1 - expected)) / n);
+  EXPECT_NEAR(measured, expected, z * error + 1e-6) << what;
+}
+
+constexpr int kEdgeSize = 16;
+constexpr float kPixel = 2.0f / kEdgeSize;
+
+// Columns of a picture in which an edge begins between columns 4 and 5 and moves eight pixels to the right, what is
+// left of it being white.
+void expect_ramp(render::Document d, const std::string& what) {
+  d.camera.shutter = 1;
+  constexpr uint32_t kSamples = 256;
+  const auto film = test::rendered(d, kSamples);
+  for (int x = 0; x < kEdgeSize; ++x) {
+    double mean = 0;
+    for (int y = 0; y < kEdgeSize; ++y) mean += average(film.mean(x, y)) / kEdgeSize;
+    const double expected = std::clamp(1 - (x + 0.5 - 4) / 8, 0.0, 1.0);
+    expect_proportion(mean, expected, kSamples * kEdgeSize, kEdgeSize, what + " column " + std::to_string(x));
+  }
+}
+
+constexpr float kEdgeAt = -1 + 4 * kPixel, kEdgeMoves = 8 * kPixel;
+
+TEST(MovingEdge, OfANodeLeavesALinearRamp) {
+  scene::Scene scene;
+  const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
+  animate(scene, node, AnimatedPath::translation, {0, 1}, {0, 0, 0, kEdgeMoves, 0, 0});
+  expect_ramp(silhouette(scene, kEdgeSize), "node");
+}
+
+// The same movement between keys that lie apart from the shutter's ends, in two pieces.
+TEST(MovingEdge, OfAPartOfAnAnimation) {
+  scene::Scene scene;
+  const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
+  animate(scene, node, AnimatedPath::translation, {0, 2.75f, 6},
+          {-2 * kEdgeMoves, 0, 0, 0.75f * kEdgeMoves, 0, 0, 4 * kEdgeMoves, 0, 0});
+  scene.time = 2;
+  expect_ramp(silhouette(scene, kEdgeSize), "part");
+}
+
+TEST(MovingEdge, OfAMorphTarget) {
+  scene::Scene scene;
+  const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
+  auto deformation = std::make_shared<scene::Deformation>();
+  deformation->targets.push_back({{{0, 0, 0}, {kEdgeMoves, 0, 0}, {kEdgeMoves, 0, 0}, {0, 0, 0}}, {}, {}});
+  scene.meshes[0].primitives[0].deformation = deformation;
+  scene.meshes[0].weights = {0};
+  animate(scene, node, AnimatedPath::weights, {0, 1}, {0, 1});
+  expect_ramp(silhouette(scene, kEdgeSize), "morph");
+}
+
+TEST(MovingEdge, OfASkin) {
+  scene::Scene scene;
+  const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
+  scene.nodes.emplace_back();  // the joint
+  scene.roots.push_back(1);
+  scene.nodes[static_cast<size_t>(node)].skin = 0;
+  scene.skins.push_back(std::make_shared<scene::Skin>(scene::Skin{{1}, {Mat4(1)}}));
+  auto deformation = std::make_shared<scene::Deformation>();
+  deformation->joint_sets = 1;
+  deformation->joints.assign(4, {0, 0, 0, 0});
+  deformation->weights.assign(4, Vec4(1, 0, 0, 0));
+  scene.meshes[0].primitives[0].deformation = deformation;
+  animate(scene, 1, AnimatedPath::translation, {0, 1}, {0, 0, 0, kEdgeMoves, 0, 0});
+  expect_ramp(silhouette(scene, kEdgeSize), "skin");
+}
+
+// The camera goes left, so that everything goes right.
+TEST(MovingEdge, SeenByAMovingCamera) {
+  scene::Scene scene;
+  test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
+  Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  const int eye = test::add_camera(scene, camera);
+  animate(scene, eye, AnimatedPath::translation, {0, 1}, {0, 0, 5, -kEdgeMoves, 0, 5});
+  auto d = silhouette(scene, kEdgeSize);
+  expect_ramp(d, "camera");
+  // Moved away from its node it stands still.
+  d.camera.to_world[3].z = 5.5f;
+  auto instant = d;
+  d.camera.shutter = 1;
+  EXPECT_TRUE(same_bits(test::rendered(d, 4), test::rendered(instant, 4)));
+}
+
+// The part of the time for which a half-plane that turns by `turned` about the origin covers the direction `phi`; at
+// first it covers those around 0.
+double covered(double phi, double turned) {
+  const double from = std::max(0.0, (phi - kPi / 2) / turned), to = std::min(1.0, (phi + kPi / 2) / turned);
+  return std::max(0.0, to - from);
+}
+
+// A blade that turns by a right angle: its edge sweeps evenly, and stays straight.
+TEST(TurningBlade, CoversWhatItSweepsOver) {
+  constexpr int kSize = 16, kFine = 32;
+  constexpr double kTurned = kPi / 2;
+  constexpr uint32_t kSamples = 2048;
+  scene::Scene scene;
+  const int node = test::add(scene, rectangle(0, 4, -4, 4), white());
+  const Vec4 turned = test::turn({0, 0, 1}, static_cast<float>(kTurned));
+  animate(scene, node, AnimatedPath::rotation, {0, 1}, {0, 0, 0, 1, turned.x, turned.y, turned.z, turned.w});
+  auto d = silhouette(scene, kSize);
+  d.camera.shutter = 1;
+  const auto film = test::rendered(d, kSamples);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      double expected = 0;
+      for (int j = 0; j < kFine; ++j)
+        for (int i = 0; i < kFine; ++i) {
+          const double px = x + (i + 0.5) / kFine - kSize / 2.0, py = kSize / 2.0 - (y + (j + 0.5) / kFine);
+          double phi = std::atan2(py, px);
+          if (phi < -kPi / 2) phi += 2 * kPi;
+          expected += covered(phi, kTurned) / (kFine * kFine);
+        }
+      // The four pixels in the middle vary too fast for this sum.
+      if (std::abs(x - 7.5) < 1 && std::abs(y - 7.5) < 1) continue;
+      expect_proportion(average(film.mean(x, y)), expected, kSamples, kSize * kSize,
+                        std::to_string(x) + ' ' + std::to_string(y));
+    }
+}
+
+TEST(Shutter, OfWhatStandsStillIsNotSeen) {
+  for (const char* integrator : {"path", "path-pure", "raycast"}) {
+    auto d = test::cornell(32);
+    d.method.integrator = integrator;
+    const auto instant = test::rendered(d, 4);
+    d.camera.shutter = 10;
+    EXPECT_TRUE(same_bits(instant, test::rendered(d, 4))) << integrator;
+  }
+}
+
+TEST(Shutter, OfNoTimeIsTheStillPicture) {
+  auto d = *render::with(test::lens_and_shutter(), "scene.time", 0.5);
+  d.camera.shutter = 0;
+  auto still = *d.scene;
+  still.animations.clear();
+  const auto world = scene::world_matrices(*d.scene);
+  for (size_t i = 0; i < still.nodes.size(); ++i) still.nodes[i].transform.matrix = world[i];
+  auto other = d;
+  other.scene = std::make_shared<const scene::Scene>(still);
+  EXPECT_TRUE(same_bits(test::rendered(d, 4), test::rendered(other, 4)));
+  // So short that no clock could tell.
+  d.camera.shutter = 1e-30f;
+  EXPECT_TRUE(same_bits(test::rendered(d, 4), test::rendered(other, 4)));
+}
+
+// What is hidden or over moves nothing.
+TEST(Shutter, OnlyCountsWhatIsSeenToMove) {
+  auto scene = *test::cornell(8).scene;
+  const int node = test::add(scene, test::cube(0.1f, false), test::diffuse(Rgb(1)));
+  animate(scene, node, AnimatedPath::translation, {0, 1}, {0, 0, 0, 1, 1, 1});
+  const Camera camera = test::cornell(8).camera;
+  const auto moving = [&](const scene::Scene& s, float shutter) {
+    Camera open = camera;
+    open.shutter = shutter;
+    return scene::compile(std::make_shared<const scene::Scene>(s), open, nullptr)->moving();
+  };
+  EXPECT_NE(moving(scene, 0.5f), "");
+  EXPECT_EQ(moving(scene, 0), "");
+  auto over = scene;
+  over.time = 1;
+  EXPECT_EQ(moving(over, 0.5f), "");
+  scene.nodes[static_cast<size_t>(node)].visible = false;
+  EXPECT_EQ(moving(scene, 0.5f), "");
+}
+
+// Still pictures at moments spread over the shutter, one at random in each of its parts: their mean has the expectation
+// of the blurred picture.
+test::Blocks mean_of_moments(render::Document d, uint32_t samples, uint64_t seed) {
+  constexpr int kMoments = 24;
+  const float shutter = std::exchange(d.camera.shutter, 0.0f);
+  test::Blocks sum;
+  for (int i = 0; i < kMoments; ++i) {
+    const uint64_t random = mix_bits(seed * kMoments + static_cast<uint64_t>(i));
+    d.seed = random;
+    const float time = shutter * (static_cast<float>(i) + to_unit_float(static_cast<uint32_t>(random))) / kMoments;
+    const auto means = test::block_means(test::rendered(*render::with(d, "scene.time", double{time}), samples));
+    sum.resize(means.size());
+    for (size_t k = 0; k < means.size(); ++k) sum[k] += means[k] / kMoments;
+  }
+  return sum;
+}
+
+void expect_mean_of_moments(const render::Document& d, uint32_t samples, uint32_t samples_of_each,
+                            const std::string& what) {
+  const auto still = test::replicated([&](uint64_t seed) { return mean_of_moments(d, samples_of_each, seed); }, 5000);
+  test::expect_agreement(test::replicated(d, samples), still, what);
+}
+
+// Lights that pass over a floor with a post on it: a lamp that turns, a spot that pans.
+scene::Scene lights_on_the_move() {
+  scene::Scene scene;
+  test::add(scene, test::quad(3), test::diffuse(Rgb(0.7f)));
+  Mat4 post(1);
+  post[3] = Vec4(0, 0.5f, 0, 1);
+  test::add(scene, test::cube(0.5f, false), test::diffuse({0.8f, 0.6f, 0.4f}), post);
+  const int lamp = test::add(scene, test::quad(0.4f), test::diffuse(Rgb(0), Rgb(20)));
+  const Vec4 a = test::turn({1, 0, 0}, kPi - 0.8f), b = test::turn({1, 0, 0}, kPi + 0.8f);
+  animate(scene, lamp, AnimatedPath::translation, {0, 1}, {-2, 2, 0, 2, 1.5f, 0});
+  animate(scene, lamp, AnimatedPath::rotation, {0, 1}, {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w});
+  Light spot;
+  spot.type = LightType::spot, spot.intensity = 10, spot.inner_cone = 0.3f, spot.outer_cone = 0.5f;
+  scene.lights.push_back(spot);
+  const auto node = scene.nodes.size();
+  scene.nodes.emplace_back().light = 0;
+  scene.roots.push_back(static_cast<int>(node));
+  const Vec4 c = test::turn({1, 0, 0}, -kPi / 2 - 0.5f), e = test::turn({1, 0, 0}, -kPi / 2 + 0.5f);
+  scene.nodes[node].transform.translation = {1, 3, 1};
+  animate(scene, static_cast<int>(node), AnimatedPath::rotation, {0, 1}, {c.x, c.y, c.z, c.w, e.x, e.y, e.z, e.w});
+  return scene;
+}
+
+TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingLights) {
+  auto d =
+      test::document(lights_on_the_move(), look_at({0, 3, 4}, {0, 0, 0}, {0, 1, 0}, 0.9f), test::kSize, test::kSize);
+  d.camera.shutter = 1;
+  expect_mean_of_moments(d, 1024, 48, "lights");
+}
+
+TEST(BlurredPicture, IsTheMeanOfStillOnesOfEverything) {
+  expect_mean_of_moments(test::lens_and_shutter(), 1024, 48, "everything");
+}
+
+// A camera that looks around a room.
+TEST(BlurredPicture, IsTheMeanOfStillOnesFromAMovingCamera) {
+  const auto cornell = test::cornell(test::kSize);
+  auto scene = *cornell.scene;
+  const auto with_camera = std::ranges::find_if(scene.nodes, [](const auto& n) { return n.camera >= 0; });
+  const auto eye = static_cast<int>(with_camera - scene.nodes.begin());
+  const Vec3 from(cornell.camera.to_world[3]);
+  const Vec4 before(0, 1, 0, 0), after = test::turn({0, 1, 0}, kPi + 0.2f);
+  animate(scene, eye, AnimatedPath::rotation, {0, 1},
+          {before.x, before.y, before.z, before.w, after.x, after.y, after.z, after.w});
+  animate(scene, eye, AnimatedPath::translation, {0, 1},
+          {from.x, from.y, from.z, from.x + 0.5f, from.y + 0.2f, from.z + 1});
+  auto d = test::through_its_camera(scene, test::kSize);
+  d.camera.shutter = 1;
+  expect_mean_of_moments(d, 512, 24, "camera");
+}
+
+// A normal-mapped cube that turns, a cube that morphs, a fox with joints, wheels that spin.
+TEST(BlurredPicture, IsTheMeanOfStillOnesOfRealFiles) {
+  const std::string folder = test::data_folder();
+  if (folder.empty()) GTEST_SKIP() << "no data";
+  for (const char* file :
+       {"AnimatedCube/glTF/AnimatedCube.gltf", "AnimatedMorphCube.glb", "Fox.glb", "CesiumMilkTruck.glb"}) {
+    auto d = *render::new_document(folder + "/gltf/" + file);
+    d.width = d.height = test::kSize;
+    d.camera.shutter = 0.4f;
+    expect_mean_of_moments(d, 256, 16, file);
+  }
+}
+
+}  // namespace
+}  // namespace etendue
