@@ -31,6 +31,10 @@ class Raycast final : public Gathering<Raycast> {
 
   auto knobs() { return std::tie(max_depth, local, lights); }
 
+  std::string obstacle(const Pass& pass) const override {
+    return local ? std::string() : obstacle_to_meeting_lights(pass);
+  }
+
   template <class M>
   void estimate(transport::Front<M>& front) const {
     using namespace transport;
