@@ -135,6 +135,7 @@ class WaitForTechniques final : public Step {
     if (w.view.sheet != "sheet.techniques") return impossible("nobody looks at them; click sheet.techniques first");
     return {w.techniques.whole() && !w.techniques.writing() && settled_.over(), {}};
   }
+  bool hurries() const override { return false; }
   double patience() const override { return 3600; }
 
  private:
