@@ -6,6 +6,7 @@
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
+#include "integrator/photonmap.h"
 #include "integrator/raycast.h"
 
 namespace etendue::integrator {
@@ -30,6 +31,7 @@ const std::vector<Entry>& entries() {
       entry<Path>(),
       entry<LightPure>(),
       entry<Light>(),
+      entry<PhotonMapping>(),
   };
   return all;
 }

@@ -102,22 +102,32 @@ bool survives_roulette(PathState<Color>& path, float random) {
   return true;
 }
 
+// What a walk takes of a direction that was sampled at an arrival: all of it. False if nothing that counts can come of
+// it.
+struct TakeAll {
+  template <class M>
+  bool operator()(Front<M>& front, int arrival, LobeSample<typename M::Color>& s) const {
+    if constexpr (M::kClasses)
+      return front.shares().scatter(front.path_at(arrival), front.bsdf(arrival), front.wo(arrival), s);
+    return true;
+  }
+};
+
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
 // behind. Walks from lights carry importance's mode: what flows along them is power, which refraction does not
 // compress.
-template <class M>
-void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance) {
+template <class M, class Take = TakeAll>
+void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance, const Take& take = {}) {
   const bool roulette = front.length() >= roulette_from;
   front.draw_lobes();
   if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
   for (int i = 0; i < front.arrived(); ++i) {
     LobeSample<typename M::Color> s;
     if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), mode, s)) continue;
+    if (!take(front, i, s)) continue;
     auto& path = front.state_at(i);
     path.throughput *= s.weight;
     if (mode == Transport::radiance) path.eta_scale *= sqr(s.eta);
-    if constexpr (M::kClasses)
-      if (!front.shares().scatter(front.path_at(i), front.bsdf(i), front.wo(i), s)) continue;
     if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
     path.pdf = s.delta ? 0 : s.pdf_solid_angle;
     path.from = front.point(i).position;
