@@ -143,7 +143,7 @@ class PhotonMapping final : public Method<PhotonMapping> {
 class PhotonMapping::Maps final : public Work {
  public:
   Maps(const PhotonMapping& method, const Pass& pass, const Maps* previous)
-      : method_(method), pass_(pass), size_(glm::length(pass.scene->bounds().max - pass.scene->bounds().min)) {
+      : method_(method), pass_(pass), size_(2 * pass.scene->bounds().radius()) {
     if (pass.model->classes) joins_.emplace(*pass.model->paths);
     const bool reusable = previous && !method.renew && !previous->method_.renew && previous->same_light(pass);
     for (uint32_t half = 0; half < film::kReplicates; ++half)
