@@ -7,6 +7,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "scene/builtin.h"
 #include "settings.h"
 
 namespace etendue::cli {
@@ -57,7 +58,7 @@ int run(const Options& o) {
 
 Command add_advise(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'")->required();
+  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names())->required();
   app.add_option("--error", o->question.target, "The RMSE to reach")->required()->check(CLI::PositiveNumber);
   app.add_flag("--json", o->json, "Print JSON");
   app.add_option("--pilot", o->question.pilot_seconds, "Seconds of trying out each method, about")

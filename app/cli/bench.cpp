@@ -13,6 +13,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "scene/builtin.h"
 #include "settings.h"
 
 namespace etendue::cli {
@@ -154,7 +155,7 @@ int run(const Options& o) {
 
 Command add_bench(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'")->required();
+  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names())->required();
   app.add_option("--methods", o->methods,
                  "integrator[:name=value]..., comma separated, as path:sampler=sobol,path-pure")
       ->required();

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "render/document.h"
+#include "scene/builtin.h"
 #include "scene/compiled.h"
 #include "transport/model.h"
 
@@ -63,7 +64,7 @@ Command add_inspect(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'")->required();
+  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names())->required();
   app.add_flag("--json", o->json, "Print JSON");
   return [o] {
     const auto document = render::new_document(o->scene);

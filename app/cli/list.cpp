@@ -45,8 +45,8 @@ json integrators() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
     json j = entry(info.name, info.label, info.doc, info.parameters);
-    j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias), j["cost"] = info.cost,
-    j["fails"] = info.fails;
+    j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias),
+    j["cost"] = info.cost, j["fails"] = info.fails;
     list.push_back(j);
   }
   return list;
@@ -107,6 +107,12 @@ json media() {
              "Beer's law inside a solid of KHR_materials_volume; its parameters are the material's", {})});
 }
 
+json scenes() {
+  json list = json::array();
+  for (const scene::Builtin& b : scene::builtins()) list.push_back(entry(b.name, b.label, b.doc, {}));
+  return list;
+}
+
 json widgets() { return json::parse(viewer::widgets_json()); }
 
 struct Registry {
@@ -114,7 +120,8 @@ struct Registry {
   json (*make)();
 };
 constexpr Registry kRegistries[] = {{"integrators", integrators}, {"samplers", samplers}, {"materials", materials},
-                                    {"lights", lights},           {"media", media},       {"widgets", widgets}};
+                                    {"lights", lights},           {"media", media},       {"scenes", scenes},
+                                    {"widgets", widgets}};
 
 // Numbers as people write them: settings are floats, and six digits name a float.
 std::string words(const json& value) {
@@ -155,7 +162,7 @@ Command add_list(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("kind", o->kind, "integrators, samplers, materials, lights, media or widgets")->required();
+  app.add_option("kind", o->kind, "integrators, samplers, materials, lights, media, scenes or widgets")->required();
   app.add_flag("--json", o->json, "Print JSON");
   return [o] {
     for (const auto& registry : kRegistries) {

@@ -17,6 +17,7 @@
 #include "render/checkpoint.h"
 #include "render/output.h"
 #include "render/session.h"
+#include "scene/builtin.h"
 #include "settings.h"
 
 namespace etendue::cli {
@@ -61,7 +62,8 @@ Result<Start> starting_point(const Options& o) {
     start.document = std::move(*document);
     return start;
   }
-  if (o.scene.empty()) return usage_error("render: no scene; give a .gltf or .glb file, or 'cornell'");
+  if (o.scene.empty())
+    return usage_error("render: no scene; give a .gltf or .glb file, or one of " + scene::builtin_names());
   auto document = render::new_document(o.scene, o.camera);
   if (!document) return document.error();
   start.document = std::move(*document);
@@ -243,8 +245,7 @@ int run(const Options& o) {
   render::Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
   rendering.sample_counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
   if (const auto compiled = session.scene(); compiled && !aovs->empty())
-    rendering.layers =
-        render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
+    rendering.layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
   const transport::Model model = session.model();
   const bool has_place = !o.json.empty() || !(o.out.ends_with(".png") || o.out.ends_with(".hdr"));
   if (has_place) rendering.certificate = certificate_of(session, d, status, film);
@@ -277,7 +278,7 @@ int run(const Options& o) {
 
 Command add_render(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or 'cornell'");
+  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names());
   app.add_option("-o,--out", o->out, "What to write: .exr (linear, with all settings), .hdr or .png (as displayed)");
   app.add_option("--png", o->png, "The same picture once more, as displayed");
   app.add_option("--spp", o->spp, "Samples per pixel (64 if no limit is given)")->check(CLI::Range(1u, 1000000u));

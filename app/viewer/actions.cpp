@@ -5,6 +5,7 @@
 
 #include "integrator/integrator.h"
 #include "render/aov.h"
+#include "scene/builtin.h"
 #include "viewer/drawer.h"
 
 namespace etendue::viewer {
@@ -42,7 +43,8 @@ void file_actions(Actions& a, Workbench* w) {
                         {".gltf", ".glb", ".exr", ".hdr"}, false, "", [w](const std::string& file) { w->open(file); });
          }, {}, {}});
   a.add({"file.reload", "File", "Reload", "Reads the file again and forgets all edits", "f5", [w] { w->open(w->editor.document().scene_name); }, loaded, {}});
-  a.add({"file.cornell", "File", "Open the Cornell box", "The scene that the program brings along", "", [w] { w->open("cornell"); }, {}, {}});
+  for (const scene::Builtin& builtin : scene::builtins())
+    a.add({std::string("file.") + builtin.name, "File", std::string("Open: ") + builtin.label, builtin.doc, "", [w, name = builtin.name] { w->open(name); }, {}, {}});
   a.add({"file.cancel", "", "Cancel opening", "Stops waiting for the file that is being read", "", [w] { w->loader.cancel(); }, [w] { return w->loader.busy(); }, {}});
   a.add({"environment.load", "File", "Load an environment...", "Light from all around, from an equirectangular .hdr or .exr", "", [w] {
            w->files.ask("Load an environment (.hdr, .exr)", w->settings.folder, {".hdr", ".exr"}, false, "",

@@ -93,6 +93,18 @@ struct Choice {
   operator E() const { return value; }  // NOLINT(google-explicit-constructor)
 };
 
+// A text that has to pass `accepts`; the first of `offered` is what it is at first.
+struct Text {
+  const char* name;
+  const char* label;
+  std::string value;
+  const char* doc;
+  Result<void> (*accepts)(std::string_view);
+  std::vector<Option> offered;
+
+  operator const std::string&() const { return value; }  // NOLINT(google-explicit-constructor)
+};
+
 template <class T>
 ParameterInfo describe(const Number<T>& p) {
   ParameterInfo info;
@@ -128,6 +140,19 @@ ParameterInfo describe(const Choice<E>& p) {
   return info;
 }
 
+inline ParameterInfo describe(const Text& p) {
+  ParameterInfo info;
+  info.name = p.name, info.label = p.label, info.doc = p.doc;
+  info.type = ParameterType::choice;
+  info.accepts_text = p.accepts;
+  for (const Option& option : p.offered) {
+    info.options.emplace_back(option.name);
+    info.option_labels.emplace_back(option.label);
+  }
+  info.default_value = p.value;
+  return info;
+}
+
 // The value must have been checked against the description before.
 template <class T>
 void assign(Number<T>& p, const Value& value) {
@@ -138,6 +163,8 @@ void assign(Number<T>& p, const Value& value) {
 }
 
 inline void assign(Toggle& p, const Value& value) { p.value = std::get<bool>(value); }
+
+inline void assign(Text& p, const Value& value) { p.value = std::get<std::string>(value); }
 
 template <class E>
 void assign(Choice<E>& p, const Value& value) {

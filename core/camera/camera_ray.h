@@ -23,6 +23,11 @@ class CameraRays {
   // `raster` is in pixels, (0, 0) the upper left corner of the picture; `lens` in the unit square.
   Ray ray(Vec2 raster, Vec2 lens) const;
 
+  // How densely the rays of a picture lie that go in this direction, so far from the camera: pixels to a square metre
+  // across them. And the cosine of the direction to the axis.
+  float pixels_per_area(const Vec3& direction, float distance) const;
+  float cosine(const Vec3& direction) const { return -glm::dot(Vec3(camera_.to_world[2]), direction); }
+
   // How a point of the scene is seen through a point of the lens: the inverse of `ray`.
   struct View {
     Vec2 raster;       // it may lie outside of the picture
@@ -40,6 +45,7 @@ class CameraRays {
     Ray ray;
     float importance;
   };
+  bool can_see_infinity() const { return !parallel() && !std::isfinite(camera_.far_clip); }
   std::optional<FarView> view_of_infinity(const Vec3& direction, Vec2 lens) const;
 
   // Whether light can come to the lens by chance. Not through a point, not where each point of the picture takes one
@@ -69,6 +75,7 @@ class CameraRays {
   Vec2 point_of_lens(Vec2 u) const { return has_lens() ? square_to_disk(u) * camera_.lens_radius : Vec2(0); }
   Vec2 raster_of(const Vec3& direction, Vec2 on_lens) const;
   float pixels_per_solid_angle(float cosine) const;
+  float pixels_across(float cosine) const;
 
   Camera camera_;
   Vec2 to_unit_;  // pixel to [-1, 1] times half the size of the picture at distance one (or in metres, orthographic)

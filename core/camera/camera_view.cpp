@@ -18,6 +18,16 @@ float CameraRays::pixels_per_solid_angle(float cosine) const {
   return 1 / (to_unit_.x * to_unit_.y * half_size_.x * half_size_.y * cosine * sqr(cosine));
 }
 
+// Of a parallel projection.
+float CameraRays::pixels_across(float cosine) const {
+  return 1 / (to_unit_.x * to_unit_.y * half_size_.x * half_size_.y * cosine);
+}
+
+float CameraRays::pixels_per_area(const Vec3& direction, float distance) const {
+  const float c = cosine(direction);
+  return parallel() ? pixels_across(c) : pixels_per_solid_angle(c) / sqr(distance);
+}
+
 std::optional<CameraRays::View> CameraRays::view(const Vec3& point, Vec2 lens) const {
   const Mat3 rotation(camera_.to_world);
   const Vec3 local = glm::transpose(rotation) * (point - Vec3(camera_.to_world[3]));
@@ -33,7 +43,7 @@ std::optional<CameraRays::View> CameraRays::view(const Vec3& point, Vec2 lens) c
     view.raster = (Vec2(on_picture.x, -on_picture.y) / half_size_ + 1.0f) / to_unit_;
     view.wi = rotation * (slope * -cosine);
     view.distance = (depth - camera_.near_clip) * length;
-    view.importance = 1 / (to_unit_.x * to_unit_.y * half_size_.x * half_size_.y * cosine);
+    view.importance = pixels_across(cosine);
     return view;
   }
   const Vec3 to_lens = Vec3(on_lens, 0) - local;
@@ -49,7 +59,7 @@ std::optional<CameraRays::FarView> CameraRays::view_of_infinity(const Vec3& dire
   const Mat3 rotation(camera_.to_world);
   const Vec3 local = glm::transpose(rotation) * direction;
   const float cosine = -local.z;
-  if (parallel() || !(cosine > 0) || std::isfinite(camera_.far_clip)) return {};
+  if (!can_see_infinity() || !(cosine > 0)) return {};
   const Vec2 on_lens = point_of_lens(lens);
   FarView view;
   view.raster = raster_of(local, on_lens);

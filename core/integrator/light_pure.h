@@ -3,6 +3,7 @@
 // A random walk from a light that counts when it falls onto the lens of the camera: the dual of pure path tracing. All
 // pixels are made of the same walks. Scattering is the adjoint one: power is not compressed by refraction.
 #pragma once
+#include "integrator/light_terms.h"
 #include "integrator/shooting.h"
 
 namespace etendue::integrator {
@@ -31,35 +32,16 @@ class LightPure final : public Shooting<LightPure> {
   template <class M>
   void estimate(const Pass& pass, LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter) const {
     using namespace transport;
+    const auto all = [](int, const auto&) { return 1.0f; };
     while (front.advance()) {
-      for (int i = 0; i < front.escaped(); ++i)
-        arrive(pass, walks, front, front.path_of_escape(i), front.escape_direction(i), kInfinity, splatter);
+      escape_through_lens(pass, walks, front, splatter, all);
       while (front.arrive()) {
-        for (int i = 0; i < front.arrived(); ++i)
-          arrive(pass, walks, front, front.path_at(i), -front.wo(i),
-                 glm::distance(front.state_at(i).from, front.point(i).position), splatter);
+        pass_through_lens(pass, walks, front, splatter, all);
         if (at_limit(front.length())) continue;
         if (front.length() == 1) walks.dim_first_vertices(front);
         scatter(front, roulette_start, Transport::importance);
       }
     }
-  }
-
- private:
-  // The last segment of a walk may lead through the lens.
-  template <class M>
-  static void arrive(const Pass& pass, const LightWalks<M>& walks, transport::Front<M>& front, int path,
-                     const Vec3& direction, float length, Splatter& splatter) {
-    auto& state = front.state(path);
-    Ray ray;
-    ray.origin = state.from, ray.direction = direction;
-    const auto arrival = pass.camera->arrival(ray, length);
-    if (!arrival) return;
-    const auto to = splatter.pixel(arrival->raster, state.seed ^ static_cast<uint32_t>(front.length()));
-    if (!to) return;
-    typename M::Color carried = transport::admitted(front, state, path) * (walks.flux(path) * arrival->importance);
-    if (front.length() == 1) carried *= front.scene().lights().window(walks.light(path), arrival->distance);
-    splatter.add(*to, carried);
   }
 };
 

@@ -27,15 +27,15 @@ class LightWalks {
     Color emitted{0};
   };
 
-  // Lets paths [first, first + count) of a sample go; on return nothing has been traced yet. `begun` is called with the
-  // number of each path of the front and its Start, those included that carry nothing.
-  template <class Begun>
-  void launch(const Pass& pass, uint32_t sample, uint32_t first, int count, const Turn& turn, Front& front,
+  // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
+  // yet. begun(i, start, point of the lens) is called for each, those included that carry nothing.
+  template <class NumberOf, class Begun>
+  void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted);
     if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
-    for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, first + static_cast<uint32_t>(i), replicate));
+    for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
     using namespace emission_dimension;
     const SampleTable& random =
         front.draw_start(dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |

@@ -7,7 +7,7 @@
 #pragma once
 #include "photon/kernel.h"
 #include "photon/photon_map.h"
-#include "transport/class_joins.h"
+#include "transport/join_weights.h"
 #include "transport/lobe_split.h"
 
 namespace etendue::integrator {
@@ -16,8 +16,8 @@ namespace etendue::integrator {
 struct PhotonView {
   const photon::PhotonMap* map = nullptr;
   transport::LobeSplit split{0.0f};
-  const transport::ClassJoins* joins = nullptr;  // in a model with path classes
-  int longest = 0;                               // edges of a whole path; 0: no limit
+  const transport::ClassJoin* join = nullptr;  // in a model with path classes
+  int longest = 0;                             // edges of a whole path; 0: no limit
 };
 
 // One vertex, `edges` from the camera, for all photons around it.
@@ -30,7 +30,7 @@ class PhotonReflection {
       : bsdf_(front.bsdf(arrival)), wo_(front.wo(arrival)), ng_(front.point(arrival).ng), view_(view), edges_(edges) {
     flat_ = bsdf_.frame().z == ng_;
     if constexpr (M::kClasses)
-      transport::find_join_weights(front.shares(), front.path_at(arrival), *view.joins, weights_);
+      transport::find_join_weights(front.shares(), front.path_at(arrival), *view.join, weights_);
   }
 
   // f Phi

@@ -9,7 +9,7 @@
 #pragma once
 #include "integrator/light_walks.h"
 #include "photon/photon.h"
-#include "transport/class_joins.h"
+#include "transport/join_weights.h"
 #include "transport/lobe_split.h"
 
 namespace etendue::integrator {
@@ -57,8 +57,10 @@ std::optional<uint64_t> trace_photons(const Pass& pass, uint32_t sample, const P
   photons.clear();
   const int first = task * PhotonPlan::kTask;
   constexpr uint32_t kCaustics = 1U << 31;  // others than those of the global map
-  walks->launch(pass, sample, static_cast<uint32_t>(first) + (plan.caustics ? kCaustics : 0),
-                std::min(PhotonPlan::kTask, plan.photons - first), turn, front, [](auto&&...) {});
+  const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCaustics : 0);
+  walks->launch(
+      pass, sample, std::min(PhotonPlan::kTask, plan.photons - first), turn, front,
+      [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) {});
   while (front.advance())
     while (front.arrive()) {
       if (front.length() == 1) walks->dim_first_vertices(front);

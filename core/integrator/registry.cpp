@@ -2,6 +2,7 @@
 #include <cassert>
 #include <functional>
 
+#include "integrator/bdpt.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
@@ -31,6 +32,7 @@ const std::vector<Entry>& entries() {
       entry<Path>(),
       entry<LightPure>(),
       entry<Light>(),
+      entry<Bdpt>(),
       entry<PhotonMapping>(),
   };
   return all;

@@ -42,10 +42,11 @@ class Shooting : public Method<Derived> {
       transport::Front<M>& front = front_of_thread<M>();
       Splatter splatter(pass_, turn, 1 / static_cast<float>(paths()));
       const int first = task * kTask, count = std::min(kTask, paths() - first);
-      walks->launch(pass_, sample, static_cast<uint32_t>(first), count, turn, front,
-                    [&](int i, const typename LightWalks<M>::Start& start, Vec2 lens) {
-                      method_.template see_light<M>(pass_, start, lens, front.state(i).seed + sample, splatter);
-                    });
+      walks->launch(
+          pass_, sample, count, turn, front, [&](int i) { return static_cast<uint32_t>(first + i); },
+          [&](int i, const typename LightWalks<M>::Start& start, Vec2 lens) {
+            method_.template see_light<M>(pass_, start, lens, front.state(i).seed + sample, splatter);
+          });
       method_.template estimate<M>(pass_, *walks, front, splatter);
       if (front.given_up()) return {};
       return splatter.finish() + front.rays_traced();

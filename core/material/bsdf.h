@@ -143,6 +143,9 @@ class Bsdf {
     lobes.clear();
   }
 
+  // After a copy: the same at a copy of the point.
+  void refer_to(const Frame& shading, const Vec3& geometric_normal) { frame_ = &shading, ng_ = &geometric_normal; }
+
   typename M::Lobes lobes;
 
   bool has_non_delta() const { return lobes.has_non_delta(); }

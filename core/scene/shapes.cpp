@@ -42,17 +42,27 @@ Material glass(float ior) {
   return m;
 }
 
-std::shared_ptr<const Mesh> cube(float s, bool inwards) {
+std::shared_ptr<const Mesh> cube(float s, bool inwards) { return box(Vec3(s), inwards); }
+
+std::shared_ptr<const Mesh> box(const Vec3& half, bool inwards) {
   Mesh mesh;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const float side : {-s, s}) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+    for (const float side : {-half[axis], half[axis]}) {
       const auto corner = [&](float u, float v) {
         Vec3 p;
-        p[axis] = side, p[(axis + 1) % 3] = u, p[(axis + 2) % 3] = v;
+        p[axis] = side, p[next] = u * half[next], p[last] = v * half[last];
         return p;
       };
-      add_quad(mesh, corner(-s, -s), corner(s, -s), corner(s, s), corner(-s, s), (side < 0) != inwards);
+      add_quad(mesh, corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), (side < 0) != inwards);
     }
+  }
+  return finished(std::move(mesh));
+}
+
+std::shared_ptr<const Mesh> rectangle(const Vec3& corner, const Vec3& u, const Vec3& v) {
+  Mesh mesh;
+  add_quad(mesh, corner, corner + u, corner + u + v, corner + v, false);
   return finished(std::move(mesh));
 }
 

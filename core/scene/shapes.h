@@ -14,9 +14,12 @@ Material glass(float ior = 1.5f);
 
 // Meshes around the origin, in metres.
 std::shared_ptr<const Mesh> cube(float half_size, bool inwards);
+std::shared_ptr<const Mesh> box(const Vec3& half_size, bool inwards = false);
 std::shared_ptr<const Mesh> quad(float half_size);             // in the xz plane, facing +y
 std::shared_ptr<const Mesh> disk(float radius, int segments);  // in the xz plane, facing +y, of the disk's area
 std::shared_ptr<const Mesh> sphere(float radius, int rings, bool inwards);
+// From one corner along two sides, facing their cross product.
+std::shared_ptr<const Mesh> rectangle(const Vec3& corner, const Vec3& u, const Vec3& v);
 
 // Puts a mesh with a material of its own into the scene; returns the node.
 int add(Scene& scene, std::shared_ptr<const Mesh> mesh, const Material& material, const Mat4& transform = Mat4(1));

@@ -4,13 +4,16 @@
 #include "stress/cases/all_scales.h"
 #include "stress/cases/camera_inside_glass.h"
 #include "stress/cases/caustic_of_a_point_light.h"
+#include "stress/cases/caustic_of_a_small_lamp.h"
 #include "stress/cases/coincident_lights.h"
 #include "stress/cases/depth_cut_off.h"
 #include "stress/cases/far_from_the_origin.h"
 #include "stress/cases/grazing_albedo.h"
+#include "stress/cases/grazing_light.h"
 #include "stress/cases/index_of_one.h"
 #include "stress/cases/infinite_emission.h"
 #include "stress/cases/inverted_normals.h"
+#include "stress/cases/lamp_in_a_sphere.h"
 #include "stress/cases/late_dimensions.h"
 #include "stress/cases/light_of_a_micrometre.h"
 #include "stress/cases/light_that_touches_a_wall.h"
@@ -62,6 +65,8 @@ const std::vector<Case>& cases() {
       kCausticOfAPointLight,
       kPointLightUnseen,
       kSmallLightByChance,
+      kLampInASphere,
+      kCausticOfASmallLamp,
       kNarrowLobeAndSmallLight,
       kLightThatTouchesAWall,
       kRouletteBelowTheSquare,
@@ -87,6 +92,7 @@ const std::vector<Case>& cases() {
       kCameraInsideGlass,
       kNestedGlass,
       kTrianglesWithoutArea,
+      kGrazingLight,
       kGrazingAlbedo,
       kInfiniteEmission,
       kNanInASky,

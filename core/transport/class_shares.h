@@ -91,6 +91,22 @@ class ClassShares<M, true> {
     return alive(path) != 0;
   }
 
+  // The shares of a path as they are, and as they would be after the letters of a connection.
+  using Row = std::vector<Color>;
+  void copy(int path, Row& out) const {
+    out.assign(states_, Color(0));
+    for_each(alive(path), [&](Automaton::State q) { out[q] = row(path)[q]; });
+  }
+  void connected(const Row& shares, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Row& out) const {
+    const Parts parts = parts_of(bsdf, wo, wi, Event::diffuse);
+    out.assign(states_, Color(0));
+    for (size_t i = 0; i < states_; ++i) {
+      const auto q = static_cast<Automaton::State>(i);
+      out[automaton_->next(q, Event::diffuse)] += shares[q] * parts.diffuse;
+      out[automaton_->next(q, Event::glossy)] += shares[q] * parts.glossy;
+    }
+  }
+
   // The path goes on as sampled; false if nothing that counts can come of it any more.
   bool scatter(int path, const Bsdf<M>& bsdf, const Vec3& wo, const LobeSample<Color>& s) {
     if (s.delta)

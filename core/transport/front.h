@@ -59,7 +59,7 @@ class Front {
   void admit_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
   void launch(int path, const Ray& ray) {
     if constexpr (M::kClasses) shares_.launch(path);
-    state(path) = {Color(1), Color(0), Vec3(0), 0, 1, state(path).seed, true};
+    state(path) = {Color(1), Color(0), ray.origin, 0, 1, state(path).seed, true};
     travel(path, ray);
   }
 

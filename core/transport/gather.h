@@ -37,41 +37,56 @@ typename M::Color admitted(Front<M>& front, const PathState<typename M::Color>& 
     return path.throughput;
 }
 
-// Light that surfaces emit towards the walks. An unlit surface shows itself and lights nothing.
-template <class M>
-void add_emission(Front<M>& front, Combination shared = {}) {
+// Light that surfaces emit towards the walks, times weigh(arrival). An unlit surface shows itself and lights nothing.
+template <class M, class Weigh>
+void add_emission_weighed(Front<M>& front, Weigh&& weigh) {
   const scene::CompiledScene& scene = front.scene();
   for (int i = 0; i < front.arrived(); ++i) {
     const scene::SurfacePoint& point = front.point(i);
     if (!point.material->shines) continue;
     auto& path = front.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
-    path.radiance +=
-        admitted(front, path, front.path_at(i)) * scene.emitted(point) * weight_of_hit(path, scene, point, shared);
+    const Rgb emitted = scene.emitted(point);
+    if (is_black(emitted)) continue;
+    path.radiance += admitted(front, path, front.path_at(i)) * emitted * weigh(i);
   }
 }
 
-// Light from infinity along the last direction of the walks that left.
 template <class M>
-void add_environment(Front<M>& front, Combination shared = {}) {
+void add_emission(Front<M>& front, Combination shared = {}) {
+  add_emission_weighed(front,
+                       [&](int i) { return weight_of_hit(front.state_at(i), front.scene(), front.point(i), shared); });
+}
+
+// Light from infinity along the last direction of the walks that left, times weigh(escape).
+template <class M, class Weigh>
+void add_environment_weighed(Front<M>& front, Weigh&& weigh) {
   const LightTable& lights = front.scene().lights();
   const EnvironmentMap& map = lights.environment();
   if (map.black() || (front.length() == 1 && !map.visible())) return;
   for (int i = 0; i < front.escaped(); ++i) {
     auto& path = front.escapee(i);
     const Vec3& direction = front.escape_direction(i);
-    const bool alone = !shared || path.pdf == 0;
-    const float weight = alone ? 1 : mis_weight(*shared, path.pdf, lights.pdf_environment(direction));
-    path.radiance += admitted(front, path, front.path_of_escape(i)) * map.radiance(direction) * weight;
+    path.radiance += admitted(front, path, front.path_of_escape(i)) * map.radiance(direction) * weigh(i);
   }
+}
+
+template <class M>
+void add_environment(Front<M>& front, Combination shared = {}) {
+  const LightTable& lights = front.scene().lights();
+  add_environment_weighed(front, [&](int i) {
+    const float pdf = front.escapee(i).pdf;
+    return !shared || pdf == 0 ? 1 : mis_weight(*shared, pdf, lights.pdf_environment(front.escape_direction(i)));
+  });
 }
 
 // Whether shadow rays are traced: thesis 8.2 knows local illumination without them.
 enum class Shadows { cast, ignored };
 
-// Next event estimation: one point on one light for each vertex.
-template <class M>
-void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast) {
+// Next event estimation: one point on one light for each vertex, times weigh(arrival, light sample, value of the
+// scattering function), which is a weight over the density of the sample.
+template <class M, class Weigh>
+void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh) {
   const scene::CompiledScene& scene = front.scene();
   if (scene.lights().empty()) return;
   const std::span<const LightSample> samples = front.sample_lights();
@@ -83,12 +98,18 @@ void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Sha
     if constexpr (M::kClasses)
       scattered.f_cos = front.shares().of_connection(front.path_at(i), bsdf, front.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
-    const float weight =
-        shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
+    const float weight = weigh(i, light, scattered);
     auto& path = front.state_at(i);
     auto& gain = shadows == Shadows::cast ? front.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
+}
+
+template <class M>
+void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast) {
+  add_direct_light_weighed(front, shadows, [&](int, const LightSample& light, const auto& scattered) {
+    return shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, scattered.pdf) : 1 / light.pdf;
+  });
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
@@ -116,8 +137,9 @@ struct TakeAll {
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
 // behind. Walks from lights carry importance's mode: what flows along them is power, which refraction does not
 // compress.
-template <class M, class Take = TakeAll>
-void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance, const Take& take = {}) {
+// `note` is called with the arrival and its sample where the walk goes on.
+template <class M, class Note, class Take = TakeAll>
+void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& note, const Take& take = {}) {
   const bool roulette = front.length() >= roulette_from;
   front.draw_lobes();
   if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
@@ -132,8 +154,15 @@ void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::rad
     path.pdf = s.delta ? 0 : s.pdf_solid_angle;
     path.from = front.point(i).position;
     path.all_specular = path.all_specular && s.delta;
+    note(i, s);
     front.depart(i, s.wi);
   }
+}
+
+template <class M, class Take = TakeAll>
+void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance, const Take& take = {}) {
+  scatter_noted(
+      front, roulette_from, mode, [](int, const auto&) {}, take);
 }
 
 }  // namespace etendue::transport

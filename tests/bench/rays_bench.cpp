@@ -8,7 +8,7 @@
 #include "bench/ray_log.h"
 #include "integrator/integrator.h"
 #include "render/document.h"
-#include "scene/builtin.h"
+#include "scene/builtin/cornell.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -12,7 +12,7 @@
 #include "image/display.h"
 #include "image/image.h"
 #include "render/session.h"
-#include "scene/builtin.h"
+#include "scene/builtin/cornell.h"
 #include "support/scenes.h"
 
 namespace etendue {

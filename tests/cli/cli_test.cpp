@@ -145,6 +145,7 @@ TEST_F(Cli, WrongUsageIsTwo) {
 TEST_F(Cli, UnusableInputIsThree) {
   expect_error("render missing.glb -o a.exr", 3, "missing.glb: there is no such file");
   expect_error("render . -o a.exr", 3, "folder");
+  expect_error("inspect cornel", 3, "cornell-spheres");
   expect_error("frobnicate --offscreen --script steps.json", 3, "steps.json");
   std::fclose(std::fopen((folder_ / "empty.glb").c_str(), "wb"));
   expect_error("inspect empty.glb", 3, "empty");
@@ -167,7 +168,7 @@ TEST_F(Cli, InspectAndListSpeakJson) {
        {"triangles", "instances", "materials", "lights", "cameras", "unsupported", "warnings", "model"})
     EXPECT_TRUE(scene.contains(key)) << key;
   EXPECT_EQ(scene["model"]["surfaces"]["value"], "diffuse");
-  for (const char* kind : {"integrators", "samplers", "materials", "lights", "media"}) {
+  for (const char* kind : {"integrators", "samplers", "materials", "lights", "media", "scenes"}) {
     const auto list = nlohmann::json::parse(run(std::string("list ") + kind + " --json").out);
     ASSERT_TRUE(list.is_array() && !list.empty()) << kind;
     for (const auto& entry : list)

@@ -13,7 +13,7 @@ using test::Mean;
 std::vector<std::string> unbiased_integrators() {
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.bias == integrator::Bias::unbiased) names.push_back(info.name);
+    if (info.bias == integrator::Bias::unbiased && info.name != "light-pure") names.push_back(info.name);
   return names;
 }
 

@@ -5,6 +5,7 @@
 //   looks --references DATA OUT.png [SAMPLES]      a table of figures against the linear pictures of files; ours,
 //                                                  theirs, difference
 //   looks --scenes DATA OUT.png [SAMPLES [SIZE]]   the same for the scenes, at SIZE pixels
+//   looks --builtin OUT.png [TILE [SAMPLES]]       the built-in scenes, and the mean luminance of each
 //
 // Exits with 1 if a sample was no finite, non-negative number.
 #include <cstdio>
@@ -16,6 +17,7 @@
 #include "looks/sheet.h"
 #include "measure/heat_map.h"
 #include "measure/metrics.h"
+#include "scene/builtin.h"
 #include "support/scenes.h"
 
 namespace etendue::looks {
@@ -136,12 +138,32 @@ int make_table(const std::vector<Reference>& references, const std::string& out,
   return rejected > 0 ? 1 : 0;
 }
 
+int make_builtin_sheet(const std::string& out, int tile, uint32_t samples) {
+  constexpr int kColumns = 4;
+  Sheet sheet(tile, kColumns);
+  uint64_t rejected = 0;
+  for (const scene::Builtin& builtin : scene::builtins()) {
+    auto document = *render::new_document(builtin.name);
+    document.width = document.height = tile;
+    const film::Film film = test::rendered(document, samples);
+    rejected += report_rejected(builtin.name, film);
+    std::printf("%-20s %8.4f\n", builtin.name, static_cast<double>(luminance(test::mean_color(film))));
+    const Picture ours{film.width(), film.height(), image::display_pixels(pixels_of(film), 0, document.display.curve)};
+    sheet.add(&ours, builtin.name);
+  }
+  if (const int failed = save(sheet, out)) return failed;
+  return rejected > 0 ? 1 : 0;
+}
+
 int run(std::vector<std::string> args) {
   const auto take = [&](const char* flag) { return std::erase(args, flag) > 0; };
-  const bool beside = take("--beside"), table = take("--references"), of_scenes = take("--scenes");
+  const bool beside = take("--beside"), table = take("--references"), of_scenes = take("--scenes"),
+             builtin = take("--builtin");
   const auto number = [&](size_t i, int usual) {
     return args.size() > i ? std::max(1, std::atoi(args[i].c_str())) : usual;
   };
+  if (builtin && !args.empty())
+    return make_builtin_sheet(args[0], number(1, 192), static_cast<uint32_t>(number(2, 256)));
   if (!args.empty() && !std::filesystem::is_directory(args[0] + "/gltf")) {
     std::fprintf(stderr, "looks: %s: has no folder gltf; give the folder of the test data\n", args[0].c_str());
     return 3;
@@ -154,7 +176,7 @@ int run(std::vector<std::string> args) {
     return make_sheet(args[0], args[1], beside, number(2, 128), static_cast<uint32_t>(number(3, 64)));
   std::fprintf(stderr,
                "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]"
-               " | looks --scenes DATA OUT.png [SAMPLES [SIZE]]\n");
+               " | looks --scenes DATA OUT.png [SAMPLES [SIZE]] | looks --builtin OUT.png [TILE [SAMPLES]]\n");
   return 2;
 }
 

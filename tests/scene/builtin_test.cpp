@@ -1,7 +1,16 @@
-// The Cornell box stands as it was published.
+// The Cornell box stands as it was published. Every built-in scene is whole, closed where it is glass, lit, made the
+// same each time, and has light on the paths that it is there for.
 #include "scene/builtin.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "scene/builtin/cornell.h"
+#include "scene/compiled.h"
+#include "support/scenes.h"
 
 namespace etendue {
 namespace {
@@ -86,6 +95,155 @@ TEST(Cornell, CameraAsPublished) {
   EXPECT_LT(camera->to_world[0].x, 0);
 }
 
+class EveryBuiltin : public testing::TestWithParam<size_t> {
+ protected:
+  const scene::Builtin& builtin = scene::builtins()[GetParam()];
+  scene::Scene scene = builtin.make();
+};
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryBuiltin, testing::Range<size_t>(0, scene::builtins().size()),
+                         [](const auto& parameter) {
+                           std::string name = scene::builtins()[parameter.param].name;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
+TEST_P(EveryBuiltin, IsSmallLitAndSeenThroughAPinhole) {
+  const auto cameras = scene::placed_cameras(scene);
+  ASSERT_EQ(cameras.size(), 1U);
+  EXPECT_EQ(cameras[0].lens_radius, 0);
+  const auto compiled = scene::compile(std::make_shared<const scene::Scene>(scene), cameras[0], nullptr);
+  EXPECT_LE(compiled->triangle_count(), 50'000U);
+  EXPECT_GT(compiled->lights().size(), 0U);
+  EXPECT_TRUE(scene.environment.black());
+  EXPECT_TRUE(scene.warnings.empty());
+  EXPECT_NE(std::string(builtin.doc).back(), '.');
+}
+
+TEST_P(EveryBuiltin, NamesItsPartsAndUsesAllOfThem) {
+  std::set<int> meshes, materials;
+  for (const auto& node : scene.nodes) {
+    EXPECT_FALSE(node.name.empty());
+    if (node.mesh < 0) continue;
+    EXPECT_TRUE(meshes.insert(node.mesh).second) << node.name;
+    materials.insert(scene.meshes[static_cast<size_t>(node.mesh)].primitives[0].material);
+  }
+  EXPECT_EQ(meshes.size(), scene.meshes.size());
+  EXPECT_EQ(materials.size(), scene.materials.size());
+  std::set<std::string> names;
+  for (const auto& m : scene.materials) EXPECT_TRUE(names.insert(m.name).second) << m.name;
+}
+
+TEST_P(EveryBuiltin, HasNormalsOnTheSideOfItsTriangles) {
+  for (const auto& group : scene.meshes) {
+    const Mesh& mesh = *group.primitives[0].mesh;
+    EXPECT_GT(mesh.positions.capacity(), mesh.positions.size()) << group.name;
+    for (const Vec3& p : mesh.positions) ASSERT_TRUE(is_finite(p)) << group.name;
+    for (const auto& t : mesh.triangles) {
+      const Vec3 n = normal(mesh, t);
+      ASSERT_NEAR(glm::length(n), 1, 1e-4f) << group.name;
+      for (const uint32_t v : t)
+        if (!mesh.normals.empty()) {
+          ASSERT_NEAR(glm::length(mesh.normals[v]), 1, 1e-5f) << group.name;
+          ASSERT_GT(glm::dot(mesh.normals[v], n), 0.9f) << group.name;
+        }
+    }
+  }
+}
+
+// Every edge of a solid is walked along once in each direction; corners are told by their place.
+TEST_P(EveryBuiltin, ItsGlassIsClosed) {
+  using Place = std::array<float, 3>;
+  for (const auto& group : scene.meshes) {
+    const Mesh& mesh = *group.primitives[0].mesh;
+    if (!scene.materials[static_cast<size_t>(group.primitives[0].material)].solid()) continue;
+    std::map<std::pair<Place, Place>, int> edges;
+    const auto place = [&](uint32_t v) {
+      const Vec3 p = mesh.positions[v];
+      return Place{p.x, p.y, p.z};
+    };
+    for (const auto& t : mesh.triangles)
+      for (size_t i = 0; i < 3; ++i) ++edges[{place(t[i]), place(t[(i + 1) % 3])}];
+    for (const auto& [edge, count] : edges) {
+      ASSERT_EQ(count, 1) << group.name;
+      ASSERT_EQ(edges.count({edge.second, edge.first}), 1U) << group.name;
+    }
+    // Outwards: the volume is positive.
+    double volume = 0;
+    for (const auto& t : mesh.triangles)
+      volume += glm::dot(mesh.positions[t[0]], glm::cross(mesh.positions[t[1]], mesh.positions[t[2]])) / 6;
+    EXPECT_GT(volume, 0) << group.name;
+  }
+}
+
+TEST_P(EveryBuiltin, IsMadeTheSameEachTime) {
+  const scene::Scene again = builtin.make();
+  EXPECT_EQ(scene.nodes, again.nodes);
+  EXPECT_EQ(scene.materials, again.materials);
+  EXPECT_EQ(scene.lights, again.lights);
+  EXPECT_EQ(scene.cameras, again.cameras);
+  ASSERT_EQ(scene.meshes.size(), again.meshes.size());
+  for (size_t i = 0; i < scene.meshes.size(); ++i) {
+    const Mesh &a = *scene.meshes[i].primitives[0].mesh, &b = *again.meshes[i].primitives[0].mesh;
+    EXPECT_EQ(a.positions, b.positions);
+    EXPECT_EQ(a.normals, b.normals);
+    EXPECT_EQ(a.triangles, b.triangles);
+  }
+}
+
+render::Document small(const char* name, const char* paths) {
+  auto d = *render::new_document(name);
+  d.width = d.height = 32;
+  d.method.paths = paths;
+  return d;
+}
+
+double share(const char* name, const char* paths) {
+  constexpr uint32_t kSamples = 256;
+  return test::mean_of(test::rendered(small(name, paths), kSamples)).value /
+         test::mean_of(test::rendered(small(name, ""), kSamples)).value;
+}
+
+// The seed is fixed; the shares of rare paths are known to about a third.
+TEST(Builtin, LightComesOnThePathsThatTheSceneIsThereFor) {
+  EXPECT_GT(share("cornell-spheres", "EDS+L"), 0.005);
+  EXPECT_GT(share("cornell-spheres", "ES+.*L"), 0.05);
+  EXPECT_GT(share("glossy-plates", "EGL"), 0.1);
+  EXPECT_GT(share("glass-caustic", "EDS+L"), 0.02);
+  EXPECT_GT(share("caustic-pool", "ES+DS+L"), 0.2);
+  EXPECT_GT(share("spot-indirect", "EDD+L"), 0.2);
+  EXPECT_GT(share("door-ajar", "EDD+L"), 0.2);
+}
+
+// What is under water is not lit but through it, and not seen but through it.
+TEST(Builtin, NoLightReachesThePoolWithoutItsWater) {
+  auto d = small("caustic-pool", "EDL");
+  auto scene = *d.scene;
+  for (auto& node : scene.nodes)
+    node.visible = node.name == "lamp" || node.name == "water" || node.name.ends_with("tiles");
+  d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+  EXPECT_EQ(test::mean_of(test::rendered(d, 4)).value, 0);
+}
+
+TEST(Builtin, TheLampIsNotSeenFromTheRoomOfTheDoor) {
+  // Direct light is to be seen of the next room alone, through the gap.
+  const film::Film direct = test::rendered(small("door-ajar", "E(D|G)L"), 16);
+  int lit = 0;
+  for (int y = 0; y < direct.height(); ++y)
+    for (int x = 0; x < direct.width(); ++x) lit += direct.mean(x, y) != Rgb(0) ? 1 : 0;
+  EXPECT_GT(lit, 0);
+  EXPECT_LT(lit, 100) << "of 1024 pixels";
+}
+
+TEST(Builtin, TheRoomIsDarkWhenTheDoorIsShut) {
+  auto d = small("door-ajar", "");
+  auto scene = *d.scene;
+  for (auto& node : scene.nodes)
+    if (node.name == "door")
+      node.transform.rotation = {0, 0, 0, 1}, node.transform.translation = {1.05f, 1.025f, -0.12f};
+  d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+  EXPECT_EQ(test::mean_of(test::rendered(d, 64)).value, 0);
+}
+
 TEST(Load, ByNameOrFile) {
   const auto box = scene::load("cornell");
   ASSERT_TRUE(box);
@@ -93,6 +251,14 @@ TEST(Load, ByNameOrFile) {
   const auto missing = scene::load("/nowhere/scene.glb");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().message, "/nowhere/scene.glb: there is no such file");
+}
+
+TEST(Load, AnUnknownNameIsToldTheKnownOnes) {
+  for (const auto& builtin : scene::builtins()) {
+    EXPECT_EQ(scene::find_builtin(builtin.name), &builtin);
+    EXPECT_TRUE(scene::load(builtin.name));
+    EXPECT_NE(scene::load("corner").error().message.find(builtin.name), std::string::npos);
+  }
 }
 
 }  // namespace

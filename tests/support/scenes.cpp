@@ -1,8 +1,10 @@
 #include "support/scenes.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
+#include "integrator/integrator.h"
 #include "render/session.h"
 
 namespace etendue::test {
@@ -13,6 +15,17 @@ render::Document document(scene::Scene scene, const Camera& camera, int width, i
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   d.camera = camera;
   d.width = width, d.height = height;
+  return d;
+}
+
+render::Document golden_sphere(double share, float albedo, scene::Cap cap, int size) {
+  auto d = document(scene::golden_sphere(share, albedo, cap), scene::golden_sphere_camera(), size, size);
+  d.filter = film::FilterKind::box;
+  d.method.sampler = "random";
+  const auto depth = static_cast<int64_t>(std::ceil(std::log(1e-6) / std::log(albedo)));
+  for (const auto& info : integrator::integrator_infos())
+    for (const auto& [name, value] : {std::pair{".roulette-start", int64_t{64}}, {".max-depth", depth}})
+      if (auto changed = render::with(d, info.name + name, value)) d = *changed;
   return d;
 }
 

@@ -6,6 +6,7 @@
 
 #include "film/mean.h"
 #include "render/session.h"
+#include "scene/golden_sphere.h"
 #include "scene/shapes.h"
 
 namespace etendue::test {
@@ -20,6 +21,10 @@ using scene::sphere;
 
 // A scene as a document with a camera.
 render::Document document(scene::Scene scene, const Camera& camera, int width, int height);
+
+// The golden sphere (scene/golden_sphere.h): a square picture of its wall with random numbers. No roulette: walks
+// end where less than a millionth is missing.
+render::Document golden_sphere(double share, float albedo, scene::Cap cap = scene::Cap::reflecting, int size = 64);
 
 // The built-in box as a square picture.
 render::Document cornell(int size);

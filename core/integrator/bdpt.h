@@ -1,0 +1,67 @@
+// Bidirectional path tracing.             thesis 9.3, (9.78)-(9.110), errata E20-E26; Veach & Guibas 1995; Lafortune &
+// Willems 1993
+//
+// Each sample of a pixel lets a walk go from the camera and one from the lights, and connects every vertex of the one
+// with every vertex of the other: a path of k edges is found by up to k + 2 techniques (s, t), with s vertices from the
+// light and t from the camera, whose contributions are weighted by their densities (transport/mis_chain.h):
+//
+//   s = 0   the walk from the camera meets a light           t = 0   the walk from the light falls onto the lens
+//   s = 1   a point on a light is chosen anew                t = 1   the vertex is seen by the camera, anywhere in the
+//   else    the two vertices see each other                          picture
+#pragma once
+#include "integrator/method.h"
+#include "integrator/techniques.h"
+#include "transport/mis.h"
+
+namespace etendue::integrator {
+
+Result<void> accepts_techniques(std::string_view text);
+
+class Bdpt final : public Method<Bdpt> {
+ public:
+  static constexpr Description kDescription{
+      "bdpt",
+      "Bidirectional path tracing",
+      "Walks from the camera and from the lights, every vertex of the one connected with every vertex of the other",
+      "E(D|G|S)*L",
+      "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
+      Bias::unbiased,
+      "about the square of the path's length in rays; two walks and a picture beside the film",
+      "caustics seen in mirrors or through glass: found by chance alone, and never if the light is a point; scenes "
+      "whose "
+      "lights are far from what is seen",
+      Sampling::splats};
+
+  Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
+                                            "How the techniques that find a path share it"};
+  Number<int> roulette_start{
+      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+  Text without{
+      "without",
+      "Techniques left out",
+      "",
+      "Lets the others do the work of these: pairs s,t of vertices from the light and from the camera, '1,*' all "
+      "with s = 1. What none of the others finds is missing",
+      accepts_techniques,
+      {{"", "None"},
+       {"0,*", "Hits of lights, s = 0"},
+       {"1,*", "Light samples, s = 1"},
+       {"*,1", "To the camera, t = 1"}}};
+  Text only{"only",
+            "Techniques shown",
+            "",
+            "Shows what these alone find, weighted as if all were there",
+            accepts_techniques,
+            {{"", "All"},
+             {"0,*", "Hits of lights, s = 0"},
+             {"1,*", "Light samples, s = 1"},
+             {"*,1", "To the camera, t = 1"}}};
+  Toggle weighted{"weighted", "Weighted", true,
+                  "Off: each technique counts in full, so that several that find a path count it several times"};
+
+  auto knobs() { return std::tie(max_depth, heuristic, roulette_start, without, only, weighted); }
+
+  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const override;
+};
+
+}  // namespace etendue::integrator

@@ -1,0 +1,385 @@
+// A block of bidirectional samples: the walks from the lights, those from the camera, and what lies between them.
+#pragma once
+#include "integrator/bdpt.h"
+#include "integrator/light_terms.h"
+#include "integrator/subpaths.h"
+#include "transport/class_join.h"
+
+namespace etendue::integrator {
+
+// What all blocks of a picture share.
+struct BidirectionalPlan {
+  transport::MisHeuristic heuristic;
+  int max_depth, roulette_start;
+  Techniques without, only;
+  bool weighted;
+  std::optional<transport::ClassJoin> classes;
+
+  bool too_long(int edges) const { return max_depth > 0 && edges > max_depth; }
+  bool counts(int s, int t) const { return !without.contains(s, t) && (only.empty() || only.contains(s, t)); }
+};
+
+template <class M>
+class Bidirectional {
+ public:
+  using Front = transport::Front<M>;
+  using Color = typename M::Color;
+  using Start = typename LightWalks<M>::Start;
+  // Walks that go side by side: fewer than a front holds, so that what is kept of them stays near the processor.
+  static constexpr int kWidth = 16, kHeight = 16;
+
+  std::optional<uint64_t> sample(const Pass& pass, const BidirectionalPlan& plan, const PixelBlock& block,
+                                 std::span<Rgb> radiance, const Turn& turn) {
+    pass_ = &pass, plan_ = &plan;
+    pixels_ = static_cast<float>(pass.width) * static_cast<float>(pass.height);
+    const BlockOrder order(block);
+    Splatter splatter(pass, turn, 1 / pixels_);
+    shoot(block, order, turn, splatter);
+    if (light_.given_up()) return {};
+    gather(block, order, turn);
+    const auto rays = collect(camera_, order, radiance);
+    if (!rays) return {};
+    return *rays + light_.rays_traced() + connection_rays_ + splatter.finish();
+  }
+
+ private:
+  using MisVertex = transport::MisVertex;
+  using MisChain = transport::MisChain;
+  using MisRule = transport::MisRule;
+  using Vertex = LightVertex<M>;
+  static constexpr size_t kPaths = size_t{kWidth} * kHeight;
+  static constexpr size_t kArrivals = Front::kArrivals;
+  template <class T>
+  using PerPath = std::array<T, kPaths>;
+
+  MisRule light_rule() const { return {plan_->heuristic, MisRule::Side::light}; }
+  MisRule camera_rule() const { return {plan_->heuristic, MisRule::Side::camera}; }
+
+  // ---- Walks from the lights.
+
+  void shoot(const PixelBlock& block, const BlockOrder& order, const Turn& turn, Splatter& splatter) {
+    pool_.clear();
+    last_.fill(nullptr);
+    const auto number_of = [&](int i) {
+      return static_cast<uint32_t>((block.y + order.y(i)) * pass_->width + block.x + order.x(i));
+    };
+    walks_.launch(*pass_, block.sample, order.size(), turn, light_, number_of,
+                  [&](int i, const Start& start, Vec2 lens) { begin_light(i, start, lens, block.sample, splatter); });
+    const MisRule rule = light_rule();
+    while (light_.advance()) {
+      if (pass_->camera->can_be_hit())
+        escape_through_lens(*pass_, walks_, light_, splatter,
+                            [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
+      while (light_.arrive()) {
+        if (pass_->camera->can_be_hit())
+          pass_through_lens(*pass_, walks_, light_, splatter,
+                            [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
+        if (light_.length() == 1) walks_.dim_first_vertices(light_);
+        note_arrivals(light_, light_chains_, rule);
+        if (plan_->too_long(light_.length() + 1)) continue;
+        connect_to_camera(*pass_, walks_, light_, splatter,
+                          [&](int i, const CameraRays::View& view) { return weight_to_camera(i, view); });
+        keep_vertices();
+        transport::scatter_noted(light_, plan_->roulette_start, Transport::importance,
+                                 [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
+      }
+    }
+  }
+
+  void begin_light(int i, const Start& start, Vec2 lens, uint32_t sample, Splatter& splatter) {
+    const Emission& e = start.emission;
+    MisChain& chain = light_chains_[static_cast<size_t>(i)];
+    chain.start(e.density.first, !e.density.delta, e.density.infinite);
+    chain.leave(e.density.second,
+                e.kind == LightKind::triangle ? std::abs(glm::dot(start.point.ng, e.direction)) : 1.0f);
+    if (plan_->too_long(1)) return;
+    see_light<M>(
+        *pass_, start, lens, light_.state(i).seed + sample, splatter,
+        [&](float pixels, const Vec3& wi, float distance) { return weight_of_view(start, pixels, wi, distance); });
+  }
+
+  // The light itself is seen by the camera: (1, 1).
+  float weight_of_view(const Start& start, float pixels, const Vec3& wi, float distance) const {
+    const EmissionDensity& light = start.emission.density;
+    const float hit = possible(0, 2) ? light_rule().ratio(pixels / pixels_ / light.first) : 0;
+    float fall = 0;
+    if (pass_->camera->can_be_hit() && possible(2, 0)) {
+      const float cosine = pass_->camera->cosine(-wi), area = pass_->camera->lens_area();
+      fall = light.infinite ? light.second * cosine : side_density(start, wi) * cosine / sqr(distance);
+      fall = camera_rule().ratio(fall * area);
+    }
+    return weight(1, 1, hit, fall);
+  }
+
+  // Of a direction in which a triangle shines, per solid angle.
+  float side_density(const Start& start, const Vec3& wi) const {
+    return pass_->scene->lights().density_of_triangle(start.emission.light, glm::dot(start.point.ng, wi)).second;
+  }
+
+  // The walk fell onto the lens: t = 0.
+  float weight_on_lens(int path, const CameraRays::Arrival& a) {
+    const int s = light_.length() + 1;
+    if (plan_->too_long(light_.length())) return 0;
+    MisChain chain = light_chains_[static_cast<size_t>(path)];
+    const MisVertex on_lens = chain.arrive(light_rule(), sqr(a.distance), a.cosine);
+    const float sum = light_sum(on_lens, s - 1, last_[static_cast<size_t>(path)], 1 / pass_->camera->lens_area(),
+                                a.density / pixels_, 0);
+    return weight(s, 0, sum, 0);
+  }
+
+  // The vertex is seen by the camera: t = 1.
+  float weight_to_camera(int i, const CameraRays::View& view) {
+    const int s = light_.length() + 1;
+    const scene::SurfacePoint& point = light_.point(i);
+    const Bsdf<M>& bsdf = light_.bsdf(i);
+    const Vec3& wo = light_.wo(i);
+    const float cosine = std::abs(glm::dot(point.ng, view.wi));
+    const float lights =
+        light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_[static_cast<size_t>(light_.path_at(i))],
+                  view.importance * cosine / pixels_, bsdf.pdf(view.wi, wo), 1);
+    float lens = 0;
+    if (pass_->camera->can_be_hit() && possible(s + 1, 0)) {
+      const float distance = view.distance, c = pass_->camera->cosine(-view.wi);
+      lens = camera_rule().ratio(bsdf.pdf(wo, view.wi) * c / sqr(distance) * pass_->camera->lens_area());
+    }
+    return weight(s, 1, lights, lens);
+  }
+
+  void keep_vertices() {
+    for (int i = 0; i < light_.arrived(); ++i) {
+      if (!light_.bsdf(i).has_non_delta()) {
+        // What cannot be connected still belongs to the densities of what comes after.
+        if (plan_->without.empty()) continue;
+      }
+      const int path = light_.path_at(i);
+      const Vertex*& last = last_[static_cast<size_t>(path)];
+      Vertex& v = pool_.add();
+      v.point = light_.point(i), v.bsdf = light_.bsdf(i), v.wo = light_.wo(i);
+      v.bsdf.refer_to(v.point.shading, v.point.ng);
+      v.flux = light_.state(path).throughput * walks_.flux(path);
+      v.mis = light_vertices_[static_cast<size_t>(i)];
+      v.length = light_.length(), v.before = last;
+      if constexpr (M::kClasses) light_.shares().copy(path, v.shares);
+      last = &v;
+    }
+  }
+
+  // ---- Walks from the camera.
+
+  void gather(const PixelBlock& block, const BlockOrder& order, const Turn& turn) {
+    connection_rays_ = 0;
+    launch_camera_walks(*pass_, block, order, turn, camera_);
+    for (int i = 0; i < order.size(); ++i) {
+      MisChain& chain = camera_chains_[static_cast<size_t>(i)];
+      const bool hit = pass_->camera->can_be_hit();
+      chain.start(hit ? 1 / pass_->camera->lens_area() : 1, hit, false);
+    }
+    const MisRule rule = camera_rule();
+    while (camera_.advance()) {
+      transport::add_environment_weighed(camera_, [&](int i) { return weight_of_escape(i); });
+      while (camera_.arrive()) {
+        if (camera_.length() == 1) leave_lens();
+        note_arrivals(camera_, camera_chains_, rule);
+        if (!plan_->without.empty()) remember_camera_vertices();
+        transport::add_emission_weighed(camera_, [&](int i) { return weight_of_emission(i); });
+        if (plan_->too_long(camera_.length() + 1)) continue;
+        transport::add_direct_light_weighed(
+            camera_, transport::Shadows::cast,
+            [&](int i, const LightSample& light, const auto& value) { return weight_of_light(i, light, value.pdf); });
+        connect_vertices();
+        transport::scatter_noted(camera_, plan_->roulette_start, Transport::radiance,
+                                 [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
+      }
+    }
+    settle();
+  }
+
+  // Directions through the lens have the density of the picture's pixels.
+  void leave_lens() {
+    for (int i = 0; i < camera_.arrived(); ++i) {
+      const Vec3 direction = -camera_.wo(i);
+      const float distance = glm::distance(camera_.state_at(i).from, camera_.point(i).position);
+      const float density = pass_->camera->pixels_per_area(direction, distance) * sqr(distance) / pixels_;
+      camera_chains_[static_cast<size_t>(camera_.path_at(i))].leave(density, pass_->camera->cosine(direction));
+    }
+  }
+
+  void remember_camera_vertices() {
+    const auto length = static_cast<size_t>(camera_.length());
+    if (history_.size() < length) history_.resize(length);
+    for (int i = 0; i < camera_.arrived(); ++i)
+      history_[length - 1][static_cast<size_t>(camera_.path_at(i))] = camera_vertices_[static_cast<size_t>(i)];
+  }
+
+  float weight_of_emission(int i) {
+    const int t = camera_.length() + 1;
+    if (plan_->too_long(t - 1)) return 0;
+    const scene::SurfacePoint& point = camera_.point(i);
+    const uint32_t light = pass_->scene->light_at(point);
+    if (light == scene::InstanceData::kNotALight) return weight(0, t, 0, 0);
+    const auto d = pass_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)));
+    return weight(
+        0, t, 0, camera_sum(camera_.path_at(i), camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
+  }
+
+  float weight_of_escape(int i) {
+    const int t = camera_.length() + 1, path = camera_.path_of_escape(i);
+    if (plan_->too_long(t - 1)) return 0;
+    const Vec3& direction = camera_.escape_direction(i);
+    const auto d = pass_->scene->lights().density_of_escape(direction);
+    MisChain chain = camera_chains_[static_cast<size_t>(path)];
+    if (camera_.length() == 1) {
+      // From the lens to infinity: (1, 1) is the only other one.
+      const float pixels = pass_->camera->pixels_per_area(direction, 1) / pixels_;
+      const bool seen = pass_->camera->can_see_infinity() && possible(1, 1);
+      return weight(0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
+    }
+    const MisVertex far = chain.arrive_at_infinity(camera_rule());
+    return weight(0, t, 0, camera_sum(path, far, t - 1, d.first, d.second, 0));
+  }
+
+  // A weight over the density of the sample.
+  float weight_of_light(int i, const LightSample& light, float pdf) {
+    const int t = camera_.length() + 1;
+    if (plan_->too_long(t)) return 0;
+    const scene::SurfacePoint& point = camera_.point(i);
+    const float cosine = std::abs(glm::dot(point.ng, light.wi));
+    const EmissionDensity d = pass_->scene->lights().density_of(light);
+    const float hits = light.delta || !possible(0, t + 1) ? 0.0f : light_rule().ratio(pdf / light.pdf);
+    const float back = d.second * (d.infinite ? cosine : cosine / sqr(light.distance));
+    const float cameras = camera_sum(camera_.path_at(i), camera_vertices_[static_cast<size_t>(i)], t - 1, back,
+                                     camera_.bsdf(i).pdf(light.wi, camera_.wo(i)), 1);
+    return weight(1, t, hits, cameras) / light.pdf;
+  }
+
+  // Every vertex of the walk from the light with the present one of the camera's.
+  void connect_vertices() {
+    for (int i = 0; i < camera_.arrived(); ++i) {
+      if (!camera_.bsdf(i).has_non_delta()) continue;
+      for (const Vertex* v = last_[static_cast<size_t>(camera_.path_at(i))]; v; v = v->before)
+        if (v->bsdf.has_non_delta() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
+    }
+  }
+
+  void connect(int i, const Vertex& y) {
+    const scene::SurfacePoint& z = camera_.point(i);
+    const Vec3 to_y = y.point.position - z.position;
+    const float squared = length_squared(to_y);
+    if (!(squared > 0)) return;
+    const float distance = std::sqrt(squared);
+    const Vec3 wi = to_y / distance;
+    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, Transport::radiance);
+    if (is_black(at_z.f_cos)) return;
+    const auto at_y = y.bsdf.evaluate(y.wo, -wi, Transport::importance);
+    if (is_black(at_y.f_cos)) return;
+    const int s = y.length + 1, t = camera_.length() + 1, path = camera_.path_at(i);
+    const float to_area = 1 / squared;
+    const float lights =
+        light_sum(y.mis, s - 1, &y, at_z.pdf * std::abs(glm::dot(y.point.ng, wi)) * to_area, y.bsdf.pdf(-wi, y.wo), t);
+    const float cameras =
+        camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1,
+                   at_y.pdf * std::abs(glm::dot(z.ng, wi)) * to_area, camera_.bsdf(i).pdf(wi, camera_.wo(i)), s);
+    const float w = weight(s, t, lights, cameras);
+    if (w == 0) return;
+    auto& state = camera_.state(path);
+    Color value = state.throughput * at_z.f_cos * at_y.f_cos * y.flux * (w * to_area);
+    value *= transport::transmittance<M>(z, wi, distance);
+    if constexpr (M::kClasses) value *= share(i, y, wi);
+    if (is_black(value)) return;
+    const uint32_t seed = path_seed(state.seed, camera_.sample()) + static_cast<uint32_t>(64 * s + t);
+    connections_.add(ray_to(z, wi, distance), seed, {static_cast<uint16_t>(path), value});
+    if (connections_.full()) settle();
+  }
+
+  // Of the connection, what belongs to the classes that are asked for.
+  Color share(int i, const Vertex& y, const Vec3& wi) {
+    camera_.shares().copy(camera_.path_at(i), row_);
+    camera_.shares().connected(row_, camera_.bsdf(i), camera_.wo(i), wi, at_camera_);
+    light_.shares().connected(y.shares, y.bsdf, y.wo, -wi, at_light_);
+    Color sum(0);
+    for (size_t r = 0; r < at_light_.size(); ++r)
+      for (size_t q = 0; q < at_camera_.size(); ++q)
+        if (plan_->classes->go_together(static_cast<uint8_t>(q), static_cast<uint8_t>(r)))
+          sum += at_light_[r] * at_camera_[q];
+    return sum;
+  }
+
+  void settle() {
+    connection_rays_ +=
+        connections_.settle(*pass_->scene, [this](const Connected& c) { camera_.state(c.path).radiance += c.value; });
+  }
+
+  // ---- Of either kind.
+
+  void note_arrivals(Front& front, PerPath<MisChain>& chains, const MisRule& rule) {
+    auto& vertices = &front == &light_ ? light_vertices_ : camera_vertices_;
+    for (int i = 0; i < front.arrived(); ++i) {
+      const scene::SurfacePoint& point = front.point(i);
+      const Vec3 edge = point.position - front.state_at(i).from;
+      vertices[static_cast<size_t>(i)] = chains[static_cast<size_t>(front.path_at(i))].arrive(
+          rule, length_squared(edge), std::abs(glm::dot(point.ng, front.wo(i))));
+    }
+  }
+
+  void note_scatter(Front& front, PerPath<MisChain>& chains, const MisRule& rule, int i, const LobeSample<Color>& s) {
+    auto& vertices = &front == &light_ ? light_vertices_ : camera_vertices_;
+    const Vec3& ng = front.point(i).ng;
+    const float cos_o = std::abs(glm::dot(ng, front.wo(i))), cos_i = std::abs(glm::dot(ng, s.wi));
+    MisChain& chain = chains[static_cast<size_t>(front.path_at(i))];
+    chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : front.bsdf(i).pdf(s.wi, front.wo(i)),
+                  s.delta);
+    chain.leave(s.delta ? cos_i : s.pdf_solid_angle, cos_i);
+  }
+
+  // ---- Weights.
+
+  bool possible(int s, int t) const { return !plan_->without.contains(s, t); }
+
+  // S of the light's side, whose last vertex is v_j (not yet kept if `kept` is the one before it).
+  float light_sum(const MisVertex& v, int j, const Vertex* kept, float back, float further_back, int t) const {
+    if (plan_->without.empty()) return v.sum(light_rule(), back, further_back);
+    const auto vertex = [&](int k) -> const MisVertex& {
+      if (k == j) return v;
+      const Vertex* at = kept;
+      while (at->length > k) at = at->before;
+      return at->mis;
+    };
+    return transport::sum_of_terms(light_rule(), j, back, further_back, vertex,
+                                   [&](int s) { return possible(s, j + 1 + t - s); });
+  }
+
+  float camera_sum(int path, const MisVertex& v, int j, float back, float further_back, int s) const {
+    if (plan_->without.empty()) return v.sum(camera_rule(), back, further_back);
+    const auto vertex = [&](int k) -> const MisVertex& {
+      return k == j ? v : history_[static_cast<size_t>(k - 1)][static_cast<size_t>(path)];
+    };
+    return transport::sum_of_terms(camera_rule(), j, back, further_back, vertex,
+                                   [&](int t) { return possible(j + 1 + s - t, t); });
+  }
+
+  float weight(int s, int t, float light, float camera) const {
+    if (!plan_->counts(s, t)) return 0;
+    return plan_->weighted ? MisRule::weight(plan_->heuristic, light, camera) : 1;
+  }
+
+  struct Connected {
+    uint16_t path;
+    Color value;
+  };
+
+  const Pass* pass_ = nullptr;
+  const BidirectionalPlan* plan_ = nullptr;
+  float pixels_ = 1;  // of the picture
+  Front light_, camera_;
+  LightWalks<M> walks_;
+  VertexPool<M> pool_;
+  PerPath<const Vertex*> last_;
+  PerPath<MisChain> light_chains_, camera_chains_;
+  std::array<MisVertex, kArrivals> light_vertices_, camera_vertices_;  // of the present arrivals
+  std::vector<PerPath<MisVertex>> history_;  // the camera's vertices by length, where techniques are left out
+  transport::Connections<Connected> connections_;
+  uint64_t connection_rays_ = 0;
+  std::vector<Color> row_, at_camera_, at_light_;
+};
+
+}  // namespace etendue::integrator
