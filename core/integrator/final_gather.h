@@ -42,10 +42,10 @@ class FinalGather {
         const auto number = static_cast<uint32_t>(eye.length() * rays_ + k);
         origins_[static_cast<size_t>(front_.size())] = static_cast<uint8_t>(i);
         front_.add(hash_combine(eye.state_at(i).seed, number));
-        if (front_.size() == Front::kCapacity) trace(eye), begin_rays(pass, turn, eye);
+        if (front_.size() == Front::kCapacity) trace(turn, eye), begin_rays(pass, turn, eye);
       }
     }
-    if (front_.size() > 0) trace(eye);
+    if (front_.size() > 0) trace(turn, eye);
   }
 
  private:
@@ -58,10 +58,13 @@ class FinalGather {
     if constexpr (M::kClasses) front_.admit(pass.model->paths->automaton());
   }
 
-  void trace(Front& eye) {
+  void trace(const Turn& turn, Front& eye) {
     launch(eye);
-    while (front_.advance())
-      while (front_.arrive()) look_up(eye.length());
+    while (!given_up_ && front_.advance())
+      while (!given_up_ && front_.arrive()) {
+        look_up(eye.length());
+        given_up_ = !is_wanted(turn);
+      }
     given_up_ = given_up_ || front_.given_up();
     rays_traced_ += front_.rays_traced();
     for (int i = 0; i < front_.size(); ++i) eye.state_at(origin(i)).radiance += front_.state(i).radiance;

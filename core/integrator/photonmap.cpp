@@ -81,25 +81,27 @@ class PhotonMapping::Maps final : public Work {
     const BlockOrder order(block);
     launch_camera_walks(pass_, block, order, turn, front);
     if (method_.direct()) {
-      estimate_directly(view(block.sample, false), front);
+      if (!estimate_directly(view(block.sample, false), turn, front)) return {};
       return collect(front, order, radiance);
     }
     static thread_local const auto gatherer = std::make_unique<FinalGather<M>>();
     gatherer->begin({view(block.sample, false), method_.nearest_of(method_.photons, size_)},
                     {view(block.sample, true), method_.nearest_of(method_.caustic_photons, size_)}, method_.gather,
                     method_.near * size_);
-    estimate_in_terms(pass_, turn, *gatherer, front);
+    if (!estimate_in_terms(turn, *gatherer, front)) return {};
     const auto rays = collect(front, order, radiance);
     if (!rays || gatherer->given_up()) return {};
     return *rays + gatherer->rays_traced();
   }
 
+  // False if nobody wants it any more: lookups take a while.
   template <class M>
-  void estimate_directly(const PhotonView& view, transport::Front<M>& front) const {
+  bool estimate_directly(const PhotonView& view, const Turn& turn, transport::Front<M>& front) const {
     using namespace transport;
     while (front.advance()) {
       add_environment(front, kPartsHeuristic);
       while (front.arrive()) {
+        if (!is_wanted(turn)) return false;
         add_emission(front, kPartsHeuristic);
         if (method_.at_limit(front.length())) continue;
         add_light_by_parts(front, view.split, LitParts::narrow);
@@ -107,24 +109,26 @@ class PhotonMapping::Maps final : public Work {
         scatter(front, method_.roulette_start, Transport::radiance, TakeNarrow{view.split});
       }
     }
+    return true;
   }
 
   template <class M>
-  void estimate_in_terms(const Pass& pass, const Turn& turn, FinalGather<M>& gatherer,
-                         transport::Front<M>& front) const {
+  bool estimate_in_terms(const Turn& turn, FinalGather<M>& gatherer, transport::Front<M>& front) const {
     using namespace transport;
     const LobeSplit split = method_.split();
     while (front.advance()) {
       add_environment(front, kPartsHeuristic);
       while (front.arrive()) {
+        if (!is_wanted(turn)) return false;
         add_emission(front, kPartsHeuristic);
         if (method_.at_limit(front.length())) continue;
         add_light_by_parts(front, split, LitParts::both);
         gatherer.add_caustics(front);
-        gatherer.gather(pass, turn, front);
+        gatherer.gather(pass_, turn, front);
         scatter(front, method_.roulette_start, Transport::radiance, TakeNarrow{split});
       }
     }
+    return true;
   }
 
   const PhotonMapping& method_;

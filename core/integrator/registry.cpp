@@ -3,12 +3,14 @@
 #include <functional>
 
 #include "integrator/bdpt.h"
+#include "integrator/igi.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/photonmap.h"
 #include "integrator/raycast.h"
+#include "integrator/sppm.h"
 
 namespace etendue::integrator {
 namespace {
@@ -34,6 +36,8 @@ const std::vector<Entry>& entries() {
       entry<Light>(),
       entry<Bdpt>(),
       entry<PhotonMapping>(),
+      entry<ProgressivePhotonMapping>(),
+      entry<InstantGlobalIllumination>(),
   };
   return all;
 }
