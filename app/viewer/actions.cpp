@@ -193,6 +193,8 @@ void view_actions(Actions& a, Workbench* w) {
          [w] { return w->view.false_color; }});
   a.add({"view.health-map", "View", "Map of tails", "Marks the parts of the picture whose rarest samples are too bright for its error to be trusted", "", [w] { w->view.health_map = !w->view.health_map; }, loaded,
          [w] { return w->view.health_map; }});
+  a.add({"view.points", "View", "Photons, virtual lights", "Shows what the method keeps in space where the camera sees it, in the colour of its power", "", [w] { w->view.points = !w->view.points; }, loaded,
+         [w] { return w->view.points; }});
   a.add({"view.interface", "View", "Interface", "Hides everything but the picture", "h", [w] { w->view.interface = !w->view.interface; }, {},
          [w] { return w->view.interface; }});
   for (const SheetInfo& sheet : sheets())

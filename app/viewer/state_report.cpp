@@ -206,11 +206,13 @@ std::string state_report(Workbench& w) {
       {"advice", advice_json(w.advice)},
       {"techniques", techniques_json(w.techniques)},
       {"misses", nullptr},
+      {"points", nullptr},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
       {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
   if (const auto* misses = w.misses()) state["misses"] = misses->share;
+  if (const auto* points = w.points.shown()) state["points"] = {{"kept", points->kept}, {"seen", points->points.size()}};
   if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);
   if (status.error.known) state["rmse"] = status.error.rmse;
   if (status.health) state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};

@@ -37,6 +37,7 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       paths(session, editor, o.threads, [&p] { p.wake(); }),
       blind_spots(session, editor, [&p] { p.wake(); }),
       techniques(session, editor, [&p] { p.wake(); }),
+      points(session, editor, [&p] { p.wake(); }),
       thumbnails(p.gl()),
       advice(session, editor, o.threads, [&p] { p.wake(); }),
       probe(session, editor, [&p] { p.wake(); }) {
@@ -198,6 +199,7 @@ bool Workbench::advance(Picture& on_screen) {
   contest.advance(comparison, notices);
   advice.advance(notices);
   paths.advance(view.sheet == "sheet.paths" && !advice.running());
+  if (points.advance(view.points)) redraw = true;
   techniques.advance(view.sheet == "sheet.techniques" && view.interface && !advice.running() && !contest.running(), notices);
   const bool busy = advice.running() || contest.running() || paths.running();
   blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());

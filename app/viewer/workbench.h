@@ -19,6 +19,7 @@
 #include "viewer/notices.h"
 #include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
+#include "viewer/points_hand.h"
 #include "viewer/settings.h"
 #include "viewer/techniques_hand.h"
 #include "viewer/theme.h"
@@ -52,6 +53,7 @@ struct View {
   bool typing = false;   // a text field has the keyboard
   bool false_color = false;
   bool health_map = false;
+  bool points = false;  // photons and virtual lights over the picture
   std::string aov;  // the layer shown instead of the picture
   Tab tab = Tab::render;
   std::optional<Tab> reveal;    // the tab to bring to the front in the next frame
@@ -126,6 +128,7 @@ struct Workbench {
   PathsHand paths;
   BlindSpotsHand blind_spots;
   TechniquesHand techniques;
+  PointsHand points;
   Thumbnails thumbnails;  // of the techniques
   AdviceHand advice;
   PixelProbe probe;

@@ -104,6 +104,12 @@ struct Phase {
   int tasks;
 };
 
+// Something that a method keeps in space: a photon, a virtual light.
+struct PointOfLight {
+  Vec3 position;
+  Rgb power;  // watts
+};
+
 // One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
 // rays traced; nothing if they were given up, and are then done again from their beginning.
 class Work {
@@ -120,6 +126,10 @@ class Work {
   virtual std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn);
 
   virtual size_t memory() const { return 0; }  // bytes, of what it keeps
+
+  // A look at what it keeps in space, between two tasks: kMostPoints at most; null if it keeps nothing of the kind.
+  static constexpr size_t kMostPoints = 200'000;
+  virtual std::shared_ptr<const std::vector<PointOfLight>> points() const { return nullptr; }
 };
 
 class Integrator {

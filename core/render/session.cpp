@@ -159,6 +159,10 @@ class Session::Impl {
     });
   }
 
+  std::shared_ptr<const std::vector<integrator::PointOfLight>> points() {
+    return between_slices([&] { return runner_ ? runner_->points() : nullptr; });
+  }
+
   std::vector<double> latencies_, restart_latencies_;
 
  private:
@@ -371,9 +375,9 @@ class Session::Impl {
   void coarse_frame() {
     const auto start = Clock::now();
     const int w = std::max(1, document_.width / coarse_scale_), h = std::max(1, document_.height / coarse_scale_);
+    // Under the same seed, so that photons are traced for both.
     Document small = document_;
     small.method.adaptive = Adaptive::off;
-    small.seed = mix_bits(document_.seed + 0x9e3779b97f4a7c15ULL * static_cast<uint64_t>(coarse_scale_));
     PassRunner runner(small, shown_scene_, w, h, runner_.get());
     film::Film film(w, h);
     PassRunner::Counters counters;
@@ -584,6 +588,7 @@ void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
 std::optional<std::vector<float>> Session::reweighted_copy() { return impl_->reweighted_copy(); }
+std::shared_ptr<const std::vector<integrator::PointOfLight>> Session::points() { return impl_->points(); }
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {
   Document limited = document;

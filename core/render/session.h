@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "film/film.h"
+#include "integrator/integrator.h"
 #include "render/document.h"
 #include "render/forecast.h"
 #include "render/frame.h"
@@ -87,6 +88,8 @@ class Session {
   film::Film film_copy();
   // The same as it is shown, three numbers a pixel, where film.fireflies re-weights it; nothing where it does not.
   std::optional<std::vector<float>> reweighted_copy();
+  // What the method keeps in space (photons, virtual lights), taken likewise; null if nothing.
+  std::shared_ptr<const std::vector<integrator::PointOfLight>> points();
   // Continues with a film from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
   // there.
   uint64_t submit(const Document& document, film::Film start);

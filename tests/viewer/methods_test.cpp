@@ -82,6 +82,22 @@ TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
   expect_refusal(joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0;1")})), "is no technique");
 }
 
+TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
+  const auto steps = joined(small(2), steps_of({set("render.integrator", "photonmap"), {{"do", "wait"}, {"spp", 2}}, file_step("screenshot", path("without.png")),
+                                                click("view.points"), {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("a.json")),
+                                                file_step("screenshot", path("with.png")), set("render.integrator", "path"), {{"do", "wait"}, {"spp", 2}},
+                                                {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("b.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  const auto points = state("a.json")["points"];
+  EXPECT_GT(points["kept"], 100);
+  EXPECT_GT(points["seen"], 10);
+  EXPECT_LE(points["seen"], points["kept"]);
+  EXPECT_EQ(state("b.json")["points"]["kept"], 0);
+  const auto with = image::read_linear(path("with.png")), without = image::read_linear(path("without.png"));
+  ASSERT_TRUE(with && without);
+  EXPECT_NE(with->find("")->pixels, without->find("")->pixels);
+}
+
 class Techniques : public Viewer {
  protected:
   static json pyramid(bool weighted) {
