@@ -45,6 +45,7 @@ json integrators() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
     json j = entry(info.name, info.label, info.doc, info.parameters);
+    j["group"] = integrator::info_of(info.group).name, j["key"] = info.key ? json(std::string(1, info.key)) : json();
     j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias),
     j["cost"] = info.cost, j["fails"] = info.fails;
     list.push_back(j);
@@ -148,8 +149,9 @@ void print(const json& list) {
     std::printf("%s: %s\n  %s\n", e["name"].get<std::string>().c_str(), e["label"].get<std::string>().c_str(),
                 e["doc"].get<std::string>().c_str());
     if (e.contains("paths"))
-      std::printf("  paths %s, %s\n  fails: %s\n", e["paths"].get<std::string>().c_str(),
-                  e["bias"].get<std::string>().c_str(), e["fails"].get<std::string>().c_str());
+      std::printf("  %s; paths %s, %s\n  fails: %s\n", e["group"].get<std::string>().c_str(),
+                  e["paths"].get<std::string>().c_str(), e["bias"].get<std::string>().c_str(),
+                  e["fails"].get<std::string>().c_str());
     for (const auto& p : e["parameters"]) print_parameter(p);
   }
 }

@@ -15,6 +15,7 @@
 #include "progress.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
+#include "render/obstacle.h"
 #include "render/output.h"
 #include "render/session.h"
 #include "scene/builtin.h"
@@ -87,6 +88,8 @@ Result<void> apply(const Options& o, render::Document& d) {
     if (auto r = give("render.seed", std::to_string(o.seed)); !r) return r;
   if (!std::isnan(o.exposure))
     if (auto r = give("camera.exposure", std::to_string(o.exposure)); !r) return r;
+  const std::string even = render::adaptive_obstacle(d.method.integrator);
+  if (d.method.adaptive != render::Adaptive::off && !even.empty()) return usage_error("render.adaptive: " + even);
   return {};
 }
 
@@ -118,9 +121,13 @@ Result<std::vector<std::string>> aov_list(const std::string& text) {
 
 std::string progress_text(const render::Status& s) {
   char text[128];
-  std::snprintf(text, sizeof text, "%u spp  %.2f Ms/s  %.2f Mrays/s%s", s.samples, s.paths_per_second * 1e-6,
-                s.rays_per_second * 1e-6, "");
+  std::snprintf(text, sizeof text, "%u spp  %.2f Ms/s  %.2f Mrays/s", s.samples, s.paths_per_second * 1e-6,
+                s.rays_per_second * 1e-6);
   std::string line = text;
+  if (s.phase_progress > 0) {
+    std::snprintf(text, sizeof text, "  %s %.0f %%", s.phase.c_str(), 100 * s.phase_progress);
+    line += text;
+  }
   if (s.error.known) {
     std::snprintf(text, sizeof text, "  rmse %.2g", s.error.rmse);
     line += text;
@@ -182,6 +189,7 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
           {"health", s.health ? health_json(*s.health) : nlohmann::json()},
           {"peak_rss_bytes", peak_memory()},
           {"model", flags},
+          {"obstacle", s.obstacle.empty() ? nlohmann::json() : nlohmann::json(s.obstacle)},
           {"certificate", nlohmann::json::parse(certificate)}};
 }
 
@@ -202,12 +210,6 @@ int run(const Options& o) {
   for (const auto& warning : d.scene->warnings)
     std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
 
-  if (const auto* info = integrator::find_integrator(d.method.integrator);
-      !integrator::finds_any(*info, d.method.paths))
-    std::fprintf(stderr,
-                 "etendue: film.paths: %s finds %s, none of %s: the picture will be black; take another integrator\n",
-                 info->name.c_str(), info->paths.c_str(), d.method.paths.c_str());
-
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::SessionOptions session_options;
   session_options.threads = o.threads;
@@ -218,6 +220,11 @@ int run(const Options& o) {
     session.submit(d);
 
   Progress progress;
+  bool warned = false;
+  const auto warn = [&](const render::Status& s) {
+    if (!warned && !s.obstacle.empty()) std::fprintf(stderr, "etendue: %s\n", s.obstacle.c_str());
+    warned = warned || !s.obstacle.empty();
+  };
   auto last_checkpoint = std::chrono::steady_clock::now();
   const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
   const auto save_checkpoint = [&]() -> Result<void> {
@@ -228,6 +235,7 @@ int run(const Options& o) {
   while (!session.status().finished && !interrupted) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     const auto status = session.status();
+    warn(status);
     progress.show(status.progress, progress_text(status));
     const double since = std::chrono::duration<double>(std::chrono::steady_clock::now() - last_checkpoint).count();
     if (o.checkpoint > 0 && since >= o.checkpoint) {
@@ -239,6 +247,7 @@ int run(const Options& o) {
   progress.finish();
 
   const auto status = session.status();
+  warn(status);
   const film::Film film = session.film_copy();
   if (interrupted && o.checkpoint > 0)
     if (auto ok = save_checkpoint(); !ok) return fail(ok.error());

@@ -71,17 +71,19 @@ void render_actions(Actions& a, Workbench* w) {
   a.add({"render.pause", "Render", "Pause", "Keeps the picture as it is, and the processor free", "space", [w] { w->session.pause(!w->session.paused()); },
          [w] { return !w->editor.empty() && !w->contest.running() && !w->advice.running(); }, [w] { return w->session.paused(); }});
   a.add({"render.restart", "Render", "Restart", "Throws the samples away and starts again", "r", [w] { w->session.restart(); }, loaded, {}});
-  a.add({"render.previous", "Render", "Previous integrator", "Back and forth between the last two", "tab", [w] {
-           const auto& infos = integrator::integrator_infos();
-           for (size_t i = 0; i < infos.size(); ++i)
-             if (infos[i].name == w->previous_integrator) return w->choose_integrator(i);
-         }, [w] { return !w->previous_integrator.empty(); }, {}});
-  const auto& infos = integrator::integrator_infos();
-  for (size_t i = 0; i < infos.size(); ++i) {
-    const std::string key = i < 9 ? std::to_string(i + 1) : i == 9 ? "0" : "";
-    a.add({"integrator." + infos[i].name, "Render", infos[i].label, infos[i].doc, key, [w, i] { w->choose_integrator(i); }, loaded,
-           [w, name = infos[i].name] { return w->editor.document().method.integrator == name; }});
-  }
+  a.add({"render.previous", "Integrator", "Previous integrator", "Back and forth between the last two", "tab", [w] { w->choose_integrator(w->previous_integrator); }, [w] { return !w->previous_integrator.empty(); }, {}});
+}
+
+// Group by group; what the registry gives a key has it here.
+void integrator_actions(Actions& a, Workbench* w) {
+  const auto loaded = [w] { return !w->editor.empty(); };
+  for (const auto& group : integrator::kGroups)
+    for (const auto& info : integrator::integrator_infos()) {
+      if (integrator::info_of(info.group).name != group.name) continue;
+      const std::string key = info.key ? std::string(1, info.key) : "";
+      a.add({"integrator." + info.name, "Integrator", info.label, info.doc, key, [w, name = info.name] { w->choose_integrator(name); }, loaded,
+             [w, name = info.name] { return w->editor.document().method.integrator == name; }, group.label, group.doc});
+    }
 }
 
 void ask_for_side(Workbench& w, Comparison::Target target) {
@@ -103,6 +105,25 @@ void ask_for_chart(Workbench& w) {
   const std::string scene = std::filesystem::path(w.editor.document().scene_name).stem().string();
   w.files.ask("Export the chart (.svg, .png) or its points (.csv)", w.settings.folder, {".svg", ".png", ".csv"}, true, scene + "-convergence.svg",
               [&w](const std::string& file) { w.contest.write(file); });
+}
+
+void choose_all_techniques(Workbench& w) {
+  const auto& info = *integrator::find_integrator(w.editor.document().method.integrator);
+  for (const auto& binding : render::bindings(w.editor.document(), info.name))
+    if (binding.info.name == info.name + "." + std::string(info.techniques.without)) w.edit(binding, std::string());
+}
+
+void ask_for_techniques(Workbench& w) {
+  const std::string scene = std::filesystem::path(w.editor.document().scene_name).stem().string();
+  w.files.ask("Export the techniques (.exr as layers, .png as a grid)", w.settings.folder, {".exr", ".png"}, true, scene + "-techniques.exr",
+              [&w](const std::string& file) { w.techniques.write(file); });
+}
+
+void technique_actions(Actions& a, Workbench* w) {
+  a.add({"techniques.export", "Render", "Export the techniques...", ".exr with a layer for each, .png as they are shown", "", [w] { ask_for_techniques(*w); },
+         [w] { return w->techniques.possible() && w->techniques.shown(); }, {}});
+  a.add({"techniques.all", "Render", "All techniques", "Leaves none out", "", [w] { choose_all_techniques(*w); },
+         [w] { return w->techniques.possible() && !w->techniques.left_out().empty(); }, {}});
 }
 
 void contest_actions(Actions& a, Workbench* w) {
@@ -172,6 +193,8 @@ void view_actions(Actions& a, Workbench* w) {
          [w] { return w->view.false_color; }});
   a.add({"view.health-map", "View", "Map of tails", "Marks the parts of the picture whose rarest samples are too bright for its error to be trusted", "", [w] { w->view.health_map = !w->view.health_map; }, loaded,
          [w] { return w->view.health_map; }});
+  a.add({"view.points", "View", "Photons, virtual lights", "Shows what the method keeps in space where the camera sees it, in the colour of its power", "", [w] { w->view.points = !w->view.points; }, loaded,
+         [w] { return w->view.points; }});
   a.add({"view.interface", "View", "Interface", "Hides everything but the picture", "h", [w] { w->view.interface = !w->view.interface; }, {},
          [w] { return w->view.interface; }});
   for (const SheetInfo& sheet : sheets())
@@ -216,8 +239,10 @@ void add_actions(Actions& actions, Workbench* workbench) {
   file_actions(actions, workbench);
   edit_actions(actions, workbench);
   render_actions(actions, workbench);
+  integrator_actions(actions, workbench);
   view_actions(actions, workbench);
   contest_actions(actions, workbench);
+  technique_actions(actions, workbench);
   advice_actions(actions, workbench);
   compare_actions(actions, workbench);
 }

@@ -19,6 +19,7 @@ struct Action {
   std::function<void()> run;
   std::function<bool()> enabled;   // missing: always
   std::function<bool()> checked;   // missing: it is no switch
+  std::string heading = {}, heading_doc = {};  // of its part of the menu; empty where the menu has no parts
 
   std::vector<Chord> chords() const;  // shortcuts are separated by spaces
   bool is_enabled() const { return !enabled || enabled(); }

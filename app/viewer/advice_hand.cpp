@@ -47,8 +47,8 @@ void AdviceHand::ask() {
   study_.clear();
   advice::Question question;
   question.target = double{target()}, question.pilot_seconds = double{setup.pilot.value}, question.seed = document_.seed;
-  study_.start([document = document_, question, threads = threads_](const auto& publish, const bench::Watch& watch) {
-    render::Session session({.threads = threads});
+  study_.start([document = document_, question, threads = threads_, scene = session_.scene()](const auto& publish, const bench::Watch& watch) {
+    render::Session session({.threads = threads, .scene = scene});
     publish(advice::advise(session, document, question, watch, publish));
   });
 }

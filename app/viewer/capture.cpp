@@ -9,8 +9,8 @@ namespace {
 // For finding out what a method may miss, where it does not declare to find everything.
 constexpr double kCertificateSeconds = 0.5;
 
-std::string certificate_of(const render::Document& document, const advice::Evidence& evidence) {
-  render::Session own({.threads = 1});
+std::string certificate_of(const render::Session& session, const render::Document& document, const advice::Evidence& evidence) {
+  render::Session own({.threads = 1, .scene = session.scene()});
   return advice::certificate_json(advice::certificate(own, document, evidence, kCertificateSeconds, [](double, const std::string&) { return true; }));
 }
 
@@ -23,7 +23,7 @@ Result<std::string> write(const std::string& file, render::Session& session, con
   const advice::Evidence evidence{film.error(), film::relative_error(film), status.rejected, session.model(), status.health ? status.health->tail.khat : std::nullopt};
   // An edit that came before the copy would have its film under the old settings.
   if (session.status().version != version) return std::string();
-  const render::Rendering rendering{document, film, status.samples, certificate_of(document, evidence), std::move(shown)};
+  const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence), std::move(shown)};
   if (auto written = render::write_image(file, rendering); !written) return written.error();
   return file;
 }

@@ -67,6 +67,7 @@ const std::vector<SheetInfo>& sheets() {
       {"sheet.convergence", "Convergence", "Methods take turns on this scene; their errors grow as curves", draw_convergence_sheet},
       {"sheet.health", "Health", "How far the picture can be trusted: its error, its rarest samples, what was rejected", draw_health_sheet},
       {"sheet.paths", "Paths", "Where the energy of this view comes from, by classes of light paths, and what the method finds of it", draw_paths_sheet},
+      {"sheet.techniques", "Techniques", "What each technique of a bidirectional method adds to the picture", draw_techniques_sheet},
       {"sheet.sampling", "Sampling", "The samples of one pixel: their running mean, their histogram, the points they are made of", draw_sampling_sheet},
   };
   return list;

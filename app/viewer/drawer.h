@@ -17,6 +17,7 @@ const std::vector<SheetInfo>& sheets();
 void draw_convergence_sheet(Workbench& w);
 void draw_health_sheet(Workbench& w);
 void draw_paths_sheet(Workbench& w);
+void draw_techniques_sheet(Workbench& w);
 void draw_sampling_sheet(Workbench& w);
 // The settings of the sampling sheet, as scripts see them.
 std::vector<ParameterInfo> sampling_parameters();

@@ -22,6 +22,9 @@ Change number_field(Workbench& w, const ParameterInfo& info, float drag = 0);
 // Makes the change an edit, a reset, or the end of a gesture.
 void commit(Workbench& w, const render::Binding& binding, const Change& change);
 
+// The options of a choice in an open list, integrators under the names of their groups; the one that was chosen.
+std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, size_t index);
+
 // The value that the opened file had.
 std::optional<Value> original(const Workbench& w, const std::string& name);
 

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
@@ -18,6 +19,14 @@ void action_item(Workbench& w, const Action& action) {
   if (ImGui::MenuItem(text.c_str(), keys.c_str(), action.checked && action.checked(), action.is_enabled())) action.run();
   w.items.place(action.name);
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(w, action.doc);
+}
+
+void heading(const Workbench& w, const Action& action) {
+  ImGui::Separator();
+  ImGui::PushFont(w.faces.small);
+  ImGui::TextColored(w.theme.quiet, "%s", action.heading.c_str());
+  ImGui::PopFont();
+  if (ImGui::IsItemHovered()) tooltip(w, action.heading_doc);
 }
 
 void recent_files(Workbench& w) {
@@ -55,12 +64,14 @@ void title(Workbench& w) {
 
 void draw_menu_bar(Workbench& w) {
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const char* menu : {"File", "Edit", "View", "Compare", "Render", "Help"}) {
+  for (const char* menu : {"File", "Edit", "View", "Compare", "Integrator", "Render", "Help"}) {
     const bool open = ImGui::BeginMenu(menu);
     w.items.place(std::string("menu.") + static_cast<char>(std::tolower(menu[0])) + (menu + 1));
     if (!open) continue;
+    std::string part;
     for (const auto& action : w.actions.all()) {
       if (action.menu != menu) continue;
+      if (action.heading != std::exchange(part, action.heading)) heading(w, action);
       action_item(w, action);
       if (action.name == "file.open") recent_files(w);
     }

@@ -17,17 +17,16 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
     ImGui::PopFont();
     if (ImGui::IsItemHovered()) tooltip(w, "The light paths it finds, from the light (L) over diffuse (D), glossy (G) and specular (S) surfaces to the eye (E)");
   }
+  ImGui::PushFont(w.faces.small);
+  note(w, "Cost: " + info.cost + ".");
+  note(w, "Hard for it: " + info.fails + ".");
+  ImGui::PopFont();
   // What was measured of this very view says more than what holds for all.
-  const bool misses = w.paths.fresh() && !w.paths.seen().misses.none();
-  if (info.fails.empty() && !misses) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
-  ImGui::PushTextWrapPos(0);
-  if (misses)
-    ImGui::Text("Here it %s.", advice::sentence_of(w.paths.seen().misses).c_str());
-  else
-    ImGui::Text("Hard for it: %s", info.fails.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  if (const std::string obstacle = w.obstacle(); !obstacle.empty())
+    warning(w, obstacle + ".");
+  else if (const auto* misses = w.misses(); misses && !misses->none())
+    warning(w, "Here it " + advice::sentence_of(*misses) + ".");
+  w.items.place("render.misses");
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ void PathsHand::measure() {
   document_.method.paths.clear();
   // One is left to the picture.
   const int all = threads_ > 0 ? threads_ : static_cast<int>(std::thread::hardware_concurrency());
-  study_.start([document = document_, threads = std::max(1, all - 1)](const auto& publish, const bench::Watch& watch) {
-    render::Session session({.threads = threads});
+  study_.start([document = document_, threads = std::max(1, all - 1), scene = session_.scene()](const auto& publish, const bench::Watch& watch) {
+    render::Session session({.threads = threads, .scene = scene});
     advice::TableOptions options;
     options.seconds = kSeconds;
     advice::class_table(session, document, options, watch, [&](const advice::ClassTable& table) {
@@ -47,10 +47,12 @@ void PathsHand::advance(bool looked_at) {
 
 const MethodView& PathsHand::seen() {
   const auto& method = editor_.document().method;
-  if (study_.shown() == seen_table_ && method == seen_method_) return seen_;
-  seen_table_ = study_.shown(), seen_method_ = method;
+  const auto status = session_.status();
+  const bool hindered = status.version == editor_.version() && !status.obstacle.empty();
+  if (study_.shown() == seen_table_ && method == seen_method_ && hindered == seen_hindered_) return seen_;
+  seen_table_ = study_.shown(), seen_method_ = method, seen_hindered_ = hindered;
   seen_ = {};
-  const auto found = advice::declared(method);
+  const auto found = hindered ? advice::Found() : advice::declared(method);
   const auto& table = seen_table_->table;
   for (const auto& row : table.rows) seen_.rows.push_back(finds(found, table, row));
   seen_.misses = advice::blind_spots(found, table);

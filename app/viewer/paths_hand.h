@@ -26,7 +26,8 @@ struct MethodView {
 
 class PathsHand {
  public:
-  PathsHand(const Editor& editor, int threads, const std::function<void()>& wake) : editor_(editor), threads_(threads), study_(wake) {}
+  PathsHand(const render::Session& session, const Editor& editor, int threads, const std::function<void()>& wake)
+      : session_(session), editor_(editor), threads_(threads), study_(wake) {}
 
   // Of the document as it is.
   void measure();
@@ -46,6 +47,7 @@ class PathsHand {
   const MethodView& seen();
 
  private:
+  const render::Session& session_;
   const Editor& editor_;
   const int threads_;
   bool begun_ = false;
@@ -54,6 +56,7 @@ class PathsHand {
 
   std::shared_ptr<const PathsTable> seen_table_;
   render::Method seen_method_;
+  bool seen_hindered_ = false;
   MethodView seen_;
 };
 

@@ -28,8 +28,7 @@ std::optional<Value> choice_field(Workbench& w, const ParameterInfo& info, float
   const bool open = ImGui::BeginCombo("##", info.option_labels[at].c_str());
   if (!open) describe_field(w, info);
   if (open) {
-    for (size_t i = 0; i < info.options.size(); ++i)
-      if (ImGui::Selectable(info.option_labels[i].c_str(), i == at)) chosen = info.options[i];
+    chosen = option_list(w, info, at);
     ImGui::EndCombo();
   }
   ImGui::PopID();

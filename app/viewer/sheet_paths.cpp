@@ -124,14 +124,6 @@ void class_table(Workbench& w, const PathsTable& shown) {
   ImGui::PopStyleVar();
 }
 
-void warning(const Workbench& w, const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
-}
-
 // What the table says of the method, and what it cannot say.
 void remarks(Workbench& w) {
   action_button(w, "paths.measure");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrator/integrator.h"
 #include "viewer/drawer.h"
 #include "viewer/plot.h"
 #include "viewer/widgets.h"
@@ -177,7 +178,19 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
     draw->AddCircleFilled({corner.x + side * list[i].x, corner.y + side * (1 - list[i].y)}, radius, half_color(w, static_cast<int>(i % film::kReplicates)), 8);
 }
 
+// The methods whose samples are made pixel by pixel, as the registry says.
+std::string names_of_pixel_methods() {
+  std::string names;
+  for (const auto& info : integrator::integrator_infos())
+    if (info.sampling == integrator::Sampling::pixels) names += (names.empty() ? "" : ", ") + info.name;
+  return names;
+}
+
 void charts(Workbench& w) {
+  if (!render::PixelSamples::possible(w.editor.document()))
+    return warning(w, "No sample of " + w.editor.document().method.integrator +
+                          " belongs to one pixel: its paths end on pixels that they did not choose, or wait for what all pixels share. Pixels can be looked at with " +
+                          names_of_pixel_methods() + ".");
   const auto study = w.probe.study();
   if (!w.probe.pixel()) return note(w, "Choose a pixel: press Pick a pixel and click in the picture, or Ctrl+click there.");
   if (!study || study->course.empty()) return note(w, "The first samples are being drawn.");

@@ -71,6 +71,7 @@ constexpr PlainItem kItems[] = {
     {"menu.edit", "Edit", "Opens the menu"},
     {"menu.view", "View", "Opens the menu"},
     {"menu.compare", "Compare", "Opens the menu"},
+    {"menu.integrator", "Integrator", "Opens the menu"},
     {"menu.render", "Render", "Opens the menu"},
     {"menu.help", "Help", "Opens the menu"},
     {"menu.palette", "Find an action", "Opens the palette"},
@@ -93,6 +94,7 @@ constexpr PlainItem kItems[] = {
     {"compare.remove.N", "Remove", "Takes method N off the list"},
     {"compare.chart", "Chart", "Rest the pointer on it to read the curves"},
     {"paths.row.N", "Class", "Has only the paths of row N of the table count; all, if they already do"},
+    {"techniques.cell.N.N", "Technique", "Leaves technique (s, t) to the others, or brings it back"},
     {"advice.use.N", "Use", "Takes method N of the ranking, and its error as the limit to stop at"},
     {"files.name", "Name", "The name field of the file dialog"},
     {"files.accept", "Open or Save", "Accepts the file dialog"},
@@ -151,6 +153,18 @@ json advice_json(const AdviceHand& hand) {
   return j;
 }
 
+json techniques_json(const TechniquesHand& hand) {
+  json j{{"possible", hand.possible()}, {"fresh", hand.fresh()}, {"whole", hand.whole()}, {"cells", json::array()}};
+  const auto* pyramid = hand.shown();
+  if (!pyramid) return j;
+  j["mean"] = pyramid->whole.mean;
+  for (const auto& cell : pyramid->cells) {
+    j["cells"].push_back({{"s", cell.s}, {"t", cell.t}, {"samples", cell.samples}, {"mean", cell.mean}, {"absent", cell.absent}});
+    if (const auto share = pyramid->share(cell)) j["cells"].back()["share"] = *share;
+  }
+  return j;
+}
+
 json pixel_json(const PixelStudy& s) {
   json j{{"x", s.pixel.x}, {"y", s.pixel.y}, {"samples", s.samples()}, {"wanted", s.wanted}, {"mean", {s.mean.r, s.mean.g, s.mean.b}}};
   j["deviation"] = s.deviation, j["largest"] = s.largest, j["zeros"] = s.histogram.zeros;
@@ -181,6 +195,7 @@ std::string state_report(Workbench& w) {
       {"seconds", status.seconds},
       {"paused", w.session.paused()},
       {"phase", status.phase},
+      {"obstacle", w.obstacle()},
       {"scene", d.scene_name},
       {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
       {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},
@@ -189,10 +204,15 @@ std::string state_report(Workbench& w) {
       {"contest", contest_json(w.contest)},
       {"paths", paths_json(w.paths)},
       {"advice", advice_json(w.advice)},
+      {"techniques", techniques_json(w.techniques)},
+      {"misses", nullptr},
+      {"points", nullptr},
       {"interface_share", w.pace.share},
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
       {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
+  if (const auto* misses = w.misses()) state["misses"] = misses->share;
+  if (const auto* points = w.points.shown()) state["points"] = {{"kept", points->kept}, {"seen", points->points.size()}};
   if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);
   if (status.error.known) state["rmse"] = status.error.rmse;
   if (status.health) state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};
@@ -216,6 +236,7 @@ std::string widgets_json() {
   for (const auto& info : contest_parameters()) list.push_back(parameter(info));
   for (const auto& info : advice_parameters()) list.push_back(parameter(info));
   for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
+  for (const auto& info : techniques_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {
     // Objects are numbered; the first stands for all.

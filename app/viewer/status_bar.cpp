@@ -63,7 +63,8 @@ void health_part(Workbench& w, Line& line, const render::Health& health) {
 void status_parts(Workbench& w, Line& line) {
   const render::Status status = w.session.status();
   const auto& d = w.editor.document();
-  const std::string phase = w.contest.running() ? "comparing" : status.phase;
+  std::string phase = w.contest.running() ? "comparing" : status.phase;
+  if (status.phase_progress > 0) phase += text_of(" %.0f %%", 100 * status.phase_progress);
   line.part(w, phase.empty() ? "starting" : phase, "What the renderer is doing");
   std::string samples = text_of("%u spp", status.samples);
   if (d.limits.samples > 0) samples = text_of("%u / %u spp", status.samples, d.limits.samples);

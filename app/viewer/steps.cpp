@@ -82,6 +82,7 @@ class WaitForWork final : public Step {
   explicit WaitForWork(bool pixel) : pixel_(pixel) {}
   Progress advance(Workbench& w, Picture&) override {
     if (!rest_.over()) return kGoingOn;
+    if (pixel_ && !render::PixelSamples::possible(w.editor.document())) return impossible("no sample of this integrator belongs to one pixel");
     if (pixel_ && !w.probe.pixel()) return impossible("no pixel is chosen");
     return {!(pixel_ ? w.probe.busy() : w.comparison.busy()), {}};
   }
@@ -108,6 +109,37 @@ class WaitForStudy final : public Step {
  private:
   bool paths_;
   Rest begun_{3}, settled_{3};
+};
+
+// Until it is known what the method misses of the view.
+class WaitForMisses final : public Step {
+ public:
+  Progress advance(Workbench& w, Picture&) override {
+    if (!begun_.over()) return kGoingOn;
+    if (w.view.tab != Tab::render) return impossible("nobody looks at it; click tab.render first");
+    return {w.misses() != nullptr && settled_.over(), {}};
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  Rest begun_{3}, settled_{2};
+};
+
+// Until every technique has its picture.
+class WaitForTechniques final : public Step {
+ public:
+  Progress advance(Workbench& w, Picture&) override {
+    if (!begun_.over()) return kGoingOn;
+    if (!w.techniques.possible()) return impossible("this integrator has no techniques");
+    if (w.view.sheet != "sheet.techniques") return impossible("nobody looks at them; click sheet.techniques first");
+    return {w.techniques.whole() && !w.techniques.writing() && settled_.over(), {}};
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  Rest begun_{3}, settled_{2};
 };
 
 class Set final : public Step {
@@ -390,7 +422,9 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
       const std::string what = j["for"].get<std::string>();
       if (what == "contest") return made(std::make_unique<WaitForContest>());
       if (what == "paths" || what == "advice") return made(std::make_unique<WaitForStudy>(what == "paths"));
-      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths or advice");
+      if (what == "techniques") return made(std::make_unique<WaitForTechniques>());
+      if (what == "misses") return made(std::make_unique<WaitForMisses>());
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths, techniques, misses or advice");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));

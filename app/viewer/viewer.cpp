@@ -63,12 +63,14 @@ class Application {
   }
 
  private:
+  bool writing() const { return w_.contest.writing() || w_.techniques.writing(); }
+
   // Seconds to sleep if nothing happens.
   double patience(const Script* script) const {
     if (frames_wanted_ > 0 || !platform_.events().empty() || (script && script->in_a_hurry())) return 0;
     if (w_.input.buttons[1]) return 0.01;  // flying
     if (w_.pointer_rest < kTooltipDelay || w_.comparison.waits_for_shift()) return 0.05;
-    if (w_.loader.busy() || w_.capture.busy() || w_.contest.writing()) return 0.05;
+    if (w_.loader.busy() || w_.capture.busy() || writing()) return 0.05;
     if (script || fading_ || wait_for_frame_) return 0.02;
     if (w_.editor.empty()) return 0.5;
     const auto phase = w_.session.status().phase;
@@ -92,12 +94,13 @@ class Application {
     const bool hurry =
         new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
     const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
-    const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news();
+    const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news() || w_.blind_spots.has_news() || w_.techniques.has_news();
     const bool news = told && since_last >= pacing_.interval(0);
     wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (told && !news);
     // Status figures move on even when no frame comes.
-    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= 1 || w_.loader.busy() ||
-                     w_.capture.busy() || w_.contest.writing() || w_.input.buttons[1] || (script && script->wants_frame());
+    const double still = w_.session.status().phase_progress > 0 ? 0.25 : 1;
+    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= still || w_.loader.busy() ||
+                     w_.capture.busy() || writing() || w_.input.buttons[1] || (script && script->wants_frame());
     if (due) draw();
     measure(now);
   }

@@ -155,6 +155,39 @@ std::string layer_label(const Workbench& w) {
   return shown.scale.empty() ? w.view.aov + (w.aov.busy() ? " ..." : "") : w.view.aov + ", " + shown.scale;
 }
 
+// Dark rims keep them apart from the picture and from each other.
+void points(const Workbench& w, ImDrawList* draw) {
+  const SeenPoints* seen = w.points.shown();
+  if (!seen || w.shows_layer()) return;
+  const Placement& p = w.view.picture;
+  const Vec2 scale = p.size / Vec2(w.editor.document().width, w.editor.document().height);
+  const float half = std::max(1.0f, ImGui::GetFontSize() * (seen->points.size() > 2000 ? 0.07f : 0.14f));
+  for (const SeenPoint& point : seen->points) {
+    const Vec2 at = p.corner + point.raster * scale;
+    const ImU32 color = ImGui::ColorConvertFloat4ToU32({std::sqrt(point.tint.r), std::sqrt(point.tint.g), std::sqrt(point.tint.b), 1});
+    draw->AddRectFilled({at.x - half - 1, at.y - half - 1}, {at.x + half + 1, at.y + half + 1}, IM_COL32(0, 0, 0, 150));
+    draw->AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, color);
+  }
+  const std::string words = seen->kept == 0 ? w.editor.document().method.integrator + " keeps nothing in space"
+                                            : text_of("%zu points of light, %zu of them seen here", seen->kept, seen->points.size());
+  const float em = ImGui::GetFontSize();
+  draw_label(draw, Vec2(p.corner.x + em * 0.6f, p.corner.y + p.size.y - em * 0.6f - label_size(words).y), words);
+}
+
+// Why the picture is black, in its middle.
+void obstacle_notice(const Workbench& w, ImDrawList* draw) {
+  const std::string text = w.obstacle();
+  if (text.empty() || w.shows_layer()) return;
+  const Placement& p = w.view.picture;
+  const float em = ImGui::GetFontSize(), width = std::min(em * 26, w.view.region.size.x - 2 * em);
+  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  const Vec2 corner = glm::floor(p.corner + (p.size - Vec2(words.x, words.y)) * 0.5f), margin(em * 0.7f, em * 0.5f);
+  const Vec2 from = corner - margin, to = corner + Vec2(words.x, words.y) + margin;
+  draw->AddRectFilled({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.92f), em * 0.25f);
+  draw->AddRect({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(w.theme.warning), em * 0.25f);
+  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, width);
+}
+
 }  // namespace
 
 void handle_viewport(Workbench& w, float seconds) {
@@ -179,10 +212,12 @@ void draw_viewport_overlay(Workbench& w) {
   if (w.view.interface) outline(w, draw);
   if (w.view.health_map)
     if (const auto health = w.session.status().health) draw_health_map(w, *health, draw);
+  if (w.view.points) points(w, draw);
   const bool map = w.comparison.map() && !w.comparison.reference_on_screen();
   if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
   draw_comparison_overlay(w, draw);
   draw_pixel_marker(w, draw);
+  if (w.view.interface) obstacle_notice(w, draw);
   if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), layer_label(w));
   draw->PopClipRect();
 }

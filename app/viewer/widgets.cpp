@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "integrator/integrator.h"
 #include "render/aov.h"
 #include "viewer/fields.h"
 
@@ -18,11 +19,17 @@ bool ends_with_channel(const std::string& name) {
 
 std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
 
+void group_heading(const Workbench& w, integrator::Group group) {
+  const auto& info = integrator::info_of(group);
+  ImGui::TextColored(w.theme.quiet, "%s", info.label);
+  if (ImGui::IsItemHovered()) tooltip(w, info.doc);
+}
+
 // What is offered, as a list that opens at a button if `shown` is null.
-void offered(const ParameterInfo& info, const char* shown, size_t index, Change& change) {
-  if (!ImGui::BeginCombo("##offered", shown, shown ? 0 : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft)) return;
-  for (size_t i = 0; i < info.options.size(); ++i)
-    if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) change.value = info.options[i];
+void offered(Workbench& w, const ParameterInfo& info, const char* shown, size_t index, Change& change) {
+  const ImGuiComboFlags flags = (shown ? 0 : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft) | ImGuiComboFlags_HeightLarge;
+  if (!ImGui::BeginCombo("##offered", shown, flags)) return;
+  if (auto chosen = option_list(w, info, index)) change.value = std::move(chosen);
   ImGui::EndCombo();
 }
 
@@ -42,13 +49,9 @@ void text_field(Workbench& w, const ParameterInfo& info, size_t index, Change& c
   if (entered && accepted) change.value = typed;
   if (entered && !accepted) w.notices.complain(info.label + ": " + accepted.error().message);
   ImGui::SameLine(0, 0);
-  offered(info, nullptr, index, change);
+  offered(w, info, nullptr, index, change);
   if (!active || accepted) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(accepted.error().message.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  warning(w, accepted.error().message);
 }
 
 Change one_widget(Workbench& w, const ParameterInfo& info) {
@@ -71,7 +74,7 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
         if (!change.value) change.value = from_script(w, info);
         return change;
       }
-      offered(info, index < info.options.size() ? info.option_labels[index].c_str() : now.c_str(), index, change);
+      offered(w, info, index < info.options.size() ? info.option_labels[index].c_str() : now.c_str(), index, change);
       break;
     }
     case ParameterType::integer:
@@ -86,7 +89,18 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
   return change;
 }
 
+// It can be read, and says why it cannot be turned.
+void idle_widget(Workbench& w, const render::Binding& binding) {
+  if (w.items.take(binding.info.name)) w.items.answer(binding.info.name + ": " + binding.idle);
+  ParameterInfo info = binding.info;
+  info.doc += "\nNot now: " + binding.idle;
+  ImGui::BeginDisabled();
+  one_widget(w, info);
+  ImGui::EndDisabled();
+}
+
 void binding_widget(Workbench& w, const render::Binding& binding) {
+  if (!binding.idle.empty()) return idle_widget(w, binding);
   const Change change = one_widget(w, binding.info);
   commit(w, binding, change);
   const bool at_once = binding.info.type == ParameterType::toggle || binding.info.type == ParameterType::choice;
@@ -171,6 +185,21 @@ void widgets(Workbench& w, const std::string& section, Wanted wanted) {
 
 }  // namespace
 
+std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, size_t index) {
+  std::optional<Value> chosen;
+  const char* group = nullptr;
+  for (size_t i = 0; i < info.options.size(); ++i) {
+    const auto* method = info.name.ends_with("integrator") ? integrator::find_integrator(info.options[i]) : nullptr;
+    if (method && std::exchange(group, integrator::info_of(method->group).name) != integrator::info_of(method->group).name) group_heading(w, method->group);
+    const float inset = method ? ImGui::GetFontSize() * 0.6f : 0;
+    if (method) ImGui::Indent(inset);
+    if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) chosen = info.options[i];
+    if (method && ImGui::IsItemHovered()) tooltip(w, method->doc);
+    if (method) ImGui::Unindent(inset);
+  }
+  return chosen;
+}
+
 void section_widgets(Workbench& w, const std::string& section) {
   widgets(w, section, [](const std::string&) { return true; });
 }
@@ -235,6 +264,14 @@ void action_button(Workbench& w, const char* name) {
 
 void note(const Workbench& w, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, w.theme.quiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void warning(const Workbench& w, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.warning);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();

@@ -23,6 +23,8 @@ std::optional<Value> loose_widget(Workbench& w, const ParameterInfo& info);
 void action_button(Workbench& w, const char* name);
 // A line of quiet words, wrapped.
 void note(const Workbench& w, const std::string& text);
+// The same of what the user should heed.
+void warning(const Workbench& w, const std::string& text);
 // A line with a label on the left and a figure in tabular digits.
 void figure(const Workbench& w, const char* label, const std::string& value);
 // A folding group; it opens itself for a script that wants a widget whose name starts so.

@@ -34,7 +34,11 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       aov(session, editor, [&p] { p.wake(); }),
       comparison([&p] { p.wake(); }),
       contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
-      paths(editor, o.threads, [&p] { p.wake(); }),
+      paths(session, editor, o.threads, [&p] { p.wake(); }),
+      blind_spots(session, editor, [&p] { p.wake(); }),
+      techniques(session, editor, [&p] { p.wake(); }),
+      points(session, editor, [&p] { p.wake(); }),
+      thumbnails(p.gl()),
       advice(session, editor, o.threads, [&p] { p.wake(); }),
       probe(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
@@ -68,16 +72,24 @@ void Workbench::edit_camera(const Camera& camera, const std::string& name, const
   editor.apply(std::move(changed), name, gesture);
 }
 
-void Workbench::choose_integrator(size_t index) {
-  const auto& infos = integrator::integrator_infos();
-  if (editor.empty() || index >= infos.size() || infos[index].name == editor.document().method.integrator) return;
+void Workbench::choose_integrator(const std::string& name) {
+  if (editor.empty() || name == editor.document().method.integrator) return;
   for (const auto& binding : render::bindings(editor.document(), "render"))
-    if (binding.info.name == "render.integrator") edit(binding, infos[index].name);
+    if (binding.info.name == "render.integrator") edit(binding, name);
 }
 
 void Workbench::choose_paths(const std::string& expression) {
   for (const auto& binding : render::bindings(editor.document(), "film"))
     if (binding.info.name == "film.paths") edit(binding, expression);
+}
+
+std::string Workbench::obstacle() const {
+  const auto status = session.status();
+  return !editor.empty() && status.version == editor.version() ? status.obstacle : "";
+}
+
+const advice::BlindSpots* Workbench::misses() {
+  return paths.fresh() ? &paths.seen().misses : blind_spots.shown();
 }
 
 void Workbench::select(int node, int material) {
@@ -141,6 +153,8 @@ void Workbench::take_opened(Result<Opened> opened) {
   needs_pivot_ = true;
   contest.stop();
   paths.forget();
+  blind_spots.forget();
+  techniques.forget();
   advice.forget();
   session.pause(false);
   editor.open(std::move(opened->document));
@@ -185,6 +199,10 @@ bool Workbench::advance(Picture& on_screen) {
   contest.advance(comparison, notices);
   advice.advance(notices);
   paths.advance(view.sheet == "sheet.paths" && !advice.running());
+  if (points.advance(view.points)) redraw = true;
+  techniques.advance(view.sheet == "sheet.techniques" && view.interface && !advice.running() && !contest.running(), notices);
+  const bool busy = advice.running() || contest.running() || paths.running();
+  blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
   if (view.sheet != "sheet.sampling")
     probe.rest();
   else if (probe.advance(view.sampling.samples))

@@ -8,6 +8,7 @@
 #include "viewer/advice_hand.h"
 #include "viewer/aov_view.h"
 #include "viewer/camera_hand.h"
+#include "viewer/blind_spots_hand.h"
 #include "viewer/capture.h"
 #include "viewer/comparison.h"
 #include "viewer/contest_hand.h"
@@ -18,8 +19,11 @@
 #include "viewer/notices.h"
 #include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
+#include "viewer/points_hand.h"
 #include "viewer/settings.h"
+#include "viewer/techniques_hand.h"
 #include "viewer/theme.h"
+#include "viewer/thumbnails.h"
 #include "viewer/viewer.h"
 
 namespace etendue::viewer {
@@ -49,6 +53,7 @@ struct View {
   bool typing = false;   // a text field has the keyboard
   bool false_color = false;
   bool health_map = false;
+  bool points = false;  // photons and virtual lights over the picture
   std::string aov;  // the layer shown instead of the picture
   Tab tab = Tab::render;
   std::optional<Tab> reveal;    // the tab to bring to the front in the next frame
@@ -86,7 +91,7 @@ struct Workbench {
     editor.apply(std::move(changed), name, gesture);
   }
   void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture);
-  void choose_integrator(size_t index);
+  void choose_integrator(const std::string& name);
   // Has only these paths count, in a step of its own; all of them if the expression is empty.
   void choose_paths(const std::string& expression);
 
@@ -97,6 +102,11 @@ struct Workbench {
 
   // Takes up what came from other threads since the last frame; true if the picture has to be drawn again.
   bool advance(Picture& picture_on_screen);
+
+  // Why the method finds no light at all in the picture on the desk; empty if it may, or as long as that is not known.
+  std::string obstacle() const;
+  // What the method misses of the view on the desk, as far as it was measured; null if it was not.
+  const advice::BlindSpots* misses();
 
   // A layer stands in the picture's place.
   bool shows_layer() const { return !view.aov.empty() && aov.picture().name == view.aov; }
@@ -116,6 +126,10 @@ struct Workbench {
   Comparison comparison;
   ContestHand contest;
   PathsHand paths;
+  BlindSpotsHand blind_spots;
+  TechniquesHand techniques;
+  PointsHand points;
+  Thumbnails thumbnails;  // of the techniques
   AdviceHand advice;
   PixelProbe probe;
   CameraHand hand;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "advice/words.h"
+#include "render/obstacle.h"
 
 namespace etendue::advice {
 namespace {
@@ -14,19 +15,24 @@ using integrator::Bias;
 constexpr double kTablePart = 0.2;
 
 // Why a method cannot be had; empty if it can.
-std::string objection(const bench::Method& method, const BlindSpots& misses, double target) {
+std::string objection(const bench::Method& method, const scene::CompiledScene& scene, const BlindSpots& misses,
+                      double target) {
+  if (std::string obstacle = render::obstacle(method.document, scene); !obstacle.empty()) return obstacle;
   const auto& info = *integrator::find_integrator(method.document.method.integrator);
   if (info.bias == Bias::biased) return "biased: it has an error of its own, which no time takes away";
+  if (picks_techniques(method.document.method))
+    return "its settings leave techniques out or show some alone: what these miss is not known";
   if (misses.rms > kNegligible * target)
     return sentence_of(misses) + ": its RMSE stays above " + number(misses.rms) + ", whatever the time";
   return {};
 }
 
-Advice advice_of(const bench::Method& method, const ClassTable& table, double target) {
+Advice advice_of(const bench::Method& method, const scene::CompiledScene& scene, const ClassTable& table,
+                 double target) {
   Advice advice;
   advice.method = method;
-  advice.misses = blind_spots(declared(method.document.method), table);
-  advice.reason = objection(method, advice.misses, target);
+  advice.misses = blind_spots(declared(method.document, scene), table);
+  advice.reason = objection(method, scene, advice.misses, target);
   advice.suitable = advice.reason.empty();
   return advice;
 }
@@ -97,11 +103,13 @@ Ranking advise(render::Session& session, const render::Document& document, const
   });
   ranking.interrupted = !ranking.table.finished;
   if (ranking.interrupted) return ranking;
-  ranking.beyond_methods = beyond_all_methods(*session.scene());
+  // The last picture of the table may be of some of the lights alone.
+  const auto scene = scene::compile(document.scene, document.camera, session.scene());
+  ranking.beyond_methods = beyond_all_methods(*scene);
 
   std::vector<bench::Method> fit;
   for (const auto& method : candidates(document)) {
-    ranking.methods.push_back(advice_of(method, ranking.table, question.target));
+    ranking.methods.push_back(advice_of(method, *scene, ranking.table, question.target));
     if (ranking.methods.back().suitable) fit.push_back(method);
   }
   const bench::Watch second = [&](double done, const std::string& what) {

@@ -74,7 +74,8 @@ BlindSpots blind_spots(const Found& found, const ClassTable& table) {
 MeasuredBlindSpots measured_blind_spots(render::Session& session, const render::Document& document,
                                         const TableOptions& options, const bench::Watch& watch) {
   MeasuredBlindSpots measured;
-  const Found found = declared(document.method), all = declared(render::Method());
+  const auto scene = scene::compile(document.scene, document.camera, session.scene());
+  const Found found = declared(document, *scene), all = declared(render::Method());
   const Automaton counting = asked(document), lack = without(counting, found.paths);
   Automaton dark;  // found, but not from lights without extent
   if (has_point_lights(*document.scene))

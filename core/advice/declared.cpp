@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/obstacle.h"
+
 namespace etendue::advice {
 namespace {
 
@@ -45,12 +47,25 @@ Found declared(const render::Method& method) {
   return {common(found.paths, cut->automaton()), common(found.point_paths, cut->automaton())};
 }
 
+Found declared(const render::Document& document, const scene::CompiledScene& scene) {
+  return render::obstacle(document, scene).empty() ? declared(document.method) : Found();
+}
+
 Automaton asked(const render::Document& document) {
   return document.method.paths.empty() ? PathExpression::all().automaton() : automaton_of(document.method.paths);
 }
 
+bool picks_techniques(const render::Method& method) {
+  const auto& knobs = integrator::find_integrator(method.integrator)->techniques;
+  if (knobs.empty()) return false;
+  return std::ranges::any_of(method.settings_of(method.integrator), [&](const Setting& setting) {
+    return setting.name == knobs.without || setting.name == knobs.only || setting.name == knobs.weighted;
+  });
+}
+
 integrator::Bias bias_of(const render::Method& method) {
-  return limit_of(method) > 0 ? integrator::Bias::biased : integrator::find_integrator(method.integrator)->bias;
+  return limit_of(method) > 0 || picks_techniques(method) ? integrator::Bias::biased
+                                                          : integrator::find_integrator(method.integrator)->bias;
 }
 
 }  // namespace etendue::advice

@@ -2,6 +2,7 @@
 #pragma once
 #include "integrator/integrator.h"
 #include "render/document.h"
+#include "scene/compiled.h"
 #include "transport/path_expression.h"
 
 namespace etendue::advice {
@@ -17,8 +18,14 @@ Found declared(const integrator::IntegratorInfo& info);
 // edges than automata can count is none.
 Found declared(const render::Method& method);
 
+// The same in the document's own scene: nothing, if something stands in the method's way there.
+Found declared(const render::Document& document, const scene::CompiledScene& scene);
+
 // The paths that count in this document.
 transport::Automaton asked(const render::Document& document);
+
+// Whether some of the techniques of a bidirectional method are left out, shown alone or counted in full.
+bool picks_techniques(const render::Method& method);
 
 // Whether the method's mean may differ from the picture: of an integrator that is biased, or whose paths are cut.
 integrator::Bias bias_of(const render::Method& method);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/obstacle.h"
+
 namespace etendue::bench {
 namespace {
 
@@ -58,6 +60,10 @@ Result<Method> parse_method(const std::string& text, const render::Document& bas
     if (!same_picture(method.document, base))
       return wrong(text, "'" + name + "' makes another picture; give it to all methods with --set");
   }
+  const render::Method& made = method.document.method;
+  if (made.adaptive != base.method.adaptive && made.adaptive != render::Adaptive::off)
+    if (const std::string obstacle = render::adaptive_obstacle(made.integrator); !obstacle.empty())
+      return wrong(text, obstacle);
   return method;
 }
 

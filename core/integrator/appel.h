@@ -13,6 +13,7 @@ class Appel final : public Gathering<Appel> {
       "appel",
       "Ray casting with shadows (Appel)",
       "The first surface a ray meets, lit by what it sees of the lights",
+      Group::gathering,
       "E[D|G]L",
       "E(D|G)L",
       Bias::unbiased,

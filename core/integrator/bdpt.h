@@ -23,6 +23,7 @@ class Bdpt final : public Method<Bdpt> {
       "bdpt",
       "Bidirectional path tracing",
       "Walks from the camera and from the lights, every vertex of the one connected with every vertex of the other",
+      Group::bidirectional,
       "E(D|G|S)*L",
       "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
       Bias::unbiased,
@@ -30,7 +31,9 @@ class Bdpt final : public Method<Bdpt> {
       "caustics seen in mirrors or through glass: found by chance alone, and never if the light is a point; scenes "
       "whose "
       "lights are far from what is seen",
-      Sampling::splats};
+      Sampling::splats,
+      '6',
+      {"without", "only", "weighted"}};
 
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How the techniques that find a path share it"};

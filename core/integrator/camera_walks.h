@@ -18,6 +18,8 @@ inline uint32_t pixel_seed(uint64_t seed, int x, int y, uint32_t replicate) {
   return static_cast<uint32_t>(h >> 32);
 }
 
+inline bool is_wanted(const Turn& turn) { return !turn.wanted || (*turn.wanted)(); }
+
 // One for each thread and model: it is too large to be made anew for every block.
 template <class M>
 transport::Front<M>& front_of_thread() {

@@ -16,6 +16,7 @@ class Distribution final : public Gathering<Distribution> {
       "distribution",
       "Distribution ray tracing",
       "Trees of rays from the camera with direct light at every vertex",
+      Group::gathering,
       "E(D|G|S)*L",
       "E.*(D|G)L",
       Bias::unbiased,
@@ -37,6 +38,10 @@ class Distribution final : public Gathering<Distribution> {
 
   auto knobs() {
     return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, roulette_start);
+  }
+
+  std::string obstacle(const Pass& pass) const override {
+    return shadow_rays ? std::string() : obstacle_to_meeting_lights(pass);
   }
 
   template <class M>

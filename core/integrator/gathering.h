@@ -9,6 +9,13 @@
 
 namespace etendue::integrator {
 
+// What stands in the way of walks that count light only where they meet it.
+inline std::string obstacle_to_meeting_lights(const Pass& pass) {
+  const LightTable& lights = pass.scene->lights();
+  if (lights.placed().empty() || !lights.triangles().empty() || !lights.environment().black()) return {};
+  return "no walk can meet a light without extent, and the scene has no others: take a method that samples lights";
+}
+
 template <class Derived>
 class Gathering : public Method<Derived> {
  public:

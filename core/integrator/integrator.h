@@ -6,6 +6,7 @@
 // is chosen through virtual calls of tasks that trace thousands of rays; inside, the hot loops are templates over the
 // transport model.
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -35,14 +36,40 @@ enum class Sampling {
   only_splats
 };
 
+// The families of methods, as the thesis has them.
+enum class Group { gathering, shooting, bidirectional, markov_chain, two_pass };
+
+struct GroupInfo {
+  const char *name, *label, *doc;
+};
+inline constexpr std::array<GroupInfo, 5> kGroups{
+    {{"gathering", "Gathering", "Rays and walks from the camera, which collect light"},
+     {"shooting", "Shooting", "Walks from the lights, which bring light to the picture"},
+     {"bidirectional", "Bidirectional", "Walks from both ends, connected"},
+     {"markov-chain", "Markov chain", "Paths that are changes of paths, most of them where the light is"},
+     {"two-pass", "Two-pass", "Light is laid down in the scene first, and looked up from the camera then"}}};
+inline const GroupInfo& info_of(Group group) { return kGroups[static_cast<size_t>(group)]; }
+
+// The parameters of a method that finds each path by several techniques (s, t), s vertices from the light and t from
+// the camera: two that take sets of them (integrator/techniques.h), those left to the others and those shown alone, and
+// the switch of their weights. Empty for all other methods.
+struct TechniqueKnobs {
+  std::string_view without, only, weighted;
+
+  bool empty() const { return only.empty(); }
+};
+
 struct IntegratorInfo {
   std::string name, label, doc;
+  Group group = Group::gathering;
   std::string paths;  // the light paths it finds, in Heckbert's notation as the thesis extends it (8.1)
   // Those among them that it finds even if the light has no extent (point, spot, directional); empty if none.
   std::string point_paths;
   Bias bias = Bias::unbiased;
   Sampling sampling = Sampling::pixels;
   std::string cost, fails;
+  char key = 0;  // that chooses it in the viewer, '1' to '9'; the most used have one
+  TechniqueKnobs techniques;
   std::vector<ParameterInfo> parameters;
 };
 
@@ -77,6 +104,12 @@ struct Phase {
   int tasks;
 };
 
+// Something that a method keeps in space: a photon, a virtual light.
+struct PointOfLight {
+  Vec3 position;
+  Rgb power;  // watts
+};
+
 // One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
 // rays traced; nothing if they were given up, and are then done again from their beginning.
 class Work {
@@ -93,6 +126,10 @@ class Work {
   virtual std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn);
 
   virtual size_t memory() const { return 0; }  // bytes, of what it keeps
+
+  // A look at what it keeps in space, between two tasks: kMostPoints at most; null if it keeps nothing of the kind.
+  static constexpr size_t kMostPoints = 200'000;
+  virtual std::shared_ptr<const std::vector<PointOfLight>> points() const { return nullptr; }
 };
 
 class Integrator {
@@ -103,6 +140,8 @@ class Integrator {
   // What `pass` points to, and the integrator itself, must outlive the work. `previous` is what the picture before this
   // one left, by any method, or null: what it knows of the same scene may be used again.
   virtual std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const = 0;
+  // Why it finds no light at all in this picture, and what to do about it; empty if nothing stands in its way.
+  virtual std::string obstacle(const Pass& pass) const { return (void)pass, std::string(); }
 };
 
 const std::vector<IntegratorInfo>& integrator_infos();

@@ -14,13 +14,15 @@ class Light final : public Shooting<Light> {
       "light",
       "Light tracing",
       "Random walks from the lights, each vertex of which is connected to the camera",
+      Group::shooting,
       "E[(D|G).*]L",
       "E(D|G).*L",
       Bias::unbiased,
       "2 rays per vertex; a picture beside the film",
       "what the camera sees in mirrors and through glass: black; views of a small part of what is lit: few walks come "
       "by",
-      Sampling::only_splats};
+      Sampling::only_splats,
+      '5'};
 
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};

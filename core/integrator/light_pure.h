@@ -14,6 +14,7 @@ class LightPure final : public Shooting<LightPure> {
       "light-pure",
       "Pure light tracing",
       "Random walks from the lights that count when they fall onto the lens",
+      Group::shooting,
       "E(D|G|S)*L",
       "E.*L",
       Bias::unbiased,
@@ -25,6 +26,12 @@ class LightPure final : public Shooting<LightPure> {
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
   auto knobs() { return std::tie(max_depth, roulette_start); }
+
+  std::string obstacle(const Pass& pass) const override {
+    if (pass.camera->can_be_hit()) return {};
+    if (!pass.camera->has_lens()) return "no light can fall onto a pinhole: set camera.lens-radius";
+    return "no light can fall onto this lens: take a perspective camera without a near plane";
+  }
 
   template <class M>
   void see_light(const Pass&, const typename LightWalks<M>::Start&, Vec2, uint32_t, Splatter&) const {}

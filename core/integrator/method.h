@@ -10,12 +10,15 @@ struct Description {
   const char* name;
   const char* label;
   const char* doc;
+  Group group;
   const char* paths;
   const char* point_paths;
   Bias bias;
   const char* cost;
   const char* fails;
   Sampling sampling = Sampling::pixels;
+  char key = 0;
+  TechniqueKnobs techniques = {};
 };
 
 template <class Derived>

@@ -13,12 +13,15 @@ class Path final : public Gathering<Path> {
   static constexpr Description kDescription{"path",
                                             "Path tracing",
                                             "Random walks from the camera with direct light at every vertex",
+                                            Group::gathering,
                                             "E(D|G|S)*L",
                                             "E.*(D|G)L",
                                             Bias::unbiased,
                                             "2 rays per vertex; no memory beyond the path",
                                             "caustics of small lights: EDS+L is found only when a walk happens to end "
-                                            "on the light; point lights behind glass: never"};
+                                            "on the light; point lights behind glass: never",
+                                            Sampling::pixels,
+                                            '4'};
 
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How light samples and BSDF samples share a path"};

@@ -13,16 +13,21 @@ class PathPure final : public Gathering<PathPure> {
       "path-pure",
       "Pure path tracing",
       "Random walks from the camera that count light only where they meet it",
+      Group::gathering,
       "E(D|G|S)*L",
       "",
       Bias::unbiased,
       "1 ray per vertex; no memory beyond the path",
-      "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: never"};
+      "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: never",
+      Sampling::pixels,
+      '3'};
 
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
   auto knobs() { return std::tie(max_depth, roulette_start); }
+
+  std::string obstacle(const Pass& pass) const override { return obstacle_to_meeting_lights(pass); }
 
   template <class M>
   void estimate(transport::Front<M>& front) const {

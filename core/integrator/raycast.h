@@ -14,11 +14,14 @@ class Raycast final : public Gathering<Raycast> {
       "raycast",
       "Ray casting",
       "The first surface a ray meets, lit without shadows or left to its own emission",
+      Group::gathering,
       "E[D|G]L",
       "E(D|G)L",
       Bias::biased,
       "1 ray per sample",
-      "everything indirect, every shadow; point lights are invisible without the local model"};
+      "everything indirect, every shadow; point lights are invisible without the local model",
+      Sampling::pixels,
+      '1'};
 
   Toggle local{"local", "Local illumination", true,
                "Light from every source, as if nothing stood in between (thesis 8.2)"};
@@ -27,6 +30,10 @@ class Raycast final : public Gathering<Raycast> {
                                "Every light has no noise of choosing; one has the same cost however many there are"};
 
   auto knobs() { return std::tie(max_depth, local, lights); }
+
+  std::string obstacle(const Pass& pass) const override {
+    return local ? std::string() : obstacle_to_meeting_lights(pass);
+  }
 
   template <class M>
   void estimate(transport::Front<M>& front) const {

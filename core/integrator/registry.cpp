@@ -5,11 +5,14 @@
 #include "integrator/appel.h"
 #include "integrator/bdpt.h"
 #include "integrator/distribution.h"
+#include "integrator/igi.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
+#include "integrator/photonmap.h"
 #include "integrator/raycast.h"
+#include "integrator/sppm.h"
 #include "integrator/whitted.h"
 
 namespace etendue::integrator {
@@ -23,14 +26,25 @@ struct Entry {
 template <class T>
 Entry entry() {
   const Description& d = T::kDescription;
-  return {{d.name, d.label, d.doc, d.paths, d.point_paths, d.bias, d.sampling, d.cost, d.fails, T().parameters()},
-          [] { return std::make_unique<T>(); }};
+  IntegratorInfo info{d.name,     d.label, d.doc,   d.group, d.paths,      d.point_paths,   d.bias,
+                      d.sampling, d.cost,  d.fails, d.key,   d.techniques, T().parameters()};
+  return {std::move(info), [] { return std::make_unique<T>(); }};
 }
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(), entry<Appel>(),     entry<Whitted>(), entry<Distribution>(), entry<PathPure>(),
-      entry<Path>(),    entry<LightPure>(), entry<Light>(),   entry<Bdpt>(),
+      entry<Raycast>(),
+      entry<Appel>(),
+      entry<Whitted>(),
+      entry<Distribution>(),
+      entry<PathPure>(),
+      entry<Path>(),
+      entry<LightPure>(),
+      entry<Light>(),
+      entry<Bdpt>(),
+      entry<PhotonMapping>(),
+      entry<ProgressivePhotonMapping>(),
+      entry<InstantGlobalIllumination>(),
   };
   return all;
 }

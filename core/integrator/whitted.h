@@ -15,11 +15,14 @@ class Whitted final : public Gathering<Whitted> {
       "whitted",
       "Ray tracing (Whitted)",
       "Direct light, seen directly and through every mirror and refraction",
+      Group::gathering,
       "ES*[D|G]L",
       "ES*(D|G)L",
       Bias::biased,
       "up to 2^depth rays, and 1 for each light at each vertex; a stack of branches",
-      "light between diffuse or glossy surfaces, caustics: exactly zero; chains of mirrors beyond depth or threshold"};
+      "light between diffuse or glossy surfaces, caustics: exactly zero; chains of mirrors beyond depth or threshold",
+      Sampling::pixels,
+      '2'};
 
   // Rays that mirrors hold captive would go on for ever.
   Whitted() {

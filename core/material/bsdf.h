@@ -42,6 +42,17 @@ class LobeMix {
     return f;
   }
 
+  // The slope of the facets that all glossy lobes of a surface have in common: what tells narrow ones from wide ones.
+  float alpha() const {
+    const auto slope = [](const auto& lobe) {
+      if constexpr (requires { lobe.facets; })
+        return std::max(lobe.facets.alpha_x, lobe.facets.alpha_y);
+      else
+        return 1.0f;
+    };
+    return count_ > 0 ? visit(0, slope) : 1.0f;
+  }
+
   bool scatters(Scatter letter) const {
     for (int i = 0; i < count_; ++i)
       if (visit(i, [&](const auto& l) { return l.scatters(letter); })) return true;

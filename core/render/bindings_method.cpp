@@ -4,6 +4,7 @@
 
 #include "integrator/integrator.h"
 #include "render/bindings.h"
+#include "render/obstacle.h"
 #include "scene/pose.h"
 #include "transport/model.h"
 
@@ -39,6 +40,7 @@ std::vector<Binding> render_bindings(const Document& d) {
                                           "Half of the samples go where they bring most, decided so that the picture "
                                           "stays unbiased; samples are then counted on average"},
                          [](Document& doc, Adaptive v) { doc.method.adaptive = v; }));
+  list.back().idle = adaptive_obstacle(d.method.integrator);
   constexpr int kMost = 2'000'000'000;
   list.push_back(binding(
       "render",

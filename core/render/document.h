@@ -72,6 +72,7 @@ struct Document {
 struct Binding {
   ParameterInfo info;   // info.name is the qualified name; default_value is the value now
   std::string section;  // "render", "camera", "material.3", ...
+  std::string idle;     // why it changes nothing now, and what to do; empty if it does
   std::function<void(Document&, const Value&)> assign;
 };
 

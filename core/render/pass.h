@@ -47,6 +47,8 @@ class PassRunner {
 
   const transport::Model& model() const { return model_; }
   size_t memory() const;  // bytes, beyond the film
+  // What the method keeps in space; null if nothing. Not while tasks run.
+  std::shared_ptr<const std::vector<integrator::PointOfLight>> points() const { return work_->points(); }
 
   // What the running step is at.
   struct Progress {

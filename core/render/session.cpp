@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/hash.h"
+#include "render/obstacle.h"
 #include "render/pass.h"
 
 namespace etendue::render {
@@ -26,6 +27,8 @@ constexpr double kCoarseSeconds = 0.015, kGiveUpSeconds = 0.025;
 // The same for the first frame after one that the next edit cut short; for so long it is not cut.
 constexpr double kOwedSeconds = 0.006, kProtectedSeconds = 0.012;
 constexpr int kCoarsest = 32;
+// Between two looks at what goes on where no frame comes of it, and how long a phase lasts before it is worth a word.
+constexpr double kLookSeconds = 0.1, kPhaseSeconds = 0.3;
 
 // The more samples there are, the less the next frame differs.
 double frames_apart(uint32_t samples) { return samples < 32 ? 1 : samples < 256 ? 2.5 : 5; }
@@ -42,7 +45,11 @@ bool same_light(const Document& a, const Document& b) {
 class Session::Impl {
  public:
   explicit Impl(const SessionOptions& options)
-      : options_(options), workers_(options.threads), frames_(workers_), thread_([this] { loop(); }) {}
+      : options_(options),
+        workers_(options.threads),
+        frames_(workers_),
+        shown_scene_(std::move(options_.scene)),
+        thread_([this] { loop(); }) {}
 
   ~Impl() {
     {
@@ -152,6 +159,10 @@ class Session::Impl {
     });
   }
 
+  std::shared_ptr<const std::vector<integrator::PointOfLight>> points() {
+    return between_slices([&] { return runner_ ? runner_->points() : nullptr; });
+  }
+
   std::vector<double> latencies_, restart_latencies_;
 
  private:
@@ -235,6 +246,7 @@ class Session::Impl {
     coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
     coarse_.reset();
     awaiting_first_frame_ = options_.interactive;
+    phase_ = nullptr;
     protected_until_ = owed ? Clock::now() + seconds(kProtectedSeconds) : Clock::time_point();
     const std::lock_guard lock(mutex_);
     shown_scene_ = compiled;
@@ -243,6 +255,7 @@ class Session::Impl {
     status_.version = edit.version;
     status_.build = compiled->report();
     status_.phase = "rendering";
+    status_.obstacle = obstacle(document_, *compiled);
     status_.samples = complete_;
     status_.memory = compiled->memory() + embree_memory() + film_bytes();
   }
@@ -288,9 +301,10 @@ class Session::Impl {
     const auto start = Clock::now();
     // A picture small enough to do without coarse frames is first shown when it is whole.
     const bool first = awaiting_first_frame_ && complete_ == 0;
-    const double allowed = options_.interactive ? options_.publish_interval * frames_apart(complete_) : 0.25;
-    const auto keep_going = [&] { return !cut() && (first || seconds_since(start) < allowed); };
-    const uint64_t before = counters_.paths;
+    const double allowed = first                  ? kLookSeconds
+                           : options_.interactive ? options_.publish_interval * frames_apart(complete_)
+                                                  : 0.25;
+    const auto keep_going = [&] { return !cut() && seconds_since(start) < allowed; };
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
       if (runner_->advance(workers_, {film_, &tails_, cascades()}, keep_going, counters_, [&] { return !cut(); }))
         complete_ = runner_->samples();
@@ -298,11 +312,11 @@ class Session::Impl {
     }
     const double took = seconds_since(start);
     rendering_seconds_ += took;
-    if (first) note_rate(counters_.paths - before, took);
+    if (first && complete_ > 0) note_rate(counters_.paths, rendering_seconds_);
     const bool finished = update_status();
     // The last frame is shown even if somebody wants the film meanwhile: no slice comes after it. Nothing is new where
     // the limit was reached before: the frame that stands goes on.
-    if (!options_.interactive || (cut() && !finished)) return;
+    if (!options_.interactive || (cut() && !finished) || (first && complete_ == 0)) return;
     if (!awaiting_first_frame_ && counters_.paths == shown_paths_ && frame_->samples == complete_) return;
     shown_paths_ = counters_.paths;
     publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get(), cascades()));
@@ -361,16 +375,23 @@ class Session::Impl {
   void coarse_frame() {
     const auto start = Clock::now();
     const int w = std::max(1, document_.width / coarse_scale_), h = std::max(1, document_.height / coarse_scale_);
+    // Under the same seed, so that photons are traced for both.
     Document small = document_;
     small.method.adaptive = Adaptive::off;
-    small.seed = mix_bits(document_.seed + 0x9e3779b97f4a7c15ULL * static_cast<uint64_t>(coarse_scale_));
     PassRunner runner(small, shown_scene_, w, h, runner_.get());
     film::Film film(w, h);
     PassRunner::Counters counters;
     const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
-    const auto keep_going = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
+    const auto wanted = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
     runner.begin(film);
-    const bool done = runner.advance(workers_, {film}, keep_going, counters, keep_going);
+    bool done = false;
+    while (!done && wanted()) {
+      const auto slice_start = Clock::now();
+      const auto keep_going = [&] { return wanted() && seconds_since(slice_start) < kLookSeconds; };
+      done = runner.advance(workers_, {film}, keep_going, counters, wanted);
+      const std::lock_guard lock(mutex_);
+      note_phase(runner);
+    }
     note_rate(counters.paths, seconds_since(start));
     if (!done) {
       if (!cut()) coarse_scale_ = std::min(4 * coarse_scale_, kCoarsest);
@@ -454,12 +475,22 @@ class Session::Impl {
     status_.progress = progress();
     status_.left = left();
     status_.memory = shown_scene_->memory() + embree_memory() + film_bytes() + runner_->memory();
-    const PassRunner::Progress step = runner_->progress();
-    status_.phase = step.phase ? step.phase : "rendering";
-    status_.phase_progress = step.phase ? step.done : 0;
+    note_phase(*runner_);
     status_.finished = finished;
     if (status_.finished) status_.phase = "done", status_.progress = 1, idle_.notify_all();
     return finished;
+  }
+
+  // What a method does first, where it takes long enough to be read. Under mutex_.
+  void note_phase(const PassRunner& runner) {
+    const PassRunner::Progress step = runner.progress();
+    if (step.phase != phase_ || runner.samples() != phase_sample_) {
+      phase_ = step.phase, phase_sample_ = runner.samples();
+      phase_began_ = Clock::now();
+    }
+    const bool lasts = phase_ && seconds_since(phase_began_) >= kPhaseSeconds;
+    status_.phase = lasts ? phase_ : "rendering";
+    status_.phase_progress = lasts ? step.done : 0;
   }
 
   // Until the nearest limit, as far as that can be told.
@@ -490,7 +521,7 @@ class Session::Impl {
     return std::min(most, 1.0);
   }
 
-  const SessionOptions options_;
+  SessionOptions options_;
   Workers workers_;
   FrameMaker frames_;
 
@@ -528,6 +559,9 @@ class Session::Impl {
   double rendering_seconds_ = 0;
   double coarse_rate_ = 0;  // paths per second that a first frame can count on
   int coarse_scale_ = 1;
+  const char* phase_ = nullptr;  // of the sample that is being made
+  uint32_t phase_sample_ = 0;
+  Clock::time_point phase_began_;
   bool awaiting_first_frame_ = false;
   Clock::time_point submitted_, protected_until_;
 
@@ -554,6 +588,7 @@ void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
 std::optional<std::vector<float>> Session::reweighted_copy() { return impl_->reweighted_copy(); }
+std::shared_ptr<const std::vector<integrator::PointOfLight>> Session::points() { return impl_->points(); }
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {
   Document limited = document;

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "film/film.h"
+#include "integrator/integrator.h"
 #include "render/document.h"
 #include "render/forecast.h"
 #include "render/frame.h"
@@ -37,8 +38,10 @@ struct Status {
   std::shared_ptr<const Health> health;  // as it was at some sample before; null until it was first looked at
   size_t memory = 0;                     // bytes of scene arrays, Embree, the film and what watches its samples
   scene::BuildReport build;
-  std::string phase;  // "compiling", "rendering", what a method does first ("tracing photons"), "paused", "done"
+  // "compiling", "rendering", "paused", "done", or what a method does first ("tracing photons"), where that takes long.
+  std::string phase;
   double phase_progress = 0;       // of what a method does first, 0 to 1
+  std::string obstacle;            // why the method finds no light at all here (render/obstacle.h); empty if it may
   bool finished = false;           // a limit was reached
   double progress = 0;             // towards the nearest limit, 0 to 1
   std::optional<Prediction> left;  // seconds to the nearest limit, if there is one and it can be told
@@ -48,6 +51,8 @@ struct SessionOptions {
   int threads = 0;                // 0: one per hardware thread
   bool interactive = false;       // coarse frames first, and frames at all; without, frames come from `film` at the end
   double publish_interval = 0.1;  // seconds between frames; longer when many samples make them alike
+  // Of a session beside this one, or null: what the first document has in common with it is not compiled again.
+  std::shared_ptr<const scene::CompiledScene> scene = nullptr;
 };
 
 class Session {
@@ -83,6 +88,8 @@ class Session {
   film::Film film_copy();
   // The same as it is shown, three numbers a pixel, where film.fireflies re-weights it; nothing where it does not.
   std::optional<std::vector<float>> reweighted_copy();
+  // What the method keeps in space (photons, virtual lights), taken likewise; null if nothing.
+  std::shared_ptr<const std::vector<integrator::PointOfLight>> points();
   // Continues with a film from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
   // there.
   uint64_t submit(const Document& document, film::Film start);

@@ -121,6 +121,12 @@ class CompiledScene final : public OpacityTest {
     return first == InstanceData::kNotALight ? first : first + point.triangle;
   }
 
+  // Whether light travels here as it does there: nothing but the camera differs.
+  bool same_light(const CompiledScene& other) const {
+    return accel_ == other.accel_ && instances_ == other.instances_ && materials_ == other.materials_ &&
+           textures_ == other.textures_ && lights_ == other.lights_;
+  }
+
   const LightTable& lights() const { return *lights_; }
   const Camera& camera() const { return camera_; }
   const std::vector<InstanceData>& instances() const { return *instances_; }

@@ -93,6 +93,29 @@ class ClassShares<M, true> {
     return f_cos * (parts.diffuse * sum(path, diffuse) + parts.glossy * sum(path, glossy));
   }
 
+  // The same apart for light that is scattered by one letter, diffuse or glossy.
+  Color of_connection_by(int path, Event letter) const {
+    return sum(path, alive(path) & (letter == Event::diffuse ? lit_after_diffuse_ : lit_after_glossy_));
+  }
+
+  // The states that a path is in, and its share in each.
+  Automaton::States states(int path) const { return alive(path); }
+  const Color& share(int path, Automaton::State state) const { return row(path)[state]; }
+  const Automaton& automaton() const { return *automaton_; }
+
+  // The path is where another one is, of shares in the same automaton.
+  void take_over(int path, const ClassShares& other, int other_path) {
+    alive_[static_cast<size_t>(path)] = other.alive(other_path);
+    for_each(alive(path), [&](Automaton::State q) { row(path)[q] = other.row(other_path)[q]; });
+  }
+
+  // The path goes on by one letter alone; false as below.
+  bool scatter_by(int path, Event letter) {
+    const auto part = [letter](Event e) { return Color(e == letter ? 1.0f : 0.0f); };
+    move(path, {part(Event::diffuse), part(Event::glossy), part(Event::specular)});
+    return alive(path) != 0;
+  }
+
   // The shares of a path as they are, and as they would be after the letters of a connection.
   using Row = std::vector<Color>;
   void copy(int path, Row& out) const {

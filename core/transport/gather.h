@@ -170,23 +170,33 @@ void leave(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s)
   path.all_specular = path.all_specular && s.delta;
 }
 
+// What a walk takes of a direction that was sampled at an arrival: all of it. False if nothing that counts can come of
+// it.
+struct TakeAll {
+  template <class M>
+  bool operator()(Front<M>& front, int arrival, LobeSample<typename M::Color>& s) const {
+    if constexpr (M::kClasses)
+      return front.shares().scatter(front.path_at(arrival), front.bsdf(arrival), front.wo(arrival), s);
+    return true;
+  }
+};
+
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
 // behind. Walks from lights carry importance's mode: what flows along them is power, which refraction does not
 // compress.
 // `note` is called with the arrival and its sample where the walk goes on.
-template <class M, class Note>
-void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& note) {
+template <class M, class Note, class Take = TakeAll>
+void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& note, const Take& take = {}) {
   const bool roulette = front.length() >= roulette_from;
   front.draw_lobes();
   if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
   for (int i = 0; i < front.arrived(); ++i) {
     LobeSample<typename M::Color> s;
     if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), mode, s)) continue;
+    if (!take(front, i, s)) continue;
     auto& path = front.state_at(i);
     path.throughput *= s.weight;
     if (mode == Transport::radiance) path.eta_scale *= sqr(s.eta);
-    if constexpr (M::kClasses)
-      if (!front.shares().scatter(front.path_at(i), front.bsdf(i), front.wo(i), s)) continue;
     if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
     leave(path, front.point(i).position, s);
     note(i, s);
@@ -194,9 +204,10 @@ void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& no
   }
 }
 
-template <class M>
-void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance) {
-  scatter_noted(front, roulette_from, mode, [](int, const auto&) {});
+template <class M, class Take = TakeAll>
+void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance, const Take& take = {}) {
+  scatter_noted(
+      front, roulette_from, mode, [](int, const auto&) {}, take);
 }
 
 }  // namespace etendue::transport

@@ -54,6 +54,14 @@ TEST(Advisor, RanksWhatItCanHave) {
   }
 }
 
+TEST(Advisor, WhatIsHinderedIsNotRanked) {
+  // An error so large that nothing found would do.
+  const Advice hindered = of(ranked(cornell(16), 100, 0.02), "light-pure:sampler=sobol");
+  EXPECT_FALSE(hindered.suitable);
+  EXPECT_FALSE(hindered.time);
+  EXPECT_NE(hindered.reason.find("camera.lens-radius"), std::string::npos) << hindered.reason;
+}
+
 TEST(Advisor, WhatIsMissingCountsAgainstTheTarget) {
   const auto d = things_under(true, false, true, 24);
   const Advice fine = of(ranked(d, 1e-3, 0.02), "path-pure:sampler=sobol");

@@ -8,6 +8,7 @@
 
 #include "advice/things.h"
 #include "advice/trusted.h"
+#include "render/obstacle.h"
 #include "transport/path_expression.h"
 
 namespace etendue::test {
@@ -45,7 +46,9 @@ advice::ClassEnergy energy_by(const std::string& integrator, const render::Docum
 // What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
 std::vector<std::string> lies(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
                               const ClassTable& table) {
-  const Found found = advice::declared(info);
+  const render::Document made = changed(advice::trusted(d), "render.integrator", info.name);
+  const bool hindered = !render::obstacle(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
+  const Found found = hindered ? Found() : advice::declared(info);
   const Automaton& declared = points ? found.point_paths : found.paths;
   std::vector<std::string> list;
   const Automaton rest = advice::without(PathExpression::all().automaton(), declared);
@@ -102,6 +105,18 @@ TEST(Declared, ALieIsFound) {
   EXPECT_FALSE(lies(said("path", "E[D|G]L", ""), d, false, table).empty());
   EXPECT_FALSE(lies(said("path-pure", "E.*L", "E.*DL"), points, true, under_points).empty());
   EXPECT_FALSE(lies(said("path", "E.*L", ""), points, true, under_points).empty());
+}
+
+TEST(Declared, AMethodThatIsHinderedFindsNothing) {
+  const auto d = changed(things_under(true, false, false, 16), "render.integrator", "light-pure");
+  const auto found = [](const render::Document& document) {
+    return advice::declared(document, *scene::compile(document.scene, document.camera, nullptr));
+  };
+  EXPECT_TRUE(found(d).paths.empty());
+  EXPECT_FALSE(found(changed(d, "camera.lens-radius", "0.1")).paths.empty());
+  const auto points = changed(things_under(false, false, true, 16), "render.integrator", "path-pure");
+  EXPECT_TRUE(found(points).paths.empty());
+  EXPECT_FALSE(found(changed(things_under(true, false, true, 16), "render.integrator", "path-pure")).paths.empty());
 }
 
 TEST(Declared, PointPathsAreAmongThePaths) {

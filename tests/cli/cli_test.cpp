@@ -87,6 +87,37 @@ TEST_F(Cli, AMethodThatFindsNoneOfThePathsSaysSo) {
   EXPECT_NE(r.err.find("raycast finds E[D|G]L, none of EDDL"), std::string::npos) << r.err;
 }
 
+TEST_F(Cli, WhatStandsInTheWayOfAMethodIsAWarning) {
+  const std::string what = "render cornell --size 8x8 --spp 1 --integrator light-pure -o a.exr --json -";
+  const Outcome r = run(what);
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("set camera.lens-radius"), std::string::npos) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(r.out)["obstacle"], r.err.substr(9, r.err.size() - 10));
+  const Outcome clear = run(what + " --set camera.lens-radius=0.1");
+  EXPECT_EQ(clear.err, "");
+  EXPECT_TRUE(nlohmann::json::parse(clear.out)["obstacle"].is_null());
+}
+
+TEST_F(Cli, AdaptiveSamplingWithAMethodThatCannotIsAUsageError) {
+  expect_error("render cornell --spp 1 --set render.adaptive=rmse --integrator light -o a.exr", 2, "pixel by pixel");
+  expect_error("bench cornell --methods light:adaptive=rmse --out d", 2, "pixel by pixel");
+}
+
+TEST_F(Cli, TechniquesAreLeftOutByName) {
+  const Outcome r = run("render cornell --size 8x8 --spp 1 --integrator bdpt --set bdpt.without=0,* -o a.exr --json -");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_EQ(nlohmann::json::parse(r.out)["certificate"]["bias"], "biased");
+  expect_error("render cornell --spp 1 --integrator bdpt --set 'bdpt.without=0;1' -o a.exr", 2, "is no technique");
+}
+
+TEST_F(Cli, IntegratorsAreListedWithTheirGroups) {
+  const Outcome r = run("list integrators --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto list = nlohmann::json::parse(r.out);
+  EXPECT_EQ(list[0]["group"], "gathering");
+  for (const auto& integrator : list) EXPECT_FALSE(integrator["group"].get<std::string>().empty());
+}
+
 TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
+#include "render/obstacle.h"
 #include "support/scenes.h"
 #include "transport/path_expression.h"
 
@@ -11,24 +12,30 @@ namespace {
 
 using test::Mean;
 
-// Those that find every path of lights with an extent.
-std::vector<std::string> unbiased_integrators() {
+// Those that find every path of lights with an extent, and that nothing hinders in the document's picture.
+std::vector<std::string> unbiased_integrators(const render::Document& document) {
+  const auto scene = scene::compile(document.scene, document.camera, nullptr);
   const auto& all = transport::PathExpression::all().automaton();
   std::vector<std::string> names;
-  for (const auto& info : integrator::integrator_infos())
-    if (info.bias == integrator::Bias::unbiased && info.name != "light-pure" &&
+  render::Document d = document;
+  for (const auto& info : integrator::integrator_infos()) {
+    d.method.integrator = info.name;
+    if (info.bias == integrator::Bias::unbiased && render::obstacle(d, *scene).empty() &&
         transport::PathExpression::parse_paths(info.paths)->automaton() == all)
       names.push_back(info.name);
+  }
   return names;
 }
 
 // Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo). Late roulette leaves next to no variance where
 // pixels are sampled alone, so that the mean stands to 0.1 %; light paths choose their pixels, and leave some.
 TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
-  for (const float albedo : {0.5f, 0.9f})
-    for (const auto& method : unbiased_integrators())
+  for (const float albedo : {0.5f, 0.9f}) {
+    const auto place =
+        test::document(test::furnace(albedo), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
+    for (const auto& method : unbiased_integrators(place))
       for (const auto& sampler : sampler_infos()) {
-        auto d = test::document(test::furnace(albedo), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
+        auto d = place;
         d.method.integrator = method;
         d.method.sampler = sampler.name;
         d = *render::with_text(d, "roulette-start", "64");
@@ -39,14 +46,16 @@ TEST(Furnace, EveryUnbiasedMethodWithEverySampler) {
         EXPECT_NEAR(mean.value, expected, std::max(1e-3 * expected, 4 * mean.standard_error))
             << method << ' ' << sampler.name << ' ' << albedo << " +- " << mean.standard_error;
       }
+  }
 }
 
 // Roulette changes the noise, not the mean: a z-test over pixels at a false-alarm rate of 1 % for all cases together.
 TEST(Furnace, RouletteIsUnbiased) {
   constexpr double kZ = 3.26;  // Sidak: 3 methods x 3 starts
-  for (const auto& method : unbiased_integrators())
+  const auto place = test::document(test::furnace(0.7f), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), 64, 64);
+  for (const auto& method : unbiased_integrators(place))
     for (const int start : {1, 2, 8}) {
-      auto d = test::document(test::furnace(0.7f), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), 64, 64);
+      auto d = place;
       d.method.integrator = method;
       d.method.sampler = "random";
       d = *render::with_text(d, "roulette-start", std::to_string(start));
@@ -57,9 +66,10 @@ TEST(Furnace, RouletteIsUnbiased) {
 
 // The partial sum of depth k: (1 - albedo^k) / (1 - albedo).
 TEST(Furnace, DepthLimitLosesWhatTheoryPredicts) {
-  for (const auto& method : unbiased_integrators())
+  const auto place = test::document(test::furnace(0.5f), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
+  for (const auto& method : unbiased_integrators(place))
     for (const int depth : {1, 2, 3, 5}) {
-      auto d = test::document(test::furnace(0.5f), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
+      auto d = place;
       d.method.integrator = method;
       d = *render::with_text(d, "max-depth", std::to_string(depth));
       const double expected = (1 - std::pow(0.5, depth)) / 0.5;
@@ -73,9 +83,10 @@ TEST(EmittingSphere, SeenFromInside) {
   for (const float radius : {1e-3f, 1.0f, 1e5f}) {
     scene::Scene scene;
     test::add(scene, test::sphere(radius, 32, true), test::diffuse(Rgb(0.5f), Rgb(1)));
-    for (const auto& method : unbiased_integrators()) {
-      auto d =
-          test::document(scene, look_at(radius * Vec3(0.2f, 0.1f, 0), radius * Vec3(0, 0, 1), {0, 1, 0}, 1), 32, 32);
+    const auto place =
+        test::document(scene, look_at(radius * Vec3(0.2f, 0.1f, 0), radius * Vec3(0, 0, 1), {0, 1, 0}, 1), 32, 32);
+    for (const auto& method : unbiased_integrators(place)) {
+      auto d = place;
       d.method.integrator = method;
       EXPECT_NEAR(test::mean_of(test::rendered(d, 128)).value, 2, 4e-3) << method << " radius " << radius;
     }
@@ -128,8 +139,9 @@ TEST(WhiteFurnace, SmoothGlassDisappears) {
   glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1;
   test::add(scene, test::sphere(1, 24, false), glass);
   scene.environment.tint = Rgb(1);
-  for (const auto& method : unbiased_integrators()) {
-    auto d = test::document(scene, look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f), 32, 32);
+  const auto place = test::document(scene, look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f), 32, 32);
+  for (const auto& method : unbiased_integrators(place)) {
+    auto d = place;
     d.method.integrator = method;
     const Mean mean = test::mean_of(test::rendered(d, 128));
     EXPECT_NEAR(mean.value, 1, std::max(2e-3, 4 * mean.standard_error)) << method;

@@ -19,7 +19,7 @@ xdotool windowfocus "$window" mousemove --window "$window" 300 400 mousedown 1
 for x in 320 340 360 380 400; do xdotool mousemove --window "$window" "$x" 390; sleep 0.05; done
 xdotool mouseup 1
 sleep 0.3
-xdotool key --window 0 5
+xdotool key --window 0 3
 sleep 1
 xdotool key --window 0 ctrl+s
 for _ in $(seq 50); do compgen -G "*.exr" >/dev/null && break; sleep 0.1; done

@@ -1,0 +1,174 @@
+#include "integrator/igi.h"
+
+#include "integrator/virtual_lighting.h"
+#include "sampling/random.h"
+
+namespace etendue::integrator {
+namespace {
+
+// The virtual lights of one sample, or of a half of the film, in the making.
+struct Lights {
+  uint32_t sample = 0;                           // whose random numbers they are made with
+  std::vector<std::vector<VirtualLight>> found;  // by task
+  std::vector<VirtualLight> all;
+  bool ready = false;
+};
+
+class VirtualLights final : public Work {
+ public:
+  VirtualLights(const InstantGlobalIllumination& method, const Pass& pass)
+      : method_(method), pass_(pass), plan_(method.plan()) {
+    if (pass.model->classes) join_.emplace(*pass.model->paths);
+    for (uint32_t half = 0; half < film::kReplicates; ++half) lights_[half].sample = half;
+  }
+
+  std::vector<Phase> phases(uint32_t sample) override {
+    Lights& lights = lights_of(sample);
+    if (method_.renew) lights.sample = sample, lights.ready = false;
+    if (lights.ready || !indirect()) return {};
+    lights.found.resize(static_cast<size_t>(plan_.tasks()));
+    return {{"making virtual lights", plan_.tasks()}};
+  }
+
+  std::optional<uint64_t> run(uint32_t sample, size_t, int task, const Turn& turn) override {
+    Lights& lights = lights_of(sample);
+    Pass pass = pass_;
+    if (!method_.renew) pass.sampler = &random_;
+    return transport::with_model(*pass_.model, [&]<class M>(M) {
+      return make_virtual_lights<M>(pass, lights.sample, plan_, task, turn, lights.found[static_cast<size_t>(task)]);
+    });
+  }
+
+  void finish(uint32_t sample, size_t) override {
+    Lights& lights = lights_of(sample);
+    lights.all.clear();
+    for (const auto& list : lights.found) lights.all.insert(lights.all.end(), list.begin(), list.end());
+    lights.ready = true;
+  }
+
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {
+    return transport::with_model(*pass_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, turn); });
+  }
+
+  size_t memory() const override {
+    size_t count = 0;
+    for (const Lights& lights : lights_) {
+      count += lights.all.capacity();
+      for (const auto& list : lights.found) count += list.capacity();
+    }
+    return count * sizeof(VirtualLight);
+  }
+
+  std::shared_ptr<const std::vector<PointOfLight>> points() const override {
+    auto points = std::make_shared<std::vector<PointOfLight>>();
+    for (const VirtualLight& light : lights_[0].all)
+      if (points->size() < kMostPoints) points->push_back({light.point.position, light.power});
+    return points;
+  }
+
+ private:
+  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kReplicates]; }
+  // Virtual lights are the second vertex at the earliest.
+  bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
+  bool follows_bound() const { return method_.bound > 0 && method_.compensate; }
+
+  template <class M>
+  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
+    transport::Front<M>& front = front_of_thread<M>();
+    const BlockOrder order(block);
+    launch_camera_walks(pass_, block, order, turn, front);
+    static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
+    const int side = method_.interleave;
+    lighting->begin(
+        {lights_[block.sample % film::kReplicates].all, plan_.lambertian, method_.bound, method_.max_depth,
+         join_ ? &*join_ : nullptr},
+        order.size(), [&](int i) {
+          return static_cast<uint32_t>((block.y + order.y(i)) % side * side + (block.x + order.x(i)) % side);
+        });
+    if (!estimate(turn, *lighting, front)) return {};
+    const auto rays = collect(front, order, radiance);
+    if (!rays) return {};
+    return *rays + lighting->rays_traced();
+  }
+
+  // False if nobody wants it any more: a few vertices take a while.
+  template <class M>
+  bool estimate(const Turn& turn, VirtualLighting<M>& lighting, transport::Front<M>& front) const {
+    using namespace transport;
+    static thread_local std::array<float, Front<M>::kCapacity> departures;  // cosines by which paths left
+    while (front.advance()) {
+      add_sky_in_view(front);
+      while (front.arrive()) {
+        if (!is_wanted(turn)) return false;
+        add_emission_in_view(front);
+        if (method_.at_limit(front.length())) continue;
+        if (follows_bound()) weigh_by_loss(front, departures);
+        add_direct_light(front, {});
+        lighting.add(front);
+        scatter_noted(
+            front, method_.roulette_start, Transport::radiance,
+            [&](int i, const auto& s) {
+              departures[static_cast<size_t>(front.path_at(i))] = glm::dot(front.point(i).ng, s.wi);
+            },
+            [this](Front<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
+      }
+    }
+    return true;
+  }
+
+  // Mirrors from the camera on; from there where a bound loses something, but not by mirrors: virtual lights are not
+  // connected through them.
+  template <class M>
+  bool goes_on(transport::Front<M>& front, int i, LobeSample<typename M::Color>& s) const {
+    const bool follows = s.delta ? front.state_at(i).all_specular : follows_bound();
+    return follows && !is_black(front.state_at(i).throughput) && transport::TakeAll()(front, i, s);
+  }
+
+  template <class M>
+  void weigh_by_loss(transport::Front<M>& front, std::span<const float> departures) const {
+    for (int i = 0; i < front.arrived(); ++i) {
+      auto& path = front.state_at(i);
+      if (path.all_specular) continue;
+      const Vec3 d = front.point(i).position - path.from;
+      const float cosine = glm::dot(front.point(i).ng, front.wo(i));
+      const float left = departures[static_cast<size_t>(front.path_at(i))];
+      path.throughput *= 1 - kept_of(geometry_term(left, cosine, glm::dot(d, d)), method_.bound);
+    }
+  }
+
+  // Light that is met after something else than a mirror was sampled directly.
+  template <class M>
+  static void add_emission_in_view(transport::Front<M>& front) {
+    for (int i = 0; i < front.arrived(); ++i) {
+      auto& path = front.state_at(i);
+      if (front.point(i).material->shines && path.all_specular)
+        path.radiance += transport::admitted(front, path, front.path_at(i)) * front.scene().emitted(front.point(i));
+    }
+  }
+  template <class M>
+  static void add_sky_in_view(transport::Front<M>& front) {
+    const EnvironmentMap& map = front.scene().lights().environment();
+    if (map.black() || (front.length() == 1 && !map.visible())) return;
+    for (int i = 0; i < front.escaped(); ++i) {
+      auto& path = front.escapee(i);
+      if (path.all_specular)
+        path.radiance +=
+            transport::admitted(front, path, front.path_of_escape(i)) * map.radiance(front.escape_direction(i));
+    }
+  }
+
+  const InstantGlobalIllumination& method_;
+  const Pass pass_;
+  const VirtualLightPlan plan_;
+  const RandomSampler random_;
+  std::optional<transport::ClassJoin> join_;
+  std::array<Lights, film::kReplicates> lights_;
+};
+
+}  // namespace
+
+std::unique_ptr<Work> InstantGlobalIllumination::begin(const Pass& pass, const Work*) const {
+  return std::make_unique<VirtualLights>(*this, pass);
+}
+
+}  // namespace etendue::integrator

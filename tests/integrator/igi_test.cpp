@@ -1,0 +1,86 @@
+// Instant global illumination against closed forms and path tracing.                       digest 8-10: O1, O2, S40,
+// S41
+#include <gtest/gtest.h>
+
+#include "support/replicates.h"
+
+namespace etendue {
+namespace {
+
+using test::expect_agreement;
+using test::replicated;
+
+render::Document igi(render::Document d, const std::vector<std::pair<std::string, std::string>>& settings) {
+  d.method.integrator = "igi";
+  for (const auto& [name, value] : settings) d = *render::with_text(d, "igi." + name, value);
+  return d;
+}
+
+render::Document by_path(render::Document d) {
+  d.method.integrator = "path";
+  return d;
+}
+
+render::Document room() { return test::cornell(test::kSize); }
+
+// Where all is diffuse the virtual lights are what they seem.
+TEST(InstantGlobalIllumination, UnboundedIsPathTracingWhereAllIsDiffuse) {
+  const auto reference = replicated(by_path(room()), 256);
+  expect_agreement(replicated(igi(room(), {{"light-paths", "16"}}), 16, 3000), reference, "lambertian", 4);
+  expect_agreement(replicated(igi(room(), {{"light-paths", "16"}, {"full-bsdf", "on"}}), 16, 4000), reference, "full",
+                   4);
+  expect_agreement(replicated(igi(room(), {{"light-paths", "18"}, {"interleave", "3"}}), 32, 5000), reference,
+                   "interleaved", 4);
+  expect_agreement(replicated(igi(room(), {{"light-paths", "16"}, {"bound", "0.5"}}), 16, 6000), reference,
+                   "what the bound loses is found", 4);
+}
+
+// Every lobe at both ends of a connection; what cannot be found is left out of the reference.
+TEST(InstantGlobalIllumination, FullIsPathTracingOfItsClasses) {
+  const auto d = test::glossy_things();
+  auto reference = by_path(d);
+  for (const char* paths : {"ES*[(D|G)[(D|G).*]]L", "EDGL", "EG(D|G)+L"}) {
+    reference.method.paths = paths;
+    auto virtual_lights = igi(d, {{"light-paths", "32"}, {"full-bsdf", "on"}, {"bound", "2"}});
+    virtual_lights.method.paths = paths;
+    expect_agreement(replicated(virtual_lights, 32, 3000), replicated(reference, 512), paths, 3);
+  }
+}
+
+// Each virtual light y_j adds exactly a rho^(j+1) in a sphere; by depth, the sum of two terms is without noise but for
+// triangles.
+TEST(InstantGlobalIllumination, GoldenSphere) {
+  constexpr double kShare = 0.05, kAlbedo = 0.5;
+  auto d = test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
+  // Mean: whole sum. Walks end at random, so that the number of lights varies.
+  const auto whole = test::mean_of(test::rendered(igi(d, {{"light-paths", "400"}}), 16));
+  EXPECT_NEAR(whole.value, kAlbedo * kShare / (1 - kAlbedo), 0.02 * kShare);
+  // y_1 alone: every light path has one, and its worth is the same everywhere.
+  const auto first = test::mean_of(test::rendered(igi(d, {{"light-paths", "50"}, {"max-depth", "3"}}), 2));
+  EXPECT_NEAR(first.value, kShare * (kAlbedo + kAlbedo * kAlbedo), 1e-3 * kShare);
+}
+
+// In a sphere of radius one G is 1/4 everywhere: a bound g below scales the indirect light by 4 g.
+TEST(InstantGlobalIllumination, ABoundScalesTheGoldenSphere) {
+  constexpr double kShare = 0.05, kAlbedo = 0.5;
+  auto d = test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
+  for (const double bound : {0.2, 0.1, 0.01}) {
+    const auto cut =
+        igi(d, {{"light-paths", "50"}, {"max-depth", "3"}, {"compensate", "off"}, {"bound", std::to_string(bound)}});
+    const double expected = kShare * (kAlbedo + kAlbedo * kAlbedo * 4 * bound);
+    EXPECT_NEAR(test::mean_of(test::rendered(cut, 2)).value, expected, 2e-3 * expected) << bound;
+  }
+}
+
+TEST(InstantGlobalIllumination, LightsThatStayKeepTheirError) {
+  const auto two = [](const char* renew) {
+    const auto d = igi(room(), {{"light-paths", "4"}, {"renew", renew}});
+    auto other = d;
+    other.seed = 5;
+    return std::abs(test::mean_of(test::rendered(d, 64)).value - test::mean_of(test::rendered(other, 64)).value);
+  };
+  EXPECT_GT(two("off"), 2 * two("on"));
+}
+
+}  // namespace
+}  // namespace etendue

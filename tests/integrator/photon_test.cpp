@@ -1,0 +1,307 @@
+// Photon mapping, once and progressive, against closed forms and path tracing.     digest 8-10: O1, O5, O18, S31-S37
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "integrator/photon_emission.h"
+#include "sampling/random.h"
+#include "support/replicates.h"
+
+namespace etendue {
+namespace {
+
+render::Document changed(const render::Document& d, const std::string& name, const std::string& value) {
+  auto made = render::with_text(d, name, value);
+  EXPECT_TRUE(made) << made.error().message;
+  return made ? *made : d;
+}
+
+render::Document by(const render::Document& d, const std::string& integrator,
+                    const std::vector<std::pair<std::string, std::string>>& settings = {}) {
+  render::Document made = changed(d, "render.integrator", integrator);
+  for (const auto& [name, value] : settings) made = changed(made, integrator + "." + name, value);
+  return made;
+}
+
+// One emission by itself.
+class Emitted {
+ public:
+  Emitted(const scene::Scene& scene, integrator::PhotonPlan plan, const std::string& paths = "")
+      : scene_(scene::compile(std::make_shared<const scene::Scene>(scene), camera_, nullptr)),
+        model_(transport::model_for(*scene_, {}, paths)),
+        rays_(camera_, 8, 8),
+        emission_(plan, 0) {
+    const integrator::Pass pass{scene_.get(), &model_, &sampler_, &rays_, &filter_, 1, 8, 8};
+    for (int i = 0; i < plan.tasks(); ++i) emission_.run(pass, integrator::PhotonEmission::kTrace, i, {});
+    emission_.finish(integrator::PhotonEmission::kTrace);
+    for (int i = 0; i < photon::PhotonMap::kPieces; ++i) emission_.run(pass, integrator::PhotonEmission::kOrder, i, {});
+    emission_.finish(integrator::PhotonEmission::kOrder);
+  }
+
+  std::span<const photon::Photon> photons() const { return emission_.map().photons(); }
+  double power() const {
+    double sum = 0;
+    for (const auto& p : photons()) sum += double{average(p.power())};
+    return sum;
+  }
+
+ private:
+  Camera camera_;
+  std::shared_ptr<const scene::CompiledScene> scene_;
+  transport::Model model_;
+  RandomSampler sampler_;
+  CameraRays rays_;
+  film::Filter filter_{film::FilterKind::box};
+  integrator::PhotonEmission emission_;
+};
+
+integrator::PhotonPlan plan_of(int photons) {
+  integrator::PhotonPlan plan;
+  plan.photons = photons, plan.split = transport::LobeSplit(0.2f);
+  return plan;
+}
+
+// Each arrival is stored: 1 / (1 - rho) for each photon, of power Phi / n. The number that a walk leaves is geometric,
+// of variance rho / (1 - rho)^2.
+TEST(Photons, StoredInAGoldenSphere) {
+  constexpr double kShare = 0.02;
+  constexpr int kPhotons = 20'000;
+  for (const float albedo : {0.5f, 0.8f}) {
+    const Emitted emitted(scene::golden_sphere(kShare, albedo), plan_of(kPhotons));
+    const double stored = 1 / (1 - double{albedo}), n = kPhotons;
+    EXPECT_NEAR(static_cast<double>(emitted.photons().size()) / n, stored,
+                4.5 * std::sqrt(double{albedo} / n) * stored);
+    const double flux = double{kPi} * 4 * double{kPi} * kShare;
+    for (const auto& p : emitted.photons()) ASSERT_NEAR(average(p.power()) * n, flux, 2e-3 * flux);
+    EXPECT_NEAR(emitted.power() / flux, stored, 5 * std::sqrt(double{albedo} / n) * stored);
+  }
+}
+
+// A glaze of reflectance 0.25 over a base of 0.5, met head-on, in a tube that catches what is reflected: half of the
+// photons go on diffusely, a quarter by the mirror, a quarter not at all; all of them are stored (E32).
+TEST(Photons, RouletteSplitsByAlbedo) {
+  scene::Scene scene;
+  Material glazed;
+  glazed.metallic = 0, glazed.roughness = 0, glazed.ior = 3, glazed.base_color = Rgb(0.5f / 0.75f);
+  test::add(scene, test::quad(10), glazed);
+  Mat4 above(1);
+  above[3] = Vec4(0, 100, 0, 1);
+  test::add(scene, test::quad(1000), test::diffuse(Rgb(1e-6f)), above);
+  Light spot;
+  spot.type = LightType::spot;
+  spot.intensity = 1, spot.inner_cone = 0, spot.outer_cone = 0.01f;
+  scene.lights.push_back(spot);
+  scene::Node node;
+  node.light = 0;
+  node.transform.translation = {0, 50, 0};
+  node.transform.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
+  scene.nodes.push_back(node);
+  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  constexpr int kPhotons = 40'000;
+  const Emitted emitted(scene, plan_of(kPhotons));
+  double floor = 0, mirrored = 0, diffuse = 0;
+  for (const auto& p : emitted.photons()) {
+    if (p.position().y < 1)
+      ++floor;
+    else if (std::hypot(p.position().x, p.position().z) < 5)
+      ++mirrored;
+    else
+      ++diffuse;
+  }
+  const double n = kPhotons, sigma = std::sqrt(0.25 / n);
+  EXPECT_EQ(floor, n);
+  EXPECT_NEAR(mirrored / n, 0.25, 4.5 * sigma + 3e-3);  // some diffuse ones go straight up
+  EXPECT_NEAR(diffuse / n, 0.5, 4.5 * sigma + 1.5e-2);  // some pass beside the plate
+}
+
+scene::Scene ball_over_a_floor(const Material& material) {
+  scene::Scene scene;
+  test::add(scene, test::quad(2), test::diffuse(Rgb(0.5f)));
+  Mat4 place(1);
+  place[3] = Vec4(0, 1, 0, 1);
+  test::add(scene, test::sphere(0.5f, 32, false), material, place);
+  Light light;
+  light.intensity = 10;
+  scene.lights.push_back(light);
+  scene::Node node;
+  node.light = 0;
+  node.transform.translation = {0, 3, 0};
+  scene.nodes.push_back(node);
+  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  return scene;
+}
+
+TEST(Photons, OfCausticsHaveComeByMirrorsAlone) {
+  integrator::PhotonPlan plan = plan_of(20'000);
+  plan.caustics = true, plan.shortest = 2;
+  const Emitted through(ball_over_a_floor(scene::glass()), plan);
+  EXPECT_GT(through.photons().size(), 500U);
+  for (const auto& p : through.photons()) {
+    EXPECT_GE(p.length(), 2);
+    EXPECT_LT(p.position().y, 1e-3f);
+  }
+  // Read from the camera, all are DS+L: none is lost to that class.
+  EXPECT_EQ(Emitted(ball_over_a_floor(scene::glass()), plan, "E.*DS+L").photons().size(), through.photons().size());
+  EXPECT_EQ(Emitted(ball_over_a_floor(scene::glass()), plan, "E.*DDL").photons().size(), 0U);
+  EXPECT_EQ(Emitted(ball_over_a_floor(test::diffuse(Rgb(0.9f))), plan).photons().size(), 0U);
+}
+
+// L = rho a / (1 - rho). A sphere has no bias of its own (O18); 2 % for the noise of the map and for triangles.
+TEST(PhotonMapping, GoldenSphere) {
+  const auto d = test::golden_sphere(0.05, 0.5f, scene::Cap::reflecting, 32);
+  const double expected = 0.5 * 0.05 / 0.5;
+  for (const char* mode : {"direct", "classic"}) {
+    const auto made = by(d, "photonmap", {{"mode", mode}, {"photons", "40000"}, {"renew", "on"}, {"nearest", "40"}});
+    EXPECT_NEAR(test::mean_of(test::rendered(made, 8)).value, expected, 0.02 * expected) << mode;
+  }
+  for (const char* connect : {"on", "off"}) {
+    const auto made = by(d, "sppm", {{"connect", connect}, {"photons", "20000"}});
+    EXPECT_NEAR(test::mean_of(test::rendered(made, 16)).value, expected, 0.02 * expected) << connect;
+  }
+}
+
+render::Document room(int size) {
+  auto d = test::cornell(size);
+  d.filter = film::FilterKind::box;
+  return d;
+}
+
+double mean_of(const render::Document& d, uint32_t samples) { return test::mean_of(test::rendered(d, samples)).value; }
+
+// Every class of paths has its light, and only its own.
+TEST(PhotonMapping, ClassByClassLikePathTracing) {
+  render::Document d = test::glossy_things();
+  d.width = d.height = 24;
+  for (const char* paths : {"EL", "ED.*L", "EG.*L", "ES.*L", "EDL", "EDDL", "E.*DS+L"}) {
+    const auto filtered = changed(d, "film.paths", paths);
+    const double expected = mean_of(by(filtered, "path"), 1024);
+    const auto photons = {std::pair<std::string, std::string>("photons", "60000"),
+                          {"caustic-photons", "60000"},
+                          {"nearest", "30"},
+                          {"renew", "on"}};
+    for (const char* mode : {"direct", "classic"})
+      EXPECT_NEAR(mean_of(changed(by(filtered, "photonmap", photons), "photonmap.mode", mode), 8), expected,
+                  0.06 * expected)
+          << paths << ' ' << mode;
+    EXPECT_NEAR(mean_of(by(filtered, "sppm", {{"photons", "10000"}, {"radius", "2"}}), 32), expected, 0.06 * expected)
+        << paths;
+  }
+}
+
+// Direct lookups darken the room by some percent at its edges; final gathering does not.
+TEST(PhotonMapping, FinalGatheringKeepsTheEdges) {
+  const double expected = mean_of(by(room(32), "path"), 512);
+  const std::vector<std::pair<std::string, std::string>> few{{"photons", "20000"}, {"radius", "0"}};
+  auto direct = few, classic = few;
+  direct.emplace_back("mode", "direct"), classic.emplace_back("mode", "classic");
+  const double dark = mean_of(by(room(32), "photonmap", direct), 8) / expected;
+  EXPECT_LT(dark, 0.95);
+  EXPECT_NEAR(mean_of(by(room(32), "photonmap", classic), 16) / expected, 1, 0.015);
+}
+
+double squared_error(const film::Film& film, const film::Film& reference) {
+  double sum = 0;
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      sum += sqr(double{luminance(film.mean(x, y))} - double{luminance(reference.mean(x, y))});
+  return sum;
+}
+
+// The squared error falls as photons^-min(beta, 2 - 2 beta) where light is smooth; a fixed number in the estimate
+// (beta 0) keeps its noise.
+TEST(PhotonMapping, ErrorFallsWithPhotons) {
+  const auto reference = test::rendered(by(room(24), "path"), 1024);
+  const auto error = [&](const char* beta, int photons) {
+    double sum = 0;
+    for (uint64_t seed = 0; seed < 3; ++seed) {
+      auto d = by(room(24), "photonmap",
+                  {{"mode", "direct"},
+                   {"radius", "0"},
+                   {"nearest", "100"},
+                   {"beta", beta},
+                   {"photons", std::to_string(photons)}});
+      d.seed = seed;
+      sum += squared_error(test::rendered(d, 2), reference);
+    }
+    return sum;
+  };
+  const auto slope = [&](const char* beta) {
+    return std::log(error(beta, 160'000) / error(beta, 10'000)) / std::log(16.0);
+  };
+  EXPECT_LT(slope("0.3333"), -0.25);
+  EXPECT_LT(slope("0.6667"), -0.35);
+  EXPECT_LT(slope("0.9"), -0.05);
+}
+
+// Below a point light of intensity I at height h, a disc of radius r has the mean irradiance 2 I (1 - h / d) / r^2,
+// d^2 = h^2 + r^2: the mean over samples is known, bias and all.
+TEST(ProgressivePhotonMapping, BiasFallsAsTheRadiusShrinks) {
+  scene::Scene scene;
+  test::add(scene, test::quad(4), test::diffuse(Rgb(0.5f)));
+  Light light;
+  light.intensity = 1;
+  scene.lights.push_back(light);
+  scene::Node node;
+  node.light = 0;
+  node.transform.translation = {0, 1, 0};
+  scene.nodes.push_back(node);
+  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  // One pixel of a hundredth of a radian, two metres away: a multiple of 40 makes 0.8 m.
+  auto d = test::document(scene, look_at({0.8f, 2 * 0.9165f, 0}, {0, 0, 0}, {0, 1, 0}, 0.01f), 1, 1);
+  const double distance = std::hypot(0.8, 2 * 0.9165);
+  for (const uint32_t half : {1U, 8U, 64U}) {
+    const auto made = by(d, "sppm", {{"connect", "off"}, {"radius", "40"}, {"photons", "20000"}, {"alpha", "0.5"}});
+    double expected = 0, shrunk = 1;
+    for (uint32_t i = 1; i <= half; ++i) {
+      const double r2 = shrunk * sqr(40 * 0.01 * distance);
+      expected += 0.5 / double{kPi} * 2 * (1 - 1 / std::sqrt(1 + r2)) / r2 / half;
+      shrunk *= (i + 0.5) / (i + 1);
+    }
+    // Some hundred photons in each disc.
+    EXPECT_NEAR(mean_of(made, 2 * half), expected, (0.09 / std::sqrt(2 * half) + 2e-3) * expected) << half;
+    EXPECT_LT(expected, 0.5 / double{kPi});
+  }
+}
+
+TEST(ProgressivePhotonMapping, ConvergesTowardsPathTracing) {
+  const auto reference = test::rendered(by(room(24), "path"), 4096);
+  const auto error = [&](uint32_t samples) {
+    return squared_error(test::rendered(by(room(24), "sppm", {{"photons", "4000"}, {"radius", "1"}}), samples),
+                         reference);
+  };
+  const double few = error(8), many = error(128);
+  EXPECT_LT(many, few / 4);
+}
+
+// The camera moves in a light that stays: photons are traced once.
+TEST(PhotonMapping, AMapOutlivesTheCamera) {
+  render::Session session({.threads = 2});
+  auto d = by(room(16), "photonmap", {{"photons", "50000"}});
+  d.limits = {2, 0, 0};
+  const auto rays = [&](const render::Document& document) {
+    session.submit(document);
+    session.finish();
+    return session.status().rays;
+  };
+  const uint64_t first = rays(d);
+  EXPECT_GT(first, 100'000U);
+  auto moved = d;
+  moved.camera.to_world[3].x += 0.01f;
+  EXPECT_LT(rays(moved), first / 10);
+  render::Session fresh({.threads = 1});
+  fresh.submit(moved);
+  fresh.finish();
+  const auto a = fresh.film_copy(), b = session.film_copy();
+  EXPECT_EQ(std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()), 0);
+  EXPECT_LT(rays(changed(moved, "photonmap.nearest", "50")), first / 10);
+  EXPECT_GT(rays(changed(moved, "photonmap.photons", "50001")), first / 2);
+  moved.seed = 7;
+  EXPECT_GT(rays(moved), first / 2);
+  auto repainted = *moved.scene;
+  repainted.materials[0].base_color = Rgb(0.1f);
+  moved.scene = std::make_shared<const scene::Scene>(std::move(repainted));
+  EXPECT_GT(rays(moved), first / 2);
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,103 @@
+// What the registry says of methods: their places in it, their keys, and what stands in their way.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "integrator/integrator.h"
+#include "integrator/techniques.h"
+#include "render/obstacle.h"
+#include "support/scenes.h"
+
+namespace etendue {
+namespace {
+
+TEST(Registry, GroupsFollowEachOtherInTheirOrder) {
+  const auto& infos = integrator::integrator_infos();
+  EXPECT_TRUE(std::ranges::is_sorted(infos, {}, &integrator::IntegratorInfo::group));
+}
+
+TEST(Registry, NoTwoMethodsShareAKey) {
+  std::set<char> keys;
+  for (const auto& info : integrator::integrator_infos()) {
+    if (!info.key) continue;
+    EXPECT_TRUE(info.key >= '1' && info.key <= '9') << info.name;
+    EXPECT_TRUE(keys.insert(info.key).second) << info.name;
+  }
+  EXPECT_TRUE(keys.contains('1'));
+}
+
+TEST(Registry, TechniquesAreChosenByParametersOfTheMethod) {
+  size_t methods = 0;
+  for (const auto& info : integrator::integrator_infos()) {
+    if (info.techniques.empty()) continue;
+    ++methods;
+    for (const auto& knob : {info.techniques.without, info.techniques.only}) {
+      const auto* p = find_parameter(info.parameters, knob);
+      ASSERT_TRUE(p && p->accepts_text) << info.name << ' ' << knob;
+      EXPECT_TRUE(p->accepts_text("0,3 1,*")) << info.name;
+      EXPECT_FALSE(p->accepts_text("0;3")) << info.name;
+    }
+    const auto* weighted = find_parameter(info.parameters, info.techniques.weighted);
+    ASSERT_TRUE(weighted) << info.name;
+    EXPECT_EQ(weighted->type, ParameterType::toggle);
+  }
+  EXPECT_GT(methods, 0u);
+}
+
+std::string obstacle_of(const render::Document& d) {
+  return render::obstacle(d, *scene::compile(d.scene, d.camera, nullptr));
+}
+
+render::Document under_a_point() {
+  scene::Scene scene;
+  test::add(scene, test::quad(10), test::diffuse(Rgb(0.5f)));
+  Light light;
+  light.intensity = 10;
+  scene.lights.push_back(light);
+  scene::Node node;
+  node.light = 0;
+  node.transform.translation = {0, 2, 0};
+  scene.nodes.push_back(node);
+  scene.roots.push_back(1);
+  return test::document(scene, look_at({1, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1), 16, 16);
+}
+
+// What is hindered is black, and says so to the last of them.
+TEST(Obstacle, IsThereWhereAMethodFindsNothing) {
+  auto parallel = test::cornell(16);
+  parallel = *render::with_text(parallel, "camera.projection", "orthographic");
+  for (const auto& place : {test::cornell(16), parallel, under_a_point()}) {
+    size_t clear = 0;
+    for (const auto& info : integrator::integrator_infos()) {
+      auto d = place;
+      d.method.integrator = info.name;
+      const double mean = test::mean_of(test::rendered(d, 4)).value;
+      const std::string obstacle = obstacle_of(d);
+      EXPECT_EQ(mean > 0, obstacle.empty()) << info.name << ' ' << obstacle;
+      clear += obstacle.empty();
+    }
+    EXPECT_GT(clear, 0u);
+  }
+}
+
+TEST(Obstacle, SaysWhatToDo) {
+  auto d = test::cornell(16);
+  d.method.integrator = "light-pure";
+  EXPECT_NE(obstacle_of(d).find("camera.lens-radius"), std::string::npos) << obstacle_of(d);
+  d = *render::with_text(d, "camera.lens-radius", "0.1");
+  EXPECT_EQ(obstacle_of(d), "");
+  d.method.paths = "EDL";
+  d.method.integrator = "raycast";
+  EXPECT_EQ(obstacle_of(d), "");
+  d.method.paths = "EDDL";
+  EXPECT_NE(obstacle_of(d).find("film.paths"), std::string::npos);
+}
+
+TEST(Obstacle, OfAdaptiveSamplingAreAllMethodsThatDoNotGoPixelByPixel) {
+  for (const auto& info : integrator::integrator_infos())
+    EXPECT_EQ(render::adaptive_obstacle(info.name).empty(), info.sampling == integrator::Sampling::pixels) << info.name;
+}
+
+}  // namespace
+}  // namespace etendue
