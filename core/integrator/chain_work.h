@@ -212,23 +212,29 @@ class ChainWork final : public Work {
     note_worth(half);
   }
 
-  // On a copy, so that a task that was given up can be done again.
   std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const Turn& turn) {
-    static thread_local Group group;
-    if (m.sample != half.sample) m.before = m.now, m.sample = half.sample;
-    group = m.now;
+    const bool first = m.sample != half.sample;
+    if (first) m.before = m.now, m.sample = half.sample;
+    // A task that was given up is done again.
+    static thread_local Group kept;
+    if (part > 0) kept = m.now;
+    const auto rays = move_on(half, m, index, part, turn);
+    if (!rays) m.now = part > 0 ? kept : m.before;
+    if (rays) m.starts.clear();
+    return rays;
+  }
+
+  std::optional<uint64_t> move_on(Half& half, Member& m, int index, size_t part, const Turn& turn) {
     uint64_t rays = 0;
     if (!m.starts.empty()) {
-      const auto started = kernel_.start(half.now, group, m.starts, turn);
+      const auto started = kernel_.start(half.now, m.now, m.starts, turn);
       if (!started) return {};
       rays += *started;
     }
     const int mutations = std::min(kPart, mutations_ - static_cast<int>(part) * kPart);
     const float scale = 1 / (static_cast<float>(kernel_.chains()) * static_cast<float>(mutations_));
-    const auto mutated = kernel_.mutate(half.now, group, index, mutations, half.worth, scale, turn);
+    const auto mutated = kernel_.mutate(half.now, m.now, index, mutations, half.worth, scale, turn);
     if (!mutated) return {};
-    std::swap(m.now, group);
-    m.starts.clear();
     return rays + *mutated;
   }
 

@@ -7,6 +7,7 @@
 #include "integrator/light_pure.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
+#include "integrator/pssmlt.h"
 #include "integrator/raycast.h"
 
 namespace etendue::integrator {
@@ -26,7 +27,8 @@ Entry entry() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(), entry<PathPure>(), entry<Path>(), entry<LightPure>(), entry<Light>(), entry<Bdpt>(),
+      entry<Raycast>(), entry<PathPure>(), entry<Path>(),   entry<LightPure>(),
+      entry<Light>(),   entry<Bdpt>(),     entry<Pssmlt>(),
   };
   return all;
 }
