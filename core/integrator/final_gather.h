@@ -54,7 +54,7 @@ class FinalGather {
   const transport::LobeSplit& split() const { return global_.view.split; }
 
   void begin_rays(const Pass& pass, const Turn& turn, const Front& eye) {
-    front_.begin(*pass.scene, *pass.sampler, eye.sample(), turn.wanted);
+    front_.begin(*pass.scene, *pass.sampler, eye.sample(), turn.wanted, pass.model->moving);
     if constexpr (M::kClasses) front_.admit(pass.model->paths->automaton());
   }
 
@@ -85,7 +85,7 @@ class FinalGather {
       if (!take_wide(eye, i, s)) continue;
       Ray along;
       eye.point(i).spawn(s.wi, along);
-      front_.launch(ray, along);
+      front_.launch(ray, along, eye.state_at(i).time);
       auto &path = front_.state(ray), &from = eye.state_at(i);
       const auto rays = static_cast<float>(rays_);
       path.throughput = from.throughput * s.weight / rays;

@@ -7,6 +7,7 @@
 // transport model.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -110,6 +111,13 @@ struct PointOfLight {
   Rgb power;  // watts
 };
 
+// A number that a method knows about its own work.
+struct Statistic {
+  std::string name;  // "accepted-large-steps"
+  double value;
+  std::string unit, doc;
+};
+
 // One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
 // rays traced; nothing if they were given up, and are then done again from their beginning.
 class Work {
@@ -130,6 +138,14 @@ class Work {
   // A look at what it keeps in space, between two tasks: kMostPoints at most; null if it keeps nothing of the kind.
   static constexpr size_t kMostPoints = 200'000;
   virtual std::shared_ptr<const std::vector<PointOfLight>> points() const { return nullptr; }
+  // Asked between tasks.
+  virtual std::vector<Statistic> statistics() const { return {}; }
+
+  // What later samples depend on besides their numbers (the states of Markov chains), as it was before anything was
+  // done for sample `sample`, the present or the next one; empty if there is nothing. An equal work that takes it up
+  // before its first sample goes on to the same bits; one that refuses goes on in its own way, as correctly.
+  virtual std::vector<std::byte> state(uint32_t sample) const { return (void)sample, std::vector<std::byte>(); }
+  virtual bool restore(std::span<const std::byte> state) { return state.empty(); }
 };
 
 class Integrator {

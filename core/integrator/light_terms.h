@@ -33,7 +33,7 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
     const auto view = pass.camera->view_of_infinity(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
-    return splatter.connect(view->ray, e.time, seed, view->raster, start.emitted * value);
+    return splatter.connect(start.path, view->ray, e.time, seed, view->raster, start.emitted * value);
   }
   const auto view = pass.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;
@@ -43,7 +43,7 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
   if (!(cosine > 0)) return;
   const float density = cosine * view->importance;
   const auto through = transport::transmittance<M>(start.point, view->wi, view->distance);
-  splatter.connect(ray_to(start.point, view->wi, view->distance), e.time, seed, view->raster,
+  splatter.connect(start.path, ray_to(start.point, view->wi, view->distance), e.time, seed, view->raster,
                    start.emitted * through * (density / e.density.first * weigh(density, view->wi, view->distance)));
 }
 
@@ -65,10 +65,12 @@ void connect_to_camera(const Pass& pass, const LightWalks<M>& walks, transport::
     auto f_cos = bsdf.evaluate(front.wo(i), view->wi, Transport::importance).f_cos;
     if constexpr (M::kClasses) f_cos = front.shares().of_connection(path, bsdf, front.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
-    const uint32_t seed = path_seed(state.seed, front.sample()) + static_cast<uint32_t>(front.length());
+    const float weight = weigh(i, *view);
+    if (weight == 0) continue;
+    const uint32_t seed = front.world(path) + static_cast<uint32_t>(front.length());
     const auto through = transport::transmittance<M>(point, view->wi, view->distance);
-    splatter.connect(ray_to(point, view->wi, view->distance), state.time, seed, view->raster,
-                     state.throughput * f_cos * through * (walks.flux(path) * view->importance * weigh(i, *view)));
+    splatter.connect(path, ray_to(point, view->wi, view->distance), state.time, seed, view->raster,
+                     state.throughput * f_cos * through * (walks.flux(path) * view->importance * weight));
   }
 }
 
@@ -83,8 +85,8 @@ void fall_onto_lens(const Pass& pass, const LightWalks<M>& walks, transport::Fro
   if (!arrival || !splatter.reaches(arrival->raster)) return;
   auto carried = transport::admitted(front, state, path) * (walks.flux(path) * arrival->importance);
   if (front.length() == 1) carried *= front.scene().lights().window(walks.light(path), arrival->distance);
-  const uint32_t seed = path_seed(state.seed, front.sample()) ^ static_cast<uint32_t>(front.length());
-  splatter.add(arrival->raster, seed, carried * weigh(path, *arrival));
+  const uint32_t seed = front.world(path) + static_cast<uint32_t>(front.length());
+  splatter.add(path, arrival->raster, seed, carried * weigh(path, *arrival));
 }
 
 // The same for all walks that were traced: before anything else is done with the vertices that were reached.

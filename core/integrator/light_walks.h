@@ -22,20 +22,31 @@ class LightWalks {
 
   // Where a walk starts. `point` belongs to triangles only.
   struct Start {
+    int path = 0;
     Emission emission;
     scene::SurfacePoint point;
     Color emitted{0};
   };
 
   // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
-  // yet. begun(i, start, point of the lens) is called for each, those included that carry nothing.
+  // yet. begun(start, point of the lens) is called for each, those included that carry nothing.
   template <class NumberOf, class Begun>
   void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
-    if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
     for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
+    launch_added(pass, front, [&](const Start& start, Vec2 lens) {
+      begun(start, lens);
+      return true;
+    });
+  }
+
+  // The same for paths that were added to the front; begun says whether the walk is to go on from its start.
+  template <class Begun>
+  void launch_added(const Pass& pass, Front& front, Begun&& begun) {
+    if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
+    const int count = front.size();
     using namespace emission_dimension;
     const SampleTable& random = front.draw_start(
         dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
@@ -44,20 +55,21 @@ class LightWalks {
       return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
     };
     const auto pair = [&](int i, int dimension) { return Vec2(at(i, dimension), at(i, dimension + 1)); };
-    for (int begin = 0; begin < count; begin += kBatch) {
-      const int size = std::min(kBatch, count - begin);
+    for (int first = 0; first < count; first += kBatch) {
+      const int size = std::min(kBatch, count - first);
       for (int k = 0; k < size; ++k) {
-        const int i = begin + k;
+        const int i = first + k;
         const float time = pass.model->moving ? at(i, kTime) : 0;
         times_[static_cast<size_t>(i)] = time;
-        starts_[static_cast<size_t>(k)].emission =
-            pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time});
+        Start& start = starts_[static_cast<size_t>(k)];
+        start.path = i;
+        start.emission = pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time});
       }
       finish_starts(*pass.scene, size);
       for (int k = 0; k < size; ++k) {
         const Start& start = starts_[static_cast<size_t>(k)];
-        launch_one(begin + k, start, front);
-        begun(begin + k, start, pass.camera->has_lens() ? pair(begin + k, kLens) : Vec2(0));
+        if (begun(start, pass.camera->has_lens() ? pair(start.path, kLens) : Vec2(0)))
+          launch_one(start.path, start, front);
       }
     }
   }

@@ -11,6 +11,7 @@
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/photonmap.h"
+#include "integrator/pssmlt.h"
 #include "integrator/raycast.h"
 #include "integrator/sppm.h"
 #include "integrator/whitted.h"
@@ -42,6 +43,7 @@ const std::vector<Entry>& entries() {
       entry<LightPure>(),
       entry<Light>(),
       entry<Bdpt>(),
+      entry<Pssmlt>(),
       entry<PhotonMapping>(),
       entry<ProgressivePhotonMapping>(),
       entry<InstantGlobalIllumination>(),
