@@ -39,6 +39,7 @@ struct Start {
   render::Document document;
   std::optional<film::Film> film;
   double seconds = 0;
+  std::vector<std::byte> work;
 };
 
 // Where a rendering starts: a checkpoint, a snapshot, or a scene with defaults.
@@ -49,7 +50,7 @@ Result<Start> starting_point(const Options& o) {
     if (!checkpoint) return checkpoint.error();
     auto document = render::document_from_state(checkpoint->state, o.resume);
     if (!document) return document.error();
-    start = {std::move(*document), std::move(checkpoint->film), checkpoint->seconds};
+    start = {std::move(*document), std::move(checkpoint->film), checkpoint->seconds, std::move(checkpoint->work)};
     return start;
   }
   if (!o.like.empty()) {
@@ -169,6 +170,12 @@ std::string certificate_of(render::Session& session, const render::Document& d, 
       advice::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
 
+nlohmann::json statistics_json(const std::vector<integrator::Statistic>& statistics) {
+  nlohmann::json all = nlohmann::json::object();
+  for (const auto& s : statistics) all[s.name] = {{"value", s.value}, {"unit", s.unit}, {"doc", s.doc}};
+  return all;
+}
+
 nlohmann::json stats(const render::Document& d, const render::Status& s, const transport::Model& model, int threads,
                      const std::string& certificate) {
   nlohmann::json flags = nlohmann::json::object();
@@ -179,6 +186,7 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
           {"spp", s.samples},
           {"seconds", s.seconds},
           {"rays", s.rays},
+          {"statistics", statistics_json(s.statistics)},
           {"width", d.width},
           {"height", d.height},
           {"threads", threads},
@@ -215,7 +223,7 @@ int run(const Options& o) {
   session_options.threads = o.threads;
   render::Session session(session_options);
   if (start->film)
-    session.submit(d, std::move(*start->film));
+    session.submit(d, {std::move(*start->film), std::move(start->work)});
   else
     session.submit(d);
 
@@ -229,8 +237,9 @@ int run(const Options& o) {
   const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
   const auto save_checkpoint = [&]() -> Result<void> {
     const auto status = session.status();
-    return render::write_checkpoint(
-        checkpoint_file, {render::state_json(d, status.samples), session.film_copy(), status.seconds + start->seconds});
+    render::Start copy = session.start_copy();
+    return render::write_checkpoint(checkpoint_file, {render::state_json(d, status.samples), std::move(copy.film),
+                                                      status.seconds + start->seconds, std::move(copy.work)});
   };
   while (!session.status().finished && !interrupted) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

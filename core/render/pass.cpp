@@ -48,7 +48,7 @@ size_t PassRunner::memory() const {
   return bytes;
 }
 
-void PassRunner::begin(film::Film& film) {
+void PassRunner::begin(film::Film& film, std::span<const std::byte> work) {
   const auto tiles = static_cast<size_t>(pieces(width_, PixelBlock::kWidth) * pieces(height_, PixelBlock::kHeight));
   tiles_ = tiles;
   if (adaptive_ != Adaptive::off) {
@@ -58,6 +58,8 @@ void PassRunner::begin(film::Film& film) {
     if (!film.spread() || film.spread()->blocks() != tiles) film.begin_spread(tiles);
   }
   samples_ = average(film);
+  // Work that refuses a state goes on without.
+  if (!work.empty()) work_->restore(work);
 }
 
 // Of the samples of one half, by number: what the running step wants.

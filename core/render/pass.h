@@ -34,8 +34,9 @@ class PassRunner {
     TileTails* tails = nullptr;
     film::Cascades* cascades = nullptr;
   };
-  // Takes up a film: an empty one, or one that an equal runner left.
-  void begin(film::Film& film);
+  // Takes up a film: an empty one, or one that an equal runner left, with the state of the method's work that belongs
+  // to it.
+  void begin(film::Film& film, std::span<const std::byte> work = {});
   // The next step, as far as `keep_going` lets it; true if it is complete: another sample of every pixel, or, in
   // adaptive sampling, a piece of the allocation. Calling again goes on where it stopped: a pixel knows its samples by
   // their number. What was begun is finished, unless `wanted` says that nobody will look at it.
@@ -49,6 +50,9 @@ class PassRunner {
   size_t memory() const;  // bytes, beyond the film
   // What the method keeps in space; null if nothing. Not while tasks run.
   std::shared_ptr<const std::vector<integrator::PointOfLight>> points() const { return work_->points(); }
+  std::vector<integrator::Statistic> statistics() const { return work_->statistics(); }
+  // What the method's work has to be given to go on after the last complete step.
+  std::vector<std::byte> work_state() const { return work_->state(samples_); }
 
   // What the running step is at.
   struct Progress {

@@ -61,7 +61,7 @@ class Session::Impl {
     thread_.join();
   }
 
-  uint64_t submit(const Document& document, std::optional<film::Film> start) {
+  uint64_t submit(const Document& document, std::optional<Start> start) {
     const std::lock_guard lock(mutex_);
     Edit edit{document, std::move(start), ++last_version_, Clock::now(), !latest_ || !same_light(*latest_, document)};
     // An edit that was not taken up yet, and that this one replaces, still counts.
@@ -145,6 +145,13 @@ class Session::Impl {
     return between_slices([&] { return film_stale_ ? film::Film(document_.width, document_.height) : film_; });
   }
 
+  Start start_copy() {
+    return between_slices([&]() -> Start {
+      if (film_stale_) return film::Film(document_.width, document_.height);
+      return {film_, runner_ ? runner_->work_state() : std::vector<std::byte>()};
+    });
+  }
+
   std::optional<std::vector<float>> reweighted_copy() {
     return between_slices([&]() -> std::optional<std::vector<float>> {
       if (!cascades_ || film_stale_) return std::nullopt;
@@ -168,7 +175,7 @@ class Session::Impl {
  private:
   struct Edit {
     Document document;
-    std::optional<film::Film> start;
+    std::optional<Start> start;
     uint64_t version;
     Clock::time_point submitted;
     bool restarts;
@@ -234,11 +241,11 @@ class Session::Impl {
     const auto compiled = scene::compile(edit.document.scene, edit.document.camera, shown_scene_);
     document_ = std::move(edit.document);
     film_stale_ = !edit.start;
-    if (edit.start) take_over(std::move(*edit.start));
+    if (edit.start) take_over(std::move(edit.start->film));
     runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height, runner_.get());
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
-    if (!film_stale_) runner_->begin(film_);
+    if (!film_stale_) runner_->begin(film_, edit.start->work);
     complete_ = runner_->samples();
     error_ = {}, error_at_ = 0;
     forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
@@ -471,6 +478,7 @@ class Session::Impl {
     status_.paths_per_second = rendering_seconds_ > 0 ? static_cast<double>(status_.paths) / rendering_seconds_ : 0;
     status_.error = error_;
     status_.rejected = film_.rejected();
+    status_.statistics = runner_->statistics();
     status_.health = health_;
     status_.progress = progress();
     status_.left = left();
@@ -571,9 +579,7 @@ class Session::Impl {
 Session::Session(const SessionOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Session::~Session() = default;
 uint64_t Session::submit(const Document& document) { return impl_->submit(document, std::nullopt); }
-uint64_t Session::submit(const Document& document, film::Film start) {
-  return impl_->submit(document, std::move(start));
-}
+uint64_t Session::submit(const Document& document, Start start) { return impl_->submit(document, std::move(start)); }
 void Session::restart() { impl_->restart(); }
 void Session::pause(bool paused) { impl_->pause(paused); }
 bool Session::paused() const { return impl_->paused(); }
@@ -587,6 +593,7 @@ void Session::on_update(std::function<void()> wake) { impl_->on_update(std::move
 void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
+Start Session::start_copy() { return impl_->start_copy(); }
 std::optional<std::vector<float>> Session::reweighted_copy() { return impl_->reweighted_copy(); }
 std::shared_ptr<const std::vector<integrator::PointOfLight>> Session::points() { return impl_->points(); }
 

@@ -3,6 +3,7 @@
 #include "stress/cases/albedo_of_one.h"
 #include "stress/cases/all_scales.h"
 #include "stress/cases/camera_inside_glass.h"
+#include "stress/cases/caustic_behind_glass.h"
 #include "stress/cases/caustic_of_a_point_light.h"
 #include "stress/cases/caustic_of_a_small_lamp.h"
 #include "stress/cases/coincident_lights.h"
@@ -38,6 +39,7 @@
 #include "stress/cases/shutter_of_no_time.h"
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
+#include "stress/cases/starts_of_chains.h"
 #include "stress/cases/thirty_stops.h"
 #include "stress/cases/total_reflection.h"
 #include "stress/cases/triangles_without_area.h"
@@ -69,6 +71,7 @@ std::string_view kind_name(Kind kind) {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       kCausticOfAPointLight,
+      kCausticBehindGlass,
       kPointLightUnseen,
       kIntegratingSphere,
       kSmallLightByChance,
@@ -82,6 +85,7 @@ const std::vector<Case>& cases() {
       kGrilleAsFineAsPixels,
       kDepthCutOff,
       kRouletteOfABrightRoom,
+      kStartsOfChains,
       kSeedsAndPixels,
       kReusedSeeds,
       kLateDimensions,

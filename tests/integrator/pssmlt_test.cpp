@@ -1,0 +1,192 @@
+// Metropolis light transport in primary sample space against path tracing: all forms, on the scenes that take apart
+// what could be wrong. z-tests over blocks of pixels, 1 % false alarms for each test.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "render/checkpoint.h"
+#include "support/replicates.h"
+
+namespace etendue {
+namespace {
+
+using render::Document;
+
+constexpr const char* kForms[] = {"path", "bidirectional", "multiplexed"};
+
+Document with(const Document& d, const char* name, const std::string& value) {
+  const auto changed = render::with_text(d, name, value);
+  EXPECT_TRUE(changed) << name << " = " << value;
+  return changed ? *changed : d;
+}
+
+Document by(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
+Document chains(const Document& d, const std::string& form) { return with(by(d, "pssmlt"), "form", form); }
+
+// A few chains that go far, rather than many that hardly leave their starts.
+Document metropolis(const Document& d, const std::string& form) { return with(chains(d, form), "chains", "64"); }
+
+Document cornell() { return test::cornell(test::kSize); }
+
+TEST(Pssmlt, CornellAgreesWithPathTracing) {
+  const auto expected = test::replicated(by(cornell(), "path"), 512);
+  for (const char* form : kForms)
+    for (const char* combined : {"on", "off"})
+      test::expect_agreement(expected, test::replicated(with(metropolis(cornell(), form), "combined", combined), 256),
+                             std::string(form) + ' ' + combined, 6);
+}
+
+TEST(Pssmlt, GlossyThingsAgreeWithPathTracing) {
+  const auto expected = test::replicated(by(test::glossy_things(), "path"), 1024);
+  for (const char* form : kForms)
+    test::expect_agreement(expected, test::replicated(metropolis(test::glossy_things(), form), 256), form, 3);
+}
+
+// A room whose lamp and lens both have an extent: every technique there is.
+TEST(Pssmlt, ALampThroughALensAgreesWithPathTracing) {
+  const Document d = with(with(cornell(), "camera.lens-radius", "0.5"), "camera.focus-distance", "8");
+  const auto expected = test::replicated(by(d, "path"), 512);
+  for (const char* form : kForms) test::expect_agreement(expected, test::replicated(metropolis(d, form), 256), form, 3);
+}
+
+TEST(Pssmlt, ClassesOfPaths) {
+  for (const char* paths : {"EL", "ED+L", "E.*S.*L"}) {
+    const Document d = with(test::glossy_things(), "film.paths", paths);
+    const auto expected = test::replicated(by(d, "path"), 512);
+    for (const char* form : kForms)
+      test::expect_agreement(expected, test::replicated(metropolis(d, form), 128), std::string(paths) + form, 9);
+  }
+}
+
+// Leaves that let half of the light through, at random: a chain's world changes with its large steps.
+TEST(Pssmlt, StochasticOpacity) {
+  scene::Scene scene;
+  test::add(scene, test::quad(4), test::diffuse(Rgb(0.6f)));
+  Material leaf = test::diffuse(Rgb(0.7f));
+  leaf.alpha_mode = AlphaMode::blend, leaf.alpha = 0.5f;
+  for (int i = 0; i < 3; ++i) {
+    Mat4 place(1);
+    place[3] = Vec4(0.2f * static_cast<float>(i), 0.5f + 0.4f * static_cast<float>(i), 0, 1);
+    test::add(scene, test::quad(1), leaf, place);
+  }
+  Material light = test::diffuse(Rgb(0), Rgb(6));
+  Mat4 above(1);
+  above[1][1] = -1, above[2][2] = -1;
+  above[3] = Vec4(0, 3, 1, 1);
+  test::add(scene, test::quad(1), light, above);
+  const Document d =
+      test::document(std::move(scene), look_at({0, 2, 4}, {0, 0.4f, 0}, {0, 1, 0}, 0.7f), test::kSize, test::kSize);
+  const auto expected = test::replicated(by(d, "path"), 512);
+  for (const char* form : kForms) test::expect_agreement(expected, test::replicated(metropolis(d, form), 256), form, 3);
+}
+
+// Every point of the wall sees the same. The mean over halves and seeds within 4.5 standard errors.
+TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
+  constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
+  for (const char* form : kForms) {
+    Document d = chains(test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 32), form);
+    d = with(with(d, "max-depth", "16"), "roulette-start", "64");
+    double sum = 0, squares = 0;
+    constexpr int kRounds = 16;
+    for (uint64_t seed = 0; seed < kRounds; ++seed) {
+      d.seed = seed;
+      const double mean = test::mean_of(test::rendered(d, 16)).value;
+      sum += mean, squares += mean * mean;
+    }
+    const double mean = sum / kRounds, error = std::sqrt((squares / kRounds - mean * mean) / (kRounds - 1));
+    EXPECT_NEAR(mean, kMean, 4.5 * error + 2e-4 * kMean) << form;
+    EXPECT_LT(error, 0.02 * kMean) << form;
+  }
+}
+
+TEST(Pssmlt, ABlackSceneStaysBlackAndEnds) {
+  scene::Scene scene;
+  test::add(scene, test::quad(4), test::diffuse(Rgb(0.6f)));
+  const Document d = test::document(std::move(scene), look_at({0, 2, 4}, {0, 0, 0}, {0, 1, 0}, 0.7f), 16, 16);
+  for (const char* form : kForms) EXPECT_EQ(test::mean_of(test::rendered(chains(d, form), 4)).value, 0) << form;
+}
+
+void expect_same_bits(const film::Film& a, const film::Film& b, const std::string& what) {
+  ASSERT_EQ(a.pixels().size(), b.pixels().size());
+  for (size_t i = 0; i < a.pixels().size(); ++i) ASSERT_EQ(a.pixels()[i].sum, b.pixels()[i].sum) << what << ' ' << i;
+}
+
+Document several_groups(const std::string& form) {
+  Document d = with(chains(cornell(), form), "chains", "700");
+  d.width = 70, d.height = 50;
+  return with(d, "candidates", "3000");
+}
+
+TEST(Pssmlt, TheSameBitsWithAnyNumberOfThreads) {
+  for (const char* form : kForms) {
+    const Document d = several_groups(form);
+    const auto one = test::rendered(d, 4, 1);
+    for (const int threads : {2, 7}) expect_same_bits(one, test::rendered(d, 4, threads), form);
+  }
+}
+
+// Cut after complete steps, and somewhere in the middle of one.
+TEST(Pssmlt, ARenderingThatWasCutGoesOnToTheSameBits) {
+  const auto path = std::filesystem::temp_directory_path() / "etendue-test-chains.checkpoint";
+  for (const char* form : kForms) {
+    Document d = several_groups(form);
+    const auto whole = test::rendered(d, 9);
+    for (const bool running : {false, true}) {
+      d.limits = {running ? 9u : 4u, 0, 0};
+      render::Session first({.threads = 2});
+      first.submit(d);
+      if (running)
+        while (first.status().samples < 2) std::this_thread::yield();
+      else
+        first.finish();
+      render::Start copy = first.start_copy();
+      ASSERT_TRUE(
+          render::write_checkpoint(path, {render::state_json(d, 4), std::move(copy.film), 1, std::move(copy.work)}));
+      auto read = render::read_checkpoint(path);
+      ASSERT_TRUE(read);
+      EXPECT_FALSE(read->work.empty());
+      d.limits = {9, 0, 0};
+      render::Session second({.threads = 2});
+      second.submit(d, {std::move(read->film), std::move(read->work)});
+      second.finish();
+      expect_same_bits(whole, second.film_copy(), form);
+    }
+  }
+  std::filesystem::remove(path);
+}
+
+// A film whose chains are lost goes on with others.
+TEST(Pssmlt, AFilmWithoutItsChainsGoesOnWithNewOnes) {
+  Document d = several_groups("path");
+  const auto cut = test::rendered(d, 4), whole = test::rendered(d, 8);
+  d.limits = {8, 0, 0};
+  render::Session session({.threads = 2});
+  session.submit(d, cut);
+  session.finish();
+  const auto other = session.film_copy();
+  EXPECT_EQ(other.samples(0, 0), 8u);
+  EXPECT_NEAR(test::mean_of(other).value, test::mean_of(whole).value, 0.1 * test::mean_of(whole).value);
+  size_t same = 0;
+  for (size_t i = 0; i < whole.pixels().size(); ++i) same += whole.pixels()[i].sum == other.pixels()[i].sum ? 1 : 0;
+  EXPECT_LT(same, whole.pixels().size() / 10);
+}
+
+TEST(Pssmlt, SaysHowManyMutationsAreAccepted) {
+  Document d = several_groups("multiplexed");
+  d.limits = {6, 0, 0};
+  render::Session session({.threads = 2});
+  session.submit(d);
+  session.finish();
+  const auto statistics = session.status().statistics;
+  ASSERT_EQ(statistics.size(), 2u);
+  for (const auto& s : statistics) {
+    EXPECT_EQ(s.unit, "%");
+    EXPECT_GT(s.value, 1) << s.name;
+    EXPECT_LT(s.value, 99) << s.name;
+  }
+}
+
+}  // namespace
+}  // namespace etendue
