@@ -81,7 +81,7 @@ class VirtualLighting {
     point.spawn_segment(w, distance, ray);
     const auto number = static_cast<uint32_t>(&light - options_.lights.data());
     const Color through = transport::transmittance<M>(point, w, distance);
-    connections_.add(ray, path_seed(path.seed, front.sample()) + number,
+    connections_.add(ray, path.time, path_seed(path.seed, front.sample()) + number,
                      {front.path_at(i), path.throughput * scattered * through * light.power * (kept / distance2)});
     if (connections_.full()) settle(front);
   }
