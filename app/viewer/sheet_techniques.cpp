@@ -61,6 +61,11 @@ void cell_of(Workbench& w, const TechniquePyramid& pyramid, size_t index, const 
                                                         display.exposure + w.techniques.setup.exposure, display.curve});
     draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(texture)), at, end);
   }
+  if (!off && !cell.absent.empty()) {
+    const ImVec2 words = ImGui::CalcTextSize("none");
+    draw->AddText({at.x + (size.x - words.x) * 0.5f, at.y + (size.y - words.y) * 0.5f},
+                  ImGui::GetColorU32(w.theme.quiet), "none");
+  }
   if (off) {
     draw->AddLine(at, end, ImGui::GetColorU32(w.theme.warning), 1.5f);
     draw->AddLine({at.x, end.y}, {end.x, at.y}, ImGui::GetColorU32(w.theme.warning), 1.5f);
