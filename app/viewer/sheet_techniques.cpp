@@ -134,8 +134,12 @@ void draw_techniques_sheet(Workbench& w) {
   if (!w.techniques.possible())
     return note(w, w.editor.document().method.integrator +
                        " finds each path in one way. Several techniques have: " + names_of_methods() + ".");
-  const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-  ImGui::BeginChild("##pyramid", {std::floor(width - 21 * em), 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  // Side by side where that leaves the pyramid most of the room, else what is set below it.
+  const bool wide = room.x > 50 * em;
+  ImGui::BeginChild("##pyramid", {wide ? std::floor(room.x - 21 * em) : 0, wide ? 0 : std::max(room.y, 10 * em)}, false,
+                    ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::PushFont(w.faces.small);
   if (const auto* shown = w.techniques.shown())
     pyramid_of(w, *shown);
@@ -143,6 +147,7 @@ void draw_techniques_sheet(Workbench& w) {
     note(w, "The first pictures are being made.");
   ImGui::PopFont();
   ImGui::EndChild();
+  if (!wide) return controls(w);
   ImGui::SameLine(0, em);
   ImGui::BeginChild("##controls");
   controls(w);
