@@ -19,7 +19,7 @@ std::optional<Value> from_script(Workbench& w, const ParameterInfo& info) {
 void describe_field(Workbench& w, const ParameterInfo& info) {
   w.items.place(info.name);
   if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
-  std::string text = info.doc;
+  std::string text = info.label + ": " + info.doc;
   if (info.type == ParameterType::number || info.type == ParameterType::integer)
     text += "\n" + range_text(info) + "\nDouble click types a number, Ctrl+click resets";
   tooltip(w, text + "\n" + info.name);

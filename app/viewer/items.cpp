@@ -10,11 +10,14 @@ void Items::place(const std::string& name) {
   // A script that wants an item which is scrolled out of sight has it brought into sight.
   const ImVec2 least = ImGui::GetItemRectMin(), size = ImGui::GetItemRectSize();
   // Its middle is what is clicked.
-  const float middle = least.y + 0.5f * size.y;
-  const ImDrawList* draw = ImGui::GetWindowDrawList();
-  const bool hidden = middle < draw->GetClipRectMin().y || middle >= draw->GetClipRectMax().y;
+  const ImVec2 middle{least.x + 0.5f * size.x, least.y + 0.5f * size.y};
+  const ImVec2 first = ImGui::GetWindowDrawList()->GetClipRectMin(), end = ImGui::GetWindowDrawList()->GetClipRectMax();
+  const bool aside = middle.x < first.x || middle.x >= end.x;
+  const bool hidden = aside || middle.y < first.y || middle.y >= end.y;
   if (!ImGui::IsItemVisible() || hidden) {
-    if (wanted(name) || name == sought_) ImGui::SetScrollHereY();
+    if (!wanted(name) && name != sought_) return;
+    ImGui::SetScrollHereY();
+    if (aside) ImGui::SetScrollHereX();
     return;
   }
   placed_[name] = {Vec2(least.x, least.y), Vec2(size.x, size.y)};

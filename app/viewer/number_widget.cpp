@@ -73,13 +73,20 @@ NumberEdit angle_widget(const ParameterInfo& info) {
   return edit;
 }
 
+// As much of the text as has room, with dots for the rest.
+std::string shortened(std::string text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > room) text.pop_back();
+  return text + "...";
+}
+
 }  // namespace
 
 float label_width() { return std::floor(ImGui::GetFontSize() * 8.9f); }
 
 void label_column(const std::string& label) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label.c_str());
+  ImGui::TextUnformatted(shortened(label, label_width() - ImGui::GetFontSize() * 0.4f).c_str());
   ImGui::SameLine(label_width());
   ImGui::SetNextItemWidth(-1);
 }

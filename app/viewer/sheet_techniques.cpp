@@ -61,6 +61,11 @@ void cell_of(Workbench& w, const TechniquePyramid& pyramid, size_t index, const 
                                                         display.exposure + w.techniques.setup.exposure, display.curve});
     draw->AddImage(reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(texture)), at, end);
   }
+  if (!off && !cell.absent.empty()) {
+    const ImVec2 words = ImGui::CalcTextSize("none");
+    draw->AddText({at.x + (size.x - words.x) * 0.5f, at.y + (size.y - words.y) * 0.5f},
+                  ImGui::GetColorU32(w.theme.quiet), "none");
+  }
   if (off) {
     draw->AddLine(at, end, ImGui::GetColorU32(w.theme.warning), 1.5f);
     draw->AddLine({at.x, end.y}, {end.x, at.y}, ImGui::GetColorU32(w.theme.warning), 1.5f);
@@ -129,8 +134,12 @@ void draw_techniques_sheet(Workbench& w) {
   if (!w.techniques.possible())
     return note(w, w.editor.document().method.integrator +
                        " finds each path in one way. Several techniques have: " + names_of_methods() + ".");
-  const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-  ImGui::BeginChild("##pyramid", {std::floor(width - 21 * em), 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
+  const float em = ImGui::GetFontSize();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  // Side by side where that leaves the pyramid most of the room, else what is set below it.
+  const bool wide = room.x > 50 * em;
+  ImGui::BeginChild("##pyramid", {wide ? std::floor(room.x - 21 * em) : 0, wide ? 0 : std::max(room.y, 10 * em)}, false,
+                    ImGuiWindowFlags_HorizontalScrollbar);
   ImGui::PushFont(w.faces.small);
   if (const auto* shown = w.techniques.shown())
     pyramid_of(w, *shown);
@@ -138,6 +147,7 @@ void draw_techniques_sheet(Workbench& w) {
     note(w, "The first pictures are being made.");
   ImGui::PopFont();
   ImGui::EndChild();
+  if (!wide) return controls(w);
   ImGui::SameLine(0, em);
   ImGui::BeginChild("##controls");
   controls(w);

@@ -111,18 +111,22 @@ class WaitForStudy final : public Step {
   Rest begun_{3}, settled_{3};
 };
 
-// Until it is known what the method misses of the view.
-class WaitForMisses final : public Step {
+// Until it is known what the method misses of the view, or what it keeps in space.
+class WaitForKnowledge final : public Step {
  public:
+  explicit WaitForKnowledge(bool points) : points_(points) {}
   Progress advance(Workbench& w, Picture&) override {
     if (!begun_.over()) return kGoingOn;
-    if (w.view.tab != Tab::render) return impossible("nobody looks at it; click tab.render first");
-    return {w.misses() != nullptr && settled_.over(), {}};
+    if (points_ && !w.view.points) return impossible("nobody looks at them; click view.points first");
+    if (!points_ && w.view.tab != Tab::render) return impossible("nobody looks at it; click tab.render first");
+    const bool known = points_ ? w.points.shown() != nullptr : w.misses() != nullptr;
+    return {known && settled_.over(), {}};
   }
   bool hurries() const override { return false; }
   double patience() const override { return 3600; }
 
  private:
+  bool points_;
   Rest begun_{3}, settled_{2};
 };
 
@@ -423,8 +427,8 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
       if (what == "contest") return made(std::make_unique<WaitForContest>());
       if (what == "paths" || what == "advice") return made(std::make_unique<WaitForStudy>(what == "paths"));
       if (what == "techniques") return made(std::make_unique<WaitForTechniques>());
-      if (what == "misses") return made(std::make_unique<WaitForMisses>());
-      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths, techniques, misses or advice");
+      if (what == "misses" || what == "points") return made(std::make_unique<WaitForKnowledge>(what == "points"));
+      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths, techniques, misses, points or advice");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "advice/light_kinds.h"
 #include "advice/trusted.h"
 #include "advice/words.h"
 #include "base/hash.h"
@@ -19,18 +20,24 @@ constexpr double kPrecise = 0.02;
 // Samples of every pixel for the first look.
 constexpr uint32_t kFirstLook = 4;
 
-// Whether one method finds everything that the other does, and more.
-bool finds_more(const Found& one, const Found& other) {
-  const bool all = without(other.paths, one.paths).empty() && without(other.point_paths, one.point_paths).empty();
-  return all && !(one.paths == other.paths && one.point_paths == other.point_paths);
+// Whether one method finds everything that the other does, and more; lights without extent count if there are any.
+bool finds_more(const Found& one, const Found& other, bool points) {
+  const bool all =
+      without(other.paths, one.paths).empty() && (!points || without(other.point_paths, one.point_paths).empty());
+  return all && !(one.paths == other.paths && (!points || one.point_paths == other.point_paths));
 }
 
-// Who judges: the trusted method, or an unbiased one that finds more.
-render::Document judge_of(const render::Document& document, const CertifyOptions& options) {
+// Who judges: the trusted method, or an unbiased one that finds more in this scene.
+render::Document judge_of(const render::Document& document, const scene::CompiledScene& scene,
+                          const CertifyOptions& options) {
   render::Document d = trusted(document);
-  for (const auto& info : integrator::integrator_infos())
-    if (info.bias == integrator::Bias::unbiased && finds_more(declared(info), declared(d.method)))
-      d.method.integrator = info.name;
+  const bool points = has_point_lights(*document.scene);
+  for (const auto& info : integrator::integrator_infos()) {
+    render::Document other = d;
+    other.method.integrator = info.name;
+    if (info.bias == integrator::Bias::unbiased && finds_more(declared(other, scene), declared(d, scene), points))
+      d = other;
+  }
   d.seed = mix_bits(mix_bits(document.seed) ^ (options.seed + 0x6365727469667921ULL)) & 0x3fffffff;
   return d;
 }
@@ -95,7 +102,8 @@ class Judge {
         claim_(claim),
         options_(options),
         watch_(watch),
-        document_(judge_of(claim.document, options)) {
+        document_(judge_of(claim.document,
+                           *scene::compile(claim.document.scene, claim.document.camera, session.scene()), options)) {
     finding_.method = document_.method.integrator + ":sampler=" + document_.method.sampler;
   }
 

@@ -70,7 +70,7 @@ class PhotonMapping final : public Method<PhotonMapping> {
                               Scale::logarithmic};
   Number<int> nearest{"nearest",
                       "Photons in an estimate",
-                      100,
+                      50,
                       {2, 100'000},
                       "The relative noise is one over the root of it; more: a wider disc, more blur",
                       "",

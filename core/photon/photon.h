@@ -25,15 +25,17 @@ inline uint32_t packed_direction(const Vec3& v, int bits) {
   return grid_of(p.x, bits) << bits | grid_of(p.y, bits);
 }
 
-inline Vec3 unpacked_direction(uint32_t packed, int bits) {
+// Not of unit length.
+inline Vec3 unfolded_direction(uint32_t packed, int bits) {
   const uint32_t mask = (1U << bits) - 1;
   const float scale = 2 / static_cast<float>(mask);
   Vec3 v(static_cast<float>(packed >> bits & mask) * scale - 1, static_cast<float>(packed & mask) * scale - 1, 0);
   v.z = 1 - std::abs(v.x) - std::abs(v.y);
   const float fold = std::max(-v.z, 0.0f);
   v.x += v.x < 0 ? fold : -fold, v.y += v.y < 0 ? fold : -fold;
-  return glm::normalize(v);
+  return v;
 }
+inline Vec3 unpacked_direction(uint32_t packed, int bits) { return glm::normalize(unfolded_direction(packed, bits)); }
 
 class Photon {
  public:
@@ -54,6 +56,12 @@ class Photon {
   const Vec3& position() const { return position_; }
   const Rgb& power() const { return power_; }  // watts
   Vec3 normal() const { return unpacked_direction(normal_ >> 2, kNormalBits); }
+  // Whether its surface faces about as a unit normal does: they are less than 60 degrees apart.
+  bool faces(const Vec3& other) const {
+    const Vec3 n = unfolded_direction(normal_ >> 2, kNormalBits);
+    const float cosine = glm::dot(n, other);
+    return cosine > 0 && sqr(cosine) > 0.25f * glm::dot(n, n);
+  }
   Vec3 direction() const { return unpacked_direction(rest_ >> 12, kDirectionBits); }
   int length() const { return static_cast<int>(rest_ >> 6 & 63); }
   uint8_t state() const { return rest_ & 63; }

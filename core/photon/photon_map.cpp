@@ -90,7 +90,7 @@ Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_
   search(
       position,
       [&](const Photon& photon, float distance2) {
-        if (!(distance2 < radius2) || !faces_alike(photon, normal)) return radius2;
+        if (!(distance2 < radius2) || !photon.faces(normal)) return radius2;
         const Neighbour neighbour{distance2, static_cast<uint32_t>(&photon - &tree_[1])};
         if (found.size() < most) {
           found.push_back(neighbour);

@@ -48,8 +48,9 @@ class PhotonMap {
 
   // The nearest `most` photons (one at least) whose surface faces about as `normal` does and that are no farther than
   // the root of `farthest2`. The disc goes through the farthest of them, which is left out: so its density is estimated
-  // without bias (O18). Where there are fewer, the disc has the largest radius, or goes through the farthest if there
-  // is none. `found` is room to work in.
+  // without bias (O18). Photons beyond an edge or on the other side of a thin wall belong to another light. Where there
+  // are fewer, the disc has the largest radius, or goes through the farthest if there is none. `found` is room to work
+  // in.
   Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t most, float farthest2,
                         std::vector<Neighbour>& found) const;
 
@@ -59,7 +60,7 @@ class PhotonMap {
     search(
         position,
         [&](const Photon& photon, float distance2) {
-          if (distance2 < radius2 && faces_alike(photon, normal)) visit(photon, distance2);
+          if (distance2 < radius2 && photon.faces(normal)) visit(photon, distance2);
           return radius2;
         },
         radius2);
@@ -71,12 +72,6 @@ class PhotonMap {
     size_t node = 0, first = 0, last = 0;
     Corners box;
   };
-
-  // Photons on the other side of an edge or of a thin wall belong to another light.
-  static bool faces_alike(const Photon& photon, const Vec3& normal) {
-    constexpr float kAlike = 0.5f;
-    return glm::dot(photon.normal(), normal) > kAlike;
-  }
 
   // `look(photon, distance2)` is called for what lies in cells that reach into the sphere, and returns its squared
   // radius from there on.

@@ -7,6 +7,7 @@
 #include "film/picture.h"
 #include "image/display.h"
 #include "integrator/integrator.h"
+#include "render/obstacle.h"
 #include "render/session.h"
 #include "transport/path_expression.h"
 
@@ -29,11 +30,15 @@ std::string number(double value) {
 
 std::vector<std::string> unbiased_methods() {
   const auto& all = transport::PathExpression::all().automaton();
+  render::Document view = *render::new_document("cornell");
+  const auto scene = scene::compile(view.scene, view.camera, nullptr);
   std::vector<std::string> names;
-  for (const auto& info : integrator::integrator_infos())
-    if (info.bias == integrator::Bias::unbiased &&
+  for (const auto& info : integrator::integrator_infos()) {
+    view.method.integrator = info.name;
+    if (info.bias == integrator::Bias::unbiased && render::obstacle(view, *scene).empty() &&
         transport::PathExpression::parse_paths(info.paths)->automaton() == all)
       names.push_back(info.name);
+  }
   return names;
 }
 

@@ -70,7 +70,7 @@ class Lab {
   std::vector<Finding> findings_;
 };
 
-// The integrators that claim to be unbiased and to find every path of lights with an extent.
+// The integrators that claim to be unbiased and to find every path of lights with an extent, also through a pinhole.
 std::vector<std::string> unbiased_methods();
 
 // A camera so far off that all of its pixels see one point of a surface: a telescope at `target`.

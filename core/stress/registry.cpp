@@ -9,6 +9,7 @@
 #include "stress/cases/coincident_lights.h"
 #include "stress/cases/depth_cut_off.h"
 #include "stress/cases/far_from_the_origin.h"
+#include "stress/cases/glossy_virtual_lights.h"
 #include "stress/cases/grazing_albedo.h"
 #include "stress/cases/grazing_light.h"
 #include "stress/cases/grille_as_fine_as_pixels.h"
@@ -28,6 +29,10 @@
 #include "stress/cases/narrow_lobe_and_small_light.h"
 #include "stress/cases/nested_glass.h"
 #include "stress/cases/optical_depth.h"
+#include "stress/cases/photons_at_an_edge.h"
+#include "stress/cases/photons_in_an_estimate.h"
+#include "stress/cases/photons_on_a_ball.h"
+#include "stress/cases/photons_too_few.h"
 #include "stress/cases/point_light_unseen.h"
 #include "stress/cases/reused_seeds.h"
 #include "stress/cases/roughness_at_its_ends.h"
@@ -43,6 +48,7 @@
 #include "stress/cases/thirty_stops.h"
 #include "stress/cases/total_reflection.h"
 #include "stress/cases/triangles_without_area.h"
+#include "stress/cases/virtual_lights_in_a_corner.h"
 
 namespace etendue::stress {
 
@@ -86,6 +92,10 @@ const std::vector<Case>& cases() {
       kDepthCutOff,
       kRouletteOfABrightRoom,
       kStartsOfChains,
+      kVirtualLightsInACorner,
+      kGlossyVirtualLights,
+      kPhotonsAtAnEdge,
+      kPhotonsOnABall,
       kSeedsAndPixels,
       kReusedSeeds,
       kLateDimensions,
@@ -96,6 +106,8 @@ const std::vector<Case>& cases() {
       kRoughnessAtItsEnds,
       kAlbedoOfOne,
       kOpticalDepth,
+      kPhotonsInAnEstimate,
+      kPhotonsTooFew,
       kLightOfAMicrometre,
       kThirtyStops,
       kLensOfNoSize,

@@ -181,7 +181,11 @@ Result<PathExpression> PathExpression::parse_paths(std::string_view text) {
 }
 
 const PathExpression& PathExpression::all() {
-  static const PathExpression every = *parse("E(D|G|S)*L");
+  static const PathExpression every = [] {
+    PathExpression all = *parse("E(D|G|S)*L");
+    all.from_light_ = Automaton::reversal(all.automaton_);
+    return all;
+  }();
   return every;
 }
 

@@ -100,7 +100,7 @@ TEST_F(Cli, WhatStandsInTheWayOfAMethodIsAWarning) {
 
 TEST_F(Cli, AdaptiveSamplingWithAMethodThatCannotIsAUsageError) {
   expect_error("render cornell --spp 1 --set render.adaptive=rmse --integrator light -o a.exr", 2, "pixel by pixel");
-  expect_error("bench cornell --methods light:adaptive=rmse --out d", 2, "pixel by pixel");
+  expect_error("bench cornell --methods light:adaptive=rmse --samples 2 --out d", 2, "pixel by pixel");
 }
 
 TEST_F(Cli, TechniquesAreLeftOutByName) {

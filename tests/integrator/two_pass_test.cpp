@@ -15,67 +15,67 @@ bool same_bits(const film::Film& a, const film::Film& b) {
          std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
-struct Setup {
+struct Variant {
   const char* integrator;
   std::vector<std::pair<const char*, const char*>> settings;
 };
 
-const std::vector<Setup> kSetups{
+const std::vector<Variant> kVariants{
     {"photonmap", {{"photonmap.photons", "3000"}, {"photonmap.caustic-photons", "3000"}}},
     {"photonmap", {{"photonmap.photons", "3000"}, {"photonmap.mode", "direct"}, {"photonmap.renew", "on"}}},
     {"sppm", {{"sppm.photons", "3000"}}},
     {"igi", {{"igi.light-paths", "20"}, {"igi.interleave", "3"}, {"igi.bound", "3"}}},
     {"igi", {{"igi.light-paths", "9"}, {"igi.full-bsdf", "on"}, {"igi.renew", "off"}}}};
 
-render::Document made(const Setup& setup, const std::string& paths = "") {
+render::Document made(const Variant& variant, const std::string& paths = "") {
   auto d = test::glossy_things();
   d.width = 40, d.height = 24;
-  d.method.integrator = setup.integrator, d.method.paths = paths;
-  for (const auto& [name, value] : setup.settings) d = *render::with_text(d, name, value);
+  d.method.integrator = variant.integrator, d.method.paths = paths;
+  for (const auto& [name, value] : variant.settings) d = *render::with_text(d, name, value);
   return d;
 }
 
 TEST(TwoPass, TheSameBitsWithAnyNumberOfThreads) {
-  for (const Setup& setup : kSetups)
+  for (const Variant& variant : kVariants)
     for (const char* paths : {"", "E.*D.*L"}) {
-      const auto one = test::rendered(made(setup, paths), 3, 1);
-      EXPECT_GT(test::mean_of(one).value, 0) << setup.integrator;
+      const auto one = test::rendered(made(variant, paths), 3, 1);
+      EXPECT_GT(test::mean_of(one).value, 0) << variant.integrator;
       for (const int threads : {2, 7})
-        EXPECT_TRUE(same_bits(one, test::rendered(made(setup, paths), 3, threads))) << setup.integrator;
+        EXPECT_TRUE(same_bits(one, test::rendered(made(variant, paths), 3, threads))) << variant.integrator;
     }
 }
 
 TEST(TwoPass, WithEverySamplerAndEveryPathInTheModelForClasses) {
-  for (const Setup& setup : kSetups)
+  for (const Variant& variant : kVariants)
     for (const auto& sampler : sampler_infos()) {
-      auto d = made(setup);
+      auto d = made(variant);
       d.width = d.height = 8;
       d.method.sampler = sampler.name;
       const double mean = test::mean_of(test::rendered(d, 8)).value;
       auto classes = *render::with_text(d, "model.classes", "on");
       const double admitted = test::mean_of(test::rendered(classes, 8)).value;
-      EXPECT_NEAR(admitted, mean, 1e-4 * mean) << setup.integrator << ' ' << sampler.name;
+      EXPECT_NEAR(admitted, mean, 1e-4 * mean) << variant.integrator << ' ' << sampler.name;
     }
 }
 
 TEST(TwoPass, AFilmGoesOnToTheSameBits) {
-  for (const Setup& setup : kSetups) {
-    auto d = made(setup);
+  for (const Variant& variant : kVariants) {
+    auto d = made(variant);
     const auto whole = test::rendered(d, 7);
     auto part = test::rendered(d, 3);
     d.limits = {7, 0, 0};
     render::Session session({.threads = 2});
     session.submit(d, std::move(part));
     session.finish();
-    EXPECT_TRUE(same_bits(session.film_copy(), whole)) << setup.integrator;
+    EXPECT_TRUE(same_bits(session.film_copy(), whole)) << variant.integrator;
   }
 }
 
 // Edits at any moment: the picture after the last one is that of a session that saw nothing else.
 TEST(TwoPass, WhatIsCutShortLeavesNothingBehind) {
-  for (const Setup& setup : kSetups) {
+  for (const Variant& variant : kVariants) {
     render::Session session({.threads = 2, .interactive = true, .publish_interval = 0.01});
-    auto d = made(setup);
+    auto d = made(variant);
     for (int i = 0; i < 12; ++i) {
       d.camera.to_world[3].x += 0.01f;
       session.submit(d);
@@ -84,20 +84,20 @@ TEST(TwoPass, WhatIsCutShortLeavesNothingBehind) {
     d.limits = {4, 0, 0};
     session.submit(d);
     session.finish();
-    EXPECT_TRUE(same_bits(session.film_copy(), test::rendered(d, 4))) << setup.integrator;
+    EXPECT_TRUE(same_bits(session.film_copy(), test::rendered(d, 4))) << variant.integrator;
   }
 }
 
 TEST(TwoPass, PointsAreThereToBeLookedAt) {
-  for (const Setup& setup : kSetups) {
-    auto d = made(setup);
+  for (const Variant& variant : kVariants) {
+    auto d = made(variant);
     d.limits = {2, 0, 0};
     render::Session session({.threads = 2});
     session.submit(d);
     session.finish();
     const auto points = session.points();
-    ASSERT_TRUE(points) << setup.integrator;
-    EXPECT_GT(points->size(), 10U) << setup.integrator;
+    ASSERT_TRUE(points) << variant.integrator;
+    EXPECT_GT(points->size(), 10U) << variant.integrator;
     EXPECT_LE(points->size(), integrator::Work::kMostPoints);
     EXPECT_GT(session.status().memory, 0U);
   }

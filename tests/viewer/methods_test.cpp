@@ -84,9 +84,9 @@ TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
 
 TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
   const auto steps = joined(small(2), steps_of({set("render.integrator", "photonmap"), {{"do", "wait"}, {"spp", 2}}, file_step("screenshot", path("without.png")),
-                                                click("view.points"), {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("a.json")),
+                                                click("view.points"), wait_for("points"), file_step("state", path("a.json")),
                                                 file_step("screenshot", path("with.png")), set("render.integrator", "path"), {{"do", "wait"}, {"spp", 2}},
-                                                {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("b.json"))}));
+                                                wait_for("points"), file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto points = state("a.json")["points"];
   EXPECT_GT(points["kept"], 100);
