@@ -5,6 +5,7 @@
 #include "integrator/bdpt.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
+#include "integrator/mlt.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/raycast.h"
@@ -26,7 +27,7 @@ Entry entry() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(), entry<PathPure>(), entry<Path>(), entry<LightPure>(), entry<Light>(), entry<Bdpt>(),
+      entry<Raycast>(), entry<PathPure>(), entry<Path>(), entry<LightPure>(), entry<Light>(), entry<Bdpt>(), entry<Mlt>(),
   };
   return all;
 }

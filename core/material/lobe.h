@@ -8,8 +8,9 @@
 //   bool  sample(wo, LobeDraw, Transport, LobeSample<Color>&) const;    // false: absorbed
 //   float weight(wo) const;                                             // about its albedo: its share when sampling
 //   bool  is_delta() const;                                             // eval and pdf are zero
-//   bool  scatters(Scatter) const;                                      // eval has a part of this letter
-//   Color eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
+//   bool  follow(wo, bool transmitted, Transport, SingleDirection<Color>&) const;   // the delta on one side; false:
+//   none bool  scatters(Scatter) const;                                      // eval has a part of this letter Color
+//   eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
 #pragma once
 #include "base/warp.h"
 
@@ -41,6 +42,15 @@ struct LobeSample {
   Scatter scatter = Scatter::diffuse;
   bool delta = false;
   bool transmitted = false;
+};
+
+// The single direction that a delta takes light to, on one side of the surface.
+template <class Color>
+struct SingleDirection {
+  Vec3 wi{0};
+  Color value{0};         // the delta's coefficient
+  float probability = 0;  // with which `sample` chooses it
+  float eta = 1;          // as in LobeSample
 };
 
 }  // namespace etendue
