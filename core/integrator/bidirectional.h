@@ -1,6 +1,7 @@
 // A block of bidirectional samples: the walks from the lights, those from the camera, and what lies between them.
 #pragma once
 #include "integrator/bdpt.h"
+#include "integrator/given_paths.h"
 #include "integrator/light_terms.h"
 #include "integrator/subpaths.h"
 #include "transport/class_join.h"
@@ -30,16 +31,50 @@ class Bidirectional {
 
   std::optional<uint64_t> sample(const Pass& pass, const BidirectionalPlan& plan, const PixelBlock& block,
                                  std::span<Rgb> radiance, const Turn& turn) {
-    pass_ = &pass, plan_ = &plan;
+    pass_ = &pass, plan_ = &plan, techniques_ = {};
     pixels_ = static_cast<float>(pass.width) * static_cast<float>(pass.height);
     const BlockOrder order(block);
     Splatter splatter(pass, turn, 1 / pixels_);
-    shoot(block, order, turn, splatter);
+    const auto number_of = [&](int i) {
+      return static_cast<uint32_t>((block.y + order.y(i)) * pass_->width + block.x + order.x(i));
+    };
+    walks_.launch(pass, block.sample, order.size(), turn, light_, number_of,
+                  [&](const Start& start, Vec2 lens) { begin_light(start, lens, splatter); });
+    shoot(splatter);
     if (light_.given_up()) return {};
-    gather(block, order, turn);
+    launch_camera_walks(pass, block, order, turn, camera_);
+    gather();
     const auto rays = collect(camera_, order, radiance);
     if (!rays) return {};
     return *rays + light_.rays_traced() + connection_rays_ + splatter.finish();
+  }
+
+  // What paths of these numbers, kWidth x kHeight at most, bring to the picture, each with the density that its numbers
+  // have: where all of them are equally likely, the mean over many is the picture.
+  std::optional<uint64_t> evaluate(const Pass& pass, const BidirectionalPlan& plan, const GivenPaths& given,
+                                   std::span<film::Splats> found, const Turn& turn) {
+    pass_ = &pass, plan_ = &plan, techniques_ = given.techniques;
+    pixels_ = Plane(pass).area();
+    Splatter splatter(pass, found);
+    light_.begin(*pass.scene, *given.light, 0, turn.wanted);
+    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_bits()));
+    walks_.launch_added(pass, light_, [&](const Start& start, Vec2 lens) {
+      begin_light(start, lens, splatter);
+      return techniques_.empty() || technique(start.path).s > 1;
+    });
+    shoot(splatter);
+    if (light_.given_up()) return {};
+    std::array<Vec2, kPaths> rasters;
+    launch_given_walks(pass, given, turn, camera_, rasters,
+                       [&](int i) { return techniques_.empty() || technique(i).t > 1; });
+    gather();
+    if (camera_.given_up()) return {};
+    for (int i = 0; i < camera_.size(); ++i) {
+      if (!techniques_.empty() && technique(i).t < 2) continue;
+      const auto to = splatter.pixel(rasters[static_cast<size_t>(i)], camera_.world(i));
+      if (to && !is_black(camera_.state(i).radiance)) splatter.add(i, *to, camera_.state(i).radiance * pixels_);
+    }
+    return camera_.rays_traced() + light_.rays_traced() + connection_rays_ + splatter.finish();
   }
 
  private:
@@ -57,14 +92,10 @@ class Bidirectional {
 
   // ---- Walks from the lights.
 
-  void shoot(const PixelBlock& block, const BlockOrder& order, const Turn& turn, Splatter& splatter) {
+  // Walks that were launched.
+  void shoot(Splatter& splatter) {
     pool_.clear();
     last_.fill(nullptr);
-    const auto number_of = [&](int i) {
-      return static_cast<uint32_t>((block.y + order.y(i)) * pass_->width + block.x + order.x(i));
-    };
-    walks_.launch(*pass_, block.sample, order.size(), turn, light_, number_of,
-                  [&](int i, const Start& start, Vec2 lens) { begin_light(i, start, lens, block.sample, splatter); });
     const MisRule rule = light_rule();
     while (light_.advance()) {
       if (pass_->camera->can_be_hit())
@@ -80,21 +111,23 @@ class Bidirectional {
         connect_to_camera(*pass_, walks_, light_, splatter,
                           [&](int i, const CameraRays::View& view) { return weight_to_camera(i, view); });
         keep_vertices();
-        transport::scatter_noted(light_, plan_->roulette_start, Transport::importance,
-                                 [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
+        transport::scatter_some(
+            light_, plan_->roulette_start, Transport::importance,
+            [&](int i) { return techniques_.empty() || light_.length() + 1 < technique(light_.path_at(i)).s; },
+            [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
       }
     }
   }
 
-  void begin_light(int i, const Start& start, Vec2 lens, uint32_t sample, Splatter& splatter) {
+  void begin_light(const Start& start, Vec2 lens, Splatter& splatter) {
     const Emission& e = start.emission;
-    MisChain& chain = light_chains_[static_cast<size_t>(i)];
+    MisChain& chain = light_chains_[static_cast<size_t>(start.path)];
     chain.start(e.density.first, !e.density.delta, e.density.infinite);
     chain.leave(e.density.second,
                 e.kind == LightKind::triangle ? std::abs(glm::dot(start.point.ng, e.direction)) : 1.0f);
-    if (plan_->too_long(1)) return;
+    if (plan_->too_long(1) || !counts(start.path, 1, 1)) return;
     see_light<M>(
-        *pass_, start, lens, light_.state(i).seed + sample, splatter,
+        *pass_, start, lens, light_.world(start.path), splatter,
         [&](float pixels, const Vec3& wi, float distance) { return weight_of_view(start, pixels, wi, distance); });
   }
 
@@ -108,7 +141,7 @@ class Bidirectional {
       fall = light.infinite ? light.second * cosine : side_density(start, wi) * cosine / sqr(distance);
       fall = camera_rule().ratio(fall * area);
     }
-    return weight(1, 1, hit, fall);
+    return weight(start.path, 1, 1, hit, fall);
   }
 
   // Of a direction in which a triangle shines, per solid angle.
@@ -119,30 +152,30 @@ class Bidirectional {
   // The walk fell onto the lens: t = 0.
   float weight_on_lens(int path, const CameraRays::Arrival& a) {
     const int s = light_.length() + 1;
-    if (plan_->too_long(light_.length())) return 0;
+    if (plan_->too_long(light_.length()) || !counts(path, s, 0)) return 0;
     MisChain chain = light_chains_[static_cast<size_t>(path)];
     const MisVertex on_lens = chain.arrive(light_rule(), sqr(a.distance), a.cosine);
     const float sum = light_sum(on_lens, s - 1, last_[static_cast<size_t>(path)], 1 / pass_->camera->lens_area(),
                                 a.density / pixels_, 0);
-    return weight(s, 0, sum, 0);
+    return weight(path, s, 0, sum, 0);
   }
 
   // The vertex is seen by the camera: t = 1.
   float weight_to_camera(int i, const CameraRays::View& view) {
-    const int s = light_.length() + 1;
+    const int s = light_.length() + 1, path = light_.path_at(i);
+    if (!counts(path, s, 1)) return 0;
     const scene::SurfacePoint& point = light_.point(i);
     const Bsdf<M>& bsdf = light_.bsdf(i);
     const Vec3& wo = light_.wo(i);
     const float cosine = std::abs(glm::dot(point.ng, view.wi));
-    const float lights =
-        light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_[static_cast<size_t>(light_.path_at(i))],
-                  view.importance * cosine / pixels_, bsdf.pdf(view.wi, wo), 1);
+    const float lights = light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_[static_cast<size_t>(path)],
+                                   view.importance * cosine / pixels_, bsdf.pdf(view.wi, wo), 1);
     float lens = 0;
     if (pass_->camera->can_be_hit() && possible(s + 1, 0)) {
       const float distance = view.distance, c = pass_->camera->cosine(-view.wi);
       lens = camera_rule().ratio(bsdf.pdf(wo, view.wi) * c / sqr(distance) * pass_->camera->lens_area());
     }
-    return weight(s, 1, lights, lens);
+    return weight(path, s, 1, lights, lens);
   }
 
   void keep_vertices() {
@@ -152,6 +185,7 @@ class Bidirectional {
         if (plan_->without.empty()) continue;
       }
       const int path = light_.path_at(i);
+      if (!techniques_.empty() && technique(path).s != light_.length() + 1) continue;
       const Vertex*& last = last_[static_cast<size_t>(path)];
       Vertex& v = pool_.add();
       v.point = light_.point(i), v.bsdf = light_.bsdf(i), v.wo = light_.wo(i);
@@ -166,10 +200,10 @@ class Bidirectional {
 
   // ---- Walks from the camera.
 
-  void gather(const PixelBlock& block, const BlockOrder& order, const Turn& turn) {
+  // Walks that were launched.
+  void gather() {
     connection_rays_ = 0;
-    launch_camera_walks(*pass_, block, order, turn, camera_);
-    for (int i = 0; i < order.size(); ++i) {
+    for (int i = 0; i < camera_.size(); ++i) {
       MisChain& chain = camera_chains_[static_cast<size_t>(i)];
       const bool hit = pass_->camera->can_be_hit();
       chain.start(hit ? 1 / pass_->camera->lens_area() : 1, hit, false);
@@ -187,8 +221,10 @@ class Bidirectional {
             camera_, transport::Shadows::cast,
             [&](int i, const LightSample& light, const auto& value) { return weight_of_light(i, light, value.pdf); });
         connect_vertices();
-        transport::scatter_noted(camera_, plan_->roulette_start, Transport::radiance,
-                                 [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
+        transport::scatter_some(
+            camera_, plan_->roulette_start, Transport::radiance,
+            [&](int i) { return techniques_.empty() || camera_.length() + 1 < technique(camera_.path_at(i)).t; },
+            [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
       }
     }
     settle();
@@ -212,19 +248,19 @@ class Bidirectional {
   }
 
   float weight_of_emission(int i) {
-    const int t = camera_.length() + 1;
-    if (plan_->too_long(t - 1)) return 0;
+    const int t = camera_.length() + 1, path = camera_.path_at(i);
+    if (plan_->too_long(t - 1) || !counts(path, 0, t)) return 0;
     const scene::SurfacePoint& point = camera_.point(i);
     const uint32_t light = pass_->scene->light_at(point);
-    if (light == scene::InstanceData::kNotALight) return weight(0, t, 0, 0);
+    if (light == scene::InstanceData::kNotALight) return weight(path, 0, t, 0, 0);
     const auto d = pass_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)));
-    return weight(
-        0, t, 0, camera_sum(camera_.path_at(i), camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
+    return weight(path, 0, t, 0,
+                  camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
   }
 
   float weight_of_escape(int i) {
     const int t = camera_.length() + 1, path = camera_.path_of_escape(i);
-    if (plan_->too_long(t - 1)) return 0;
+    if (plan_->too_long(t - 1) || !counts(path, 0, t)) return 0;
     const Vec3& direction = camera_.escape_direction(i);
     const auto d = pass_->scene->lights().density_of_escape(direction);
     MisChain chain = camera_chains_[static_cast<size_t>(path)];
@@ -232,24 +268,24 @@ class Bidirectional {
       // From the lens to infinity: (1, 1) is the only other one.
       const float pixels = pass_->camera->pixels_per_area(direction, 1) / pixels_;
       const bool seen = pass_->camera->can_see_infinity() && possible(1, 1);
-      return weight(0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
+      return weight(path, 0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
     }
     const MisVertex far = chain.arrive_at_infinity(camera_rule());
-    return weight(0, t, 0, camera_sum(path, far, t - 1, d.first, d.second, 0));
+    return weight(path, 0, t, 0, camera_sum(path, far, t - 1, d.first, d.second, 0));
   }
 
   // A weight over the density of the sample.
   float weight_of_light(int i, const LightSample& light, float pdf) {
-    const int t = camera_.length() + 1;
-    if (plan_->too_long(t)) return 0;
+    const int t = camera_.length() + 1, path = camera_.path_at(i);
+    if (plan_->too_long(t) || !counts(path, 1, t)) return 0;
     const scene::SurfacePoint& point = camera_.point(i);
     const float cosine = std::abs(glm::dot(point.ng, light.wi));
     const EmissionDensity d = pass_->scene->lights().density_of(light);
     const float hits = light.delta || !possible(0, t + 1) ? 0.0f : light_rule().ratio(pdf / light.pdf);
     const float back = d.second * (d.infinite ? cosine : cosine / sqr(light.distance));
-    const float cameras = camera_sum(camera_.path_at(i), camera_vertices_[static_cast<size_t>(i)], t - 1, back,
+    const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, back,
                                      camera_.bsdf(i).pdf(light.wi, camera_.wo(i)), 1);
-    return weight(1, t, hits, cameras) / light.pdf;
+    return weight(path, 1, t, hits, cameras) / light.pdf;
   }
 
   // Every vertex of the walk from the light with the present one of the camera's.
@@ -262,6 +298,8 @@ class Bidirectional {
   }
 
   void connect(int i, const Vertex& y) {
+    const int s = y.length + 1, t = camera_.length() + 1, path = camera_.path_at(i);
+    if (!counts(path, s, t)) return;
     const scene::SurfacePoint& z = camera_.point(i);
     const Vec3 to_y = y.point.position - z.position;
     const float squared = length_squared(to_y);
@@ -272,21 +310,20 @@ class Bidirectional {
     if (is_black(at_z.f_cos)) return;
     const auto at_y = y.bsdf.evaluate(y.wo, -wi, Transport::importance);
     if (is_black(at_y.f_cos)) return;
-    const int s = y.length + 1, t = camera_.length() + 1, path = camera_.path_at(i);
     const float to_area = 1 / squared;
     const float lights =
         light_sum(y.mis, s - 1, &y, at_z.pdf * std::abs(glm::dot(y.point.ng, wi)) * to_area, y.bsdf.pdf(-wi, y.wo), t);
     const float cameras =
         camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1,
                    at_y.pdf * std::abs(glm::dot(z.ng, wi)) * to_area, camera_.bsdf(i).pdf(wi, camera_.wo(i)), s);
-    const float w = weight(s, t, lights, cameras);
+    const float w = weight(path, s, t, lights, cameras);
     if (w == 0) return;
     auto& state = camera_.state(path);
     Color value = state.throughput * at_z.f_cos * at_y.f_cos * y.flux * (w * to_area);
     value *= transport::transmittance<M>(z, wi, distance);
     if constexpr (M::kClasses) value *= share(i, y, wi);
     if (is_black(value)) return;
-    const uint32_t seed = path_seed(state.seed, camera_.sample()) + static_cast<uint32_t>(64 * s + t);
+    const uint32_t seed = camera_.world(path) + static_cast<uint32_t>(64 * s + t);
     connections_.add(ray_to(z, wi, distance), seed, {static_cast<uint16_t>(path), value});
     if (connections_.full()) settle();
   }
@@ -357,8 +394,14 @@ class Bidirectional {
                                    [&](int t) { return possible(j + 1 + s - t, t); });
   }
 
-  float weight(int s, int t, float light, float camera) const {
-    if (!plan_->counts(s, t)) return 0;
+  const Technique& technique(int path) const { return techniques_[static_cast<size_t>(path)]; }
+  bool counts(int path, int s, int t) const {
+    if (!techniques_.empty() && (technique(path).s != s || technique(path).t != t)) return false;
+    return plan_->counts(s, t);
+  }
+
+  float weight(int path, int s, int t, float light, float camera) const {
+    if (!counts(path, s, t)) return 0;
     return plan_->weighted ? MisRule::weight(plan_->heuristic, light, camera) : 1;
   }
 
@@ -369,7 +412,8 @@ class Bidirectional {
 
   const Pass* pass_ = nullptr;
   const BidirectionalPlan* plan_ = nullptr;
-  float pixels_ = 1;  // of the picture
+  std::span<const Technique> techniques_;  // that each path is found by alone; empty: all
+  float pixels_ = 1;                       // of the picture
   Front light_, camera_;
   LightWalks<M> walks_;
   VertexPool<M> pool_;

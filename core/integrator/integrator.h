@@ -6,6 +6,7 @@
 // is chosen through virtual calls of tasks that trace thousands of rays; inside, the hot loops are templates over the
 // transport model.
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -77,6 +78,13 @@ struct Phase {
   int tasks;
 };
 
+// A number that a method knows about its own work.
+struct Statistic {
+  std::string name;  // "accepted-large-steps"
+  double value;
+  std::string unit, doc;
+};
+
 // One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
 // rays traced; nothing if they were given up, and are then done again from their beginning.
 class Work {
@@ -93,6 +101,14 @@ class Work {
   virtual std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn);
 
   virtual size_t memory() const { return 0; }  // bytes, of what it keeps
+  // Asked between tasks.
+  virtual std::vector<Statistic> statistics() const { return {}; }
+
+  // What later samples depend on besides their numbers (the states of Markov chains), as it was before anything was
+  // done for sample `sample`, the present or the next one; empty if there is nothing. An equal work that takes it up
+  // before its first sample goes on to the same bits; one that refuses goes on in its own way, as correctly.
+  virtual std::vector<std::byte> state(uint32_t sample) const { return (void)sample, std::vector<std::byte>(); }
+  virtual bool restore(std::span<const std::byte> state) { return state.empty(); }
 };
 
 class Integrator {

@@ -34,7 +34,7 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
     const auto to = view ? splatter.pixel(view->raster, seed) : std::nullopt;
     if (!to) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
-    return splatter.connect(view->ray, seed, *to, start.emitted * value);
+    return splatter.connect(start.path, view->ray, seed, *to, start.emitted * value);
   }
   const auto view = pass.camera->view(e.position, lens);
   if (!view) return;
@@ -43,7 +43,7 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
   if (!to) return;
   const float density = cosine * view->importance;
   const auto through = transport::transmittance<M>(start.point, view->wi, view->distance);
-  splatter.connect(ray_to(start.point, view->wi, view->distance), seed, *to,
+  splatter.connect(start.path, ray_to(start.point, view->wi, view->distance), seed, *to,
                    start.emitted * through * (density / e.density.first * weigh(density, view->wi, view->distance)));
 }
 
@@ -62,15 +62,17 @@ void connect_to_camera(const Pass& pass, const LightWalks<M>& walks, transport::
     if (!view) continue;
     const int path = front.path_at(i);
     const auto& state = front.state(path);
-    const uint32_t seed = path_seed(state.seed, front.sample()) + static_cast<uint32_t>(front.length());
+    const uint32_t seed = front.world(path) + static_cast<uint32_t>(front.length());
     const auto to = splatter.pixel(view->raster, seed);
     if (!to) continue;
     auto f_cos = bsdf.evaluate(front.wo(i), view->wi, Transport::importance).f_cos;
     if constexpr (M::kClasses) f_cos = front.shares().of_connection(path, bsdf, front.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
+    const float weight = weigh(i, *view);
+    if (weight == 0) continue;
     const auto through = transport::transmittance<M>(point, view->wi, view->distance);
-    splatter.connect(ray_to(point, view->wi, view->distance), seed, *to,
-                     state.throughput * f_cos * through * (walks.flux(path) * view->importance * weigh(i, *view)));
+    splatter.connect(path, ray_to(point, view->wi, view->distance), seed, *to,
+                     state.throughput * f_cos * through * (walks.flux(path) * view->importance * weight));
   }
 }
 
@@ -83,11 +85,11 @@ void fall_onto_lens(const Pass& pass, const LightWalks<M>& walks, transport::Fro
   ray.origin = state.from, ray.direction = direction;
   const auto arrival = pass.camera->arrival(ray, length);
   if (!arrival) return;
-  const auto to = splatter.pixel(arrival->raster, state.seed ^ static_cast<uint32_t>(front.length()));
+  const auto to = splatter.pixel(arrival->raster, front.world(path) + static_cast<uint32_t>(front.length()));
   if (!to) return;
   auto carried = transport::admitted(front, state, path) * (walks.flux(path) * arrival->importance);
   if (front.length() == 1) carried *= front.scene().lights().window(walks.light(path), arrival->distance);
-  splatter.add(*to, carried * weigh(path, *arrival));
+  splatter.add(path, *to, carried * weigh(path, *arrival));
 }
 
 // The same for all walks that were traced: before anything else is done with the vertices that were reached.

@@ -22,20 +22,31 @@ class LightWalks {
 
   // Where a walk starts. `point` belongs to triangles only.
   struct Start {
+    int path = 0;
     Emission emission;
     scene::SurfacePoint point;
     Color emitted{0};
   };
 
   // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
-  // yet. begun(i, start, point of the lens) is called for each, those included that carry nothing.
+  // yet. begun(start, point of the lens) is called for each, those included that carry nothing.
   template <class NumberOf, class Begun>
   void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted);
-    if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
     for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
+    launch_added(pass, front, [&](const Start& start, Vec2 lens) {
+      begun(start, lens);
+      return true;
+    });
+  }
+
+  // The same for paths that were added to the front; begun says whether the walk is to go on from its start.
+  template <class Begun>
+  void launch_added(const Pass& pass, Front& front, Begun&& begun) {
+    if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
+    const int count = front.size();
     using namespace emission_dimension;
     const SampleTable& random =
         front.draw_start(dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
@@ -45,9 +56,9 @@ class LightWalks {
         return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
       };
       const Vec2 point(at(kPoint), at(kPoint + 1)), direction(at(kDirection), at(kDirection + 1));
-      const Start start = start_of(*pass.scene, {at(kChoice), point, direction});
-      launch_one(i, start, front);
-      begun(i, start, pass.camera->has_lens() ? Vec2(at(kLens), at(kLens + 1)) : Vec2(0));
+      Start start = start_of(*pass.scene, {at(kChoice), point, direction});
+      start.path = i;
+      if (begun(start, pass.camera->has_lens() ? Vec2(at(kLens), at(kLens + 1)) : Vec2(0))) launch_one(i, start, front);
     }
   }
 

@@ -8,6 +8,7 @@
 #include "integrator/mlt.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
+#include "integrator/pssmlt.h"
 #include "integrator/raycast.h"
 
 namespace etendue::integrator {
@@ -27,7 +28,8 @@ Entry entry() {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
-      entry<Raycast>(), entry<PathPure>(), entry<Path>(), entry<LightPure>(), entry<Light>(), entry<Bdpt>(), entry<Mlt>(),
+      entry<Raycast>(), entry<PathPure>(), entry<Path>(),   entry<LightPure>(),
+      entry<Light>(),   entry<Bdpt>(),     entry<Pssmlt>(), entry<Mlt>(),
   };
   return all;
 }

@@ -44,8 +44,8 @@ class Shooting : public Method<Derived> {
       const int first = task * kTask, count = std::min(kTask, paths() - first);
       walks->launch(
           pass_, sample, count, turn, front, [&](int i) { return static_cast<uint32_t>(first + i); },
-          [&](int i, const typename LightWalks<M>::Start& start, Vec2 lens) {
-            method_.template see_light<M>(pass_, start, lens, front.state(i).seed + sample, splatter);
+          [&](const typename LightWalks<M>::Start& start, Vec2 lens) {
+            method_.template see_light<M>(pass_, start, lens, front.state(start.path).seed + sample, splatter);
           });
       method_.template estimate<M>(pass_, *walks, front, splatter);
       if (front.given_up()) return {};

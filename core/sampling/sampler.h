@@ -78,6 +78,9 @@ class Sampler {
   // dimensions that it wrote: those that are wanted, or more where they come together.
   virtual DimensionSet blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
                               DimensionSet wanted, SampleTable& out) const;
+
+  // The bits of a seed that are not random but tell the sampler which of its own sequences is meant.
+  virtual uint32_t lane_bits() const { return 0; }
 };
 
 struct Setting {

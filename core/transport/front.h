@@ -42,7 +42,7 @@ class Front {
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = length_ = 0;
     rays_traced_ = 0;
-    seeded_ = scene.has_transparency();
+    seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_bits();
   }
 
   // Adds a path for the pixel with this seed; the next number is its own.
@@ -89,6 +89,9 @@ class Front {
     drawn_ = 0;
     return true;
   }
+
+  // What decides, with a number for each of its rays, where the path passes through by stochastic opacity.
+  uint32_t world(int path) const { return path_seed(states_[static_cast<size_t>(path)].seed & world_bits_, sample_); }
 
   // The walks were ended before their time: what they found is no estimate.
   bool given_up() const { return given_up_; }
@@ -190,7 +193,7 @@ class Front {
   void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
     for (int i = 0; seeded_ && i < count; ++i) {
       const auto lane = static_cast<size_t>(i);
-      lane_seeds_[lane] = path_seed(state(paths[lane]).seed, sample_) + static_cast<uint32_t>(length_) + salt;
+      lane_seeds_[lane] = world(paths[lane]) + static_cast<uint32_t>(length_) + salt;
     }
   }
 
@@ -202,7 +205,7 @@ class Front {
 
   const scene::CompiledScene* scene_ = nullptr;
   const Sampler* sampler_ = nullptr;
-  uint32_t sample_ = 0;
+  uint32_t sample_ = 0, world_bits_ = ~0U;
   int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
   uint64_t rays_traced_ = 0;
   bool seeded_ = false, given_up_ = false;

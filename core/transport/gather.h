@@ -99,6 +99,7 @@ void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh) {
       scattered.f_cos = front.shares().of_connection(front.path_at(i), bsdf, front.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
     const float weight = weigh(i, light, scattered);
+    if (weight == 0) continue;
     auto& path = front.state_at(i);
     auto& gain = shadows == Shadows::cast ? front.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
@@ -126,13 +127,15 @@ bool survives_roulette(PathState<Color>& path, float random) {
 // Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
 // behind. Walks from lights carry importance's mode: what flows along them is power, which refraction does not
 // compress.
-// `note` is called with the arrival and its sample where the walk goes on.
-template <class M, class Note>
-void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& note) {
+// Those for which goes_on(arrival) says no stay behind too. `note` is called with the arrival and its sample where the
+// walk goes on.
+template <class M, class GoesOn, class Note>
+void scatter_some(Front<M>& front, int roulette_from, Transport mode, GoesOn&& goes_on, Note&& note) {
   const bool roulette = front.length() >= roulette_from;
   front.draw_lobes();
   if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
   for (int i = 0; i < front.arrived(); ++i) {
+    if (!goes_on(i)) continue;
     LobeSample<typename M::Color> s;
     if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), mode, s)) continue;
     auto& path = front.state_at(i);
@@ -147,6 +150,12 @@ void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& no
     note(i, s);
     front.depart(i, s.wi);
   }
+}
+
+template <class M, class Note>
+void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& note) {
+  scatter_some(
+      front, roulette_from, mode, [](int) { return true; }, note);
 }
 
 template <class M>

@@ -1,0 +1,124 @@
+// What points of primary sample space are worth: the three forms of pssmlt.h.
+#pragma once
+#include "integrator/bidirectional.h"
+#include "integrator/path.h"
+#include "integrator/pssmlt.h"
+#include "sampling/primary_numbers.h"
+
+namespace etendue::integrator {
+
+// How long a path of the multiplexed form is: P(length > n) falls as 3 / (n + 3), so that no energy that falls with the
+// length, however slowly, is looked for too seldom.
+class PathLengths {
+ public:
+  // As long as any walk gets, with roulette.
+  static constexpr int kLongest = 1000;
+
+  explicit PathLengths(int limit) : limit_(limit > 0 ? limit : kLongest) {
+    all_ = 1 - kHalf / (static_cast<float>(limit_) + kHalf);
+  }
+  int draw(float u) const { return std::clamp(static_cast<int>(kHalf / (1 - u * all_) - kHalf) + 1, 1, limit_); }
+  float probability(int length) const {
+    const auto k = static_cast<float>(length);
+    return kHalf / ((k - 1 + kHalf) * (k + kHalf) * all_);
+  }
+
+ private:
+  static constexpr float kHalf = 3;  // half of all are no longer than this
+  int limit_;
+  float all_;
+};
+
+// One for each thread: what proposals of a group of chains find.
+class PrimaryPaths {
+ public:
+  static constexpr size_t kLanes = PrimaryPoints::kLanes;
+
+  PrimaryProposals proposals;
+  std::array<uint64_t, kLanes> roots;      // of each point: the key of its last large step
+  std::array<film::Splats, kLanes> found;  // what it brings to the picture
+  std::array<float, kLanes> targets;       // and the luminance of that
+
+  // Of the first `lanes` proposals; the number of rays, or nothing if that was given up.
+  std::optional<uint64_t> evaluate(const Pass& pass, const Pssmlt& method, const BidirectionalPlan& plan, size_t lanes,
+                                   const Turn& turn) {
+    for (size_t i = 0; i < lanes; ++i) {
+      found[i].clear();
+      // The lane's bits tell samplers whose numbers are asked for.
+      const auto world = static_cast<uint32_t>(mix_bits(roots[i] + 0xa0761d6478bd642fULL) >> 32);
+      seeds_[i] = (world & ~PrimaryProposals::kLaneBits) | static_cast<uint32_t>(i);
+    }
+    const auto rays =
+        transport::with_model(*pass.model, [&]<class M>(M) { return look<M>(pass, method, plan, lanes, turn); });
+    if (!rays) return {};
+    for (size_t i = 0; i < lanes; ++i) measure(i);
+    return rays;
+  }
+
+ private:
+  static constexpr size_t kCamera = 0, kLight = 1, kBoth = 2;
+
+  template <class M>
+  std::optional<uint64_t> look(const Pass& pass, const Pssmlt& method, const BidirectionalPlan& plan, size_t lanes,
+                               const Turn& turn) {
+    GivenPaths given{&proposals.sampler(kCamera), &proposals.sampler(kLight), {seeds_.data(), lanes}};
+    if (method.form == PrimaryForm::path) return walk<M>(pass, method, given, turn);
+    if (method.form == PrimaryForm::multiplexed) choose_techniques(pass, method, lanes), given.techniques = techniques_;
+    static thread_local const auto walks = std::make_unique<Bidirectional<M>>();
+    const auto rays = walks->evaluate(pass, plan, given, found, turn);
+    if (!given.techniques.empty()) weigh_techniques(lanes);
+    return rays;
+  }
+
+  template <class M>
+  std::optional<uint64_t> walk(const Pass& pass, const Pssmlt& method, const GivenPaths& given, const Turn& turn) {
+    transport::Front<M>& front = front_of_thread<M>();
+    std::array<Vec2, kLanes> rasters;
+    launch_given_walks(pass, given, turn, front, rasters, [](int) { return true; });
+    Path path;
+    path.max_depth.value = method.max_depth, path.heuristic.value = method.heuristic;
+    path.roulette_start.value = method.roulette_start;
+    path.estimate(front);
+    if (front.given_up()) return {};
+    const Splatter splatter(pass, found);
+    const float area = Plane(pass).area();
+    for (int i = 0; i < front.size(); ++i) {
+      const auto to = splatter.pixel(rasters[static_cast<size_t>(i)], front.world(i));
+      if (to && !is_black(front.state(i).radiance))
+        found[static_cast<size_t>(i)].push_back({to->pixel, front.state(i).radiance * (area * to->weight)});
+    }
+    return front.rays_traced();
+  }
+
+  // A path of k edges can be found with 0 to k + 1 vertices from the light, all of them only where walks may fall onto
+  // the lens.
+  void choose_techniques(const Pass& pass, const Pssmlt& method, size_t lanes) {
+    const PathLengths lengths(method.max_depth);
+    for (size_t i = 0; i < lanes; ++i) {
+      const auto u = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
+      const int edges = lengths.draw(u), count = edges + (pass.camera->can_be_hit() ? 2 : 1);
+      const float choice = proposals.block(i, kBoth, 0)[0];
+      const int s = std::min(static_cast<int>(choice * static_cast<float>(count)), count - 1);
+      techniques_[i] = {s, edges + 1 - s};
+      over_probability_[i] = static_cast<float>(count) / lengths.probability(edges);
+    }
+  }
+  void weigh_techniques(size_t lanes) {
+    for (size_t i = 0; i < lanes; ++i)
+      for (film::Splat& splat : found[i]) splat.radiance *= over_probability_[i];
+  }
+
+  // What is no number is worth nothing.
+  void measure(size_t lane) {
+    float sum = 0;
+    for (const film::Splat& splat : found[lane]) sum += luminance(splat.radiance);
+    if (!std::isfinite(sum) || !(sum > 0)) found[lane].clear(), sum = 0;
+    targets[lane] = sum;
+  }
+
+  std::array<uint32_t, kLanes> seeds_;
+  std::array<Technique, kLanes> techniques_;
+  std::array<float, kLanes> over_probability_;
+};
+
+}  // namespace etendue::integrator

@@ -1,0 +1,144 @@
+// The core of all methods of Markov chains on targets whose means are known. Digest: oracles O15, O16.
+#include "integrator/metropolis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "integrator/chain_starts.h"
+#include "integrator/chain_state.h"
+
+namespace etendue::integrator {
+namespace {
+
+// Two states worth 1 and 3, proposed to each other in turn: a quarter and three quarters, where recording what was
+// accepted alone would give one half each. 4.5 standard errors of a chain whose correlation is -1/3.
+TEST(Metropolis, EveryIterationCounts) {
+  constexpr double kTarget[] = {1, 3};
+  constexpr int kIterations = 400000;
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> uniform;
+  double counted[2] = {0, 0}, went[2] = {0, 0};
+  size_t at = 0;
+  Stay stay;
+  Acceptance acceptance;
+  for (int i = 0; i < kIterations; ++i) {
+    const size_t next = 1 - at;
+    const Verdict verdict = judge(kTarget[at], kTarget[next], uniform(engine));
+    acceptance.count(verdict);
+    stay.take(
+        verdict, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
+    if (verdict.accepted) at = next, went[at] += 1;
+  }
+  counted[at] += stay.settle();
+  EXPECT_NEAR(counted[0] + counted[1], kIterations, 1e-6);
+  EXPECT_NEAR(counted[1] / kIterations, 0.75, 4.5 * std::sqrt(0.25 * 0.75 * 0.5 / kIterations));
+  EXPECT_NEAR(went[1] / (went[0] + went[1]), 0.5, 1e-5);
+  EXPECT_NEAR(static_cast<double>(acceptance.accepted) / static_cast<double>(acceptance.proposed), 0.5, 0.005);
+}
+
+// Proposals that are likelier one way than the other: what they lack in symmetry is made up for.
+TEST(Metropolis, ProposalsNeedNotBeSymmetric) {
+  constexpr double kTarget[] = {1, 3}, kProposed[] = {0.9, 0.4};  // of the other state, from either
+  constexpr int kIterations = 400000;
+  std::mt19937_64 engine(2);
+  std::uniform_real_distribution<double> uniform;
+  double counted[2] = {0, 0};
+  size_t at = 0;
+  Stay stay;
+  for (int i = 0; i < kIterations; ++i) {
+    const size_t next = uniform(engine) < kProposed[at] ? 1 - at : at;
+    const double back = next == at ? 1 : kProposed[next] / kProposed[at];
+    const Verdict verdict = judge(kTarget[at], kTarget[next], uniform(engine), back);
+    stay.take(
+        verdict, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
+    if (verdict.accepted) at = next;
+  }
+  counted[at] += stay.settle();
+  EXPECT_NEAR(counted[1] / kIterations, 0.75, 4.5 * std::sqrt(0.25 * 0.75 / kIterations));
+}
+
+TEST(Metropolis, ValuesThatAreNothingAreNeverGoneTo) {
+  for (const double nothing : {0.0, -1.0, std::nan("")}) {
+    EXPECT_FALSE(judge(1, nothing, 0).accepted);
+    EXPECT_FALSE(judge(0, nothing, 0).accepted);
+  }
+  EXPECT_TRUE(judge(0, 1e-30, 0.999).accepted);
+}
+
+// f(x) = x on the unit interval, steps of up to 0.05 reflected at its ends: the integral over [0.9, 1] is 0.095 after
+// any number of iterations. Counting the integral over everything, 1/2, from starts that know nothing of f would give
+// 0.05 after one.
+struct Interval {
+  double mean, error;
+};
+Interval integral_near_one(int iterations, bool chosen) {
+  constexpr int kRounds = 400, kCandidates = 64;
+  constexpr size_t kChains = 16;
+  std::mt19937_64 engine(static_cast<uint64_t>(iterations));
+  std::uniform_real_distribution<double> uniform;
+  double sum = 0, squares = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    std::vector<float> worth(kCandidates);
+    double total = 0;
+    for (float& w : worth) w = static_cast<float>(uniform(engine)), total += double{w};
+    auto starts = choose_starts(worth, kChains, uniform(engine));
+    EXPECT_EQ(starts.size(), kChains);
+    if (!chosen)
+      for (size_t i = 0; i < kChains; ++i) starts[i] = static_cast<uint32_t>(i);
+    const double b = chosen ? total / kCandidates : 0.5;
+    double found = 0;
+    const auto record = [&](double x, double n) { found += x >= 0.9 ? n : 0; };
+    for (const uint32_t start : starts) {
+      double x = double{worth[start]};
+      Stay stay;
+      for (int i = 0; i < iterations; ++i) {
+        double y = std::abs(x + 0.1 * uniform(engine) - 0.05);
+        if (y > 1) y = 2 - y;
+        const Verdict verdict = judge(x, y, uniform(engine));
+        stay.take(
+            verdict, [&](double n) { record(x, n); }, [&](double n) { record(y, n); });
+        if (verdict.accepted) x = y;
+      }
+      record(x, stay.settle());
+    }
+    const double estimate = b * found / (static_cast<double>(kChains) * iterations);
+    sum += estimate, squares += estimate * estimate;
+  }
+  const double mean = sum / kRounds;
+  return {mean, std::sqrt((squares / kRounds - mean * mean) / kRounds)};
+}
+
+TEST(Metropolis, StartsLeaveNothingInTheMean) {
+  for (const int iterations : {1, 5, 50}) {
+    const Interval found = integral_near_one(iterations, true), naive = integral_near_one(iterations, false);
+    EXPECT_NEAR(found.mean, 0.095, 4.5 * found.error) << iterations;
+    EXPECT_LT(naive.mean, 0.095 - 4.5 * naive.error) << iterations;
+  }
+}
+
+TEST(Metropolis, StartsFollowTheirShares) {
+  const std::vector<float> worth{0, 1, 0, 2.5f, 0.5f, 0};
+  EXPECT_EQ(choose_starts(worth, 8, 0.5), (std::vector<uint32_t>{1, 1, 3, 3, 3, 3, 3, 4}));
+  EXPECT_TRUE(choose_starts(std::vector<float>(5, 0), 8, 0.5).empty());
+}
+
+TEST(ChainState, IsReadBackAndNeverBeyondItsEnd) {
+  StateWriter out;
+  out.value(int32_t{7});
+  out.list(std::span<const float>(std::vector<float>{1, 2, 3}));
+  const auto bytes = out.take();
+  StateReader in(bytes);
+  int32_t number = 0;
+  std::vector<float> list;
+  ASSERT_TRUE(in.value(number) && in.list(list) && in.at_end());
+  EXPECT_EQ(number, 7);
+  EXPECT_EQ(list, (std::vector<float>{1, 2, 3}));
+  StateReader cut({bytes.data(), bytes.size() - 1});
+  EXPECT_TRUE(cut.value(number));
+  EXPECT_FALSE(cut.list(list));
+}
+
+}  // namespace
+}  // namespace etendue::integrator
