@@ -27,6 +27,8 @@ struct PathVertexData {
   using Color = typename M::Color;
   scene::SurfacePoint point;  // of a point light its position alone, of a light of infinity nothing
   Bsdf<M> bsdf;
+  Hit hit;                                  // what `point` was made from, and
+  Vec3 found_from{0};                       // the direction to where it was found from
   bool delta = false, transmitted = false;  // how the light goes on here
 
   Color tint{1};                      // F over `value`,

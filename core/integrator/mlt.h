@@ -2,12 +2,9 @@
 // Guibas 1997; digest 8-10: S23-S29
 //
 // A chain goes from path to path by mutations, and stays at each for as long as its brightness asks for: it is at a
-// path x with the density f(x) / b, and what it visits is the picture but for the factor b. That is the mean of what
-// paths from nothing are worth, and chains start from such paths, chosen by what they are worth: without any start-up
-// bias (Veach & Guibas 1997, 4.1). Chains are started anew whenever the number of samples has doubled, from ever more
-// candidates, so that b converges as well.
-//
-// What a step of a chain may do is counted in full, both the path it is at and the one it may go to (expected values).
+// path x with the density f(x) / b, and what it visits is the picture but for the factor b, the mean of what paths from
+// nothing are worth. Chains start from such paths, chosen by what they are worth (chain_work.h), and now and then look
+// at another one, so that b becomes surer all the time.
 #pragma once
 #include "integrator/method.h"
 
@@ -22,19 +19,22 @@ class Mlt final : public Method<Mlt> {
       "caustics and of chains of them",
       "E(D|G|S)*L",
       "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
-      Bias::unbiased,
+      Bias::consistent,
       "a mutation for each pixel and sample, about 3 rays; a path for each chain and a picture beside the film",
       "simple scenes, where samples that depend on each other are worse than others; paths that no chain starts from "
       "stay missing or spotty for long; point lights seen in mirrors by way of something that scatters: never",
       Sampling::only_splats};
 
-  Number<int> chains{"chains", "Chains", 128, {1, 65536}, "Side by side, for each half of the samples"};
+  Number<int> chains{"chains", "Chains",          512, {1, 65536}, "Of each half of the samples, side by side",
+                     "",       Scale::logarithmic};
   Number<int> candidates{"candidates",
                          "Candidates",
-                         8192,
+                         16384,
                          {16, 1 << 24},
-                         "Paths from nothing, at least, from which the chains are chosen; more make the brightness of "
-                         "the whole picture surer"};
+                         "Paths from nothing among which those are chosen that the chains of a half start from; more "
+                         "make the brightness of the picture surer",
+                         "",
+                         Scale::logarithmic};
   Number<float> bidirectional{
       "bidirectional",
       "Bidirectional mutations",

@@ -1,17 +1,47 @@
-// One Markov chain, and what it leaves in the picture.                          thesis 9.4.2, Remarks 9.18, 9.19
+// One Markov chain over light paths, and what it leaves in the picture.         thesis 9.4.2, 9.4.4, Remark 9.19
 #pragma once
 #include "film/splats.h"
+#include "integrator/chain_state.h"
+#include "integrator/metropolis.h"
 #include "integrator/mutations.h"
 
 namespace etendue::integrator {
 
 // What belongs to a chain between two steps.
 template <class M>
-struct ChainState {
+struct MutationChain {
   LightPath<M> path;
   PathShape shape;
   ChainRandom random;
-  uint32_t number = 0, rounds = 0;  // its own among all, and lens subpath mutations so far
+  uint32_t rounds = 0;  // lens subpath mutations so far
+  bool bare = false;    // of the path, only what is written below is known
+
+  void write(StateWriter& out) const {
+    out.value(path.light), out.value(path.raster), out.value(path.lens), out.value(random), out.value(rounds);
+    out.value<int32_t>(path.edges());
+    for (int i = 0; i < path.edges(); ++i) {
+      const PathVertex<M>& x = path[i];
+      out.value(x.hit), out.value(x.found_from), out.value(x.delta), out.value(x.transmitted);
+      out.value(x.point.position), out.value(x.direction), out.value(x.length);
+    }
+  }
+  bool read(StateReader& in) {
+    int32_t edges = 0;
+    if (!in.value(path.light) || !in.value(path.raster) || !in.value(path.lens) || !in.value(random) ||
+        !in.value(rounds) || !in.value(edges) || edges < 1 || edges > kLongest)
+      return false;
+    path.resize(edges);
+    for (int i = 0; i < edges; ++i) {
+      PathVertex<M>& x = path[i];
+      if (!in.value(x.hit) || !in.value(x.found_from) || !in.value(x.delta) || !in.value(x.transmitted) ||
+          !in.value(x.point.position) || !in.value(x.direction) || !in.value(x.length))
+        return false;
+    }
+    return bare = true;
+  }
+
+ private:
+  static constexpr int32_t kLongest = 1 << 16;
 };
 
 // Points of the unit square for one mutation of each chain, which lie evenly in it if seen together: Hammersley's set,
@@ -25,52 +55,50 @@ inline Vec2 stratified_point(uint32_t chain, uint32_t chains, uint32_t round, ui
           wrapped(to_unit_float(reverse_bits(chain)) + to_unit_float(static_cast<uint32_t>(shift)))};
 }
 
+// Lets chains go, one after the other.
 template <class M>
-class ChainRunner {
+class MutationRunner {
  public:
-  ChainRunner(const Pass& pass, const MutationPlan& plan)
+  using Counts = std::array<Acceptance, kMutations>;
+
+  MutationRunner(const Pass& pass, const MutationPlan& plan)
       : plan_(&plan), space_(pass), filter_(*pass.filter, pass.width, pass.height) {}
 
   PathSpace<M>& space() { return space_; }
 
-  // The next step of the chain, which stands for `scale` times the colour of where it is.
-  void step(ChainState<M>& chain, uint32_t chains, uint64_t seed, float scale, MutationCounts& counts,
-            film::Splats& splats) {
+  // The next step. A path counts `scale` times its colour; point() is what a lens subpath mutation takes.
+  template <PicturePoints Point, class Count>
+  void step(MutationChain<M>& chain, float scale, Point&& point, Count&& count, film::Splats& splats) {
     const Mutation mutation = plan_->choose(chain.shape, chain.random);
-    const auto point = [&] { return stratified_point(chain.number, chains, chain.rounds++, seed); };
     PathShape shape;
-    const double accepted =
+    const double ratio =
         propose(mutation, *plan_, space_, chain.path, chain.shape, chain.random, point, proposal_, shape);
-    ++counts.proposed[static_cast<size_t>(mutation)];
-    staying_ += 1 - accepted;
-    if (accepted > 0 && double{chain.random.next()} < accepted) {
-      ++counts.accepted[static_cast<size_t>(mutation)];
-      leave(chain, scale, splats);
-      std::swap(chain.path, proposal_);
-      chain.shape = shape;
-      staying_ = accepted;
-    } else if (accepted > 0) {
-      splat(proposal_, accepted * double{scale}, chain.random, splats);
-    }
+    const Verdict verdict = judge(1, 1, double{chain.random.next()}, ratio);
+    count(mutation, verdict);
+    stay_.take(
+        verdict, [&](double n) { splat(chain.path, n * double{scale}, chain.random, splats); },
+        [&](double n) { splat(proposal_, n * double{scale}, chain.random, splats); });
+    if (!verdict.accepted) return;
+    std::swap(chain.path, proposal_);
+    chain.shape = shape;
   }
 
   // What the chain has gathered where it is now; before another one's step.
-  void leave(ChainState<M>& chain, float scale, film::Splats& splats) {
-    if (staying_ > 0) splat(chain.path, staying_ * double{scale}, chain.random, splats);
-    staying_ = 0;
+  void settle(MutationChain<M>& chain, float scale, film::Splats& splats) {
+    splat(chain.path, stay_.settle() * double{scale}, chain.random, splats);
   }
 
  private:
   void splat(const LightPath<M>& path, double weight, ChainRandom& random, film::Splats& splats) const {
-    if (const auto to = filter_.choose(path.raster, random.next_2d()))
-      splats.push_back({to->pixel, path.color * (static_cast<float>(weight) * to->weight)});
+    const auto to = weight > 0 ? filter_.choose(path.raster, random.next_2d()) : std::nullopt;
+    if (to) splats.push_back({to->pixel, path.color * (static_cast<float>(weight) * to->weight)});
   }
 
   const MutationPlan* plan_;
   PathSpace<M> space_;
   film::SplatFilter filter_;
   LightPath<M> proposal_;
-  double staying_ = 0;
+  Stay stay_;
 };
 
 }  // namespace etendue::integrator

@@ -48,11 +48,6 @@ struct MutationPlan {
   }
 };
 
-// How many were proposed and how many of them accepted.
-struct MutationCounts {
-  std::array<uint64_t, kMutations> proposed{}, accepted{};
-};
-
 // What a path is proposed from besides random numbers: the point of the picture, in the unit square, that a lens
 // subpath mutation takes.
 template <class PointOfPicture>
@@ -60,7 +55,7 @@ concept PicturePoints = requires(PointOfPicture f) {
   { f() } -> std::convertible_to<Vec2>;
 };
 
-// Proposes y from x by this mutation. Returns the probability of going there, zero if y has no contribution.
+// Proposes y from x by this mutation. Returns f(y) T(y -> x) over f(x) T(x -> y), zero if y has no contribution.
 template <class M, PicturePoints Point>
 double propose(Mutation mutation, const MutationPlan& plan, PathSpace<M>& space, const LightPath<M>& x,
                const PathShape& shape, ChainRandom& random, Point&& point_of_picture, LightPath<M>& y,
@@ -95,7 +90,7 @@ double propose(Mutation mutation, const MutationPlan& plan, PathSpace<M>& space,
   shape_of_y = integrator::shape_of(y);
   there *= plan.probability(mutation, shape), back *= plan.probability(mutation, shape_of_y);
   const double ratio = back / there;
-  return ratio < 1 ? ratio : there > 0 && back > 0 ? 1 : 0;
+  return std::isfinite(ratio) ? ratio : 0;
 }
 
 }  // namespace etendue::integrator

@@ -55,8 +55,10 @@ class PathSpace {
     Vertex& x = path[0];
     x.delta = false;
     if (e.kind == LightKind::triangle) {
-      x.point = scene_->point_of(e);
-      scene_->template bsdf<M>(x.point, x.bsdf);
+      const EmissiveTriangle& t = scene_->lights().triangles()[e.light];
+      x.hit = {t.instance, t.triangle, e.barycentric.x, e.barycentric.y};
+      x.found_from = glm::normalize(e.back ? -t.cross : t.cross);
+      place(x);
     } else {
       x.point.position = e.position, x.direction = e.direction;
     }
@@ -153,6 +155,13 @@ class PathSpace {
 
   // ---- Evaluating.
 
+  // Makes all that follows from the ends, edges and hits of a path.
+  bool rebuild(Path& path) {
+    for (int i = 0; i < path.edges(); ++i)
+      if (path.is_surface(i)) place(path[i]);
+    return settle(0, path.edges(), path);
+  }
+
   // Computes what vertices first .. last (surfaces; the ends are always done) and the path as a whole are worth.
   bool settle(int first, int last, Path& path) {
     const int k = path.edges();
@@ -176,11 +185,15 @@ class PathSpace {
     ++rays_;
     const Hit hit = scene_->intersect(ray, random.bits());
     if (!hit) return false;
-    const Vec3 wo = -ray.direction;
-    scene_->surfaces({&wo, 1}, {&hit, 1}, &x.point);
-    scene_->template bsdf<M>(x.point, x.bsdf);
+    x.hit = hit, x.found_from = -ray.direction;
+    place(x);
     x.delta = false;
     return true;
+  }
+
+  void place(Vertex& x) const {
+    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point);
+    scene_->template bsdf<M>(x.point, x.bsdf);
   }
 
   bool find_next(const Ray& ray, int i, ChainRandom& random, Path& path) {
