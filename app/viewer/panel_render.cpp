@@ -1,10 +1,14 @@
 // Which method makes the picture, what can it find, and when does it stop?
 #include <imgui.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "advice/blind_spots.h"
 #include "integrator/integrator.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
+#include "viewer/words.h"
 
 namespace etendue::viewer {
 namespace {
@@ -29,6 +33,20 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
   w.items.place("render.misses");
 }
 
+// What the method knows of its own work.
+void statistics(Workbench& w) {
+  const auto status = w.session.status();
+  if (status.version != w.editor.version()) return;
+  for (const auto& statistic : status.statistics) {
+    std::string label = statistic.name;
+    std::ranges::replace(label, '-', ' ');
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+    figure(w, label.c_str(), text_of("%.4g ", statistic.value) + statistic.unit);
+    if (ImGui::IsItemHovered()) tooltip(w, statistic.doc);
+    w.items.place("statistic." + statistic.name);
+  }
+}
+
 }  // namespace
 
 void draw_render_panel(Workbench& w) {
@@ -44,6 +62,7 @@ void draw_render_panel(Workbench& w) {
     if (const auto* info = integrator::find_integrator(method.integrator)) {
       about_integrator(w, *info);
       section_widgets(w, info->name);
+      statistics(w);
     }
     ImGui::Spacing();
     some_widgets(w, "render", {"sampler"});

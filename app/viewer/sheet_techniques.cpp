@@ -2,6 +2,9 @@
 // click.
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "advice/words.h"
 #include "integrator/integrator.h"
 #include "integrator/techniques.h"
@@ -11,6 +14,8 @@
 
 namespace etendue::viewer {
 namespace {
+
+constexpr float kWidth = 96, kLeastWidth = 48;  // of a picture, at scale one
 
 // The methods that have techniques, as the registry says.
 std::string names_of_methods() {
@@ -80,12 +85,13 @@ void cell_of(Workbench& w, const TechniquePyramid& pyramid, size_t index, const 
 
 void pyramid_of(Workbench& w, const TechniquePyramid& pyramid) {
   const float em = ImGui::GetFontSize(), label = em * 3.2f, gap = std::floor(em * 0.5f);
-  const float wide = std::floor(96 * w.platform.scale());
+  const int longest = pyramid.cells.back().edges();
+  const float room = (ImGui::GetContentRegionAvail().x - label) / static_cast<float>(longest + 2) - gap;
+  const float wide = std::floor(std::clamp(room, kLeastWidth * w.platform.scale(), kWidth * w.platform.scale()));
   const Vec2 size(wide, std::floor(wide * static_cast<float>(pyramid.height) / static_cast<float>(pyramid.width)));
   const auto left_out = integrator::Techniques::parse(w.techniques.left_out());
   const ImVec2 corner = ImGui::GetCursorPos();
   const auto column = [&](int s) { return corner.x + label + static_cast<float>(s) * (size.x + gap); };
-  const int longest = pyramid.cells.back().edges();
   for (int s = 0; s <= longest + 1; ++s) {
     ImGui::SetCursorPos({column(s), corner.y});
     ImGui::TextDisabled("s = %d", s);
@@ -134,20 +140,18 @@ void draw_techniques_sheet(Workbench& w) {
   if (!w.techniques.possible())
     return note(w, w.editor.document().method.integrator +
                        " finds each path in one way. Several techniques have: " + names_of_methods() + ".");
-  const float em = ImGui::GetFontSize();
-  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
   // Side by side where that leaves the pyramid most of the room, else what is set below it.
-  const bool wide = room.x > 50 * em;
-  ImGui::BeginChild("##pyramid", {wide ? std::floor(room.x - 21 * em) : 0, wide ? 0 : std::max(room.y, 10 * em)}, false,
-                    ImGuiWindowFlags_HorizontalScrollbar);
+  const bool wide = room > 50 * em;
+  if (wide) ImGui::BeginChild("##pyramid", {std::floor(room - 21 * em), 0});
   ImGui::PushFont(w.faces.small);
   if (const auto* shown = w.techniques.shown())
     pyramid_of(w, *shown);
   else
     note(w, "The first pictures are being made.");
   ImGui::PopFont();
-  ImGui::EndChild();
   if (!wide) return controls(w);
+  ImGui::EndChild();
   ImGui::SameLine(0, em);
   ImGui::BeginChild("##controls");
   controls(w);

@@ -211,6 +211,8 @@ std::string state_report(Workbench& w) {
       {"first_picture_seconds", w.first_picture_seconds},
       {"latency_ms", percentiles(w.session.take_latencies())},
       {"restart_latency_ms", percentiles(w.session.take_restart_latencies())}};
+  state["statistics"] = json::object();
+  for (const auto& statistic : status.statistics) state["statistics"][statistic.name] = statistic.value;
   if (const auto* misses = w.misses()) state["misses"] = misses->share;
   if (const auto* points = w.points.shown()) state["points"] = {{"kept", points->kept}, {"seen", points->points.size()}};
   if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);

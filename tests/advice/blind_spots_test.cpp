@@ -105,7 +105,7 @@ TEST(Declared, ALieIsFound) {
   EXPECT_FALSE(lies(said("raycast", "E.*L", ""), d, false, table).empty());
   EXPECT_FALSE(lies(said("raycast", "EL", ""), d, false, table).empty());
   EXPECT_FALSE(lies(said("path", "E[D|G]L", ""), d, false, table).empty());
-  EXPECT_FALSE(lies(said("path-pure", "E.*L", "E.*DL"), points, true, under_points).empty());
+  EXPECT_FALSE(lies(said("raycast", "E.*L", "E.*DL"), points, true, under_points).empty());
   EXPECT_FALSE(lies(said("path", "E.*L", ""), points, true, under_points).empty());
 }
 
@@ -170,9 +170,8 @@ TEST(BlindSpots, BeyondAllMethods) {
   const auto sentences = [](const render::Document& d) {
     return advice::beyond_all_methods(*scene::compile(d.scene, d.camera, nullptr));
   };
-  const auto said = sentences(things_under(false, false, true, 16));
-  ASSERT_EQ(said.size(), 1u);
-  EXPECT_TRUE(said[0].starts_with("what a point light casts through or off glass (")) << said[0];
+  // Walks from the lights find what a point casts through glass.
+  EXPECT_TRUE(sentences(things_under(false, false, true, 16)).empty());
   EXPECT_TRUE(sentences(things_under(true, true, false, 16)).empty());
   auto plain = cornell(16);
   scene::Scene scene = *plain.scene;

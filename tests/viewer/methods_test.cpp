@@ -1,4 +1,5 @@
 // Many methods, as a user meets them: by key, by what stands in their way, by what they miss, technique by technique.
+#include <algorithm>
 #include <set>
 
 #include "integrator/integrator.h"
@@ -80,6 +81,17 @@ TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
   EXPECT_EQ(state("b.json")["parameters"]["bdpt.without"], "");
   EXPECT_EQ(state("c.json")["parameters"]["bdpt.without"], "1,2");
   expect_refusal(joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0;1")})), "is no technique");
+}
+
+TEST_F(Methods, WhatOneKnowsOfItsOwnWorkIsTold) {
+  const auto& infos = integrator::integrator_infos();
+  const auto chains = std::ranges::find(infos, integrator::Group::markov_chain, &integrator::IntegratorInfo::group);
+  ASSERT_NE(chains, infos.end());
+  const auto steps = joined(small(2), steps_of({file_step("state", path("a.json")), set("render.integrator", chains->name), {{"do", "wait"}, {"spp", 2}},
+                                                file_step("state", path("b.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  EXPECT_TRUE(state("a.json")["statistics"].empty());
+  EXPECT_FALSE(state("b.json")["statistics"].empty());
 }
 
 TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
