@@ -78,6 +78,13 @@ TEST(Bidirectional, EveryHeuristicAndEveryRestOfTechniques) {
                            std::string(name) + " " + value, 7);
 }
 
+// The basic form: more noise, the same mean.
+TEST(Bidirectional, EndsAloneAgreeToo) {
+  const std::pair<const char*, Document> places[] = {{"cornell", cornell()}, {"lens", through_a_lens(under_a_lamp())}};
+  for (const auto& [name, d] : places)
+    expect_same(by(d, "path"), 512, with(by(d, "bdpt"), "reuse", "false"), 512, name, 2);
+}
+
 // Sums of terms and the weights in constant time are the same numbers.
 TEST(Bidirectional, WeightsInConstantTimeAreTheSumOfAllTerms) {
   for (const Document& place : {cornell(), through_a_lens(under_a_lamp()), under_a_sky()})
