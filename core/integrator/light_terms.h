@@ -38,7 +38,9 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
   }
   const auto view = pass.camera->view(e.position, lens);
   if (!view) return;
-  const float cosine = glm::dot(start.point.front ? start.point.ng : -start.point.ng, view->wi);
+  // A lamp with two sides shows one of them, whichever the walk leaves.
+  const float ahead = glm::dot(start.point.front ? start.point.ng : -start.point.ng, view->wi);
+  const float cosine = start.point.material->description.double_sided ? std::abs(ahead) : ahead;
   const auto to = cosine > 0 ? splatter.pixel(view->raster, seed) : std::nullopt;
   if (!to) return;
   const float density = cosine * view->importance;

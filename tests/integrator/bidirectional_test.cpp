@@ -126,6 +126,16 @@ TEST(Bidirectional, PureLightTracingThroughALens) {
   EXPECT_EQ(test::mean_of(test::rendered(by(d, "light-pure"), 4)).value, 0);
 }
 
+// Walks leave a lamp with two sides on either.
+TEST(Bidirectional, ALampWithTwoSidesInView) {
+  scene::Scene scene;
+  test::add(scene, test::quad(1), test::diffuse(Rgb(0.5f), Rgb(1)));
+  const Document d = seen(std::move(scene));
+  const auto expected = test::replicated(by(d, "path"), 128);
+  for (const char* method : {"light", "bdpt", "pssmlt"})
+    test::expect_agreement(expected, test::replicated(by(d, method), 128), method, 3);
+}
+
 TEST(Bidirectional, ClassesOfPaths) {
   const Document d = under_a_lamp();
   const char* classes[] = {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "EGD.*L", "ED.*GL|ES.*L", "E.G.*L"};
@@ -137,7 +147,7 @@ TEST(Bidirectional, EveryHeuristicAndEveryRestOfTechniques) {
   const Document d = cornell();
   const auto expected = test::replicated(by(d, "path"), 512);
   const std::pair<const char*, const char*> settings[] = {
-      {"heuristic", "balance"}, {"heuristic", "maximum"}, {"without", "0,*"},       {"without", "1,*"},
+      {"heuristic", "balance"}, {"heuristic", "maximum"}, {"without", "0,*"},        {"without", "1,*"},
       {"without", "*,1"},       {"without", "2,2 1,3"},   {"without", "2,* 3,* 4,*"}};
   for (const auto& [name, value] : settings)
     test::expect_agreement(expected, test::replicated(with(by(d, "bdpt"), name, value), 64),
@@ -192,7 +202,8 @@ TEST(Techniques, AreReadAsPeopleWriteThem) {
   EXPECT_TRUE(set->contains(0, 5) && set->contains(2, 3));
   EXPECT_FALSE(set->contains(2, 2) || set->contains(1, 3));
   EXPECT_TRUE(integrator::Techniques::parse("")->empty());
-  for (const char* wrong : {"2", "a,b", "1,2,3", "-1,2", "1;2"}) EXPECT_FALSE(integrator::Techniques::parse(wrong)) << wrong;
+  for (const char* wrong : {"2", "a,b", "1,2,3", "-1,2", "1;2"})
+    EXPECT_FALSE(integrator::Techniques::parse(wrong)) << wrong;
 }
 
 }  // namespace
