@@ -60,6 +60,16 @@ TEST(Bidirectional, PureLightTracingThroughALens) {
   EXPECT_EQ(test::mean_of(test::rendered(by(d, "light-pure"), 4)).value, 0);
 }
 
+// Walks leave a lamp with two sides on either.
+TEST(Bidirectional, ALampWithTwoSidesInView) {
+  scene::Scene scene;
+  test::add(scene, test::quad(1), test::diffuse(Rgb(0.5f), Rgb(1)));
+  const Document d = seen(std::move(scene));
+  const auto expected = test::replicated(by(d, "path"), 128);
+  for (const char* method : {"light", "bdpt", "pssmlt"})
+    test::expect_agreement(expected, test::replicated(by(d, method), 128), method, 3);
+}
+
 TEST(Bidirectional, ClassesOfPaths) {
   const Document d = under_a_lamp();
   const char* classes[] = {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "EGD.*L", "ED.*GL|ES.*L", "E.G.*L"};

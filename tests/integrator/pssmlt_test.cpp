@@ -61,16 +61,6 @@ TEST(Pssmlt, ClassesOfPaths) {
 }
 
 // Leaves that let half of the light through, at random: a chain's world changes with its large steps.
-TEST(Pssmlt, Scratch) {
-  const Document d = with(test::glossy_things(), "film.paths", "E.*S.*L");
-  const auto show = [](const test::Estimate& e, const char* w) {
-    printf("%s", w);
-    for (size_t i = 3; i < 8; ++i) printf(" %.5f+-%.5f", e.mean[i], std::sqrt(e.variance[i]));
-    printf("\n");
-  };
-  show(test::replicated(with(metropolis(d, "multiplexed"), "large-steps", "1"), 4096), "mult 4096, large");
-}
-
 TEST(Pssmlt, StochasticOpacity) {
   scene::Scene scene;
   test::add(scene, test::quad(4), test::diffuse(Rgb(0.6f)));
@@ -102,12 +92,12 @@ TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
     constexpr int kRounds = 12;
     for (uint64_t seed = 0; seed < kRounds; ++seed) {
       d.seed = seed;
-      const double mean = test::mean_of(test::rendered(d, 16)).value;
+      const double mean = test::mean_of(test::rendered(d, 4)).value;
       sum += mean, squares += mean * mean;
     }
     const double mean = sum / kRounds, error = std::sqrt((squares / kRounds - mean * mean) / (kRounds - 1));
     EXPECT_NEAR(mean, kMean, 4.5 * error + 2e-4 * kMean) << form;
-    EXPECT_LT(error, 0.02 * kMean) << form;
+    EXPECT_LT(error, 0.04 * kMean) << form;
   }
 }
 
