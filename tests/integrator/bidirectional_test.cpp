@@ -13,6 +13,7 @@ using render::Document;
 
 using test::by;
 using test::expect_same;
+using test::seen;
 using test::through_a_lens;
 using test::under;
 using test::under_a_lamp;

@@ -106,7 +106,7 @@ TEST(LightTable, SourcesAreInstancesLampsAndTheSky) {
   triangles[4].instance = 3;  // black: no source
   PlacedLight lamp;
   lamp.light.type = LightType::point;
-  lamp.position = Vec3(0.5f, 2, 0.5f);
+  lamp.place.position = Vec3(0.5f, 2, 0.5f);
   Environment sky;
   sky.tint = Rgb(0.01f);
   const LightTable table(triangles, {lamp}, sky, bounds());
