@@ -16,8 +16,8 @@ Document by_mlt(const Document& d) { return with(with(by(d, "mlt"), "candidates"
 constexpr const char* kOthers[] = {"lens-perturbation", "caustic-perturbation", "multi-chain", "lens-subpath"};
 
 // A small lamp in a weak mirror is found by one path in 100,000, and then a chain stays there for long: twelve pictures
-// with none or a lot of it have no normal distribution.
-Document without_lamps_in_mirrors(const Document& d) { return with(d, "film.paths", "EL|E.*(D|G).*L"); }
+// with none or a lot of it have no normal distribution. Under the lamp, glass is therefore not looked at.
+Document lamp() { return test::without_mirrors_in_view(test::under_a_lamp()); }
 
 // The bidirectional mutation beside one of the others, or alone.
 Document with_only(const Document& d, const std::string& mutation) {
@@ -28,12 +28,11 @@ Document with_only(const Document& d, const std::string& mutation) {
 }
 
 TEST(Mlt, AgreesWithPathTracing) {
-  const Document lamp = without_lamps_in_mirrors(test::under_a_lamp());
   const std::pair<const char*, Document> places[] = {{"cornell", test::cornell(test::kSize)},
                                                      {"glossy things", test::glossy_things()},
-                                                     {"lamp", lamp},
+                                                     {"lamp", lamp()},
                                                      {"sky", test::under_a_sky()},
-                                                     {"lens", test::through_a_lens(lamp)}};
+                                                     {"lens", test::through_a_lens(lamp())}};
   for (const auto& [name, d] : places) test::expect_same(by(d, "path"), 256, by_mlt(d), 256, name, 5);
 }
 
@@ -46,8 +45,7 @@ TEST(Mlt, PunctualLights) {
 }
 
 TEST(Mlt, EachMutationBesideTheBidirectionalOne) {
-  for (const Document& d : {without_lamps_in_mirrors(test::under_a_lamp()),
-                            test::without_mirrors_in_view(test::through_a_lens(test::under(LightType::directional)))}) {
+  for (const Document& d : {test::cornell(test::kSize), test::under_a_sky()}) {
     const auto expected = test::replicated(by(d, "bdpt"), 256);
     for (const char* mutation : {"none", "lens-perturbation", "caustic-perturbation", "multi-chain", "lens-subpath"})
       test::expect_agreement(expected, test::replicated(with_only(d, mutation), 256), mutation, 10);
@@ -56,9 +54,9 @@ TEST(Mlt, EachMutationBesideTheBidirectionalOne) {
 
 TEST(Mlt, ClassesOfPaths) {
   const Document d = test::under_a_lamp();
-  for (const char* paths : {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "ED.*GL|ES.*(D|G).*L", "EDG.*L"}) {
+  for (const char* paths : {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "EDG.*L"}) {
     const Document part = with(d, "film.paths", paths);
-    test::expect_same(by(part, "path"), 256, by_mlt(part), 256, paths, 5);
+    test::expect_same(by(part, "path"), 256, by_mlt(part), 256, paths, 4);
   }
 }
 
