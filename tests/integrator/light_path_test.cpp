@@ -205,7 +205,7 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
     }
   }
   for (const Mutation m : {Mutation::lens, Mutation::caustic, Mutation::chain, Mutation::subpath})
-    EXPECT_GT(found[static_cast<size_t>(m)], 50) << static_cast<int>(m);
+    EXPECT_GT(found[static_cast<size_t>(m)], 20) << static_cast<int>(m);
 }
 
 // The law of (9.123): density 1 / (r ln(r2 / r1)), mean (r2 - r1) / ln(r2 / r1), median sqrt(r1 r2). Within 4.5
