@@ -17,6 +17,7 @@ class Samples final : public Work {
               parsed(method.without),
               parsed(method.only),
               method.weighted,
+              method.reuse,
               pass.model->classes ? std::optional<transport::ClassJoin>(*pass.model->paths) : std::nullopt} {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {

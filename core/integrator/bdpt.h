@@ -59,10 +59,14 @@ class Bdpt final : public Method<Bdpt> {
              {"0,*", "Hits of lights, s = 0"},
              {"1,*", "Light samples, s = 1"},
              {"*,1", "To the camera, t = 1"}}};
+  Toggle reuse{
+      "reuse", "Every vertex connected", true,
+      "Off: only the ends of the two walks are connected, the basic form of thesis 9.3.1: fewer rays, much more "
+      "noise"};
   Toggle weighted{"weighted", "Weighted", true,
                   "Off: each technique counts in full, so that several that find a path count it several times"};
 
-  auto knobs() { return std::tie(max_depth, heuristic, roulette_start, without, only, weighted); }
+  auto knobs() { return std::tie(max_depth, heuristic, roulette_start, reuse, without, only, weighted); }
 
   std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const override;
 };

@@ -13,7 +13,7 @@ struct BidirectionalPlan {
   transport::MisHeuristic heuristic;
   int max_depth, roulette_start;
   Techniques without, only;
-  bool weighted;
+  bool weighted, reuse;
   std::optional<transport::ClassJoin> classes;
 
   bool too_long(int edges) const { return max_depth > 0 && edges > max_depth; }
@@ -35,11 +35,14 @@ class Bidirectional {
     pixels_ = static_cast<float>(pass.width) * static_cast<float>(pass.height);
     const BlockOrder order(block);
     Splatter splatter(pass, turn, 1 / pixels_);
+    if (!plan.reuse) draw_ends(block, order);
     const auto number_of = [&](int i) {
       return static_cast<uint32_t>((block.y + order.y(i)) * pass_->width + block.x + order.x(i));
     };
-    walks_.launch(pass, block.sample, order.size(), turn, light_, number_of,
-                  [&](const Start& start, Vec2 lens) { begin_light(start, lens, splatter); });
+    walks_.launch(pass, block.sample, order.size(), turn, light_, number_of, [&](const Start& start, Vec2 lens) {
+      begin_light(start, lens, splatter);
+      return techniques_.empty() || technique(start.path).s > 1;
+    });
     shoot(splatter);
     if (light_.given_up()) return {};
     // What is to be connected must be there at one time.
@@ -91,6 +94,28 @@ class Bidirectional {
 
   MisRule light_rule() const { return {plan_->heuristic, MisRule::Side::light}; }
   MisRule camera_rule() const { return {plan_->heuristic, MisRule::Side::camera}; }
+
+  // Without reuse each path is a connection of two ends alone. The numbers of vertices are geometric, so that every
+  // technique has its turn; it then counts for the others of its kind that have none.   thesis 9.3.1, (9.36)-(9.75)
+  void draw_ends(const PixelBlock& block, const BlockOrder& order) {
+    const int least = pass_->camera->can_be_hit() ? 0 : 1;
+    for (int i = 0; i < order.size(); ++i) {
+      const uint32_t replicate = block.sample % film::kReplicates;
+      const uint32_t seed = pixel_seed(pass_->seed, block.x + order.x(i), block.y + order.y(i), replicate);
+      const uint32_t first = mix_bits(path_seed(seed, block.sample) + 0x2545f491U);
+      const auto path = static_cast<size_t>(i);
+      gain_[path] = 1;
+      drawn_[path] = {vertices(first, gain_[path]), least + vertices(mix_bits(first), gain_[path])};
+    }
+    techniques_ = {drawn_.data(), static_cast<size_t>(order.size())};
+  }
+
+  static int vertices(uint32_t bits, float& gain) {
+    constexpr float kEnds = 0.35f;
+    const auto more = static_cast<int>(std::log1p(-to_unit_float(bits)) / std::log1p(-kEnds));
+    gain /= kEnds * std::pow(1 - kEnds, static_cast<float>(more));
+    return more;
+  }
 
   // ---- Walks from the lights.
 
@@ -408,7 +433,8 @@ class Bidirectional {
 
   float weight(int path, int s, int t, float light, float camera) const {
     if (!counts(path, s, t)) return 0;
-    return plan_->weighted ? MisRule::weight(plan_->heuristic, light, camera) : 1;
+    const float gain = plan_->reuse ? 1 : gain_[static_cast<size_t>(path)];
+    return plan_->weighted ? gain * MisRule::weight(plan_->heuristic, light, camera) : gain;
   }
 
   struct Connected {
@@ -419,6 +445,8 @@ class Bidirectional {
   const Pass* pass_ = nullptr;
   const BidirectionalPlan* plan_ = nullptr;
   std::span<const Technique> techniques_;  // that each path is found by alone; empty: all
+  std::array<Technique, kPaths> drawn_;    // where ends alone are connected
+  PerPath<float> gain_;                    // one over the probability of drawing them
   float pixels_ = 1;                       // of the picture
   Front light_, camera_;
   LightWalks<M> walks_;

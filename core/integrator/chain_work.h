@@ -11,6 +11,7 @@
 //   struct Group;            // some chains; copied, and has a ChainTally `tally`,
 //                            // void write(StateWriter&) const, bool read(StateReader&), size_t memory() const
 //   int chains() const, candidates() const;        // of a half
+//   static constexpr int kGroupSize;               // 256 if there is none
 //   static constexpr std::array<MutationKind, n> kKinds;
 //   // The worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced.
 //   std::optional<uint64_t> weigh(const Era&, uint64_t first, std::span<float> worth, const Turn&) const;
@@ -65,7 +66,12 @@ struct Era {
 template <class Kernel>
 class ChainWork final : public Work {
  public:
-  static constexpr int kGroupSize = 256;
+  static constexpr int kGroupSize = [] {
+    if constexpr (requires { Kernel::kGroupSize; })
+      return Kernel::kGroupSize;
+    else
+      return 256;
+  }();
 
   ChainWork(const Pass& pass, Kernel kernel) : pass_(pass), kernel_(std::move(kernel)) {
     const int groups = (kernel_.chains() + kGroupSize - 1) / kGroupSize;

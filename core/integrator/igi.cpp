@@ -6,6 +6,9 @@
 namespace etendue::integrator {
 namespace {
 
+// By which light samples and the walk's own direction share direct light.
+constexpr auto kHeuristic = transport::MisHeuristic::power;
+
 // The virtual lights of one sample, or of a half of the film, in the making.
 struct Lights {
   uint32_t sample = 0;                           // whose random numbers they are made with
@@ -70,7 +73,6 @@ class VirtualLights final : public Work {
   Lights& lights_of(uint32_t sample) { return lights_[sample % film::kReplicates]; }
   // Virtual lights are the second vertex at the earliest.
   bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
-  bool follows_bound() const { return method_.bound > 0 && method_.compensate; }
 
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
@@ -97,63 +99,44 @@ class VirtualLights final : public Work {
     using namespace transport;
     static thread_local std::array<float, Front<M>::kCapacity> departures;  // cosines by which paths left
     while (front.advance()) {
-      add_sky_in_view(front);
+      add_environment(front, kHeuristic);
       while (front.arrive()) {
         if (!is_wanted(turn)) return false;
-        add_emission_in_view(front);
+        add_emission(front, kHeuristic);
         if (method_.at_limit(front.length())) continue;
-        if (follows_bound()) weigh_by_loss(front, departures);
-        add_direct_light(front, {});
+        weigh_by_loss(front, departures);
+        add_direct_light(front, kHeuristic);
         lighting.add(front);
         scatter_noted(
             front, method_.roulette_start, Transport::radiance,
             [&](int i, const auto& s) {
               departures[static_cast<size_t>(front.path_at(i))] = glm::dot(front.point(i).ng, s.wi);
             },
-            [this](Front<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
+            [](Front<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
       }
     }
     return true;
   }
 
-  // Mirrors from the camera on; from there where a bound loses something, but not by mirrors: virtual lights are not
-  // connected through them.
+  // Mirrors from the camera on; from the first other vertex one step that may meet a light, and more where a bound
+  // loses something, but not by mirrors: virtual lights are not connected through them.
   template <class M>
-  bool goes_on(transport::Front<M>& front, int i, LobeSample<typename M::Color>& s) const {
-    const bool follows = s.delta ? front.state_at(i).all_specular : follows_bound();
-    return follows && !is_black(front.state_at(i).throughput) && transport::TakeAll()(front, i, s);
+  static bool goes_on(transport::Front<M>& front, int i, LobeSample<typename M::Color>& s) {
+    const auto& path = front.state_at(i);
+    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::TakeAll()(front, i, s);
   }
 
+  // What virtual lights have done for the vertex before is not done again.
   template <class M>
   void weigh_by_loss(transport::Front<M>& front, std::span<const float> departures) const {
+    const bool follows_bound = method_.bound > 0 && method_.compensate;
     for (int i = 0; i < front.arrived(); ++i) {
       auto& path = front.state_at(i);
       if (path.all_specular) continue;
       const Vec3 d = front.point(i).position - path.from;
-      const float cosine = glm::dot(front.point(i).ng, front.wo(i));
       const float left = departures[static_cast<size_t>(front.path_at(i))];
-      path.throughput *= 1 - kept_of(geometry_term(left, cosine, glm::dot(d, d)), method_.bound);
-    }
-  }
-
-  // Light that is met after something else than a mirror was sampled directly.
-  template <class M>
-  static void add_emission_in_view(transport::Front<M>& front) {
-    for (int i = 0; i < front.arrived(); ++i) {
-      auto& path = front.state_at(i);
-      if (front.point(i).material->shines && path.all_specular)
-        path.radiance += transport::admitted(front, path, front.path_at(i)) * front.scene().emitted(front.point(i));
-    }
-  }
-  template <class M>
-  static void add_sky_in_view(transport::Front<M>& front) {
-    const EnvironmentMap& map = front.scene().lights().environment();
-    if (map.black() || (front.length() == 1 && !map.visible())) return;
-    for (int i = 0; i < front.escaped(); ++i) {
-      auto& path = front.escapee(i);
-      if (path.all_specular)
-        path.radiance +=
-            transport::admitted(front, path, front.path_of_escape(i)) * map.radiance(front.escape_direction(i));
+      const float geometry = geometry_term(left, glm::dot(front.point(i).ng, front.wo(i)), glm::dot(d, d));
+      path.throughput *= follows_bound ? 1 - kept_of(geometry, method_.bound) : 0;
     }
   }
 

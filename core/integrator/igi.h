@@ -1,10 +1,11 @@
 // Instant global illumination: a few light paths for all pixels.       thesis 9.6, (9.148)-(9.158), E33; S40, S41
 //                                              Keller 1997; interleaved: Keller & Heidrich 2001; bounded: Kollig &
 //                                              Keller 2004
-// The camera's walk follows mirrors and clear glass to the first other vertex z, where light is sampled directly and
-// every virtual light (virtual_lights.h) is connected. Vertices y and z that come close make G = cos cos / r^2, and
-// with it the variance, infinite. Where G is kept below a bound, what is lost is found again, if wanted, by a walk from
-// z by the BSDF: at the vertex where it arrives everything is done as at z, weighed by what the bound cut off,
+// The camera's walk follows mirrors and clear glass to the first other vertex z, where direct light is found as in path
+// tracing and every virtual light (virtual_lights.h) is connected. Vertices y and z that come close make G = cos cos /
+// r^2, and with it the variance, infinite. Where G is kept below a bound, what is lost is found again, if wanted, by a
+// walk from z by the BSDF: at the vertex where it arrives everything is done as at z, weighed by what the bound cut
+// off,
 //
 //   1 = min(1, bound / G)  +  max(0, 1 - bound / G)
 //                    lights   walk
@@ -27,7 +28,7 @@ class InstantGlobalIllumination final : public Method<InstantGlobalIllumination>
       "ES*[(D|G)[(D|G).*]]L",
       "ES*(D|G)[(D|G).*]L",
       Bias::biased,
-      "1 + the number of virtual lights rays per sample: 2 to 4 for each light path; a few hundred bytes for each",
+      "3 + the number of virtual lights rays per sample: 2 to 4 for each light path; a few hundred bytes for each",
       "caustics and whatever shines through glass onto what is seen: black; corners: splotches, or with a bound and "
       "without compensation too dark; glossy surfaces as virtual lights are taken for matt ones unless told otherwise",
       Sampling::pictures};

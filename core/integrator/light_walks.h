@@ -29,20 +29,18 @@ class LightWalks {
   };
 
   // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
-  // yet. begun(start, point of the lens) is called for each, those included that carry nothing.
+  // yet. begun(start, point of the lens) is called for each, those included that carry nothing, and says whether the
+  // walk is to go on from there.
   template <class NumberOf, class Begun>
   void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
               Begun&& begun) {
     const uint32_t replicate = sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
     for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
-    launch_added(pass, front, [&](const Start& start, Vec2 lens) {
-      begun(start, lens);
-      return true;
-    });
+    launch_added(pass, front, begun);
   }
 
-  // The same for paths that were added to the front; begun says whether the walk is to go on from its start.
+  // The same for paths that were added to the front.
   template <class Begun>
   void launch_added(const Pass& pass, Front& front, Begun&& begun) {
     if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());

@@ -60,7 +60,7 @@ std::optional<uint64_t> trace_photons(const Pass& pass, uint32_t sample, const P
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCaustics : 0);
   walks->launch(
       pass, sample, std::min(PhotonPlan::kTask, plan.photons - first), turn, front,
-      [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) {});
+      [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) { return true; });
   while (front.advance())
     while (front.arrive()) {
       if (front.length() == 1) walks->dim_first_vertices(front);

@@ -66,6 +66,7 @@ class PrimaryKernel {
               *Techniques::parse(""),
               *Techniques::parse(""),
               true,
+              true,
               pass.model->classes ? std::optional<transport::ClassJoin>(*pass.model->paths) : std::nullopt} {}
 
   int chains() const { return std::min<int>(method_->chains, pass_.width * pass_.height); }

@@ -38,7 +38,8 @@ class Pssmlt final : public Method<Pssmlt> {
       "that looks like structure",
       Sampling::only_splats};
 
-  Choice<PrimaryForm> form{"form", "Form", PrimaryForm::multiplexed, "What a point of primary sample space stands for"};
+  Choice<PrimaryForm> form{"form", "Form", PrimaryForm::bidirectional,
+                           "What a point of primary sample space stands for"};
   Number<float> large_steps{
       "large-steps", "Large steps", 0.3f, {0.01f, 1}, "Share of the mutations that draw all numbers anew"};
   Number<float> step{"step",

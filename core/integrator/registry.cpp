@@ -8,6 +8,7 @@
 #include "integrator/igi.h"
 #include "integrator/light.h"
 #include "integrator/light_pure.h"
+#include "integrator/mlt.h"
 #include "integrator/path.h"
 #include "integrator/path_pure.h"
 #include "integrator/photonmap.h"
@@ -43,6 +44,7 @@ const std::vector<Entry>& entries() {
       entry<LightPure>(),
       entry<Light>(),
       entry<Bdpt>(),
+      entry<Mlt>(),
       entry<Pssmlt>(),
       entry<PhotonMapping>(),
       entry<ProgressivePhotonMapping>(),

@@ -46,6 +46,7 @@ class Shooting : public Method<Derived> {
           pass_, sample, count, turn, front, [&](int i) { return static_cast<uint32_t>(first + i); },
           [&](const typename LightWalks<M>::Start& start, Vec2 lens) {
             method_.template see_light<M>(pass_, start, lens, front.state(start.path).seed + sample, splatter);
+            return true;
           });
       method_.template estimate<M>(pass_, *walks, front, splatter);
       if (front.given_up()) return {};

@@ -91,7 +91,7 @@ std::optional<uint64_t> make_virtual_lights(const Pass& pass, uint32_t sample, c
   const int first = task * VirtualLightPlan::kTask;
   walks->launch(
       pass, sample, std::min(VirtualLightPlan::kTask, plan.paths - first), turn, front,
-      [&](int i) { return static_cast<uint32_t>(first + i); }, [](auto&&...) {});
+      [&](int i) { return static_cast<uint32_t>(first + i); }, [](auto&&...) { return true; });
   VirtualLightMaker<M> maker(plan, *walks, first, lights);
   while (front.advance())
     while (front.arrive()) {

@@ -33,15 +33,9 @@ Emission LightTable::emit_from_triangle(const AliasTable::Choice& choice, const 
   const EmissiveTriangle& triangle = triangles_[choice.index];
   Emission e;
   e.light = choice.index;
-  Vec2 u = draw.direction;
-  if (triangle.double_sided) {
-    e.back = u.x >= 0.5f;
-    u.x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
-  }
   e.barycentric = square_to_triangle(draw.point);
-  e.direction = square_to_cosine_hemisphere(u);
   e.time = draw.time;
-  e.density = density_of_triangle(choice.index, e.direction.z, draw.time);
+  leave_triangle(draw.direction, e);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)
     e.per_density = kPi / (side_probability(triangle) * e.density.first);
@@ -58,14 +52,7 @@ Emission LightTable::emit_from_point(const AliasTable::Choice& choice, const Emi
   e.time = draw.time;
   e.position = place.position;
   e.density = {choice.probability, pdf_direction(light), true, false};
-  e.radiance = light.color * light.intensity;
-  if (light.type == LightType::point) {
-    e.direction = square_to_sphere(draw.direction);
-  } else {
-    const Vec3 local = square_to_cone(draw.direction, std::cos(light.outer_cone));
-    e.direction = Frame(place.direction).to_world(local);
-    e.radiance *= spot_falloff(light, local.z);
-  }
+  leave_point(draw.direction, e);
   e.per_density = 1 / (e.density.first * e.density.second);
   return e;
 }
@@ -87,11 +74,44 @@ Emission LightTable::emit_from_infinity(const AliasTable::Choice& choice, const 
     e.density = {choice.probability * sample.pdf_solid_angle, pdf_across(), false, true};
     e.radiance = environment_.radiance(sample.direction);
   }
-  const Vec2 across = square_to_disk(draw.point) * radius_;
-  const Frame frame(e.direction);
-  e.position = centre_ + frame.x * across.x + frame.y * across.y - e.direction * radius_;
+  come_from_infinity(draw.point, e);
   if (e.density.first > 0) e.per_density = 1 / (e.density.first * e.density.second);
   return e;
+}
+
+void LightTable::leave_triangle(Vec2 u, Emission& e) const {
+  if (triangles_[e.light].double_sided) {
+    e.back = u.x >= 0.5f;
+    u.x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
+  }
+  e.direction = square_to_cosine_hemisphere(u);
+  e.density = density_of_triangle(e.light, e.direction.z, e.time);
+}
+
+void LightTable::leave_point(Vec2 u, Emission& e) const {
+  const PlacedLight& placed = placed_[e.light - triangles_.size()];
+  const Light& light = placed.light;
+  e.radiance = light.color * light.intensity;
+  if (light.type == LightType::point) {
+    e.direction = square_to_sphere(u);
+  } else {
+    const Vec3 local = square_to_cone(u, std::cos(light.outer_cone));
+    e.direction = Frame(placed.at(e.time).direction).to_world(local);
+    e.radiance *= spot_falloff(light, local.z);
+  }
+}
+
+void LightTable::come_from_infinity(Vec2 u, Emission& e) const {
+  const Vec2 across = square_to_disk(u) * radius_;
+  const Frame frame(e.direction);
+  e.position = centre_ + frame.x * across.x + frame.y * across.y - e.direction * radius_;
+}
+
+void LightTable::emit_anew(Vec2 u, Emission& e) const {
+  if (e.kind == LightKind::triangle) return leave_triangle(u, e);
+  if (e.kind == LightKind::environment || placed_[e.light - triangles_.size()].light.type == LightType::directional)
+    return come_from_infinity(u, e);
+  leave_point(u, e);
 }
 
 EmissionDensity LightTable::density_of_triangle(uint32_t light, float cosine, float time) const {

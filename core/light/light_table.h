@@ -178,6 +178,9 @@ class LightTable {
 
   // A ray that leaves some light; of power zero if there is none.
   Emission emit(const EmissionDraw& draw) const;
+  // The same with another direction from the same point; from infinity, through another point from the same direction.
+  // `e` needs no more than its kind, light, position and, from infinity, direction.
+  void emit_anew(Vec2 u, Emission& e) const;
   // The densities with which `emit` finds a ray that was found otherwise: one that connects to a sample; one along
   // which a walk came to a triangle, its cosine there to the normal; one that a walk left the scene by.
   EmissionDensity density_of(const LightSample& sample, float time = 0) const;
@@ -201,6 +204,9 @@ class LightTable {
   Emission emit_from_triangle(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   Emission emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
   Emission emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
+  void leave_triangle(Vec2 u, Emission& e) const;
+  void leave_point(Vec2 u, Emission& e) const;
+  void come_from_infinity(Vec2 u, Emission& e) const;
   float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
   // Neighbours in the order of `choice_`.
   struct Source {

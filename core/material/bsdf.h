@@ -53,6 +53,20 @@ class LobeMix {
     return count_ > 0 ? visit(0, slope) : 1.0f;
   }
 
+  // Deltas of several lobes that lead the same way are one.
+  bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& all) const {
+    const Shares shares = lobe_shares(wo);
+    bool found = false;
+    for (int i = 0; i < count_; ++i) {
+      SingleDirection<Color> one;
+      if (!visit(i, [&](const auto& l) { return l.follow(wo, transmitted, mode, one); })) continue;
+      found = true;
+      all.wi = one.wi, all.eta = one.eta;
+      all.value += one.value, all.probability += shares[static_cast<size_t>(i)] * one.probability;
+    }
+    return found;
+  }
+
   bool scatters(Scatter letter) const {
     for (int i = 0; i < count_; ++i)
       if (visit(i, [&](const auto& l) { return l.scatters(letter); })) return true;
@@ -121,6 +135,7 @@ class DiffuseOnly {
   bool empty() const { return is_black(lobe_.albedo); }
   bool has_non_delta() const { return !empty(); }
   Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
+  bool follow(const Vec3&, bool, Transport, SingleDirection<Color>&) const { return false; }
   bool scatters(Scatter letter) const { return lobe_.scatters(letter); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return lobe_.eval_part(letter, wo, wi, mode);
@@ -213,6 +228,17 @@ class Bsdf {
       if (!is_black(s.weight)) kept.lobes[static_cast<size_t>(kept.count++)] = s;
     }
     return kept;
+  }
+
+  // The delta that takes wo to this side of the surface; d.wi is in world space, and d.value without the adjoint's
+  // ratio of cosines. False if there is none.
+  bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& d) const {
+    const Vec3 o = frame_->to_local(wo);
+    d = {};
+    if (o.z == 0 || !lobes.follow(o, transmitted, mode, d)) return false;
+    const Vec3 i = d.wi;
+    d.wi = frame_->to_world(i);
+    return consistent(wo, d.wi, o, i) && !is_black(d.value);
   }
 
   // |cos| to the shading normal: what an integral over solid angle multiplies f by.

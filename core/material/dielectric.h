@@ -43,6 +43,22 @@ struct Dielectric {
     return passed(f) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
+  bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& d) const {
+    if (!is_delta() || wo.z == 0) return false;
+    const float e = relative_eta(wo), cosine = std::abs(wo.z);
+    float cos_t;
+    const float f = fresnel_dielectric(cosine, e, cos_t);
+    if (!transmitted) {
+      d.wi = Vec3(-wo.x, -wo.y, wo.z);
+      d.value = reflected(f), d.probability = f;
+      return f > 0;
+    }
+    d.wi = Vec3(-wo.x / e, -wo.y / e, std::copysign(cos_t, -wo.z));
+    d.value = passed(f) * (mode == Transport::radiance ? 1 / sqr(e) : 1), d.probability = 1 - f;
+    d.eta = e;
+    return f < 1;
+  }
+
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);

@@ -53,6 +53,14 @@ struct Layered {
     return f;
   }
 
+  bool follow(const Vec3& wo, bool transmitted, Transport, SingleDirection<Color>& d) const {
+    if (transmitted || !smooth()) return false;
+    d.wi = Vec3(-wo.x, -wo.y, wo.z);
+    d.value = fresnel(std::abs(wo.z));
+    d.probability = specular_share(wo);
+    return d.probability > 0;
+  }
+
   bool scatters(Scatter letter) const {
     return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && !is_black(f90);
   }

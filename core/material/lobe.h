@@ -11,6 +11,7 @@
 //   bool  scatters(Scatter) const;                                      // eval has a part of this letter
 //   Color eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
 //   void  add_deltas(wo, Transport, Deltas<Color>&) const;              // those that `sample` would choose from
+//   bool  follow(wo, bool transmitted, Transport, SingleDirection<Color>&) const;   // the delta to one side; false: none
 #pragma once
 #include <array>
 
@@ -61,6 +62,15 @@ struct Deltas {
 
  private:
   void add(const LobeSample<Color>& lobe) { lobes[static_cast<size_t>(count++)] = lobe; }
+};
+
+// The single direction that a delta takes light to, on one side of the surface.
+template <class Color>
+struct SingleDirection {
+  Vec3 wi{0};
+  Color value{0};         // the delta's coefficient
+  float probability = 0;  // with which `sample` chooses it
+  float eta = 1;          // as in LobeSample
 };
 
 }  // namespace etendue

@@ -36,6 +36,15 @@ struct ThinSheet {
     return (reflection ? fresnel(c) : passed(c)) * (shape * share);
   }
 
+  bool follow(const Vec3& wo, bool transmitted, Transport, SingleDirection<Color>& d) const {
+    if (!smooth()) return false;
+    const float c = std::abs(wo.z), reflect_probability = reflect_share(c);
+    d.wi = Vec3(-wo.x, -wo.y, transmitted ? -wo.z : wo.z);
+    d.value = (transmitted ? passed(c) : fresnel(c)) * share;
+    d.probability = transmitted ? 1 - reflect_probability : reflect_probability;
+    return true;
+  }
+
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);

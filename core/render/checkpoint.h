@@ -12,7 +12,7 @@ namespace etendue::render {
 struct Checkpoint {
   std::string state;  // state_json of the document
   film::Film film;
-  double seconds = 0;           // spent so far
+  double seconds = 0;                // spent so far
   std::vector<std::byte> work = {};  // the state of the method's work (integrator::Work::state)
 };
 

@@ -143,14 +143,25 @@ class ClassShares<M, true> {
     return alive(path) != 0;
   }
 
- private:
-  using States = Automaton::States;
-  static constexpr auto bit = Automaton::bit;
-
   // Shares of the letters in one scattering event; together they are one.
   struct Parts {
     Color diffuse, glossy, specular;
   };
+
+  // `otherwise` is the letter where rounding leaves nothing to compare.
+  static Parts parts_of(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Event otherwise) {
+    if (!bsdf.scatters(Scatter::glossy)) return {Color(1), Color(0), Color(0)};
+    if (!bsdf.scatters(Scatter::diffuse)) return {Color(0), Color(1), Color(0)};
+    const Color diffuse = bsdf.eval_part(Scatter::diffuse, wo, wi), glossy = bsdf.eval_part(Scatter::glossy, wo, wi);
+    const Color both = diffuse + glossy;
+    if (!is_black(both)) return {ratio(diffuse, both), ratio(glossy, both), Color(0)};
+    if (otherwise == Event::diffuse) return {Color(1), Color(0), Color(0)};
+    return {Color(0), Color(1), Color(0)};
+  }
+
+ private:
+  using States = Automaton::States;
+  static constexpr auto bit = Automaton::bit;
 
   States alive(int path) const { return alive_[static_cast<size_t>(path)]; }
   Color* row(int path) { return &shares_[static_cast<size_t>(path) * states_]; }
@@ -165,17 +176,6 @@ class ClassShares<M, true> {
     Color total(0);
     for_each(states, [&](Automaton::State q) { total += row(path)[q]; });
     return total;
-  }
-
-  // `otherwise` is the letter where rounding leaves nothing to compare.
-  static Parts parts_of(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Event otherwise) {
-    if (!bsdf.scatters(Scatter::glossy)) return {Color(1), Color(0), Color(0)};
-    if (!bsdf.scatters(Scatter::diffuse)) return {Color(0), Color(1), Color(0)};
-    const Color diffuse = bsdf.eval_part(Scatter::diffuse, wo, wi), glossy = bsdf.eval_part(Scatter::glossy, wo, wi);
-    const Color both = diffuse + glossy;
-    if (!is_black(both)) return {ratio(diffuse, both), ratio(glossy, both), Color(0)};
-    if (otherwise == Event::diffuse) return {Color(1), Color(0), Color(0)};
-    return {Color(0), Color(1), Color(0)};
   }
 
   // Shares go to the states that the letters lead to.

@@ -63,7 +63,7 @@ std::vector<std::string> lies(const integrator::IntegratorInfo& info, const rend
   // Only of unbiased methods more is expected than that there is light.
   const bool unbiased = info.bias == integrator::Bias::unbiased;
   for (const auto* row : rows) {
-    const auto energy = energy_by(info.name, d, row->paths, unbiased ? 64 : 8);
+    const auto energy = energy_by(info.name, unbiased ? d : sized(d, 16), row->paths, 64);
     if (!energy.found()) list.push_back("finds nothing of " + row->paths);
     if (!unbiased) continue;
     const double z = (energy.mean - row->energy.mean) / std::hypot(energy.standard_error, row->energy.standard_error);

@@ -34,7 +34,7 @@ TEST(Pssmlt, CornellAgreesWithPathTracing) {
   const auto expected = test::replicated(by(cornell(), "path"), 512);
   for (const char* form : kForms)
     for (const char* combined : {"on", "off"})
-      test::expect_agreement(expected, test::replicated(with(metropolis(cornell(), form), "combined", combined), 256),
+      test::expect_agreement(expected, test::replicated(with(metropolis(cornell(), form), "combined", combined), 128),
                              std::string(form) + ' ' + combined, 6);
 }
 
@@ -52,7 +52,7 @@ TEST(Pssmlt, ALampThroughALensAgreesWithPathTracing) {
 }
 
 TEST(Pssmlt, ClassesOfPaths) {
-  for (const char* paths : {"EL", "ED+L", "E.*S.*L"}) {
+  for (const char* paths : {"EL", "ED+L", "E(D|G)(D|G)L"}) {
     const Document d = with(test::glossy_things(), "film.paths", paths);
     const auto expected = test::replicated(by(d, "path"), 512);
     for (const char* form : kForms)
@@ -86,18 +86,18 @@ TEST(Pssmlt, StochasticOpacity) {
 TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   for (const char* form : kForms) {
-    Document d = chains(test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 32), form);
+    Document d = chains(test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16), form);
     d = with(with(d, "max-depth", "16"), "roulette-start", "64");
     double sum = 0, squares = 0;
-    constexpr int kRounds = 16;
+    constexpr int kRounds = 12;
     for (uint64_t seed = 0; seed < kRounds; ++seed) {
       d.seed = seed;
-      const double mean = test::mean_of(test::rendered(d, 16)).value;
+      const double mean = test::mean_of(test::rendered(d, 4)).value;
       sum += mean, squares += mean * mean;
     }
     const double mean = sum / kRounds, error = std::sqrt((squares / kRounds - mean * mean) / (kRounds - 1));
     EXPECT_NEAR(mean, kMean, 4.5 * error + 2e-4 * kMean) << form;
-    EXPECT_LT(error, 0.02 * kMean) << form;
+    EXPECT_LT(error, 0.04 * kMean) << form;
   }
 }
 
@@ -168,9 +168,13 @@ TEST(Pssmlt, AFilmWithoutItsChainsGoesOnWithNewOnes) {
   const auto other = session.film_copy();
   EXPECT_EQ(other.samples(0, 0), 8u);
   EXPECT_NEAR(test::mean_of(other).value, test::mean_of(whole).value, 0.1 * test::mean_of(whole).value);
-  size_t same = 0;
-  for (size_t i = 0; i < whole.pixels().size(); ++i) same += whole.pixels()[i].sum == other.pixels()[i].sum ? 1 : 0;
-  EXPECT_LT(same, whole.pixels().size() / 10);
+  size_t lit = 0, same = 0;
+  for (size_t i = 0; i < whole.pixels().size(); ++i) {
+    if (whole.pixels()[i].sum == film::Film(1, 1).pixels()[0].sum) continue;
+    ++lit, same += whole.pixels()[i].sum == other.pixels()[i].sum ? 1 : 0;
+  }
+  EXPECT_GT(lit, 1000u);
+  EXPECT_LT(same, lit / 10);
 }
 
 TEST(Pssmlt, SaysHowManyMutationsAreAccepted) {

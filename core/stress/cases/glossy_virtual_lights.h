@@ -8,7 +8,7 @@ namespace etendue::stress {
 inline void glossy_virtual_lights(Lab& lab) {
   constexpr float kDistance = 0.5f;
   Material metal;
-  metal.base_color = Rgb(0.8f), metal.metallic = 1, metal.roughness = 0.5f;
+  metal.base_color = Rgb(0.8f), metal.metallic = 1, metal.roughness = 0.25f;
   auto d = lab.document(lit_wall(metal, kDistance), camera_of_lit_wall(kDistance));
   d.width = d.height = 8;
   const double truth = lab.mean(Lab::with_method(d, "path"), 1024).value;

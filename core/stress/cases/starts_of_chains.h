@@ -18,11 +18,11 @@ inline void starts_of_chains(Lab& lab) {
   const double within = 4.5 / std::sqrt(large * double{kShare});
   for (const char* form : {"path", "bidirectional"})
     for (const char* candidates : {"10000", "16"})
-      lab.expect_near(std::string("pssmlt:form=") + form, std::string("candidates ") + candidates,
-                      lab.mean(Lab::with_method(d, std::string("pssmlt:form=") + form + ":candidates=" + candidates),
-                               kSamples)
-                          .value,
-                      double{kShare}, within);
+      lab.expect_near(
+          std::string("pssmlt:form=") + form, std::string("candidates ") + candidates,
+          lab.mean(Lab::with_method(d, std::string("pssmlt:form=") + form + ":candidates=" + candidates), kSamples)
+              .value,
+          double{kShare}, within);
 }
 
 inline constexpr Case kStartsOfChains{

@@ -1,0 +1,170 @@
+// The bidirectional mutation: deletes a part of a path and puts another one there.     thesis 9.4.4, (9.119)-(9.122),
+// erratum E29; Veach & Guibas 1997, 5.1, 5.2
+//
+// Between a kept vertex l and a kept vertex m new ones are found, by walks from either end and a connection. As many
+// walks as can find the same path take part in the density of the proposal: T(X -> Y) / f(Y) is
+//
+//   p_d[l, m]  p_a(new edges)  sum over connecting edges of p_split / C                             (9.122)
+//
+// where C is what bidirectional path tracing would give the path without weights. l = -1 and m = k + 1 lie beyond the
+// ends. A path may be proposed from nothing in the same way: that is where chains start.
+#pragma once
+#include "integrator/path_space.h"
+
+namespace etendue::integrator {
+
+// How many edges go and how many come.
+class EdgeCounts {
+ public:
+  // `most` edges of a whole path; 0 is no limit.
+  explicit EdgeCounts(int most) : most_(most) {}
+
+  struct Deletion {
+    int edges, l;
+  };
+  Deletion choose_deletion(int path, ChainRandom& random) const {
+    double u = random.next() * sum_of_deletions(path);
+    int edges = 1;
+    while (edges < path + 2 && !(u < deletion(edges))) u -= deletion(edges++);
+    const int choices = deletions(path, edges);
+    const int i = std::min(static_cast<int>(random.next() * static_cast<float>(choices)), choices - 1);
+    return {edges, edges == 1 ? i : i - 1};
+  }
+  // Of one deletion: so many of the path's edges, somewhere.
+  static double probability_of_deletion(int path, int edges) {
+    return deletion(edges) / sum_of_deletions(path) / deletions(path, edges);
+  }
+
+  // How many edges come for those that go; `least` is one more than the vertices that must come.
+  int choose_addition(int path, int deleted, int least, ChainRandom& random) const {
+    const int first = std::max(least, deleted - kMostChange), last = last_addition(path, deleted);
+    double u = random.next() * sum_of_additions(deleted, first, last);
+    int edges = first;
+    while (edges < last && !(u < addition(edges - deleted))) u -= addition(edges++ - deleted);
+    return edges;
+  }
+  double probability_of_addition(int path, int deleted, int least, int added) const {
+    const int first = std::max(least, deleted - kMostChange), last = last_addition(path, deleted);
+    if (added < first || added > last) return 0;
+    return addition(added - deleted) / sum_of_additions(deleted, first, last);
+  }
+
+  // The length of a path from nothing. Long ones become rare as slowly as their mean allows, so that the weights of
+  // paths have a variance in a room of any albedo.
+  int choose_path(ChainRandom& random) const {
+    const double u = 1 - double{random.next()} * sum_of_paths();
+    const int edges = static_cast<int>(kSlow / std::sqrt(u) - kSlow) + 1;
+    return most_ > 0 ? std::min(edges, most_) : edges;
+  }
+  double probability_of_path(int edges) const { return (longer_than(edges - 1) - longer_than(edges)) / sum_of_paths(); }
+
+ private:
+  static constexpr int kMostChange = 16;
+  static constexpr double kSlow = 5;
+
+  // p_1: short parts are cheap, and what changes little is accepted more often.
+  static double deletion(int edges) { return edges == 1 ? 0.25 : edges == 2 ? 0.5 : std::ldexp(1.0, -edges); }
+  static double sum_of_deletions(int path) { return 1 - std::ldexp(1.0, -(path + 2)); }
+  // Where they may be: a single edge beyond either end is no part of the path.
+  static int deletions(int path, int edges) { return edges == 1 ? path : path + 3 - edges; }
+
+  static double addition(int change) {
+    const int n = std::abs(change);
+    return n == 0 ? 0.5 : n == 1 ? 0.15 : 0.2 * std::ldexp(1.0, -n);
+  }
+  static double sum_of_additions(int deleted, int first, int last) {
+    double sum = 0;
+    for (int edges = first; edges <= last; ++edges) sum += addition(edges - deleted);
+    return sum;
+  }
+  int last_addition(int path, int deleted) const {
+    return most_ > 0 ? std::min(deleted + kMostChange, most_ - path + deleted) : deleted + kMostChange;
+  }
+
+  static double longer_than(int edges) { return sqr(kSlow / (kSlow + edges)); }
+  double sum_of_paths() const { return most_ > 0 ? 1 - longer_than(most_) : 1; }
+
+  int most_;
+};
+
+// A part of a path: between vertex l and `vertices` more there is vertex m.
+struct PathPart {
+  int l, m;
+  int edges() const { return m - l; }
+  int vertices() const { return m - l - 1; }
+  // What a path of k edges must have at its ends: x_0, and the lens.
+  int least_edges(int k) const { return 1 + (l < 0 ? 1 : 0) + (m > k ? 1 : 0); }
+  // Ways to share the vertices among the walks from either end: that from the camera begins with the lens.
+  int splits(int k) const { return vertices() + (m > k ? 0 : 1); }
+};
+
+// Finds the vertices of the part; those outside of it are there already, and the point of the lens unless it belongs to
+// the part.
+template <class M>
+bool grow(const PathPart& part, PathSpace<M>& space, ChainRandom& random, LightPath<M>& path) {
+  const int k = path.edges(), splits = part.splits(k);
+  // The last vertex of the walk from the light.
+  const int c = part.l + std::min(static_cast<int>(random.next() * static_cast<float>(splits)), splits - 1);
+  if (part.l < 0 && c >= 0 && !space.choose_light(random, path)) return false;
+  for (int i = std::max(part.l, 0); i < c; ++i)
+    if (!(i == 0 ? space.leave_light(random, path) : space.scatter_to_camera(i, random, path))) return false;
+  const Vec2 lens = part.m > k ? random.next_2d() : path.lens;
+  path.lens = lens;
+  for (int i = std::min(part.m, k); i > c + 1; --i)
+    if (!(i == k ? space.leave_camera(space.point_of_picture(random.next_2d()), lens, random, path)
+                 : space.scatter_to_light(i, random, path)))
+      return false;
+  if (c >= 0 && !space.connect(c, path)) return false;
+  return space.settle(part.l, part.m, path) && (c < 0 || space.visible(c, random, path));
+}
+
+// The density of the part over f.
+template <class M>
+double density_over_f(const PathPart& part, const PathSpace<M>& space, const LightPath<M>& path) {
+  return path.density_between(part.l, part.m, double{space.picture_area()}) / part.splits(path.edges());
+}
+
+// A path from nothing; returns what it is worth, f / p, or 0.
+template <class M>
+double propose(const EdgeCounts& counts, PathSpace<M>& space, ChainRandom& random, LightPath<M>& path) {
+  const int k = counts.choose_path(random);
+  path.resize(k);
+  const PathPart all{-1, k + 1};
+  if (!grow(all, space, random, path)) return 0;
+  return 1 / (counts.probability_of_path(k) * density_over_f(all, space, path));
+}
+
+// The part of x that goes, and that of y that comes for it.
+struct Exchange {
+  PathPart deleted, added;
+};
+
+// T(x -> y) / f(y).
+template <class M>
+double tentative(const EdgeCounts& counts, const PathSpace<M>& space, const LightPath<M>& x, const Exchange& e,
+                 const LightPath<M>& y) {
+  const int k = x.edges(), deleted = e.deleted.edges();
+  return EdgeCounts::probability_of_deletion(k, deleted) *
+         counts.probability_of_addition(k, deleted, e.deleted.least_edges(k), e.added.edges()) *
+         density_over_f(e.added, space, y);
+}
+
+// Proposes y from x; nothing if it has no contribution.
+template <class M>
+std::optional<Exchange> exchange(const EdgeCounts& counts, PathSpace<M>& space, const LightPath<M>& x,
+                                 ChainRandom& random, LightPath<M>& y) {
+  const int k = x.edges();
+  const EdgeCounts::Deletion deletion = counts.choose_deletion(k, random);
+  Exchange e;
+  e.deleted = {deletion.l, deletion.l + deletion.edges};
+  const int added = counts.choose_addition(k, deletion.edges, e.deleted.least_edges(k), random);
+  e.added = {deletion.l, deletion.l + added};
+  y.resize(k - deletion.edges + added);
+  y.take_ends(x);
+  for (int i = 0; i <= e.deleted.l; ++i) y[i] = x[i];
+  for (int i = e.deleted.m; i < k; ++i) y[i - e.deleted.m + e.added.m] = x[i];
+  if (!grow(e.added, space, random, y)) return {};
+  return e;
+}
+
+}  // namespace etendue::integrator

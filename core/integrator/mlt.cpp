@@ -1,0 +1,140 @@
+#include "integrator/mlt.h"
+
+#include "integrator/chain_work.h"
+#include "integrator/mutation_chain.h"
+
+namespace etendue::integrator {
+namespace {
+
+template <class M>
+struct MutationGroup {
+  ChainTally tally;
+  uint64_t mutations = 0;  // of each chain
+  std::vector<MutationChain<M>> chains;
+
+  void write(StateWriter& out) const {
+    out.value(tally), out.value(mutations), out.value<uint64_t>(chains.size());
+    for (const auto& chain : chains) chain.write(out);
+  }
+  bool read(StateReader& in) {
+    uint64_t size = 0;
+    if (!in.value(tally) || !in.value(mutations) || !in.value(size) || size > kMost) return false;
+    chains.resize(size);
+    for (auto& chain : chains)
+      if (!chain.read(in)) return false;
+    return true;
+  }
+  size_t memory() const {
+    size_t bytes = sizeof *this + chains.capacity() * sizeof(MutationChain<M>);
+    for (const auto& chain : chains) bytes += static_cast<size_t>(chain.path.edges()) * sizeof(PathVertex<M>);
+    return bytes;
+  }
+
+  static constexpr uint64_t kMost = 1 << 16;
+};
+
+template <class M>
+class MutationKernel {
+ public:
+  using Group = MutationGroup<M>;
+  static constexpr int kGroupSize = 16;
+  static constexpr std::array<MutationKind, kMutations> kKinds{
+      {{"bidirectional", "Bidirectional mutations that were accepted"},
+       {"lens-perturbation", "Lens perturbations that were accepted"},
+       {"caustic-perturbation", "Caustic perturbations that were accepted"},
+       {"multi-chain", "Multi-chain perturbations that were accepted"},
+       {"lens-subpath", "Lens subpath mutations that were accepted"}}};
+
+  MutationKernel(const Mlt& method, const Pass& pass) : method_(&method), pass_(pass), plan_(plan_of(method, pass)) {}
+
+  int chains() const { return std::min<int>(method_->chains, pass_.width * pass_.height); }
+  int candidates() const {
+    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * pass_.width * pass_.height));
+  }
+
+  std::optional<uint64_t> weigh(const Era& era, uint64_t first, std::span<float> worth, const Turn& turn) const {
+    if (!(*turn.wanted)()) return {};
+    PathSpace<M> space(pass_);
+    LightPath<M> path;
+    for (size_t i = 0; i < worth.size(); ++i) {
+      ChainRandom random = random_of_candidate(era, first + i);
+      worth[i] = static_cast<float>(propose(plan_.counts, space, random, path));
+    }
+    return space.take_rays();
+  }
+
+  std::optional<uint64_t> start(const Era& era, Group& group, std::span<const uint64_t> candidates, const Turn&) const {
+    PathSpace<M> space(pass_);
+    group.chains.resize(candidates.size());
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      MutationChain<M>& chain = group.chains[i];
+      ChainRandom random = random_of_candidate(era, candidates[i]);
+      propose(plan_.counts, space, random, chain.path);
+      chain.shape = shape_of(chain.path);
+    }
+    return space.take_rays();
+  }
+
+  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, double worth, float scale,
+                                 const Turn& turn) const {
+    if (!(*turn.wanted)()) return {};
+    MutationRunner<M> runner(pass_, plan_);
+    const auto count = [&](Mutation m, const Verdict& v) { group.tally.kinds[static_cast<size_t>(m)].count(v); };
+    const float of_path = scale * static_cast<float>(worth);
+    for (size_t i = 0; i < group.chains.size(); ++i) {
+      MutationChain<M>& chain = group.chains[i];
+      const auto number = static_cast<uint32_t>(static_cast<size_t>(index) * kGroupSize + i);
+      if (group.mutations == 0) chain.random = ChainRandom(~era.key ^ mix_bits(uint64_t{number} + 1));
+      if (std::exchange(chain.bare, false) && runner.space().rebuild(chain.path)) chain.shape = shape_of(chain.path);
+      const auto point = [&] {
+        return stratified_point(number, static_cast<uint32_t>(chains()), chain.rounds++, era.key);
+      };
+      for (int n = 0; n < mutations; ++n) {
+        if ((group.mutations + static_cast<uint64_t>(n)) % kMutationsPerSample == 0) look(chain, runner, group.tally);
+        runner.step(chain, of_path, point, count, *turn.splats);
+      }
+      runner.settle(chain, of_path, *turn.splats);
+    }
+    group.mutations += static_cast<uint64_t>(mutations);
+    return runner.space().take_rays();
+  }
+
+ private:
+  // How often a path from nothing makes the worth of all surer: about a tenth of the time.
+  static constexpr uint64_t kMutationsPerSample = 24;
+
+  static MutationPlan plan_of(const Mlt& method, const Pass& pass) {
+    // The largest move goes over five percent of the picture's area.
+    const float widest = std::sqrt(0.05f * static_cast<float>(pass.width) * static_cast<float>(pass.height) / kPi);
+    const Bounds& bounds = pass.scene->bounds();
+    return {{method.bidirectional, method.lens, method.caustic, method.chain, method.subpath},
+            EdgeCounts(method.max_depth),
+            {0.1f, std::max(widest, 1.0f)},
+            {1e-4f, 0.1f},
+            bounds.empty() ? 1.0f : std::max(glm::distance(bounds.min, bounds.max), 1e-3f)};
+  }
+
+  static ChainRandom random_of_candidate(const Era& era, uint64_t candidate) {
+    return ChainRandom(era.key ^ mix_bits(candidate + 1));
+  }
+
+  void look(MutationChain<M>& chain, MutationRunner<M>& runner, ChainTally& tally) const {
+    static thread_local LightPath<M> path;
+    tally.worth += propose(plan_.counts, runner.space(), chain.random, path);
+    ++tally.samples;
+  }
+
+  const Mlt* method_;
+  Pass pass_;
+  MutationPlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<Work> Mlt::begin(const Pass& pass, const Work*) const {
+  return transport::with_model(*pass.model, [&]<class M>(M) -> std::unique_ptr<Work> {
+    return std::make_unique<ChainWork<MutationKernel<M>>>(pass, MutationKernel<M>(*this, pass));
+  });
+}
+
+}  // namespace etendue::integrator

@@ -1,0 +1,96 @@
+// Metropolis' algorithm on light paths: proposals, and how often each is accepted.       thesis 9.4, (9.112), (9.120)
+#pragma once
+#include "integrator/bidirectional_mutation.h"
+#include "integrator/perturbations.h"
+
+namespace etendue::integrator {
+
+enum class Mutation : uint8_t { bidirectional, lens, caustic, chain, subpath };
+inline constexpr size_t kMutations = 5;
+
+// What all chains of a picture share.
+struct MutationPlan {
+  std::array<float, kMutations> weights;  // how often each is tried, among those that a path admits
+  EdgeCounts counts;
+  Octaves pixels, angles;
+  float size;  // of the scene, metres
+
+  double probability(Mutation mutation, const PathShape& shape) const {
+    double sum = 0;
+    for (size_t i = 0; i < kMutations; ++i)
+      if (admits(static_cast<Mutation>(i), shape)) sum += double{weights[i]};
+    return admits(mutation, shape) ? double{weights[static_cast<size_t>(mutation)]} / sum : 0;
+  }
+  Mutation choose(const PathShape& shape, ChainRandom& random) const {
+    double u = random.next();
+    for (size_t i = kMutations - 1; i > 0; --i) {
+      const double p = probability(static_cast<Mutation>(i), shape);
+      if (u < p) return static_cast<Mutation>(i);
+      u -= p;
+    }
+    return Mutation::bidirectional;
+  }
+
+ private:
+  static bool admits(Mutation mutation, const PathShape& shape) {
+    switch (mutation) {
+      case Mutation::bidirectional:
+        return true;
+      case Mutation::lens:
+      case Mutation::subpath:
+        return shape.lens_end >= 0;
+      case Mutation::caustic:
+        return shape.caustic_start >= 0;
+      case Mutation::chain:
+        return shape.chain_end >= 0;
+    }
+    return false;
+  }
+};
+
+// What a path is proposed from besides random numbers: the point of the picture, in the unit square, that a lens
+// subpath mutation takes.
+template <class PointOfPicture>
+concept PicturePoints = requires(PointOfPicture f) {
+  { f() } -> std::convertible_to<Vec2>;
+};
+
+// Proposes y from x by this mutation. Returns f(y) T(y -> x) over f(x) T(x -> y), zero if y has no contribution.
+template <class M, PicturePoints Point>
+double propose(Mutation mutation, const MutationPlan& plan, PathSpace<M>& space, const LightPath<M>& x,
+               const PathShape& shape, ChainRandom& random, Point&& point_of_picture, LightPath<M>& y,
+               PathShape& shape_of_y) {
+  double there = 0, back = 0;  // T / f
+  switch (mutation) {
+    case Mutation::bidirectional: {
+      const auto e = exchange(plan.counts, space, x, random, y);
+      if (!e) return 0;
+      there = tentative(plan.counts, space, x, *e, y);
+      back = tentative(plan.counts, space, y, {e->added, e->deleted}, x);
+      break;
+    }
+    case Mutation::lens:
+    case Mutation::subpath:
+    case Mutation::chain: {
+      const int end = mutation == Mutation::chain ? shape.chain_end : shape.lens_end;
+      const bool anew = mutation == Mutation::subpath;
+      const Vec2 raster = anew ? space.point_of_picture(point_of_picture()) : moved(x.raster, plan.pixels, random);
+      const Vec2 lens = anew ? random.next_2d() : x.lens;
+      if (!retrace_from_camera(x, raster, lens, end, plan.angles, space, random, y)) return 0;
+      there = retraced_from_camera(end, y), back = retraced_from_camera(end, x);
+      break;
+    }
+    case Mutation::caustic: {
+      const int start = shape.caustic_start;
+      if (!retrace_from_light(x, start, plan.angles, plan.size, space, random, y)) return 0;
+      there = retraced_from_light(start, y), back = retraced_from_light(start, x);
+      break;
+    }
+  }
+  shape_of_y = integrator::shape_of(y);
+  there *= plan.probability(mutation, shape), back *= plan.probability(mutation, shape_of_y);
+  const double ratio = back / there;
+  return std::isfinite(ratio) ? ratio : 0;
+}
+
+}  // namespace etendue::integrator

@@ -1,0 +1,280 @@
+// Light paths as values: paths from nothing make the picture, and mutations are in detailed balance.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "integrator/mutation_chain.h"
+#include "support/places.h"
+
+namespace etendue {
+namespace {
+
+using integrator::ChainRandom;
+using integrator::EdgeCounts;
+using integrator::LightPath;
+using integrator::Mutation;
+using integrator::MutationPlan;
+using integrator::PathShape;
+using integrator::PathSpace;
+using integrator::PathVertex;
+using test::with;
+
+using M = transport::AnyAbsorbing<false>;
+
+// What a method is given, without a renderer.
+struct Place {
+  explicit Place(const render::Document& d)
+      : scene(scene::compile(d.scene, d.camera, nullptr)),
+        model(transport::model_for(*scene)),
+        camera(d.camera, d.width, d.height),
+        filter(d.filter),
+        pass{scene.get(), &model, nullptr, &camera, &filter, 0, d.width, d.height} {}
+
+  std::shared_ptr<const scene::CompiledScene> scene;
+  transport::Model model;
+  CameraRays camera;
+  film::Filter filter;
+  integrator::Pass pass;
+};
+
+std::vector<std::pair<const char*, render::Document>> places() {
+  return {{"cornell", test::cornell(test::kSize)},
+          {"glossy things", test::glossy_things()},
+          {"lamp", test::under_a_lamp()},
+          {"sky", test::under_a_sky()},
+          {"point", test::under(LightType::point)},
+          {"spot", test::under(LightType::spot)},
+          {"directional through a lens", test::through_a_lens(test::under(LightType::directional))}};
+}
+
+constexpr integrator::Octaves kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
+
+MutationPlan plan_with(std::array<float, integrator::kMutations> weights) {
+  return {weights, EdgeCounts(0), kPixels, kAngles, 5};
+}
+
+// Of what paths from nothing are worth, the picture's mean: 4.5 standard errors of either.
+TEST(LightPaths, FromNothingAreWorthThePicture) {
+  for (const auto& [name, d] : places()) {
+    const Place place(d);
+    PathSpace<M> space(place.pass);
+    LightPath<M> path;
+    film::SplatFilter filter(place.filter, d.width, d.height);
+    const EdgeCounts counts(0);
+    constexpr int kPaths = 200000;
+    double sum = 0, squares = 0;
+    for (int i = 0; i < kPaths; ++i) {
+      ChainRandom random(mix_bits(uint64_t{7} + static_cast<uint64_t>(i)));
+      double worth = propose(counts, space, random, path);
+      const auto to = worth > 0 ? filter.choose(path.raster, random.next_2d()) : std::nullopt;
+      worth = to ? worth * double{to->weight} * double{average(path.color)} : 0;
+      sum += worth, squares += sqr(worth);
+    }
+    const double pixels = d.width * d.height, mean = sum / kPaths,
+                 error = std::sqrt((squares / kPaths - sqr(mean)) / kPaths);
+    const auto expected = test::mean_of(test::rendered(test::by(d, "bdpt"), 256));
+    EXPECT_NEAR(mean / pixels, expected.value, 4.5 * (error / pixels + expected.standard_error)) << name;
+  }
+}
+
+// f in the product of area measures, by its definition.
+double log_contribution(const LightPath<M>& x) {
+  double f = std::log(x.brightness);
+  for (int i = 1; i < x.edges(); ++i) f += std::log(double{x[i].value});
+  for (int i = 0; i + 1 < x.edges(); ++i) f += std::log(x.cosine_to_camera(i) * x.spread(i));
+  const int last = x.edges() - 1;
+  if (last > 0 || !x.light.infinite) f += std::log(x.cosine_to_camera(last) * double{x.importance});
+  return f;
+}
+
+// The density per area of x_{i+1} seen from x_i, and of x_{i-1}, for a density per solid angle of one.
+double area_ahead(const LightPath<M>& y, int i) { return y.cosine_to_light(i + 1) * y.spread(i); }
+double area_back(const LightPath<M>& y, int i) {
+  return i == 1 && y.light.infinite ? 1 : y.cosine_to_camera(i - 1) * y.spread(i - 1);
+}
+double pixels_back(const LightPath<M>& y) {
+  const int last = y.edges() - 1;
+  return last == 0 && y.light.infinite ? 1 : double{y.importance} * y.cosine_to_camera(last);
+}
+
+// The density of a walk's and a connection's way to the vertices between l and m, by its definition: c is the last
+// vertex of the walk from the light.
+double log_density(const LightPath<M>& y, int l, int m, int c, double area) {
+  double p = 0;
+  for (int i = l; i < c; ++i) {
+    if (i < 0)
+      p += std::log(double{y.light.first});
+    else
+      p += std::log((i == 0 ? double{y.light.second} : double{y[i].to_camera}) * area_ahead(y, i));
+  }
+  for (int i = m; i > c + 1; --i) {
+    if (i == y.edges())
+      p += std::log(pixels_back(y) / area);
+    else if (i < y.edges())
+      p += std::log(double{y[i].to_light} * area_back(y, i));
+  }
+  const bool possible = c < 0 ? y.light.extended : (c == 0 || !y[c].delta) && (c + 1 >= y.edges() || !y[c + 1].delta);
+  const bool far = c == 0 && y.edges() == 1 && y.light.infinite && !(y.importance > 0);
+  // What is infinitely far away and seen directly is measured by the point of the picture.
+  if (c == 0 && y.edges() == 1 && y.light.infinite) p -= std::log(double{y.importance});
+  return possible && !far ? p : -kInfinity;
+}
+
+// The factors of f that do not change with the vertices between l and m, the brightness among them.
+double log_contribution_outside(const LightPath<M>& x, int l, int m) {
+  double f = std::log(x.brightness);
+  for (int i = 1; i < x.edges(); ++i)
+    if (i < l || i > m) f += std::log(double{x[i].value});
+  for (int i = 0; i + 1 < x.edges(); ++i)
+    if (i < l || i >= m) f += std::log(x.cosine_to_camera(i) * x.spread(i));
+  const int last = x.edges() - 1;
+  if (m <= last && (last > 0 || !x.light.infinite)) f += std::log(x.cosine_to_camera(last) * double{x.importance});
+  // The walk from the light brings its cosine along.
+  if (l > 0) f += std::log(x.cosine_to_light(l));
+  return f;
+}
+
+// The density of a part, as the sum over all its connecting edges and by way of f, is the same.
+TEST(LightPaths, TentativeDensityTwoWays) {
+  for (const auto& [name, d] : places()) {
+    const Place place(d);
+    PathSpace<M> space(place.pass);
+    LightPath<M> x;
+    const EdgeCounts counts(0);
+    const double area = double{space.picture_area()};
+    int found = 0;
+    for (uint64_t i = 0; i < 3000; ++i) {
+      ChainRandom random(i);
+      if (!(propose(counts, space, random, x) > 0)) continue;
+      for (int l = -1; l <= x.edges(); ++l)
+        for (int m = l + 1; m <= x.edges() + 1; ++m) {
+          if ((l < 0 && m < 1) || (m > x.edges() && l >= x.edges())) continue;
+          double sum = 0;
+          const double f = log_contribution(x), kept = log_contribution_outside(x, l, m);
+          for (int c = l; c < m && c < x.edges(); ++c) sum += std::exp(log_density(x, l, m, c, area) - (f - kept));
+          const double direct = x.density_between(l, m, area) * x.brightness;
+          if (direct == 0 && sum == 0) continue;
+          EXPECT_NEAR(sum / direct, 1, 1e-4) << name << ' ' << l << ' ' << m << " of " << x.edges();
+          ++found;
+        }
+    }
+    EXPECT_GT(found, 1000) << name;
+  }
+}
+
+// The density with which a perturbation finds y, but for what is symmetric in x and y.
+double log_density(Mutation mutation, const PathShape& shape, const LightPath<M>& y) {
+  double p = 0;
+  if (mutation == Mutation::caustic) {
+    for (int i = shape.caustic_start; i + 1 < y.edges(); ++i)
+      p += std::log(area_ahead(y, i) * (i > shape.caustic_start ? double{y[i].stretch} : 1));
+    return p;
+  }
+  p = std::log(pixels_back(y));
+  const int end = mutation == Mutation::chain ? shape.chain_end : shape.lens_end;
+  for (int i = y.edges() - 1; i > end; --i) p += std::log(area_back(y, i));
+  return p;
+}
+
+// f(x) T(x -> y) a(x -> y) = f(y) T(y -> x) a(y -> x): the ratio that is judged by is that of f and T by their
+// definitions. Rounding grows with how nearly edges graze.
+TEST(LightPaths, PerturbationsAreInDetailedBalance) {
+  std::array<int, integrator::kMutations> found{};
+  for (const auto& [name, d] : places()) {
+    const Place place(d);
+    PathSpace<M> space(place.pass);
+    LightPath<M> x, y;
+    const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
+    for (uint64_t i = 0; i < 80000; ++i) {
+      ChainRandom random(i);
+      if (!(propose(plan.counts, space, random, x) > 0)) continue;
+      const PathShape shape = shape_of(x);
+      for (const Mutation m : {Mutation::lens, Mutation::caustic, Mutation::chain, Mutation::subpath}) {
+        PathShape shape_there;
+        if (plan.probability(m, shape) == 0) continue;
+        const double ratio = propose(
+            m, plan, space, x, shape, random, [&] { return random.next_2d(); }, y, shape_there);
+        if (!(ratio > 0)) continue;
+        EXPECT_EQ(shape.lens_end, shape_there.lens_end);
+        EXPECT_EQ(shape.chain_end, shape_there.chain_end);
+        const double expected =
+            log_contribution(y) - log_density(m, shape, y) - log_contribution(x) + log_density(m, shape, x);
+        EXPECT_NEAR(std::log(ratio), expected, 1e-4) << name << ' ' << static_cast<int>(m) << ' ' << x.edges();
+        ++found[static_cast<size_t>(m)];
+      }
+    }
+  }
+  for (const Mutation m : {Mutation::lens, Mutation::caustic, Mutation::chain, Mutation::subpath})
+    EXPECT_GT(found[static_cast<size_t>(m)], 50) << static_cast<int>(m);
+}
+
+// The law of (9.123): density 1 / (r ln(r2 / r1)), mean (r2 - r1) / ln(r2 / r1), median sqrt(r1 r2). Within 4.5
+// standard errors.
+TEST(LightPaths, DistancesOfPerturbations) {
+  constexpr integrator::Octaves kLaw{0.1f, 50};
+  EXPECT_FLOAT_EQ(kLaw.at(0), 50);
+  EXPECT_NEAR(kLaw.at(kOneMinusEpsilon), 0.1, 1e-6);
+  ChainRandom random(1);
+  constexpr int kNumbers = 100000;
+  double sum = 0, squares = 0, below = 0;
+  for (int i = 0; i < kNumbers; ++i) {
+    const double r = double{glm::distance(integrator::moved({3, 4}, kLaw, random), Vec2(3, 4))};
+    sum += r, squares += r * r, below += r < std::sqrt(5.0) ? 1 : 0;
+  }
+  const double mean = sum / kNumbers;
+  EXPECT_NEAR(mean, 49.9 / std::log(500.0), 4.5 * std::sqrt((squares / kNumbers - sqr(mean)) / kNumbers));
+  EXPECT_NEAR(below / kNumbers, 0.5, 4.5 * 0.5 / std::sqrt(kNumbers));
+}
+
+// Each chain's own points are uniform; those of all chains in one round fill the square evenly.
+TEST(LightPaths, ChainsShareThePicture) {
+  constexpr uint32_t kChains = 64;
+  for (uint32_t round = 0; round < 8; ++round) {
+    std::array<int, kChains> columns{}, rows{};
+    for (uint32_t chain = 0; chain < kChains; ++chain) {
+      const Vec2 p = integrator::stratified_point(chain, kChains, round, 5);
+      ++columns[static_cast<size_t>(p.x * kChains)], ++rows[static_cast<size_t>(p.y * kChains)];
+    }
+    for (uint32_t i = 0; i < kChains; ++i) {
+      EXPECT_LE(std::abs(columns[i] - 1), 1);
+      EXPECT_LE(std::abs(rows[i] - 1), 1);
+    }
+  }
+}
+
+// In the golden sphere paths of k edges, k > 1, have the share a rho^(k - 1): neighbours have the ratio rho. Batches of
+// chains give the error; 4.5 of them.
+TEST(LightPaths, LengthsInTheGoldenSphere) {
+  constexpr double kRho = 0.5;
+  const Place place(test::golden_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
+  const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
+  integrator::MutationRunner<M> runner(place.pass, plan);
+  constexpr int kBatches = 24, kSteps = 20000, kLongest = 5;
+  std::array<double, kLongest + 1> sum{}, squares{};
+  film::Splats splats;
+  for (int batch = 0; batch < kBatches; ++batch) {
+    integrator::MutationChain<M> chain;
+    chain.random = ChainRandom(static_cast<uint64_t>(batch));
+    while (!(propose(plan.counts, runner.space(), chain.random, chain.path) > 0)) continue;
+    chain.shape = shape_of(chain.path);
+    std::array<double, kLongest + 2> count{};
+    for (int i = 0; i < kSteps; ++i) {
+      splats.clear();
+      runner.step(
+          chain, 1, [&] { return chain.random.next_2d(); }, [](auto&&...) {}, splats);
+      ++count[static_cast<size_t>(std::min(chain.path.edges(), kLongest + 1))];
+    }
+    for (size_t k = 2; k <= kLongest; ++k) {
+      const double ratio = count[k] / count[2];
+      sum[k] += ratio, squares[k] += ratio * ratio;
+    }
+  }
+  for (int k = 3; k <= kLongest; ++k) {
+    const auto i = static_cast<size_t>(k);
+    const double mean = sum[i] / kBatches, error = std::sqrt((squares[i] / kBatches - sqr(mean)) / (kBatches - 1));
+    EXPECT_NEAR(mean, std::pow(kRho, k - 2), 4.5 * error + 1e-3) << k;
+  }
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,101 @@
+// Metropolis light transport against path tracing and bidirectional path tracing. z-tests over blocks of pixels, 1 %
+// false alarms for each test.
+#include <gtest/gtest.h>
+
+#include "support/places.h"
+
+namespace etendue {
+namespace {
+
+using render::Document;
+using test::by;
+using test::with;
+
+Document by_mlt(const Document& d) { return with(with(by(d, "mlt"), "candidates", "1024"), "chains", "32"); }
+
+constexpr const char* kOthers[] = {"lens-perturbation", "caustic-perturbation", "multi-chain", "lens-subpath"};
+
+// The bidirectional mutation beside one of the others, or alone.
+Document with_only(const Document& d, const std::string& mutation) {
+  Document only = by_mlt(d);
+  for (const char* other : kOthers)
+    if (other != mutation) only = with(only, other, "0");
+  return only;
+}
+
+TEST(Mlt, AgreesWithPathTracing) {
+  const std::pair<const char*, Document> places[] = {{"cornell", test::cornell(test::kSize)},
+                                                     {"glossy things", test::glossy_things()},
+                                                     {"lamp", test::under_a_lamp()},
+                                                     {"sky", test::under_a_sky()},
+                                                     {"lens", test::through_a_lens(test::under_a_lamp())}};
+  for (const auto& [name, d] : places) test::expect_same(by(d, "path"), 512, by_mlt(d), 512, name, 5);
+}
+
+// Path tracing does not know all that lights of points send through glass.
+TEST(Mlt, PunctualLights) {
+  for (const LightType type : {LightType::point, LightType::spot, LightType::directional}) {
+    const Document d = test::under(type);
+    test::expect_same(by(d, "bdpt"), 256, by_mlt(d), 512, "light of type " + std::to_string(static_cast<int>(type)), 3);
+  }
+}
+
+TEST(Mlt, EachMutationBesideTheBidirectionalOne) {
+  for (const Document& d : {test::under_a_lamp(), test::through_a_lens(test::under(LightType::directional))}) {
+    const auto expected = test::replicated(by(d, "bdpt"), 256);
+    for (const char* mutation : {"none", "lens-perturbation", "caustic-perturbation", "multi-chain", "lens-subpath"})
+      test::expect_agreement(expected, test::replicated(with_only(d, mutation), 256), mutation, 10);
+  }
+}
+
+TEST(Mlt, ClassesOfPaths) {
+  const Document d = test::under_a_lamp();
+  for (const char* paths : {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "ED.*GL|ES.*L", "E.G.*L"}) {
+    const Document part = with(d, "film.paths", paths);
+    test::expect_same(by(part, "path"), 512, by_mlt(part), 256, paths, 5);
+  }
+}
+
+TEST(Mlt, LongestPath) {
+  const Document d = test::cornell(test::kSize);
+  test::expect_same(with(by(d, "path"), "max-depth", "3"), 256, with(by_mlt(d), "max-depth", "3"), 256, "three edges",
+                    1);
+}
+
+// What stops half of all rays.
+TEST(Mlt, StochasticOpacity) {
+  auto scene = test::balls();
+  Material veil = test::diffuse(Rgb(0.5f));
+  veil.alpha_mode = AlphaMode::blend, veil.alpha = 0.5f;
+  Mat4 before(1);
+  before[3] = Vec4(0, 1.2f, 0, 1);
+  test::add(scene, test::quad(1.5f), veil, before);
+  scene.environment.tint = {0.7f, 0.8f, 1.0f};
+  const Document d = test::seen(std::move(scene));
+  test::expect_same(by(d, "path"), 512, by_mlt(d), 512, "veil", 1);
+}
+
+TEST(Mlt, TheSameBitsWithAnyNumberOfThreads) {
+  Document d = test::through_a_lens(test::cornell(test::kSize));
+  d.width = 70, d.height = 50;
+  const auto one = test::rendered(by_mlt(d), 5, 1);
+  for (const int threads : {2, 7}) {
+    const auto many = test::rendered(by_mlt(d), 5, threads);
+    for (size_t i = 0; i < one.pixels().size(); ++i) ASSERT_EQ(one.pixels()[i].sum, many.pixels()[i].sum) << threads;
+  }
+}
+
+TEST(Mlt, ABlackSceneIsBlack) {
+  scene::Scene scene;
+  test::add(scene, test::quad(4), test::diffuse(Rgb(0.6f)));
+  EXPECT_EQ(test::mean_of(test::rendered(by_mlt(test::seen(std::move(scene))), 4)).value, 0);
+}
+
+// The wall of the golden sphere looks the same everywhere.
+TEST(Mlt, TheGoldenSphereIsFlat) {
+  const Document d = test::golden_sphere(0.5, 0.5f, scene::Cap::reflecting, test::kSize);
+  test::expect_same(by(d, "path"), 256, by_mlt(d), 512, "golden sphere", 1);
+}
+
+}  // namespace
+}  // namespace etendue

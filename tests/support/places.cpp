@@ -1,0 +1,84 @@
+#include "support/places.h"
+
+#include <gtest/gtest.h>
+
+namespace etendue::test {
+
+using render::Document;
+
+Document with(const Document& d, const char* name, const std::string& value) {
+  const auto changed = render::with_text(d, name, value);
+  EXPECT_TRUE(changed) << name << " = " << value;
+  return changed ? *changed : d;
+}
+
+Document by(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
+
+// What light tracing can find.
+Document without_mirrors_in_view(const Document& d) { return with(d, "film.paths", "E[(D|G).*]L"); }
+
+// A floor, a smooth-shaded ball, one of glass that absorbs and one of clay, and room for lights.
+scene::Scene balls() {
+  scene::Scene scene;
+  add(scene, quad(4), diffuse(Rgb(0.6f)));
+  Material glass, clay;
+  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.roughness = 0;
+  glass.attenuation_color = {0.4f, 0.8f, 0.9f}, glass.attenuation_distance = 0.7f;
+  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  const std::pair<Material, bool> materials[] = {{diffuse(Rgb(0.5f)), true}, {glass, false}, {clay, true}};
+  for (int i = 0; i < 3; ++i) {
+    Mat4 place(1);
+    place[3] = Vec4(-1.2f + 1.2f * static_cast<float>(i), 0.6f, 0, 1);
+    auto ball = std::make_shared<Mesh>(*sphere(0.55f, 8, false));
+    if (materials[i].second)
+      for (const Vec3& p : ball->positions) ball->normals.push_back(glm::normalize(p));
+    add(scene, ball, materials[i].first, place);
+  }
+  return scene;
+}
+
+Document seen(scene::Scene scene) {
+  return document(std::move(scene), look_at({0, 2, 4}, {0, 0.4f, 0}, {0, 1, 0}, 0.7f), kSize, kSize);
+}
+
+Document under_a_lamp() {
+  auto scene = balls();
+  Material light = diffuse(Rgb(0.3f), Rgb(6));
+  Mat4 above(1);
+  above[1][1] = -1, above[2][2] = -1;
+  above[3] = Vec4(0, 3, 1, 1);
+  add(scene, quad(1), light, above);
+  return seen(std::move(scene));
+}
+
+Document under_a_sky() {
+  auto scene = balls();
+  scene.environment.tint = {0.7f, 0.8f, 1.0f};
+  return seen(std::move(scene));
+}
+
+Document under(LightType type) {
+  auto scene = balls();
+  Light light;
+  light.type = type;
+  light.intensity = type == LightType::directional ? 3 : 12;
+  light.outer_cone = 0.6f, light.inner_cone = 0.3f, light.range = type == LightType::point ? 5.0f : kInfinity;
+  scene.lights.push_back(light);
+  scene::Node node;
+  node.light = 0;
+  node.transform.matrix = look_at({0.8f, 3, 1}, {0, 0, 0}, {0, 1, 0}, 1).to_world;
+  scene.nodes.push_back(node);
+  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  return seen(std::move(scene));
+}
+
+Document through_a_lens(const Document& d) {
+  return with(with(d, "camera.lens-radius", "0.25"), "camera.focus-distance", "4");
+}
+
+void expect_same(const Document& a, uint32_t samples_a, const Document& b, uint32_t samples_b, const std::string& what,
+                 int comparisons) {
+  expect_agreement(replicated(a, samples_a), replicated(b, samples_b), what, comparisons);
+}
+
+}  // namespace etendue::test
