@@ -139,7 +139,7 @@ void controls(Workbench& w) {
 void draw_techniques_sheet(Workbench& w) {
   if (!w.techniques.possible())
     return note(w, w.editor.document().method.integrator +
-                       " finds each path in one way. Several techniques have: " + names_of_methods() + ".");
+                       " has no techniques that can be shown. These have: " + names_of_methods() + ".");
   const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
   // Side by side where that leaves the pyramid most of the room, else what is set below it.
   const bool wide = room > 50 * em;
