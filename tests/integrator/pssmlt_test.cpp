@@ -87,7 +87,7 @@ TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   for (const char* form : kForms) {
     Document d = chains(test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16), form);
-    d = with(with(d, "max-depth", "16"), "roulette-start", "64");
+    d = with(with(with(d, "max-depth", "16"), "roulette-start", "64"), "candidates", "1024");
     double sum = 0, squares = 0;
     constexpr int kRounds = 12;
     for (uint64_t seed = 0; seed < kRounds; ++seed) {
