@@ -12,7 +12,9 @@ void Items::place(const std::string& name) {
   // Its middle is what is clicked.
   const ImVec2 middle{least.x + 0.5f * size.x, least.y + 0.5f * size.y};
   const ImVec2 first = ImGui::GetWindowDrawList()->GetClipRectMin(), end = ImGui::GetWindowDrawList()->GetClipRectMax();
-  const bool aside = middle.x < first.x || middle.x >= end.x;
+  // A row of a table reaches beyond the column that it was drawn in.
+  const float left = ImGui::GetWindowPos().x;
+  const bool aside = middle.x < left || middle.x >= left + ImGui::GetWindowWidth();
   const bool hidden = aside || middle.y < first.y || middle.y >= end.y;
   if (!ImGui::IsItemVisible() || hidden) {
     if (!wanted(name) && name != sought_) return;

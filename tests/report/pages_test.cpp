@@ -179,7 +179,7 @@ TEST_F(Page, OfTheStressMatrixLinksEachCaseToItsFindings) {
   expect_silence();
   EXPECT_EQ(number("document.querySelectorAll('.overview a').length"), 2);
   EXPECT_EQ(see("[...document.querySelectorAll('.overview a')].every(a => document.querySelector(a.hash))"), true);
-  EXPECT_EQ(number("document.querySelectorAll('.findings li').length"), 5);
+  EXPECT_EQ(number("document.querySelectorAll('.findings li').length"), 6);
   EXPECT_EQ(see("[...document.images].every(i => i.naturalWidth > 0)"), true);
   for (const int width : {1280, 600}) expect_to_fit(width);
 }
