@@ -60,7 +60,7 @@ class Bdpt final : public Method<Bdpt> {
              {"1,*", "Light samples, s = 1"},
              {"*,1", "To the camera, t = 1"}}};
   Toggle reuse{
-      "reuse", "Every vertex connected", true,
+      "reuse", "Connect all", true,
       "Off: only the ends of the two walks are connected, the basic form of thesis 9.3.1: fewer rays, much more "
       "noise"};
   Toggle weighted{"weighted", "Weighted", true,

@@ -53,20 +53,6 @@ class LobeMix {
     return count_ > 0 ? visit(0, slope) : 1.0f;
   }
 
-  // Deltas of several lobes that lead the same way are one.
-  bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& all) const {
-    const Shares shares = lobe_shares(wo);
-    bool found = false;
-    for (int i = 0; i < count_; ++i) {
-      SingleDirection<Color> one;
-      if (!visit(i, [&](const auto& l) { return l.follow(wo, transmitted, mode, one); })) continue;
-      found = true;
-      all.wi = one.wi, all.eta = one.eta;
-      all.value += one.value, all.probability += shares[static_cast<size_t>(i)] * one.probability;
-    }
-    return found;
-  }
-
   bool scatters(Scatter letter) const {
     for (int i = 0; i < count_; ++i)
       if (visit(i, [&](const auto& l) { return l.scatters(letter); })) return true;
@@ -103,7 +89,13 @@ class LobeMix {
   }
 
   void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
-    for (int i = 0; i < count_; ++i) visit(i, [&](const auto& l) { l.add_deltas(wo, mode, deltas); });
+    const Shares shares = lobe_shares(wo);
+    for (int i = 0; i < count_; ++i) {
+      const int first = deltas.count;
+      visit(i, [&](const auto& l) { l.add_deltas(wo, mode, deltas); });
+      for (int k = first; k < deltas.count; ++k)
+        deltas.probabilities[static_cast<size_t>(k)] *= shares[static_cast<size_t>(i)];
+    }
   }
 
  private:
@@ -135,7 +127,6 @@ class DiffuseOnly {
   bool empty() const { return is_black(lobe_.albedo); }
   bool has_non_delta() const { return !empty(); }
   Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
-  bool follow(const Vec3&, bool, Transport, SingleDirection<Color>&) const { return false; }
   bool scatters(Scatter letter) const { return lobe_.scatters(letter); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return lobe_.eval_part(letter, wo, wi, mode);
@@ -234,11 +225,20 @@ class Bsdf {
   // ratio of cosines. False if there is none.
   bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& d) const {
     const Vec3 o = frame_->to_local(wo);
+    Deltas<Color> all;
+    if (o.z != 0) lobes.add_deltas(o, mode, all);
     d = {};
-    if (o.z == 0 || !lobes.follow(o, transmitted, mode, d)) return false;
-    const Vec3 i = d.wi;
+    Vec3 i(0);
+    // Those of several lobes that lead the same way are one.
+    for (size_t k = 0; k < static_cast<size_t>(all.count); ++k) {
+      const LobeSample<Color>& lobe = all.lobes[k];
+      if (lobe.transmitted != transmitted) continue;
+      i = lobe.wi, d.eta = lobe.eta;
+      d.value += lobe.weight, d.probability += all.probabilities[k];
+    }
+    if (!(d.probability > 0) || is_black(d.value)) return false;
     d.wi = frame_->to_world(i);
-    return consistent(wo, d.wi, o, i) && !is_black(d.value);
+    return consistent(wo, d.wi, o, i);
   }
 
   // |cos| to the shading normal: what an integral over solid angle multiplies f by.

@@ -43,22 +43,6 @@ struct Dielectric {
     return passed(f) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
-  bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& d) const {
-    if (!is_delta() || wo.z == 0) return false;
-    const float e = relative_eta(wo), cosine = std::abs(wo.z);
-    float cos_t;
-    const float f = fresnel_dielectric(cosine, e, cos_t);
-    if (!transmitted) {
-      d.wi = Vec3(-wo.x, -wo.y, wo.z);
-      d.value = reflected(f), d.probability = f;
-      return f > 0;
-    }
-    d.wi = Vec3(-wo.x / e, -wo.y / e, std::copysign(cos_t, -wo.z));
-    d.value = passed(f) * (mode == Transport::radiance ? 1 / sqr(e) : 1), d.probability = 1 - f;
-    d.eta = e;
-    return f < 1;
-  }
-
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
@@ -109,9 +93,10 @@ struct Dielectric {
     const float e = relative_eta(wo), oh = std::abs(wo.z);
     float cos_t;
     const float f = fresnel_dielectric(oh, e, cos_t);
-    deltas.reflect(reflect(wo, h), reflected(f));
+    deltas.reflect(reflect(wo, h), reflected(f), f);
     if (f < 1)
-      deltas.transmit(-wo / e + h * (oh / e - cos_t), passed(f) * (mode == Transport::radiance ? 1 / sqr(e) : 1), e);
+      deltas.transmit(-wo / e + h * (oh / e - cos_t), passed(f) * (mode == Transport::radiance ? 1 / sqr(e) : 1), e,
+                      1 - f);
   }
 
  private:

@@ -16,8 +16,6 @@ struct Lambert {
 
   Color eval(const Vec3& wo, const Vec3& wi, Transport) const { return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0); }
 
-  bool follow(const Vec3&, bool, Transport, SingleDirection<Color>&) const { return false; }
-
   bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(albedo); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);

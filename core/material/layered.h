@@ -53,14 +53,6 @@ struct Layered {
     return f;
   }
 
-  bool follow(const Vec3& wo, bool transmitted, Transport, SingleDirection<Color>& d) const {
-    if (transmitted || !smooth()) return false;
-    d.wi = Vec3(-wo.x, -wo.y, wo.z);
-    d.value = fresnel(std::abs(wo.z));
-    d.probability = specular_share(wo);
-    return d.probability > 0;
-  }
-
   bool scatters(Scatter letter) const {
     return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && !is_black(f90);
   }
@@ -109,7 +101,7 @@ struct Layered {
   }
 
   void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
-    if (smooth()) deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)));
+    if (smooth()) deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)), specular_share(wo));
   }
 
  private:

@@ -11,7 +11,6 @@
 //   bool  scatters(Scatter) const;                                      // eval has a part of this letter
 //   Color eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
 //   void  add_deltas(wo, Transport, Deltas<Color>&) const;              // those that `sample` would choose from
-//   bool  follow(wo, bool transmitted, Transport, SingleDirection<Color>&) const;   // the delta to one side; false: none
 #pragma once
 #include <array>
 
@@ -48,23 +47,30 @@ struct LobeSample {
 };
 
 // Every delta of a surface at once, for methods that follow each: `weight` is its coefficient, nothing was chosen.
+// `probabilities` are those with which `sample` chooses them.
 template <class Color>
 struct Deltas {
   static constexpr int kMost = 4;
 
   std::array<LobeSample<Color>, kMost> lobes;
+  std::array<float, kMost> probabilities;
   int count = 0;
 
-  void reflect(const Vec3& wi, const Color& weight) { add({wi, weight, 0, 1, Scatter::specular, true, false}); }
-  void transmit(const Vec3& wi, const Color& weight, float eta) {
-    add({wi, weight, 0, eta, Scatter::specular, true, true});
+  void reflect(const Vec3& wi, const Color& weight, float probability) {
+    add({wi, weight, 0, 1, Scatter::specular, true, false}, probability);
+  }
+  void transmit(const Vec3& wi, const Color& weight, float eta, float probability) {
+    add({wi, weight, 0, eta, Scatter::specular, true, true}, probability);
   }
 
  private:
-  void add(const LobeSample<Color>& lobe) { lobes[static_cast<size_t>(count++)] = lobe; }
+  void add(const LobeSample<Color>& lobe, float probability) {
+    const auto i = static_cast<size_t>(count++);
+    lobes[i] = lobe, probabilities[i] = probability;
+  }
 };
 
-// The single direction that a delta takes light to, on one side of the surface.
+// The single direction that deltas take light to, on one side of the surface.
 template <class Color>
 struct SingleDirection {
   Vec3 wi{0};

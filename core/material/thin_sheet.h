@@ -36,15 +36,6 @@ struct ThinSheet {
     return (reflection ? fresnel(c) : passed(c)) * (shape * share);
   }
 
-  bool follow(const Vec3& wo, bool transmitted, Transport, SingleDirection<Color>& d) const {
-    if (!smooth()) return false;
-    const float c = std::abs(wo.z), reflect_probability = reflect_share(c);
-    d.wi = Vec3(-wo.x, -wo.y, transmitted ? -wo.z : wo.z);
-    d.value = (transmitted ? passed(c) : fresnel(c)) * share;
-    d.probability = transmitted ? 1 - reflect_probability : reflect_probability;
-    return true;
-  }
-
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
@@ -87,8 +78,9 @@ struct ThinSheet {
   void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
     if (!smooth()) return;
     const float c = std::abs(wo.z);
-    deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(c) * share);
-    deltas.transmit(-wo, passed(c) * share, 1);
+    const float reflected = reflect_share(c);
+    deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(c) * share, reflected);
+    deltas.transmit(-wo, passed(c) * share, 1, 1 - reflected);
   }
 };
 
