@@ -7,7 +7,7 @@
 //   p_d[l, m]  p_a(new edges)  sum over connecting edges of p_split / C                             (9.122)
 //
 // where C is what bidirectional path tracing would give the path without weights. l = -1 and m = k + 1 lie beyond the
-// ends. A path may be proposed from nothing in the same way: that is where chains start.
+// ends.
 #pragma once
 #include "integrator/path_space.h"
 
@@ -49,18 +49,8 @@ class EdgeCounts {
     return addition(added - deleted) / sum_of_additions(deleted, first, last);
   }
 
-  // The length of a path from nothing. Long ones become rare as slowly as their mean allows, so that the weights of
-  // paths have a variance in a room of any albedo.
-  int choose_path(ChainRandom& random) const {
-    const double u = 1 - double{random.next()} * sum_of_paths();
-    const int edges = static_cast<int>(kSlow / std::sqrt(u) - kSlow) + 1;
-    return most_ > 0 ? std::min(edges, most_) : edges;
-  }
-  double probability_of_path(int edges) const { return (longer_than(edges - 1) - longer_than(edges)) / sum_of_paths(); }
-
  private:
   static constexpr int kMostChange = 16;
-  static constexpr double kSlow = 5;
 
   // p_1: short parts are cheap, and what changes little is accepted more often.
   static double deletion(int edges) { return edges == 1 ? 0.25 : edges == 2 ? 0.5 : std::ldexp(1.0, -edges); }
@@ -80,9 +70,6 @@ class EdgeCounts {
   int last_addition(int path, int deleted) const {
     return most_ > 0 ? std::min(deleted + kMostChange, most_ - path + deleted) : deleted + kMostChange;
   }
-
-  static double longer_than(int edges) { return sqr(kSlow / (kSlow + edges)); }
-  double sum_of_paths() const { return most_ > 0 ? 1 - longer_than(most_) : 1; }
 
   int most_;
 };
@@ -121,17 +108,8 @@ bool grow(const PathPart& part, PathSpace<M>& space, ChainRandom& random, LightP
 // The density of the part over f.
 template <class M>
 double density_over_f(const PathPart& part, const PathSpace<M>& space, const LightPath<M>& path) {
-  return path.density_between(part.l, part.m, double{space.picture_area()}) / part.splits(path.edges());
-}
-
-// A path from nothing; returns what it is worth, f / p, or 0.
-template <class M>
-double propose(const EdgeCounts& counts, PathSpace<M>& space, ChainRandom& random, LightPath<M>& path) {
-  const int k = counts.choose_path(random);
-  path.resize(k);
-  const PathPart all{-1, k + 1};
-  if (!grow(all, space, random, path)) return 0;
-  return 1 / (counts.probability_of_path(k) * density_over_f(all, space, path));
+  const double tried = 1.0 / part.splits(path.edges());
+  return path.density_between(part.l, part.m, double{space.picture_area()}, [&](int) { return tried; });
 }
 
 // The part of x that goes, and that of y that comes for it.

@@ -3,8 +3,15 @@
 //
 // Each half of the film has chains of its own, and one step of either is about as many mutations as the picture has
 // pixels. The chains of a half are spread over groups, each of which is one task at a time; how many there are follows
-// from the settings, never from the number of threads. A half whose candidates were all worth nothing stays black, and
-// draws more of them with its next step.
+// from the settings, never from the number of threads.
+//
+// Time goes in eras. Each begins with candidates of its own, from which its chains start, and the mean worth of these
+// is what its states count by: so the mean of any era, of any length, is that of the picture. (Independent samples that
+// came later would know the mean worth better, but are nothing to the chains that started: where few candidates are
+// worth anything, the product of both would be too dark.) The next era begins once the mutations have taken ten
+// times as long as the candidates, and draws as many as all before it: a tenth of the time goes there, and the mean
+// worth becomes surer as the picture does. An era whose candidates are all worth nothing leaves its steps black, as it
+// must.
 //
 // Kernel says what a chain is:
 //
@@ -12,15 +19,16 @@
 //                            // void write(StateWriter&) const, bool read(StateReader&), size_t memory() const
 //   int chains() const, candidates() const;        // of a half
 //   static constexpr int kGroupSize;               // 256 if there is none
+//   static constexpr uint64_t kMutationsPerCandidate;  // of an era: as many as take ten times as long
 //   static constexpr std::array<MutationKind, n> kKinds;
 //   // The worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced.
 //   std::optional<uint64_t> weigh(const Era&, uint64_t first, std::span<float> worth, const Turn&) const;
-//   // Lets one chain start at each of these candidates.
-//   std::optional<uint64_t> start(const Era&, Group&, std::span<const uint64_t> candidates, const Turn&) const;
-//   // Advances every chain of a group by so many mutations. A state x counts `scale` f / target(x) in each iteration,
-//   // where `worth` is the mean worth of all candidates.
-//   std::optional<uint64_t> mutate(const Era&, Group&, int group, int mutations, double worth, float scale, const
-//   Turn&) const;
+//   // Lets one chain start at each of these candidates; what the group was before is gone, but for its tally.
+//   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> candidates,
+//                                const Turn&) const;
+//   // Advances every chain of a group by so many mutations. A state x counts `scale` times era.worth f / target(x) in
+//   // each iteration.
+//   std::optional<uint64_t> mutate(const Era&, Group&, int group, int mutations, float scale, const Turn&) const;
 //
 // Everything random must follow from the era's key, the chain and what it has done.
 #pragma once
@@ -41,26 +49,24 @@ struct MutationKind {
   const char* doc;
 };
 
-// Of a group, since its start. `worth` is the sum over independent samples that its chains drew on their way: it goes
-// on where the candidates left off.
+// Of a group, since its first start.
 struct ChainTally {
   static constexpr size_t kMostKinds = 8;
   std::array<Acceptance, kMostKinds> kinds{};
-  double worth = 0;
-  uint64_t samples = 0;
 };
 
-// What the chains of a half have in common from their start on.
+// What the chains of a half have in common.
 struct Era {
-  uint64_t key = 0;         // random
-  uint64_t candidates = 0;  // drawn until now
-  double worth = 0;         // sum of what they are worth
-  uint32_t since = 0;       // the sample that they were first drawn for
-  bool started = false;     // there are chains
+  uint64_t key = 0;          // random, the same for all eras
+  uint64_t first = 0;        // of its candidates: there were as many in the eras before
+  uint64_t drawn = 0;        // candidates, in all eras
+  double worth = 0;          // mean of its candidates
+  double worth_earlier = 0;  // sum of those before
+  uint32_t since = 0;        // the step of the half that the first era began with
+  bool started = false;      // there are chains
 
-  double mean_worth(double more, uint64_t samples) const {
-    return (worth + more) / static_cast<double>(std::max<uint64_t>(candidates + samples, 1));
-  }
+  // What was expected of `worth` before its candidates were drawn; the first era knows no better.
+  double expected() const { return worth_earlier > 0 ? worth_earlier / static_cast<double>(first) : worth; }
 };
 
 template <class Kernel>
@@ -81,17 +87,17 @@ class ChainWork final : public Work {
   std::vector<Phase> phases(uint32_t sample) override {
     Half& half = half_of(sample);
     half.before = half.now, half.sample = sample;
-    if (half.now.candidates == 0) open(half, sample);
-    mutations_ = mutations_of(sample / film::kReplicates);
+    const uint32_t step = sample / film::kReplicates;
+    if (half.now.drawn == 0) open(half, sample);
+    mutations_ = mutations_of(step);
     std::vector<Phase> list;
-    seeding_ = !half.now.started;
+    seeding_ = is_over(half.now, step);
     if (seeding_) {
-      worth_.assign(static_cast<size_t>(kernel_.candidates()), 0);
-      list.push_back({"seeding chains", (kernel_.candidates() + kGroupSize - 1) / kGroupSize});
+      worth_.assign(candidates_of(half.now), 0);
+      list.push_back({"seeding chains", static_cast<int>((worth_.size() + kGroupSize - 1) / kGroupSize)});
     }
     for (int done = 0; done < mutations_; done += kPart)
       list.push_back({"mutating", static_cast<int>(half.groups.size())});
-    note_worth(half);
     return list;
   }
 
@@ -161,9 +167,10 @@ class ChainWork final : public Work {
 
  private:
   using Group = typename Kernel::Group;
-  static constexpr uint64_t kLayout = 0x31534e4941484345;  // "ECHAINS1"
+  static constexpr uint64_t kLayout = 0x32534e4941484345;  // "ECHAINS2"
   // Mutations of a chain in one phase: what is found in between is kept in lists.
   static constexpr int kPart = 16;
+  static constexpr uint64_t kMostCandidates = 1 << 22;  // of an era: its worths are kept in a list
   static constexpr uint32_t kNoSample = UINT32_MAX;
 
   struct Member {
@@ -175,7 +182,6 @@ class ChainWork final : public Work {
     Era now, before;
     uint32_t sample = kNoSample;
     std::vector<Member> groups;
-    double worth = 0;  // the mean, as of the running step
   };
 
   Half& half_of(uint32_t sample) { return halves_[sample % film::kReplicates]; }
@@ -183,8 +189,20 @@ class ChainWork final : public Work {
   // The key knows the sample, so that a half that starts anew (a film goes on whose chains are lost) does not repeat
   // itself.
   void open(Half& half, uint32_t sample) {
-    half.now.since = sample;
+    half.now.since = sample / film::kReplicates;
     half.now.key = mix_bits(mix_bits(pass_.seed + 0x3c6ef372fe94f82bULL) ^ sample);
+  }
+
+  // Before this step.
+  bool is_over(const Era& era, uint32_t step) const {
+    return uint64_t{step - era.since} * static_cast<uint64_t>(pass_.width) * static_cast<uint64_t>(pass_.height) >=
+           Kernel::kMutationsPerCandidate * era.drawn;
+  }
+
+  // Of the next era.
+  size_t candidates_of(const Era& era) const {
+    const auto least = static_cast<uint64_t>(kernel_.candidates());
+    return std::clamp(era.drawn, least, std::max(least, kMostCandidates));
   }
 
   // Of every chain; together as many as there are pixels, on average over the steps.
@@ -193,29 +211,25 @@ class ChainWork final : public Work {
     return static_cast<int>((n + 1) * pixels / chains - n * pixels / chains);
   }
 
-  void note_worth(Half& half) {
-    ChainTally sum;
-    for (const Member& m : half.groups) sum.worth += m.now.tally.worth, sum.samples += m.now.tally.samples;
-    half.worth = half.now.mean_worth(sum.worth, sum.samples);
-  }
-
   std::optional<uint64_t> weigh(const Half& half, size_t task, const Turn& turn) {
     const size_t first = task * kGroupSize;
     const auto part = std::span(worth_).subspan(first, std::min<size_t>(kGroupSize, worth_.size() - first));
-    return kernel_.weigh(half.now, half.now.candidates + first, part, turn);
+    return kernel_.weigh(half.now, half.now.drawn + first, part, turn);
   }
 
   void found_candidates(Half& half) {
     Era& era = half.now;
-    for (const float w : worth_) era.worth += double{w};
-    const double u = static_cast<double>(mix_bits(era.key ^ era.candidates) >> 11) * 0x1p-53;
+    era.worth_earlier += era.worth * static_cast<double>(era.drawn - era.first);
+    era.first = era.drawn, era.drawn += worth_.size();
+    double sum = 0;
+    for (const float w : worth_) sum += double{w};
+    era.worth = sum / static_cast<double>(worth_.size());
+    const double u = static_cast<double>(mix_bits(era.key ^ era.first) >> 11) * 0x1p-53;
     const auto starts = choose_starts(worth_, static_cast<size_t>(kernel_.chains()), u);
     // Neighbours in the list are alike: they are dealt out to the groups in turn.
     for (size_t i = 0; i < starts.size(); ++i)
-      half.groups[i % half.groups.size()].starts.push_back(era.candidates + starts[i]);
-    era.candidates += worth_.size();
+      half.groups[i % half.groups.size()].starts.push_back(era.first + starts[i]);
     era.started = !starts.empty();
-    note_worth(half);
   }
 
   std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const Turn& turn) {
@@ -233,13 +247,13 @@ class ChainWork final : public Work {
   std::optional<uint64_t> move_on(Half& half, Member& m, int index, size_t part, const Turn& turn) {
     uint64_t rays = 0;
     if (!m.starts.empty()) {
-      const auto started = kernel_.start(half.now, m.now, m.starts, turn);
+      const auto started = kernel_.start(half.now, m.now, index, m.starts, turn);
       if (!started) return {};
       rays += *started;
     }
     const int mutations = std::min(kPart, mutations_ - static_cast<int>(part) * kPart);
     const float scale = 1 / (static_cast<float>(kernel_.chains()) * static_cast<float>(mutations_));
-    const auto mutated = kernel_.mutate(half.now, m.now, index, mutations, half.worth, scale, turn);
+    const auto mutated = kernel_.mutate(half.now, m.now, index, mutations, scale, turn);
     if (!mutated) return {};
     return rays + *mutated;
   }

@@ -124,15 +124,17 @@ class LightPath {
   }
 
   // The density of all vertices between l and m, over f, summed over all ways to find them by a walk from either end
-  // and a connection of the two. l = -1 and m = k + 1 are the ends beyond the path. The lens is never found by chance.
-  double density_between(int l, int m, double area) const {
+  // and a connection of the two; tried(c) is how often that by way of edge c is looked for. l = -1 and m = k + 1 are
+  // the ends beyond the path. The lens is never found by chance.
+  template <class Tried>
+  double density_between(int l, int m, double area, Tried&& tried) const {
     double sum = 0, camera = 1;
     for (int c = m - 1; c >= l; --c) {
       if (c < m - 1) {
         camera *= step_from_camera(c + 2, area);
         sum *= step_from_light(c);
       }
-      if (c < edges()) sum += connection(c) * camera;
+      if (c < edges()) sum += connection(c) * camera * tried(c);
     }
     return sum / brightness;
   }

@@ -2,6 +2,7 @@
 
 #include "integrator/chain_work.h"
 #include "integrator/mutation_chain.h"
+#include "integrator/path_candidates.h"
 
 namespace etendue::integrator {
 namespace {
@@ -9,16 +10,15 @@ namespace {
 template <class M>
 struct MutationGroup {
   ChainTally tally;
-  uint64_t mutations = 0;  // of each chain
   std::vector<MutationChain<M>> chains;
 
   void write(StateWriter& out) const {
-    out.value(tally), out.value(mutations), out.value<uint64_t>(chains.size());
+    out.value(tally), out.value<uint64_t>(chains.size());
     for (const auto& chain : chains) chain.write(out);
   }
   bool read(StateReader& in) {
     uint64_t size = 0;
-    if (!in.value(tally) || !in.value(mutations) || !in.value(size) || size > kMost) return false;
+    if (!in.value(tally) || !in.value(size) || size > kMost) return false;
     chains.resize(size);
     for (auto& chain : chains)
       if (!chain.read(in)) return false;
@@ -38,6 +38,7 @@ class MutationKernel {
  public:
   using Group = MutationGroup<M>;
   static constexpr int kGroupSize = 16;
+  static constexpr uint64_t kMutationsPerCandidate = 40;
   static constexpr std::array<MutationKind, kMutations> kKinds{
       {{"bidirectional", "Bidirectional mutations that were accepted"},
        {"lens-perturbation", "Lens perturbations that were accepted"},
@@ -55,54 +56,50 @@ class MutationKernel {
   std::optional<uint64_t> weigh(const Era& era, uint64_t first, std::span<float> worth, const Turn& turn) const {
     if (!(*turn.wanted)()) return {};
     PathSpace<M> space(pass_);
+    PathCandidates<M> paths(method_->max_depth);
     LightPath<M> path;
     for (size_t i = 0; i < worth.size(); ++i) {
       ChainRandom random = random_of_candidate(era, first + i);
-      worth[i] = static_cast<float>(propose(plan_.counts, space, random, path));
+      worth[i] = static_cast<float>(paths.draw(space, random, path));
     }
     return space.take_rays();
   }
 
-  std::optional<uint64_t> start(const Era& era, Group& group, std::span<const uint64_t> candidates, const Turn&) const {
+  std::optional<uint64_t> start(const Era& era, Group& group, int index, std::span<const uint64_t> candidates,
+                                const Turn&) const {
     PathSpace<M> space(pass_);
+    PathCandidates<M> paths(method_->max_depth);
     group.chains.resize(candidates.size());
     for (size_t i = 0; i < candidates.size(); ++i) {
       MutationChain<M>& chain = group.chains[i];
       ChainRandom random = random_of_candidate(era, candidates[i]);
-      propose(plan_.counts, space, random, chain.path);
+      paths.draw(space, random, chain.path);
       chain.shape = shape_of(chain.path);
+      chain.random = ChainRandom(~era.key ^ mix_bits(era.first + number_of(index, i) + 1));
     }
     return space.take_rays();
   }
 
-  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, double worth, float scale,
+  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, float scale,
                                  const Turn& turn) const {
     if (!(*turn.wanted)()) return {};
     MutationRunner<M> runner(pass_, plan_);
     const auto count = [&](Mutation m, const Verdict& v) { group.tally.kinds[static_cast<size_t>(m)].count(v); };
-    const float of_path = scale * static_cast<float>(worth);
+    const float of_path = scale * static_cast<float>(era.worth);
     for (size_t i = 0; i < group.chains.size(); ++i) {
       MutationChain<M>& chain = group.chains[i];
-      const auto number = static_cast<uint32_t>(static_cast<size_t>(index) * kGroupSize + i);
-      if (group.mutations == 0) chain.random = ChainRandom(~era.key ^ mix_bits(uint64_t{number} + 1));
+      const uint32_t number = number_of(index, i);
       if (std::exchange(chain.bare, false) && runner.space().rebuild(chain.path)) chain.shape = shape_of(chain.path);
       const auto point = [&] {
         return stratified_point(number, static_cast<uint32_t>(chains()), chain.rounds++, era.key);
       };
-      for (int n = 0; n < mutations; ++n) {
-        if ((group.mutations + static_cast<uint64_t>(n)) % kMutationsPerSample == 0) look(chain, runner, group.tally);
-        runner.step(chain, of_path, point, count, *turn.splats);
-      }
+      for (int n = 0; n < mutations; ++n) runner.step(chain, of_path, point, count, *turn.splats);
       runner.settle(chain, of_path, *turn.splats);
     }
-    group.mutations += static_cast<uint64_t>(mutations);
     return runner.space().take_rays();
   }
 
  private:
-  // How often a path from nothing makes the worth of all surer: about a tenth of the time.
-  static constexpr uint64_t kMutationsPerSample = 24;
-
   static MutationPlan plan_of(const Mlt& method, const Pass& pass) {
     // The largest move goes over five percent of the picture's area.
     const float widest = std::sqrt(0.05f * static_cast<float>(pass.width) * static_cast<float>(pass.height) / kPi);
@@ -118,10 +115,9 @@ class MutationKernel {
     return ChainRandom(era.key ^ mix_bits(candidate + 1));
   }
 
-  void look(MutationChain<M>& chain, MutationRunner<M>& runner, ChainTally& tally) const {
-    static thread_local LightPath<M> path;
-    tally.worth += propose(plan_.counts, runner.space(), chain.random, path);
-    ++tally.samples;
+  // Of a chain among all of the half.
+  static uint32_t number_of(int group, size_t i) {
+    return static_cast<uint32_t>(static_cast<size_t>(group) * kGroupSize + i);
   }
 
   const Mlt* method_;

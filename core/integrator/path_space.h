@@ -118,6 +118,9 @@ class PathSpace {
     return find_before(ray, i, random, path);
   }
 
+  // Makes x_0, which a walk from the camera has found, the light; false if it is none.
+  bool meet_light(Path& path) const { return take_light(path), settle_light(path); }
+
   // ---- Connecting.
 
   // x_i with x_{i+1}; the last of them is the lens, which is seen at some point of the picture.
@@ -209,17 +212,21 @@ class PathSpace {
     x.direction = -ray.direction;
     if (find(ray, random, x)) {
       x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
-      if (i == 1) meet_light(path);
+      if (i == 1) take_light(path);
       return x.length > 0;
     }
-    if (i > 1 || scene_->lights().environment().black()) return false;
-    path.light = {LightKind::environment, Path::Light::kUnlisted, true, true};
+    if (scene_->lights().environment().black()) return false;
     x.length = kInfinity, x.delta = false;
-    return true;
+    if (i == 1) take_light(path);
+    return i == 1;
   }
 
-  void meet_light(Path& path) const {
-    path.light = {LightKind::triangle, scene_->light_at(path[0].point), false, true};
+  // x_0 is where a walk from the camera ended.
+  void take_light(Path& path) const {
+    if (std::isinf(path[0].length))
+      path.light = {LightKind::environment, Path::Light::kUnlisted, true, true};
+    else
+      path.light = {LightKind::triangle, scene_->light_at(path[0].point), false, true};
   }
 
   bool connect_to_lens(Path& path) {

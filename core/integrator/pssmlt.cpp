@@ -53,6 +53,7 @@ struct PrimaryGroup {
 class PrimaryKernel {
  public:
   using Group = PrimaryGroup;
+  static constexpr uint64_t kMutationsPerCandidate = 10;
   static constexpr std::array<MutationKind, 2> kKinds{
       {{"large-steps", "Mutations that drew all numbers anew and were accepted"},
        {"small-steps", "Mutations that moved all numbers a little and were accepted"}}};
@@ -82,9 +83,10 @@ class PrimaryKernel {
     return rays;
   }
 
-  std::optional<uint64_t> start(const Era& era, Group& group, std::span<const uint64_t> candidates,
+  std::optional<uint64_t> start(const Era& era, Group& group, int, std::span<const uint64_t> candidates,
                                 const Turn& turn) const {
     PrimaryPaths& paths = paths_of_thread();
+    group.points = {};
     const auto rays = look_at(
         era, paths, candidates.size(), [&](size_t i) { return candidates[i]; }, group.points, turn);
     if (!rays) return {};
@@ -93,11 +95,11 @@ class PrimaryKernel {
     return rays;
   }
 
-  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, double worth, float scale,
+  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, float scale,
                                  const Turn& turn) const {
     PrimaryPaths& paths = paths_of_thread();
     const uint64_t group_key = mix_bits(era.key ^ mix_bits(static_cast<uint64_t>(index) + 1));
-    const Count count{scale, worth, method_->combined ? double{method_->large_steps} : 0.0};
+    const Count count{scale, era, method_->combined ? double{method_->large_steps} : 0.0};
     std::array<Stay, PrimaryPaths::kLanes> stays;
     uint64_t rays = 0;
     for (int i = 0; i < mutations; ++i, ++group.mutations) {
@@ -114,15 +116,19 @@ class PrimaryKernel {
   }
 
  private:
-  // What a state counts. The chains look at it with the density target / worth, and large steps, where they count by
-  // themselves, with their share of all mutations: Kelemen et al., section 3.2.
+  // What a state counts. By itself the chain's part is worth / target. Where large steps count as well, each takes the
+  // share of its density: the chain that of target / worth, large steps that of theirs among all mutations (Kelemen et
+  // al., section 3.2). How they share must not depend on what the candidates of this very era were worth.
   struct Count {
     float scale;
-    double worth, large_steps;
+    double worth, expected, large_steps;  // the last: share of all mutations, zero if they do not count
+
+    Count(float s, const Era& era, double large)
+        : scale(s), worth(era.worth), expected(era.expected()), large_steps(large) {}
 
     void record(const film::Splats& splats, float target, double iterations, film::Splats& to) const {
       if (!(target > 0) || !(iterations > 0)) return;
-      const auto weight = static_cast<float>(iterations / (double{target} / worth + large_steps)) * scale;
+      const auto weight = static_cast<float>(iterations * worth / (double{target} + large_steps * expected)) * scale;
       for (const film::Splat& splat : splats) to.push_back({splat.pixel, splat.radiance * weight});
     }
   };
@@ -159,11 +165,10 @@ class PrimaryKernel {
     const float target = paths.targets[lane];
     const Verdict verdict = judge(double{present.target}, double{target}, unit_double(mix_bits(lane_key ^ 2)));
     group.tally.kinds[large ? 0 : 1].count(verdict);
-    if (large) group.tally.worth += double{target}, ++group.tally.samples;
     stay.take(
         verdict, [&](double n) { count.record(present.splats, present.target, n, splats); },
         [&](double n) { count.record(paths.found[lane], target, n, splats); },
-        large && method_->combined && target > 0 ? 1.0 : 0.0);
+        large && method_->combined && target > 0 ? count.expected / count.worth : 0.0);
     if (verdict.accepted) go(paths, lane, group);
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "integrator/mutation_chain.h"
+#include "integrator/path_candidates.h"
 #include "support/places.h"
 
 namespace etendue {
@@ -12,6 +13,7 @@ namespace {
 using integrator::ChainRandom;
 using integrator::EdgeCounts;
 using integrator::LightPath;
+using integrator::PathCandidates;
 using integrator::Mutation;
 using integrator::MutationPlan;
 using integrator::PathShape;
@@ -60,12 +62,12 @@ TEST(LightPaths, FromNothingAreWorthThePicture) {
     PathSpace<M> space(place.pass);
     LightPath<M> path;
     film::SplatFilter filter(place.filter, d.width, d.height);
-    const EdgeCounts counts(0);
+    PathCandidates<M> paths(0);
     constexpr int kPaths = 200000;
     double sum = 0, squares = 0;
     for (int i = 0; i < kPaths; ++i) {
       ChainRandom random(mix_bits(uint64_t{7} + static_cast<uint64_t>(i)));
-      double worth = propose(counts, space, random, path);
+      double worth = paths.draw(space, random, path);
       const auto to = worth > 0 ? filter.choose(path.raster, random.next_2d()) : std::nullopt;
       worth = to ? worth * double{to->weight} * double{average(path.color)} : 0;
       sum += worth, squares += sqr(worth);
@@ -140,19 +142,19 @@ TEST(LightPaths, TentativeDensityTwoWays) {
     const Place place(d);
     PathSpace<M> space(place.pass);
     LightPath<M> x;
-    const EdgeCounts counts(0);
+    PathCandidates<M> paths(0);
     const double area = double{space.picture_area()};
     int found = 0;
     for (uint64_t i = 0; i < 3000; ++i) {
       ChainRandom random(i);
-      if (!(propose(counts, space, random, x) > 0)) continue;
+      if (!(paths.draw(space, random, x) > 0)) continue;
       for (int l = -1; l <= x.edges(); ++l)
         for (int m = l + 1; m <= x.edges() + 1; ++m) {
           if ((l < 0 && m < 1) || (m > x.edges() && l >= x.edges())) continue;
           double sum = 0;
           const double f = log_contribution(x), kept = log_contribution_outside(x, l, m);
           for (int c = l; c < m && c < x.edges(); ++c) sum += std::exp(log_density(x, l, m, c, area) - (f - kept));
-          const double direct = x.density_between(l, m, area) * x.brightness;
+          const double direct = x.density_between(l, m, area, [](int) { return 1; }) * x.brightness;
           if (direct == 0 && sum == 0) continue;
           EXPECT_NEAR(sum / direct, 1, 1e-4) << name << ' ' << l << ' ' << m << " of " << x.edges();
           ++found;
@@ -184,10 +186,11 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
     const Place place(d);
     PathSpace<M> space(place.pass);
     LightPath<M> x, y;
+    PathCandidates<M> paths(0);
     const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
     for (uint64_t i = 0; i < 80000; ++i) {
       ChainRandom random(i);
-      if (!(propose(plan.counts, space, random, x) > 0)) continue;
+      if (!(paths.draw(space, random, x) > 0)) continue;
       const PathShape shape = shape_of(x);
       for (const Mutation m : {Mutation::lens, Mutation::caustic, Mutation::chain, Mutation::subpath}) {
         PathShape shape_there;
@@ -253,9 +256,10 @@ TEST(LightPaths, LengthsInTheGoldenSphere) {
   std::array<double, kLongest + 1> sum{}, squares{};
   film::Splats splats;
   for (int batch = 0; batch < kBatches; ++batch) {
+    PathCandidates<M> paths(0);
     integrator::MutationChain<M> chain;
     chain.random = ChainRandom(static_cast<uint64_t>(batch));
-    while (!(propose(plan.counts, runner.space(), chain.random, chain.path) > 0)) continue;
+    while (!(paths.draw(runner.space(), chain.random, chain.path) > 0)) continue;
     chain.shape = shape_of(chain.path);
     std::array<double, kLongest + 2> count{};
     for (int i = 0; i < kSteps; ++i) {
