@@ -141,6 +141,8 @@ std::optional<Exchange> exchange(const EdgeCounts& counts, PathSpace<M>& space, 
   y.take_ends(x);
   for (int i = 0; i <= e.deleted.l; ++i) y[i] = x[i];
   for (int i = e.deleted.m; i < k; ++i) y[i - e.deleted.m + e.added.m] = x[i];
+  // What is new altogether may be at another time.
+  if (e.added.l < 0 && e.added.m > y.edges()) y.time = space.choose_time(random);
   if (!grow(e.added, space, random, y)) return {};
   return e;
 }

@@ -72,6 +72,7 @@ class LightPath {
 
   Light light;
   Vec2 raster{0}, lens{0};  // pixels; a point of the unit square
+  float time = 0;           // from 0 at the shutter's opening to 1 at its closing
   float importance = 0;     // pixels to a square metre across the last edge (to a solid angle at infinity)
   Color color{0};           // of f, with a luminance of one
   double brightness = 0;    // luminance of f over all that the functions below know of
@@ -88,7 +89,7 @@ class LightPath {
 
   // Takes over all but the vertices.
   void take_ends(const LightPath& other) {
-    light = other.light, raster = other.raster, lens = other.lens, importance = other.importance;
+    light = other.light, raster = other.raster, lens = other.lens, time = other.time, importance = other.importance;
   }
 
   // Cosines at vertex i of its two edges, and what falls with the square of the length of edge i.

@@ -3,8 +3,7 @@
 //
 // A chain goes from path to path by mutations, and stays at each for as long as its brightness asks for: it is at a
 // path x with the density f(x) / b, and what it visits is the picture but for the factor b, the mean of what paths from
-// nothing are worth. Chains start from such paths, chosen by what they are worth (chain_work.h), and now and then look
-// at another one, so that b becomes surer all the time.
+// nothing are worth. Chains start from such paths, chosen by what they are worth (chain_work.h).
 #pragma once
 #include "integrator/method.h"
 
@@ -23,21 +22,20 @@ class Mlt final : public Method<Mlt> {
       Bias::consistent,
       "a mutation for each pixel and sample, about 3 rays; a path for each chain and a picture beside the film",
       "simple scenes, where samples that depend on each other are worse than others; paths that no chain starts from "
-      "stay missing or spotty for long; point lights seen in mirrors by way of something that scatters: never; what "
-      "moves is seen as it was when the shutter opened",
+      "stay missing or spotty for long; point lights seen in mirrors by way of something that scatters: never",
       Sampling::only_splats,
       '7'};
 
   Number<int> chains{"chains", "Chains",          512, {1, 65536}, "Of each half of the samples, side by side",
                      "",       Scale::logarithmic};
-  Number<int> candidates{"candidates",
-                         "Candidates",
-                         16384,
-                         {16, 1 << 24},
-                         "Paths from nothing among which those are chosen that the chains of a half start from; more "
-                         "make the brightness of the picture surer",
-                         "",
-                         Scale::logarithmic};
+  Number<int> candidates{
+      "candidates",
+      "Candidates",
+      16384,
+      {16, 1 << 24},
+      "Pairs of walks, whose paths the chains of a half start from; more make the brightness of the picture surer",
+      "",
+      Scale::logarithmic};
   Number<float> bidirectional{
       "bidirectional",
       "Bidirectional mutations",

@@ -17,7 +17,8 @@ struct MutationChain {
   bool bare = false;    // of the path, only what is written below is known
 
   void write(StateWriter& out) const {
-    out.value(path.light), out.value(path.raster), out.value(path.lens), out.value(random), out.value(rounds);
+    out.value(path.light), out.value(path.raster), out.value(path.lens), out.value(path.time), out.value(random),
+        out.value(rounds);
     out.value<int32_t>(path.edges());
     for (int i = 0; i < path.edges(); ++i) {
       const PathVertex<M>& x = path[i];
@@ -27,8 +28,8 @@ struct MutationChain {
   }
   bool read(StateReader& in) {
     int32_t edges = 0;
-    if (!in.value(path.light) || !in.value(path.raster) || !in.value(path.lens) || !in.value(random) ||
-        !in.value(rounds) || !in.value(edges) || edges < 1 || edges > kLongest)
+    if (!in.value(path.light) || !in.value(path.raster) || !in.value(path.lens) || !in.value(path.time) ||
+        !in.value(random) || !in.value(rounds) || !in.value(edges) || edges < 1 || edges > kLongest)
       return false;
     path.resize(edges);
     for (int i = 0; i < edges; ++i) {

@@ -38,6 +38,7 @@ class PathCandidates {
 
   // What all paths of a candidate are worth together, f / p; zero if none. Then `chosen` is one of them.
   double draw(PathSpace<M>& space, ChainRandom& random, LightPath<M>& chosen) {
+    from_camera_.time = from_light_.time = path_.time = space.choose_time(random);
     walk_from_camera(lengths_.choose(random), space, random);
     walk_from_light(lengths_.choose(random), space, random);
     double worth = 0;
@@ -47,7 +48,7 @@ class PathCandidates {
         if (!assemble(k, c, space, random)) continue;
         const double w = 1 / density_over_f(space);
         worth += w;
-        if (double{random.next()} * worth < w) std::swap(chosen, path_);
+        if (double{random.next()} * worth < w) chosen = path_;
       }
     return worth;
   }

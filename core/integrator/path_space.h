@@ -42,13 +42,16 @@ class PathSpace {
   const CameraRays& camera() const { return *pass_->camera; }
   uint64_t take_rays() { return std::exchange(rays_, 0); }
 
+  // When the path is: light is at all of its vertices at once.
+  float choose_time(ChainRandom& random) const { return pass_->model->moving ? random.next() : 0; }
+
   // ---- Walks from the light.
 
   // Chooses x_0; of a light of infinity its direction.
   bool choose_light(ChainRandom& random, Path& path) {
     const float choice = random.next();
     const Vec2 point = random.next_2d(), direction = random.next_2d();
-    const Emission e = scene_->lights().emit({choice, point, direction});
+    const Emission e = scene_->lights().emit({choice, point, direction, path.time});
     if (!(e.density.first > 0)) return false;
     path.light.kind = e.kind, path.light.number = e.light;
     path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
@@ -58,7 +61,7 @@ class PathSpace {
       const EmissiveTriangle& t = scene_->lights().triangles()[e.light];
       x.hit = {t.instance, t.triangle, e.barycentric.x, e.barycentric.y};
       x.found_from = glm::normalize(e.back ? -t.cross : t.cross);
-      place(x);
+      place(x, path.time);
     } else {
       x.point.position = e.position, x.direction = e.direction;
     }
@@ -70,7 +73,7 @@ class PathSpace {
     if (path.light.kind == LightKind::triangle && path.light.number == Path::Light::kUnlisted) return false;
     Emission e;
     e.kind = path.light.kind, e.light = path.light.number;
-    e.position = path[0].point.position, e.direction = path[0].direction;
+    e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
     scene_->lights().emit_anew(random.next_2d(), e);
     if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
     const Vec3& ng = path[0].point.ng;
@@ -103,7 +106,7 @@ class PathSpace {
   // Finds x_{k-1} through this point of the picture and of the lens.
   bool leave_camera(Vec2 raster, Vec2 lens, ChainRandom& random, Path& path) {
     path.raster = raster, path.lens = lens;
-    return find_before(camera().ray(raster, lens), path.edges(), random, path);
+    return find_before(camera().ray(raster, lens, path.time), path.edges(), random, path);
   }
   // Finds x_{i-1} from x_i, 0 < i < k.
   bool scatter_to_light(int i, ChainRandom& random, Path& path) {
@@ -144,16 +147,16 @@ class PathSpace {
     if (i < path.edges() - 1) {
       path[i + 1].point.spawn_segment(-path[i].direction, path[i].length, ray);
     } else if (i == 0 && path.light.infinite) {
-      const auto view = camera().view_of_infinity(-path[0].direction, path.lens);
+      const auto view = camera().view_of_infinity(-path[0].direction, path.lens, path.time);
       if (!view) return false;
       ray = view->ray;
     } else {
-      const auto view = camera().view(path[i].point.position, path.lens);
+      const auto view = camera().view(path[i].point.position, path.lens, path.time);
       if (!view) return false;
       path[i].point.spawn_segment(view->wi, view->distance, ray);
     }
     ++rays_;
-    return !scene_->intersect(ray, random.bits());
+    return !scene_->intersect(ray, random.bits(), path.time);
   }
 
   // ---- Evaluating.
@@ -161,7 +164,7 @@ class PathSpace {
   // Makes all that follows from the ends, edges and hits of a path.
   bool rebuild(Path& path) {
     for (int i = 0; i < path.edges(); ++i)
-      if (path.is_surface(i)) place(path[i]);
+      if (path.is_surface(i)) place(path[i], path.time);
     return settle(0, path.edges(), path);
   }
 
@@ -184,23 +187,23 @@ class PathSpace {
   }
 
   // The surface that a ray meets.
-  bool find(const Ray& ray, ChainRandom& random, Vertex& x) {
+  bool find(const Ray& ray, float time, ChainRandom& random, Vertex& x) {
     ++rays_;
-    const Hit hit = scene_->intersect(ray, random.bits());
+    const Hit hit = scene_->intersect(ray, random.bits(), time);
     if (!hit) return false;
     x.hit = hit, x.found_from = -ray.direction;
-    place(x);
+    place(x, time);
     x.delta = false;
     return true;
   }
 
-  void place(Vertex& x) const {
-    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point);
+  void place(Vertex& x, float time) const {
+    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point, pass_->model->moving ? &time : nullptr);
     scene_->template bsdf<M>(x.point, x.bsdf);
   }
 
   bool find_next(const Ray& ray, int i, ChainRandom& random, Path& path) {
-    if (!find(ray, random, path[i + 1])) return false;
+    if (!find(ray, path.time, random, path[i + 1])) return false;
     path[i].direction = ray.direction;
     path[i].length =
         i == 0 && path.light.infinite ? kInfinity : glm::distance(path[i].point.position, path[i + 1].point.position);
@@ -210,7 +213,7 @@ class PathSpace {
   bool find_before(const Ray& ray, int i, ChainRandom& random, Path& path) {
     Vertex& x = path[i - 1];
     x.direction = -ray.direction;
-    if (find(ray, random, x)) {
+    if (find(ray, path.time, random, x)) {
       x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
       if (i == 1) take_light(path);
       return x.length > 0;
@@ -233,16 +236,16 @@ class PathSpace {
     const int last = path.edges() - 1;
     Vertex& x = path[last];
     if (last == 0 && path.light.infinite) {
-      const auto view = camera().view_of_infinity(-x.direction, path.lens);
+      const auto view = camera().view_of_infinity(-x.direction, path.lens, path.time);
       if (!view) return false;
       path.raster = view->raster, x.length = kInfinity;
       return in_picture(path.raster);
     }
-    const auto view = camera().view(x.point.position, path.lens);
+    const auto view = camera().view(x.point.position, path.lens, path.time);
     if (!view || !in_picture(view->raster)) return false;
     path.raster = view->raster;
     x.direction = view->wi;
-    x.length = glm::distance(camera().ray(path.raster, path.lens).origin, x.point.position);
+    x.length = glm::distance(camera().ray(path.raster, path.lens, path.time).origin, x.point.position);
     return x.length > 0;
   }
 
@@ -277,7 +280,7 @@ class PathSpace {
       const float cosine = glm::dot(point.ng, direction);
       point.front = cosine > 0;
       light.emitted = scene_->emitted(point);
-      density = scene_->lights().density_of_triangle(light.number, cosine);
+      density = scene_->lights().density_of_triangle(light.number, cosine, path.time);
       if (cosine == 0 || !seen_as_it_is(path)) return false;
     } else if (light.kind == LightKind::environment) {
       const EnvironmentMap& map = scene_->lights().environment();
@@ -290,7 +293,7 @@ class PathSpace {
       light.emitted = emitted_by_placed(path);
       LightSample sample;
       sample.kind = LightKind::placed, sample.light = light.number;
-      density = scene_->lights().density_of(sample);
+      density = scene_->lights().density_of(sample, path.time);
     }
     light.first = density.first, light.second = density.second;
     return !is_black(light.emitted);
@@ -302,7 +305,7 @@ class PathSpace {
     const Rgb emitted = placed.light.color * placed.light.intensity;
     if (path.light.infinite) return emitted;
     const float cone = placed.light.type == LightType::spot
-                           ? spot_falloff(placed.light, glm::dot(path[0].direction, placed.at(0).direction))
+                           ? spot_falloff(placed.light, glm::dot(path[0].direction, placed.at(path.time).direction))
                            : 1;
     return emitted * (cone * table.window(path.light.number, path[0].length));
   }
@@ -319,7 +322,7 @@ class PathSpace {
     const Vertex& x = path[path.edges() - 1];
     const bool far = std::isinf(x.length);
     path.importance =
-        far && !camera().can_see_infinity() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length);
+        far && !camera().can_see_infinity() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length, path.time);
     return far || path.importance > 0;
   }
 
