@@ -13,6 +13,33 @@
 
 namespace etendue::integrator {
 
+// 2^-n; what is smaller than anything that it is added to may be a little larger.
+constexpr double half_to(int n) { return 1 / static_cast<double>(uint64_t{1} << std::min(n, 62)); }
+
+// How often so many more edges come than go, but for a factor.
+struct ChangeLaw {
+  static constexpr int kMost = 16;
+
+  static constexpr double at(int change) {
+    const int n = change < 0 ? -change : change;
+    return n == 0 ? 0.5 : n == 1 ? 0.15 : 0.2 * half_to(n);
+  }
+  // Of all changes from first to last.
+  static double sum(int first, int last) {
+    return kBelow[static_cast<size_t>(last + kMost + 1)] - kBelow[static_cast<size_t>(first + kMost)];
+  }
+
+ private:
+  // Sums of all below i - kMost.
+  static const std::array<double, 2 * kMost + 2> kBelow;
+};
+inline constexpr std::array<double, 2 * ChangeLaw::kMost + 2> ChangeLaw::kBelow = [] {
+  std::array<double, 2 * kMost + 2> below{};
+  for (int i = 0; i <= 2 * kMost; ++i)
+    below[static_cast<size_t>(i + 1)] = below[static_cast<size_t>(i)] + at(i - kMost);
+  return below;
+}();
+
 // How many edges go and how many come.
 class EdgeCounts {
  public:
@@ -37,38 +64,27 @@ class EdgeCounts {
 
   // How many edges come for those that go; `least` is one more than the vertices that must come.
   int choose_addition(int path, int deleted, int least, ChainRandom& random) const {
-    const int first = std::max(least, deleted - kMostChange), last = last_addition(path, deleted);
-    double u = random.next() * sum_of_additions(deleted, first, last);
+    const int first = std::max(least, deleted - ChangeLaw::kMost), last = last_addition(path, deleted);
+    double u = random.next() * ChangeLaw::sum(first - deleted, last - deleted);
     int edges = first;
-    while (edges < last && !(u < addition(edges - deleted))) u -= addition(edges++ - deleted);
+    while (edges < last && !(u < ChangeLaw::at(edges - deleted))) u -= ChangeLaw::at(edges++ - deleted);
     return edges;
   }
   double probability_of_addition(int path, int deleted, int least, int added) const {
-    const int first = std::max(least, deleted - kMostChange), last = last_addition(path, deleted);
+    const int first = std::max(least, deleted - ChangeLaw::kMost), last = last_addition(path, deleted);
     if (added < first || added > last) return 0;
-    return addition(added - deleted) / sum_of_additions(deleted, first, last);
+    return ChangeLaw::at(added - deleted) / ChangeLaw::sum(first - deleted, last - deleted);
   }
 
  private:
-  static constexpr int kMostChange = 16;
-
   // p_1: short parts are cheap, and what changes little is accepted more often.
-  static double deletion(int edges) { return edges == 1 ? 0.25 : edges == 2 ? 0.5 : std::ldexp(1.0, -edges); }
-  static double sum_of_deletions(int path) { return 1 - std::ldexp(1.0, -(path + 2)); }
+  static double deletion(int edges) { return edges == 1 ? 0.25 : edges == 2 ? 0.5 : half_to(edges); }
+  static double sum_of_deletions(int path) { return 1 - half_to(path + 2); }
   // Where they may be: a single edge beyond either end is no part of the path.
   static int deletions(int path, int edges) { return edges == 1 ? path : path + 3 - edges; }
 
-  static double addition(int change) {
-    const int n = std::abs(change);
-    return n == 0 ? 0.5 : n == 1 ? 0.15 : 0.2 * std::ldexp(1.0, -n);
-  }
-  static double sum_of_additions(int deleted, int first, int last) {
-    double sum = 0;
-    for (int edges = first; edges <= last; ++edges) sum += addition(edges - deleted);
-    return sum;
-  }
   int last_addition(int path, int deleted) const {
-    return most_ > 0 ? std::min(deleted + kMostChange, most_ - path + deleted) : deleted + kMostChange;
+    return most_ > 0 ? std::min(deleted + ChangeLaw::kMost, most_ - path + deleted) : deleted + ChangeLaw::kMost;
   }
 
   int most_;

@@ -104,7 +104,7 @@ class MutationKernel {
     // The largest move goes over five percent of the picture's area.
     const float widest = std::sqrt(0.05f * static_cast<float>(pass.width) * static_cast<float>(pass.height) / kPi);
     const Bounds& bounds = pass.scene->bounds();
-    return {{method.bidirectional, method.lens, method.caustic, method.chain, method.subpath},
+    return {MutationChoice({method.bidirectional, method.lens, method.caustic, method.chain, method.subpath}),
             EdgeCounts(method.max_depth),
             {0.1f, std::max(widest, 1.0f)},
             {1e-4f, 0.1f},

@@ -70,7 +70,7 @@ class MutationRunner {
   // The next step. A path counts `scale` times its colour; point() is what a lens subpath mutation takes.
   template <PicturePoints Point, class Count>
   void step(MutationChain<M>& chain, float scale, Point&& point, Count&& count, film::Splats& splats) {
-    const Mutation mutation = plan_->choose(chain.shape, chain.random);
+    const Mutation mutation = plan_->mutations.choose(chain.shape, chain.random);
     PathShape shape;
     const double ratio =
         propose(mutation, *plan_, space_, chain.path, chain.shape, chain.random, point, proposal_, shape);

@@ -8,44 +8,63 @@ namespace etendue::integrator {
 enum class Mutation : uint8_t { bidirectional, lens, caustic, chain, subpath };
 inline constexpr size_t kMutations = 5;
 
-// What all chains of a picture share.
-struct MutationPlan {
-  std::array<float, kMutations> weights;  // how often each is tried, among those that a path admits
-  EdgeCounts counts;
-  Octaves pixels, angles;
-  float size;  // of the scene, metres
+// How often each mutation is tried, by which of them a path admits: prepared for all cases, as a chain asks for it
+// three times in each step.
+class MutationChoice {
+ public:
+  explicit MutationChoice(const std::array<float, kMutations>& weights) {
+    for (unsigned kind = 0; kind < kKinds; ++kind) {
+      double sum = 0;
+      for (size_t i = 0; i < kMutations; ++i) sum += admits(static_cast<Mutation>(i), kind) ? double{weights[i]} : 0;
+      for (size_t i = 0; i < kMutations; ++i)
+        probabilities_[kind][i] = admits(static_cast<Mutation>(i), kind) ? double{weights[i]} / sum : 0;
+    }
+  }
 
   double probability(Mutation mutation, const PathShape& shape) const {
-    double sum = 0;
-    for (size_t i = 0; i < kMutations; ++i)
-      if (admits(static_cast<Mutation>(i), shape)) sum += double{weights[i]};
-    return admits(mutation, shape) ? double{weights[static_cast<size_t>(mutation)]} / sum : 0;
+    return probabilities_[kind_of(shape)][static_cast<size_t>(mutation)];
   }
   Mutation choose(const PathShape& shape, ChainRandom& random) const {
+    const auto& p = probabilities_[kind_of(shape)];
     double u = random.next();
     for (size_t i = kMutations - 1; i > 0; --i) {
-      const double p = probability(static_cast<Mutation>(i), shape);
-      if (u < p) return static_cast<Mutation>(i);
-      u -= p;
+      if (u < p[i]) return static_cast<Mutation>(i);
+      u -= p[i];
     }
     return Mutation::bidirectional;
   }
 
  private:
-  static bool admits(Mutation mutation, const PathShape& shape) {
+  static constexpr unsigned kLens = 1, kCaustic = 2, kChain = 4, kKinds = 8;
+
+  static unsigned kind_of(const PathShape& shape) {
+    return (shape.lens_end >= 0 ? kLens : 0) | (shape.caustic_start >= 0 ? kCaustic : 0) |
+           (shape.chain_end >= 0 ? kChain : 0);
+  }
+  static bool admits(Mutation mutation, unsigned kind) {
     switch (mutation) {
       case Mutation::bidirectional:
         return true;
       case Mutation::lens:
       case Mutation::subpath:
-        return shape.lens_end >= 0;
+        return (kind & kLens) != 0;
       case Mutation::caustic:
-        return shape.caustic_start >= 0;
+        return (kind & kCaustic) != 0;
       case Mutation::chain:
-        return shape.chain_end >= 0;
+        return (kind & kChain) != 0;
     }
     return false;
   }
+
+  std::array<std::array<double, kMutations>, kKinds> probabilities_;
+};
+
+// What all chains of a picture share.
+struct MutationPlan {
+  MutationChoice mutations;
+  EdgeCounts counts;
+  Octaves pixels, angles;
+  float size;  // of the scene, metres
 };
 
 // What a path is proposed from besides random numbers: the point of the picture, in the unit square, that a lens
@@ -88,7 +107,7 @@ double propose(Mutation mutation, const MutationPlan& plan, PathSpace<M>& space,
     }
   }
   shape_of_y = integrator::shape_of(y);
-  there *= plan.probability(mutation, shape), back *= plan.probability(mutation, shape_of_y);
+  there *= plan.mutations.probability(mutation, shape), back *= plan.mutations.probability(mutation, shape_of_y);
   const double ratio = back / there;
   return std::isfinite(ratio) ? ratio : 0;
 }

@@ -52,7 +52,7 @@ std::vector<std::pair<const char*, render::Document>> places() {
 constexpr integrator::Octaves kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
 
 MutationPlan plan_with(std::array<float, integrator::kMutations> weights) {
-  return {weights, EdgeCounts(0), kPixels, kAngles, 5};
+  return {integrator::MutationChoice(weights), EdgeCounts(0), kPixels, kAngles, 5};
 }
 
 // Of what paths from nothing are worth, the picture's mean: 4.5 standard errors of either.
@@ -194,7 +194,7 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
       const PathShape shape = shape_of(x);
       for (const Mutation m : {Mutation::lens, Mutation::caustic, Mutation::chain, Mutation::subpath}) {
         PathShape shape_there;
-        if (plan.probability(m, shape) == 0) continue;
+        if (plan.mutations.probability(m, shape) == 0) continue;
         const double ratio = propose(
             m, plan, space, x, shape, random, [&] { return random.next_2d(); }, y, shape_there);
         if (!(ratio > 0)) continue;
