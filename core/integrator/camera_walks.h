@@ -37,7 +37,9 @@ void launch_camera_walks(const Pass& pass, const PixelBlock& block, const BlockO
   if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
   for (int i = 0; i < order.size(); ++i)
     front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));
-  const bool draws_time = pass.model->moving && !given_times;
+  std::array<float, transport::Front<M>::kCapacity> together;
+  if (pass.moment) together.fill(*pass.moment), given_times = together.data();
+  const bool draws_time = pass.draws_times() && !given_times;
   SampleTable& random = front.draw_start(dimensions(camera_dimension::kPixel, 2) |
                                          (pass.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
                                          (draws_time ? dimensions(camera_dimension::kTime, 1) : 0));

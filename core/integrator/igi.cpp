@@ -27,7 +27,7 @@ class VirtualLights final : public Work {
 
   std::vector<Phase> phases(uint32_t sample) override {
     Lights& lights = lights_of(sample);
-    if (method_.renew) lights.sample = sample, lights.ready = false;
+    if (renews()) lights.sample = sample, lights.ready = false;
     if (lights.ready || !indirect()) return {};
     lights.found.resize(static_cast<size_t>(plan_.tasks()));
     return {{"making virtual lights", plan_.tasks()}};
@@ -35,8 +35,8 @@ class VirtualLights final : public Work {
 
   std::optional<uint64_t> run(uint32_t sample, size_t, int task, const Turn& turn) override {
     Lights& lights = lights_of(sample);
-    Pass pass = pass_;
-    if (!method_.renew) pass.sampler = &random_;
+    Pass pass = at_one_moment(pass_, sample);
+    if (!renews()) pass.sampler = &random_;
     return transport::with_model(*pass_.model, [&]<class M>(M) {
       return make_virtual_lights<M>(pass, lights.sample, plan_, task, turn, lights.found[static_cast<size_t>(task)]);
     });
@@ -70,6 +70,9 @@ class VirtualLights final : public Work {
   }
 
  private:
+  // What moves needs lights of its own time.
+  bool renews() const { return method_.renew || pass_.model->moving; }
+
   Lights& lights_of(uint32_t sample) { return lights_[sample % film::kReplicates]; }
   // Virtual lights are the second vertex at the earliest.
   bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
@@ -78,7 +81,7 @@ class VirtualLights final : public Work {
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
     transport::Front<M>& front = front_of_thread<M>();
     const BlockOrder order(block);
-    launch_camera_walks(pass_, block, order, turn, front);
+    launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
     static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
     const int side = method_.interleave;
     lighting->begin(

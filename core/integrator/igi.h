@@ -58,7 +58,8 @@ class InstantGlobalIllumination final : public Method<InstantGlobalIllumination>
                       Scale::logarithmic};
   Toggle compensate{"compensate", "Find what the bound loses", true,
                     "By walks from the camera's vertices: no bias, noise"};
-  Toggle renew{"renew", "New lights for every sample", true, "Else the error of the first lights stays"};
+  Toggle renew{"renew", "New lights for every sample", true,
+               "Else the error of the first lights stays, unless something moves"};
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
 

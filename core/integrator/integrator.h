@@ -83,7 +83,16 @@ struct Pass {
   const film::Filter* filter;
   uint64_t seed;  // the user's
   int width, height;
+  // When all paths are, from 0 at the shutter's opening to 1 at its closing; empty: each has a time of its own, if
+  // anything moves.
+  std::optional<float> moment{};
+
+  bool draws_times() const { return model->moving && !moment; }
 };
+
+// The same with one moment for all of a sample, where anything moves: for methods whose first pass must see what the
+// second does. Moments of the samples of a half lie evenly over the time that the shutter is open.
+Pass at_one_moment(Pass pass, uint32_t sample);
 
 // One sample of each pixel of a rectangle, kWidth x kHeight pixels at most.
 struct PixelBlock {

@@ -48,7 +48,7 @@ class LightWalks {
     using namespace emission_dimension;
     const SampleTable& random = front.draw_start(
         dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
-        (pass.camera->has_lens() ? dimensions(kLens, 2) : 0) | (pass.model->moving ? dimensions(kTime, 1) : 0));
+        (pass.camera->has_lens() ? dimensions(kLens, 2) : 0) | (pass.draws_times() ? dimensions(kTime, 1) : 0));
     const auto at = [&](int i, int dimension) {
       return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
     };
@@ -57,7 +57,7 @@ class LightWalks {
       const int size = std::min(kBatch, count - first);
       for (int k = 0; k < size; ++k) {
         const int i = first + k;
-        const float time = pass.model->moving ? at(i, kTime) : 0;
+        const float time = pass.draws_times() ? at(i, kTime) : pass.moment.value_or(0.0f);
         times_[static_cast<size_t>(i)] = time;
         Start& start = starts_[static_cast<size_t>(k)];
         start.path = i;

@@ -12,7 +12,7 @@ class PhotonMapping::Maps final : public Work {
   Maps(const PhotonMapping& method, const Pass& pass, const Maps* previous)
       : method_(method), pass_(pass), size_(2 * pass.scene->bounds().radius()) {
     if (pass.model->classes) join_.emplace(*pass.model->paths);
-    const bool reusable = previous && !method.renew && !previous->method_.renew && previous->same_light(pass);
+    const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(pass);
     for (uint32_t half = 0; half < film::kReplicates; ++half)
       for (const bool caustics : {false, true}) {
         if (caustics && (method.direct() || pass.model->diffuse)) continue;
@@ -28,7 +28,7 @@ class PhotonMapping::Maps final : public Work {
     running_.clear();
     for (const auto& emission : emissions_[sample % film::kReplicates]) {
       if (!emission) continue;
-      if (method_.renew) emission->begin(emission->plan(), sample);
+      if (renews()) emission->begin(emission->plan(), sample);
       if (emission->ready()) continue;
       emission->add_phases(phases);
       running_.push_back(emission.get());
@@ -36,9 +36,9 @@ class PhotonMapping::Maps final : public Work {
     return phases;
   }
 
-  std::optional<uint64_t> run(uint32_t, size_t phase, int task, const Turn& turn) override {
-    Pass pass = pass_;
-    if (!method_.renew) pass.sampler = &random_;
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn) override {
+    Pass pass = at_one_moment(pass_, sample);
+    if (!renews()) pass.sampler = &random_;
     return running_[phase / 2]->run(pass, static_cast<PhotonEmission::Step>(phase % 2), task, turn);
   }
   void finish(uint32_t, size_t phase) override {
@@ -64,6 +64,9 @@ class PhotonMapping::Maps final : public Work {
   }
 
  private:
+  // What moves needs photons of its own time.
+  bool renews() const { return method_.renew || pass_.model->moving; }
+
   bool same_light(const Pass& pass) const {
     const transport::Model &a = *pass_.model, &b = *pass.model;
     return pass.seed == pass_.seed && a.diffuse == b.diffuse && a.absorbing == b.absorbing && a.classes == b.classes &&
@@ -79,7 +82,7 @@ class PhotonMapping::Maps final : public Work {
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
     transport::Front<M>& front = front_of_thread<M>();
     const BlockOrder order(block);
-    launch_camera_walks(pass_, block, order, turn, front);
+    launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
     if (method_.direct()) {
       if (!estimate_directly(view(block.sample, false), turn, front)) return {};
       return collect(front, order, radiance);

@@ -104,7 +104,7 @@ class PhotonMapping final : public Method<PhotonMapping> {
                      "Shorter gather rays look nothing up but gather again, as a part of the scene's size; more: "
                      "better corners, slower"};
   Toggle renew{"renew", "New photons for every sample", false,
-               "Averages the blotches of many maps; the bias of one stays"};
+               "Averages the blotches of many maps; the bias of one stays. What moves always gets new ones"};
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 

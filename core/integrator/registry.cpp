@@ -2,6 +2,8 @@
 #include <cassert>
 #include <functional>
 
+#include "base/hash.h"
+#include "film/film.h"
 #include "integrator/appel.h"
 #include "integrator/bdpt.h"
 #include "integrator/distribution.h"
@@ -95,6 +97,14 @@ std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::ve
     return integrator;
   }
   return nullptr;
+}
+
+Pass at_one_moment(Pass pass, uint32_t sample) {
+  if (!pass.model->moving) return pass;
+  const uint32_t half = sample % film::kReplicates, step = sample / film::kReplicates;
+  const auto shift = static_cast<uint32_t>(mix_bits(pass.seed * film::kReplicates + half));
+  pass.moment = to_unit_float(reverse_bits(step) + shift);
+  return pass;
 }
 
 }  // namespace etendue::integrator

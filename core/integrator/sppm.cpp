@@ -36,8 +36,8 @@ class Progress final : public Work {
     emission_.add_phases(phases);
     return phases;
   }
-  std::optional<uint64_t> run(uint32_t, size_t phase, int task, const Turn& turn) override {
-    return emission_.run(pass_, static_cast<PhotonEmission::Step>(phase), task, turn);
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn) override {
+    return emission_.run(at_one_moment(pass_, sample), static_cast<PhotonEmission::Step>(phase), task, turn);
   }
   void finish(uint32_t, size_t phase) override { emission_.finish(static_cast<PhotonEmission::Step>(phase)); }
 
@@ -58,7 +58,7 @@ class Progress final : public Work {
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
     transport::Front<M>& front = front_of_thread<M>();
     const BlockOrder order(block);
-    launch_camera_walks(pass_, block, order, turn, front);
+    launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
     estimate(front);
     return collect(front, order, radiance);
   }

@@ -268,6 +268,24 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesOfEverything) {
   expect_mean_of_moments(test::lens_and_shutter(), 1024, 48, "everything");
 }
 
+// Photons and virtual lights belong to the time of those who ask for them. Bias there is, the same in all pictures.
+TEST(BlurredPicture, IsTheMeanOfStillOnesByMethodsInTwoPasses) {
+  const std::vector<std::vector<std::pair<const char*, const char*>>> methods{
+      {{"render.integrator", "sppm"}, {"sppm.photons", "2000"}, {"sppm.alpha", "1"}},
+      {{"render.integrator", "photonmap"},
+       {"photonmap.photons", "2000"},
+       {"photonmap.caustic-photons", "2000"},
+       {"photonmap.mode", "direct"},
+       {"photonmap.renew", "on"}},
+      {{"render.integrator", "igi"}, {"igi.light-paths", "20"}}};
+  for (const auto& settings : methods) {
+    auto d = test::lens_and_shutter();
+    for (const auto& [name, value] : settings) d = *render::with_text(d, name, value);
+    const auto still = test::replicated([&](uint64_t seed) { return mean_of_moments(d, 4, seed); }, 5000);
+    test::expect_agreement(test::replicated(d, 96), still, settings[0].second, static_cast<int>(methods.size()));
+  }
+}
+
 // A camera that looks around a room.
 TEST(BlurredPicture, IsTheMeanOfStillOnesFromAMovingCamera) {
   const auto cornell = test::cornell(test::kSize);
