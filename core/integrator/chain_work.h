@@ -15,14 +15,16 @@
 //
 // Kernel says what a chain is:
 //
-//   struct Group;            // some chains; copied, and has a ChainTally `tally`,
+//   struct Era;              // integrator::Era or more: it may have a `law` that learns from candidates
+//   (technique_law.h) Era era() const;         // the first one, before anything is known struct Group;            //
+//   some chains; copied, and has a ChainTally `tally`,
 //                            // void write(StateWriter&) const, bool read(StateReader&), size_t memory() const
 //   int chains() const, candidates() const;        // of a half
 //   static constexpr int kGroupSize;               // 256 if there is none
 //   static constexpr uint64_t kMutationsPerCandidate;  // of an era: as many as take ten times as long
 //   static constexpr std::array<MutationKind, n> kKinds;
 //   // The worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced.
-//   std::optional<uint64_t> weigh(const Era&, uint64_t first, std::span<float> worth, const Turn&) const;
+//   std::optional<uint64_t> weigh(const Era&, uint64_t first, const Candidates&, const Turn&) const;
 //   // Lets one chain start at each of these candidates; what the group was before is gone, but for its tally.
 //   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> candidates,
 //                                const Turn&) const;
@@ -69,6 +71,12 @@ struct Era {
   double expected() const { return worth_earlier > 0 ? worth_earlier / static_cast<double>(first) : worth; }
 };
 
+// What is found out about candidates; their kinds are those that a law knows.
+struct Candidates {
+  std::span<float> worth;
+  std::span<uint16_t> kinds;
+};
+
 template <class Kernel>
 class ChainWork final : public Work {
  public:
@@ -79,7 +87,8 @@ class ChainWork final : public Work {
       return 256;
   }();
 
-  ChainWork(const Pass& pass, Kernel kernel) : pass_(pass), kernel_(std::move(kernel)) {
+  ChainWork(const Pass& pass, Kernel kernel)
+      : pass_(pass), kernel_(std::move(kernel)), halves_(film::kReplicates, Half(kernel_.era())) {
     const int groups = (kernel_.chains() + kGroupSize - 1) / kGroupSize;
     for (Half& half : halves_) half.groups.resize(static_cast<size_t>(groups));
   }
@@ -94,6 +103,7 @@ class ChainWork final : public Work {
     seeding_ = is_over(half.now, step);
     if (seeding_) {
       worth_.assign(candidates_of(half.now), 0);
+      if constexpr (kLearns) half.now.law.renew(), kinds_.assign(worth_.size(), 0);
       list.push_back({"seeding chains", static_cast<int>((worth_.size() + kGroupSize - 1) / kGroupSize)});
     }
     for (int done = 0; done < mutations_; done += kPart)
@@ -115,7 +125,7 @@ class ChainWork final : public Work {
   }
 
   size_t memory() const override {
-    size_t bytes = worth_.capacity() * sizeof(float);
+    size_t bytes = worth_.capacity() * sizeof(float) + kinds_.capacity() * sizeof(uint16_t);
     for (const Half& half : halves_)
       for (const Member& m : half.groups) bytes += m.now.memory() + m.before.memory();
     return bytes;
@@ -167,6 +177,8 @@ class ChainWork final : public Work {
 
  private:
   using Group = typename Kernel::Group;
+  using Era = typename Kernel::Era;
+  static constexpr bool kLearns = requires(Era era) { era.law; };
   static constexpr uint64_t kLayout = 0x32534e4941484345;  // "ECHAINS2"
   // Mutations of a chain in one phase: what is found in between is kept in lists.
   static constexpr int kPart = 16;
@@ -179,6 +191,8 @@ class ChainWork final : public Work {
     std::vector<uint64_t> starts;
   };
   struct Half {
+    explicit Half(const Era& era) : now(era), before(era) {}
+
     Era now, before;
     uint32_t sample = kNoSample;
     std::vector<Member> groups;
@@ -213,8 +227,10 @@ class ChainWork final : public Work {
 
   std::optional<uint64_t> weigh(const Half& half, size_t task, const Turn& turn) {
     const size_t first = task * kGroupSize;
-    const auto part = std::span(worth_).subspan(first, std::min<size_t>(kGroupSize, worth_.size() - first));
-    return kernel_.weigh(half.now, half.now.drawn + first, part, turn);
+    const size_t count = std::min<size_t>(kGroupSize, worth_.size() - first);
+    Candidates candidates{std::span(worth_).subspan(first, count), {}};
+    if constexpr (kLearns) candidates.kinds = std::span(kinds_).subspan(first, count);
+    return kernel_.weigh(half.now, half.now.drawn + first, candidates, turn);
   }
 
   void found_candidates(Half& half) {
@@ -224,6 +240,7 @@ class ChainWork final : public Work {
     double sum = 0;
     for (const float w : worth_) sum += double{w};
     era.worth = sum / static_cast<double>(worth_.size());
+    if constexpr (kLearns) era.law.note(worth_, kinds_);
     const double u = static_cast<double>(mix_bits(era.key ^ era.first) >> 11) * 0x1p-53;
     const auto starts = choose_starts(worth_, static_cast<size_t>(kernel_.chains()), u);
     // Neighbours in the list are alike: they are dealt out to the groups in turn.
@@ -260,9 +277,11 @@ class ChainWork final : public Work {
 
   const Pass pass_;
   const Kernel kernel_;
-  std::array<Half, film::kReplicates> halves_;
-  std::vector<float> worth_;  // of the candidates that are being looked at
-  int mutations_ = 0;         // of every chain in the running step
+  std::vector<Half> halves_;
+  // Of the candidates that are being looked at.
+  std::vector<float> worth_;
+  std::vector<uint16_t> kinds_;
+  int mutations_ = 0;  // of every chain in the running step
   bool seeding_ = false;
 };
 

@@ -37,6 +37,7 @@ template <class M>
 class MutationKernel {
  public:
   using Group = MutationGroup<M>;
+  using Era = integrator::Era;
   static constexpr int kGroupSize = 16;
   static constexpr uint64_t kMutationsPerCandidate = 40;
   static constexpr std::array<MutationKind, kMutations> kKinds{
@@ -48,19 +49,20 @@ class MutationKernel {
 
   MutationKernel(const Mlt& method, const Pass& pass) : method_(&method), pass_(pass), plan_(plan_of(method, pass)) {}
 
+  Era era() const { return {}; }
   int chains() const { return std::min<int>(method_->chains, pass_.width * pass_.height); }
   int candidates() const {
     return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * pass_.width * pass_.height));
   }
 
-  std::optional<uint64_t> weigh(const Era& era, uint64_t first, std::span<float> worth, const Turn& turn) const {
+  std::optional<uint64_t> weigh(const Era& era, uint64_t first, const Candidates& candidates, const Turn& turn) const {
     if (!(*turn.wanted)()) return {};
     PathSpace<M> space(pass_);
     PathCandidates<M> paths(method_->max_depth);
     LightPath<M> path;
-    for (size_t i = 0; i < worth.size(); ++i) {
+    for (size_t i = 0; i < candidates.worth.size(); ++i) {
       ChainRandom random = random_of_candidate(era, first + i);
-      worth[i] = static_cast<float>(paths.draw(space, random, path));
+      candidates.worth[i] = static_cast<float>(paths.draw(space, random, path));
     }
     return space.take_rays();
   }

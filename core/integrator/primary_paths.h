@@ -3,31 +3,10 @@
 #include "integrator/bidirectional.h"
 #include "integrator/path.h"
 #include "integrator/pssmlt.h"
+#include "integrator/technique_law.h"
 #include "sampling/primary_numbers.h"
 
 namespace etendue::integrator {
-
-// How long a path of the multiplexed form is: P(length > n) falls as 3 / (n + 3), so that no energy that falls with the
-// length, however slowly, is looked for too seldom.
-class PathLengths {
- public:
-  // As long as any walk gets, with roulette.
-  static constexpr int kLongest = 1000;
-
-  explicit PathLengths(int limit) : limit_(limit > 0 ? limit : kLongest) {
-    all_ = 1 - kHalf / (static_cast<float>(limit_) + kHalf);
-  }
-  int draw(float u) const { return std::clamp(static_cast<int>(kHalf / (1 - u * all_) - kHalf) + 1, 1, limit_); }
-  float probability(int length) const {
-    const auto k = static_cast<float>(length);
-    return kHalf / ((k - 1 + kHalf) * (k + kHalf) * all_);
-  }
-
- private:
-  static constexpr float kHalf = 3;  // half of all are no longer than this
-  int limit_;
-  float all_;
-};
 
 // One for each thread: what proposals of a group of chains find.
 class PrimaryPaths {
@@ -38,10 +17,11 @@ class PrimaryPaths {
   std::array<uint64_t, kLanes> roots;      // of each point: the key of its last large step
   std::array<film::Splats, kLanes> found;  // what it brings to the picture
   std::array<float, kLanes> targets;       // and the luminance of that
+  std::array<uint16_t, kLanes> kinds{};    // by which technique, in the multiplexed form
 
   // Of the first `lanes` proposals; the number of rays, or nothing if that was given up.
-  std::optional<uint64_t> evaluate(const Pass& pass, const Pssmlt& method, const BidirectionalPlan& plan, size_t lanes,
-                                   const Turn& turn) {
+  std::optional<uint64_t> evaluate(const Pass& pass, const Pssmlt& method, const BidirectionalPlan& plan,
+                                   const TechniqueLaw& law, size_t lanes, const Turn& turn) {
     for (size_t i = 0; i < lanes; ++i) {
       found[i].clear();
       // The lane's bits tell samplers whose numbers are asked for.
@@ -49,7 +29,7 @@ class PrimaryPaths {
       seeds_[i] = (world & ~PrimaryProposals::kLaneBits) | static_cast<uint32_t>(i);
     }
     const auto rays =
-        transport::with_model(*pass.model, [&]<class M>(M) { return look<M>(pass, method, plan, lanes, turn); });
+        transport::with_model(*pass.model, [&]<class M>(M) { return look<M>(pass, method, plan, law, lanes, turn); });
     if (!rays) return {};
     for (size_t i = 0; i < lanes; ++i) measure(i);
     return rays;
@@ -59,11 +39,11 @@ class PrimaryPaths {
   static constexpr size_t kCamera = 0, kLight = 1, kBoth = 2;
 
   template <class M>
-  std::optional<uint64_t> look(const Pass& pass, const Pssmlt& method, const BidirectionalPlan& plan, size_t lanes,
-                               const Turn& turn) {
+  std::optional<uint64_t> look(const Pass& pass, const Pssmlt& method, const BidirectionalPlan& plan,
+                               const TechniqueLaw& law, size_t lanes, const Turn& turn) {
     GivenPaths given{&proposals.sampler(kCamera), &proposals.sampler(kLight), {seeds_.data(), lanes}};
     if (method.form == PrimaryForm::path) return walk<M>(pass, method, given, turn);
-    if (method.form == PrimaryForm::multiplexed) choose_techniques(pass, method, lanes), given.techniques = techniques_;
+    if (method.form == PrimaryForm::multiplexed) choose_techniques(law, lanes), given.techniques = techniques_;
     static thread_local const auto walks = std::make_unique<Bidirectional<M>>();
     const auto rays = walks->evaluate(pass, plan, given, found, turn);
     if (!given.techniques.empty()) weigh_techniques(lanes);
@@ -88,17 +68,13 @@ class PrimaryPaths {
     return front.rays_traced();
   }
 
-  // A path of k edges can be found with 0 to k + 1 vertices from the light, all of them only where walks may fall onto
-  // the lens.
-  void choose_techniques(const Pass& pass, const Pssmlt& method, size_t lanes) {
-    const PathLengths lengths(method.max_depth);
+  // The length stays as it is in between large steps.
+  void choose_techniques(const TechniqueLaw& law, size_t lanes) {
     for (size_t i = 0; i < lanes; ++i) {
-      const auto u = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
-      const int edges = lengths.draw(u), count = edges + (pass.camera->can_be_hit() ? 2 : 1);
-      const float choice = proposals.block(i, kBoth, 0)[0];
-      const int s = std::min(static_cast<int>(choice * static_cast<float>(count)), count - 1);
-      techniques_[i] = {s, edges + 1 - s};
-      over_probability_[i] = static_cast<float>(count) / lengths.probability(edges);
+      const auto length = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
+      const auto choice = law.choose(length, proposals.block(i, kBoth, 0)[0]);
+      techniques_[i] = choice.technique, kinds[i] = choice.kind;
+      over_probability_[i] = 1 / choice.probability;
     }
   }
   void weigh_techniques(size_t lanes) {

@@ -50,9 +50,14 @@ struct PrimaryGroup {
   }
 };
 
+struct PrimaryEra : Era {
+  TechniqueLaw law;
+};
+
 class PrimaryKernel {
  public:
   using Group = PrimaryGroup;
+  using Era = PrimaryEra;
   static constexpr uint64_t kMutationsPerCandidate = 10;
   static constexpr std::array<MutationKind, 2> kKinds{
       {{"large-steps", "Mutations that drew all numbers anew and were accepted"},
@@ -75,11 +80,14 @@ class PrimaryKernel {
     return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * pass_.width * pass_.height));
   }
 
-  std::optional<uint64_t> weigh(const Era& era, uint64_t first, std::span<float> worth, const Turn& turn) const {
+  Era era() const { return {{}, TechniqueLaw(method_->max_depth, pass_.camera->can_be_hit())}; }
+
+  std::optional<uint64_t> weigh(const Era& era, uint64_t first, const Candidates& candidates, const Turn& turn) const {
     PrimaryPaths& paths = paths_of_thread();
     const auto rays = look_at(
-        era, paths, worth.size(), [&](size_t i) { return first + i; }, PrimaryPoints(), turn);
-    if (rays) std::copy_n(paths.targets.begin(), worth.size(), worth.begin());
+        era, paths, candidates.worth.size(), [&](size_t i) { return first + i; }, PrimaryPoints(), turn);
+    if (rays) std::copy_n(paths.targets.begin(), candidates.worth.size(), candidates.worth.begin());
+    if (rays) std::copy_n(paths.kinds.begin(), candidates.kinds.size(), candidates.kinds.begin());
     return rays;
   }
 
@@ -104,7 +112,7 @@ class PrimaryKernel {
     uint64_t rays = 0;
     for (int i = 0; i < mutations; ++i, ++group.mutations) {
       const uint64_t key = mix_bits(group_key + group.mutations);
-      const auto traced = propose(group, key, paths, turn);
+      const auto traced = propose(era, group, key, paths, turn);
       if (!traced) return {};
       rays += *traced;
       for (size_t lane = 0; lane < group.states.size(); ++lane)
@@ -144,10 +152,11 @@ class PrimaryKernel {
       paths.roots[i] = mix_bits(era.key + (number_of(i) + 1) * 0xd1342543de82ef95ULL);
       paths.proposals.propose(i, paths.roots[i], true);
     }
-    return paths.evaluate(pass_, *method_, plan_, count, turn);
+    return paths.evaluate(pass_, *method_, plan_, era.law, count, turn);
   }
 
-  std::optional<uint64_t> propose(const Group& group, uint64_t key, PrimaryPaths& paths, const Turn& turn) const {
+  std::optional<uint64_t> propose(const Era& era, const Group& group, uint64_t key, PrimaryPaths& paths,
+                                  const Turn& turn) const {
     paths.proposals.begin(group.points, {method_->least_step, method_->step});
     for (size_t lane = 0; lane < group.states.size(); ++lane) {
       const uint64_t lane_key = key_of(key, lane);
@@ -155,7 +164,7 @@ class PrimaryKernel {
       paths.roots[lane] = large ? lane_key : group.states[lane].root;
       paths.proposals.propose(lane, lane_key, large);
     }
-    return paths.evaluate(pass_, *method_, plan_, group.states.size(), turn);
+    return paths.evaluate(pass_, *method_, plan_, era.law, group.states.size(), turn);
   }
 
   void decide(Group& group, size_t lane, uint64_t lane_key, PrimaryPaths& paths, Stay& stay, const Count& count,

@@ -8,7 +8,7 @@
 //   bidirectional  a walk from either end, and every connection of them
 //   multiplexed    one technique (s, t) of paths of one length, times the number of techniques and with its weight
 //                  among them (Hachisuka, Kaplanyan, Dachsbacher 2014). The technique is a number like the others;
-//                  the length changes with large steps alone.
+//                  the length changes with large steps alone. How often each is tried is learned (technique_law.h)
 //
 // Decisions of stochastic opacity, and the length, are drawn with each large step and stay as they are in between.
 #pragma once
@@ -61,9 +61,10 @@ class Pssmlt final : public Method<Pssmlt> {
                      Scale::logarithmic};
   Number<int> candidates{"candidates",
                          "Candidates",
-                         100000,
+                         16384,
                          {1, 1 << 24},
-                         "Independent samples among which chains choose their starts, 16 for each pixel at most",
+                         "Independent samples among which the first chains choose their starts, 16 for each pixel at "
+                         "most; later ones have more",
                          "",
                          Scale::logarithmic};
   Toggle combined{"combined", "Large steps count", true,
