@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "base/hash.h"
+#include "render/coarse_pace.h"
 #include "render/obstacle.h"
 #include "render/pass.h"
 
@@ -26,7 +27,6 @@ Clock::duration seconds(double s) {
 constexpr double kCoarseSeconds = 0.015, kGiveUpSeconds = 0.025;
 // The same for the first frame after one that the next edit cut short; for so long it is not cut.
 constexpr double kOwedSeconds = 0.006, kProtectedSeconds = 0.012;
-constexpr int kCoarsest = 32;
 // Between two looks at what goes on where no frame comes of it, and how long a phase lasts before it is worth a word.
 constexpr double kLookSeconds = 0.1, kPhaseSeconds = 0.3;
 
@@ -250,7 +250,10 @@ class Session::Impl {
     error_ = {}, error_at_ = 0;
     forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
     health_ = nullptr, health_at_ = 0;
-    coarse_scale_ = options_.interactive && complete_ == 0 ? scale_for(owed ? kOwedSeconds : kCoarseSeconds) : 1;
+    if (options_.interactive && complete_ == 0)
+      pace_.begin(pixel_count(), owed ? kOwedSeconds : kCoarseSeconds);
+    else
+      pace_.begin_with_the_picture();
     coarse_.reset();
     awaiting_first_frame_ = options_.interactive;
     phase_ = nullptr;
@@ -287,23 +290,9 @@ class Session::Impl {
   bool reweights() const { return document_.fireflies == film::Fireflies::reweight; }
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
 
-  // The finest scale at which a whole frame is expected to be done in time.
-  int scale_for(double seconds) const {
-    int scale = coarse_rate_ > 0 ? 1 : kCoarsest;
-    while (scale<kCoarsest&& static_cast<double>(pixel_count()) / (scale * scale)> coarse_rate_ * seconds) scale *= 2;
-    return scale;
-  }
-
-  // What first frames can count on: bad news is believed at once, good news by and by.
-  void note_rate(uint64_t paths, double took) {
-    if (took < 0.001) return;
-    const double rate = static_cast<double>(paths) / took;
-    coarse_rate_ = rate < coarse_rate_ || coarse_rate_ <= 0 ? rate : coarse_rate_ + 0.25 * (rate - coarse_rate_);
-  }
-
   // Some work, then a frame if it is time for one.
   void slice() {
-    if (coarse_scale_ > 1) return coarse_frame();
+    if (pace_.scale() > 1) return coarse_frame();
     if (film_stale_ && !renew_film()) return;
     const auto start = Clock::now();
     // A picture small enough to do without coarse frames is first shown when it is whole.
@@ -319,7 +308,7 @@ class Session::Impl {
     }
     const double took = seconds_since(start);
     rendering_seconds_ += took;
-    if (first && complete_ > 0) note_rate(counters_.paths, rendering_seconds_);
+    if (first && complete_ > 0) pace_.note(counters_.paths, rendering_seconds_);
     const bool finished = update_status();
     // The last frame is shown even if somebody wants the film meanwhile: no slice comes after it. Nothing is new where
     // the limit was reached before: the frame that stands goes on.
@@ -381,14 +370,15 @@ class Session::Impl {
 
   void coarse_frame() {
     const auto start = Clock::now();
-    const int w = std::max(1, document_.width / coarse_scale_), h = std::max(1, document_.height / coarse_scale_);
+    const int scale = pace_.scale(), w = std::max(1, document_.width / scale),
+              h = std::max(1, document_.height / scale);
     // Under the same seed, so that photons are traced for both.
     Document small = document_;
     small.method.adaptive = Adaptive::off;
     PassRunner runner(small, shown_scene_, w, h, runner_.get());
     film::Film film(w, h);
     PassRunner::Counters counters;
-    const bool may_give_up = awaiting_first_frame_ && coarse_scale_ < kCoarsest;
+    const bool may_give_up = awaiting_first_frame_ && !pace_.is_coarsest();
     const auto wanted = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
     runner.begin(film);
     bool done = false;
@@ -399,14 +389,13 @@ class Session::Impl {
       const std::lock_guard lock(mutex_);
       note_phase(runner);
     }
-    note_rate(counters.paths, seconds_since(start));
+    pace_.note(counters.paths, seconds_since(start));
     if (!done) {
-      if (!cut()) coarse_scale_ = std::min(4 * coarse_scale_, kCoarsest);
+      if (!cut()) pace_.given_up();
       return;
     }
-    coarse_ = frames_.coarse(film, coarse_scale_);
-    // Two steps finer each time; the last step is the film itself.
-    coarse_scale_ = coarse_scale_ > 4 ? coarse_scale_ / 4 : 1;
+    coarse_ = frames_.coarse(film, scale);
+    pace_.done();
     publish(frames_.enlarged(*coarse_, document_.width, document_.height));
   }
 
@@ -565,8 +554,7 @@ class Session::Impl {
   std::shared_ptr<const Health> health_;
   uint32_t health_at_ = 0;  // the same
   double rendering_seconds_ = 0;
-  double coarse_rate_ = 0;  // paths per second that a first frame can count on
-  int coarse_scale_ = 1;
+  CoarsePace pace_;
   const char* phase_ = nullptr;  // of the sample that is being made
   uint32_t phase_sample_ = 0;
   Clock::time_point phase_began_;
