@@ -15,22 +15,28 @@
 //
 // Kernel says what a chain is:
 //
-//   struct Era;              // integrator::Era or more: it may have a `law` that learns from candidates
-//   (technique_law.h) Era era() const;         // the first one, before anything is known struct Group;            //
-//   some chains; copied, and has a ChainTally `tally`,
-//                            // void write(StateWriter&) const, bool read(StateReader&), size_t memory() const
-//   int chains() const, candidates() const;        // of a half
-//   static constexpr int kGroupSize;               // 256 if there is none
-//   static constexpr uint64_t kMutationsPerCandidate;  // of an era: as many as take ten times as long
+//   struct Era;
+//     integrator::Era or more: it may have a `law` that learns from candidates (technique_law.h)
+//   Era era() const;
+//     the first one, before anything is known
+//   struct Group;
+//     some chains; copied, and has a ChainTally `tally`, void write(StateWriter&) const, bool read(StateReader&),
+//     size_t memory() const
+//   int chains() const, candidates() const;
+//     of a half; the latter of its first era
+//   static constexpr int kGroupSize;
+//     256 if there is none
+//   static constexpr uint64_t kMutationsPerCandidate;
+//     of an era: as many as take ten times as long
 //   static constexpr std::array<MutationKind, n> kKinds;
-//   // The worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced.
 //   std::optional<uint64_t> weigh(const Era&, uint64_t first, const Candidates&, const Turn&) const;
-//   // Lets one chain start at each of these candidates; what the group was before is gone, but for its tally.
-//   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> candidates,
-//                                const Turn&) const;
-//   // Advances every chain of a group by so many mutations. A state x counts `scale` times era.worth f / target(x) in
-//   // each iteration.
+//     the worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced
+//   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> candidates, const Turn&)
+//   const;
+//     lets one chain start at each of these candidates; what the group was before is gone, but for its tally
 //   std::optional<uint64_t> mutate(const Era&, Group&, int group, int mutations, float scale, const Turn&) const;
+//     advances every chain of a group by so many mutations. A state x counts `scale` times era.worth f / target(x) in
+//     each iteration
 //
 // Everything random must follow from the era's key, the chain and what it has done.
 #pragma once
@@ -67,8 +73,8 @@ struct Era {
   uint32_t since = 0;        // the step of the half that the first era began with
   bool started = false;      // there are chains
 
-  // What was expected of `worth` before its candidates were drawn; the first era knows no better.
-  double expected() const { return worth_earlier > 0 ? worth_earlier / static_cast<double>(first) : worth; }
+  // What was expected of `worth` before its candidates were drawn; zero in the first era.
+  double expected() const { return first > 0 ? worth_earlier / static_cast<double>(first) : 0; }
 };
 
 // What is found out about candidates; their kinds are those that a law knows.

@@ -126,7 +126,8 @@ class PrimaryKernel {
  private:
   // What a state counts. By itself the chain's part is worth / target. Where large steps count as well, each takes the
   // share of its density: the chain that of target / worth, large steps that of theirs among all mutations (Kelemen et
-  // al., section 3.2). How they share must not depend on what the candidates of this very era were worth.
+  // al., section 3.2). How they share must not depend on what the candidates of this very era were worth: in
+  // the first era, when nothing else is known, the chains alone count.
   struct Count {
     float scale;
     double worth, expected, large_steps;  // the last: share of all mutations, zero if they do not count

@@ -159,7 +159,7 @@ TEST(Pssmlt, ARenderingThatWasCutGoesOnToTheSameBits) {
 
 // A film whose chains are lost goes on with others.
 TEST(Pssmlt, AFilmWithoutItsChainsGoesOnWithNewOnes) {
-  Document d = several_groups("path");
+  Document d = with(several_groups("path"), "candidates", "20000");
   const auto cut = test::rendered(d, 4), whole = test::rendered(d, 8);
   d.limits = {8, 0, 0};
   render::Session session({.threads = 2});
