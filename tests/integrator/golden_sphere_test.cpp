@@ -278,8 +278,8 @@ TEST(GoldenSphere, NearestPhotons) {
 }
 
 // A disc of radius r holds n r^2 / (4 (1 - rho)) of the photons that n walks leave, as many rare events. Where the
-// squared radius of the i-th of N samples of a half is q_i = prod (j + alpha) / (j + 1) of the first one's, the variance
-// falls as the mean of 1 / q_i over N: as N^-alpha (Knaus & Zwicker 2011).
+// squared radius of the i-th of N samples of a half is q_i = prod (j + alpha) / (j + 1) of the first one's, the
+// variance falls as the mean of 1 / q_i over N: as N^-alpha (Knaus & Zwicker 2011).
 TEST(GoldenSphere, PhotonsWithinARadius) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   constexpr double kPhotons = 40'000, kRadius = 0.4;  // pixels
