@@ -161,7 +161,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   }
   for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
     if (const uint32_t light = samples[i].light; light < triangles_.size() && triangles_[light].moving)
-      triangles.set(i, triangle_at(light, queries.times[i]), choice_.probability(light));
+      triangles.set(i, triangle_at(light, queries.times[i]), triangles.probability[i]);
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
   for (size_t i = 0; i < queries.count; ++i) {

@@ -74,6 +74,16 @@ measure::Tail Lab::tail(const render::Document& document, uint32_t samples) {
   return session.status().health->tail;
 }
 
+double Lab::squared_error(const render::Document& document, uint32_t samples) {
+  render::Document other = document;
+  other.seed = document.seed + 1;
+  const film::Film a = render(document, samples), b = render(other, samples);
+  double sum = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) sum += sqr(double{average(a.mean(x, y)) - average(b.mean(x, y))}) / 2;
+  return sum / (a.width() * a.height());
+}
+
 void Lab::add(const std::string& method, const std::string& point, std::string expectation, double measured, bool ok) {
   findings_.push_back({method, at(point, expectation), measured, ok, picture_});
 }

@@ -50,6 +50,8 @@ class Lab {
   film::Mean mean(const render::Document& document, uint32_t samples) {
     return film::mean_of(render(document, samples));
   }
+  // Of a pixel, by how much two pictures with other seeds differ: the mean over all pixels.
+  double squared_error(const render::Document& document, uint32_t samples);
 
   // Each writes a finding; `point` says where in a sweep ("albedo 0.9"), and may be empty.
   void expect_near(const std::string& method, const std::string& point, double measured, double expected,

@@ -6,8 +6,11 @@
 #include "stress/cases/caustic_behind_glass.h"
 #include "stress/cases/caustic_of_a_point_light.h"
 #include "stress/cases/caustic_of_a_small_lamp.h"
+#include "stress/cases/chains_in_two_places.h"
+#include "stress/cases/closed_room_of_albedo_one.h"
 #include "stress/cases/coincident_lights.h"
 #include "stress/cases/depth_cut_off.h"
+#include "stress/cases/emitter_that_reflects.h"
 #include "stress/cases/far_from_the_origin.h"
 #include "stress/cases/glossy_virtual_lights.h"
 #include "stress/cases/grazing_albedo.h"
@@ -21,19 +24,24 @@
 #include "stress/cases/lamp_in_a_sphere.h"
 #include "stress/cases/late_dimensions.h"
 #include "stress/cases/lens_of_no_size.h"
+#include "stress/cases/lens_too_small_to_hit.h"
+#include "stress/cases/light_from_one_patch.h"
 #include "stress/cases/light_of_a_micrometre.h"
 #include "stress/cases/light_that_touches_a_wall.h"
+#include "stress/cases/light_through_a_gap.h"
 #include "stress/cases/lossless_glass.h"
 #include "stress/cases/many_lights.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
 #include "stress/cases/nested_glass.h"
 #include "stress/cases/optical_depth.h"
+#include "stress/cases/photons_at_a_shadow.h"
 #include "stress/cases/photons_at_an_edge.h"
 #include "stress/cases/photons_in_an_estimate.h"
 #include "stress/cases/photons_on_a_ball.h"
 #include "stress/cases/photons_too_few.h"
 #include "stress/cases/point_light_unseen.h"
+#include "stress/cases/point_on_the_light.h"
 #include "stress/cases/reused_seeds.h"
 #include "stress/cases/roughness_at_its_ends.h"
 #include "stress/cases/roulette_below_the_square.h"
@@ -48,6 +56,7 @@
 #include "stress/cases/thirty_stops.h"
 #include "stress/cases/total_reflection.h"
 #include "stress/cases/triangles_without_area.h"
+#include "stress/cases/view_of_a_small_part.h"
 #include "stress/cases/virtual_lights_in_a_corner.h"
 
 namespace etendue::stress {
@@ -79,22 +88,29 @@ const std::vector<Case>& cases() {
       kCausticOfAPointLight,
       kCausticBehindGlass,
       kPointLightUnseen,
+      kLensTooSmallToHit,
       kIntegratingSphere,
       kSmallLightByChance,
       kLampInASphere,
       kCausticOfASmallLamp,
+      kLightFromOnePatch,
+      kLightThroughAGap,
+      kViewOfASmallPart,
       kNarrowLobeAndSmallLight,
       kLightThatTouchesAWall,
       kRouletteBelowTheSquare,
       kShadowsIgnored,
       kManyLights,
+      kEmitterThatReflects,
       kGrilleAsFineAsPixels,
       kDepthCutOff,
       kRouletteOfABrightRoom,
       kStartsOfChains,
+      kChainsInTwoPlaces,
       kVirtualLightsInACorner,
       kGlossyVirtualLights,
       kPhotonsAtAnEdge,
+      kPhotonsAtAShadow,
       kPhotonsOnABall,
       kSeedsAndPixels,
       kReusedSeeds,
@@ -105,6 +121,7 @@ const std::vector<Case>& cases() {
       kTotalReflection,
       kRoughnessAtItsEnds,
       kAlbedoOfOne,
+      kClosedRoomOfAlbedoOne,
       kOpticalDepth,
       kPhotonsInAnEstimate,
       kPhotonsTooFew,
@@ -121,6 +138,7 @@ const std::vector<Case>& cases() {
       kNestedGlass,
       kTrianglesWithoutArea,
       kGrazingLight,
+      kPointOnTheLight,
       kGrazingAlbedo,
       kInfiniteEmission,
       kNanInASky,

@@ -1,6 +1,5 @@
-// Methods that walk from the lights against path tracing, on scenes that take everything apart that could be wrong:
-// kinds of lights, smooth and rough glass, absorption, shading normals, the lens, path classes. z-tests over blocks of
-// pixels, 1 % false alarms for each test.
+// Methods that walk from the lights against path tracing, where pairwise_test.cpp does not compare them: lights without
+// extent, path classes, subsets of techniques. z-tests over blocks of pixels, 1 % false alarms for each test.
 #include <gtest/gtest.h>
 
 #include "integrator/techniques.h"
@@ -23,24 +22,6 @@ using test::without_mirrors_in_view;
 
 Document cornell() { return test::cornell(test::kSize); }
 
-TEST(Bidirectional, AgreesWithPathTracing) {
-  const std::pair<const char*, Document> places[] = {{"cornell", cornell()},
-                                                     {"glossy things", test::glossy_things()},
-                                                     {"lamp", under_a_lamp()},
-                                                     {"sky", under_a_sky()},
-                                                     {"lens", through_a_lens(under_a_lamp())}};
-  for (const auto& [name, d] : places) expect_same(by(d, "path"), 512, by(d, "bdpt"), 128, name, 5);
-}
-
-TEST(Bidirectional, LightTracingAgreesWithPathTracing) {
-  const std::pair<const char*, Document> places[] = {
-      {"cornell", cornell()}, {"lamp", under_a_lamp()}, {"sky", under_a_sky()}, {"lens", through_a_lens(cornell())}};
-  for (const auto& [name, place] : places) {
-    const Document d = without_mirrors_in_view(place);
-    expect_same(by(d, "path"), 512, by(d, "light"), 256, name, 4);
-  }
-}
-
 // Light of points through glass onto something is not found by walks from the camera: light tracing and bidirectional
 // path tracing are compared where path tracing has nothing to say.
 TEST(Bidirectional, PunctualLights) {
@@ -51,14 +32,6 @@ TEST(Bidirectional, PunctualLights) {
     const Document lit = without_mirrors_in_view(d);
     expect_same(by(lit, "light"), 512, by(lit, "bdpt"), 256, name + ", caustics included", 6);
   }
-}
-
-// Chance brings a walk onto a wide lens.
-TEST(Bidirectional, PureLightTracingThroughALens) {
-  Document d = with(with(cornell(), "camera.lens-radius", "1.5"), "camera.focus-distance", "8");
-  expect_same(by(d, "path"), 256, by(d, "light-pure"), 4096, "wide lens", 1);
-  d = with(d, "camera.lens-radius", "0");
-  EXPECT_EQ(test::mean_of(test::rendered(by(d, "light-pure"), 4)).value, 0);
 }
 
 // Walks leave a lamp with two sides on either.
@@ -78,22 +51,11 @@ TEST(Bidirectional, ClassesOfPaths) {
     expect_same(by(with(d, "film.paths", paths), "path"), 512, by(with(d, "film.paths", paths), "bdpt"), 128, paths, 6);
 }
 
-TEST(Bidirectional, EveryHeuristicAndEveryRestOfTechniques) {
+TEST(Bidirectional, EveryRestOfTechniques) {
   const Document d = cornell();
   const auto expected = test::replicated(by(d, "path"), 512);
-  const std::pair<const char*, const char*> settings[] = {
-      {"heuristic", "balance"}, {"heuristic", "maximum"}, {"without", "0,*"},        {"without", "1,*"},
-      {"without", "*,1"},       {"without", "2,2 1,3"},   {"without", "2,* 3,* 4,*"}};
-  for (const auto& [name, value] : settings)
-    test::expect_agreement(expected, test::replicated(with(by(d, "bdpt"), name, value), 64),
-                           std::string(name) + " " + value, 7);
-}
-
-// The basic form: more noise, the same mean.
-TEST(Bidirectional, EndsAloneAgreeToo) {
-  const std::pair<const char*, Document> places[] = {{"cornell", cornell()}, {"lens", through_a_lens(under_a_lamp())}};
-  for (const auto& [name, d] : places)
-    expect_same(by(d, "path"), 512, with(by(d, "bdpt"), "reuse", "false"), 512, name, 2);
+  for (const char* without : {"0,*", "1,*", "*,1", "2,2 1,3", "2,* 3,* 4,*"})
+    test::expect_agreement(expected, test::replicated(with(by(d, "bdpt"), "without", without), 64), without, 5);
 }
 
 // Sums of terms and the weights in constant time are the same numbers.

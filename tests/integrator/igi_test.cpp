@@ -1,7 +1,8 @@
-// Instant global illumination against closed forms and path tracing.                       digest 8-10: O1, O2, S40,
-// S41
+// Instant global illumination against closed forms and path tracing.                       digest 8-10: O1, O2, O19,
+// S40, S41
 #include <gtest/gtest.h>
 
+#include "stress/lit_wall.h"
 #include "support/replicates.h"
 
 namespace etendue {
@@ -80,6 +81,39 @@ TEST(InstantGlobalIllumination, ABoundScalesTheGoldenSphere) {
         igi(d, {{"light-paths", "50"}, {"max-depth", "3"}, {"compensate", "off"}, {"bound", std::to_string(bound)}});
     const double expected = kShare * (kAlbedo + kAlbedo * kAlbedo * 4 * bound);
     EXPECT_NEAR(test::mean_of(test::rendered(cut, 2)).value, expected, 2e-3 * expected) << bound;
+  }
+}
+
+// A floor at the distance d from the middle of a unit wall under even light: one virtual light on the wall has a
+// relative deviation that grows as 1 / d (O19). A light path leaves one with the chance p that the wall has of the
+// parallel light, and nothing else reaches the floor: of n paths the relative variance is
+// ((1 + deviation^2) / p - 1) / n. Within 4.5 standard errors; the table has two digits.
+TEST(InstantGlobalIllumination, DeviationInACorner) {
+  struct Row {
+    float distance;
+    double form_factor, deviation;
+  };
+  for (const Row& row : {Row{0.5f, 0.19014, 0.48}, Row{0.1f, 0.42254, 2.53}}) {
+    EXPECT_NEAR(stress::form_factor_of_lit_wall(double{row.distance}), row.form_factor, 5e-6);
+    auto d = test::document(stress::lit_wall(test::diffuse(Rgb(0.8f)), row.distance),
+                            stress::camera_of_lit_wall(row.distance), 2, 2);
+    d.method.sampler = "random";
+    d = igi(d, {{"light-paths", "64"}, {"max-depth", "3"}});
+    // Of a sphere around everything: from the wall's edges to the floor's far end.
+    const double depth = 1.02 * double{row.distance}, radius2 = (2 + depth * depth) / 4;
+    const double chance = 1 / (double{kPi} * radius2);
+    constexpr int kPictures = 4000;
+    constexpr double kPaths = 2 * 64;
+    double sum = 0, squares = 0, fourths = 0;
+    const double expected = 0.5 / double{kPi} * 0.8 * row.form_factor;
+    for (d.seed = 0; d.seed < kPictures; ++d.seed) {
+      const double found = test::mean_of(test::rendered(d, 2, 1)).value / expected, square = sqr(found - 1);
+      sum += found, squares += square, fourths += square * square;
+    }
+    const double variance = squares / kPictures, theory = ((1 + sqr(row.deviation)) / chance - 1) / kPaths;
+    EXPECT_NEAR(sum / kPictures, 1, 4.5 * std::sqrt(variance / kPictures) + 1e-3) << row.distance;
+    EXPECT_NEAR(variance, theory, 4.5 * std::sqrt((fourths / kPictures - sqr(variance)) / kPictures) + 0.01 * theory)
+        << row.distance;
   }
 }
 

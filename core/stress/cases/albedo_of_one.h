@@ -1,4 +1,4 @@
-// A white ball and a white pit under a uniform sky.
+// A white ball and a white pit under a uniform sky.                                                    digest 8-10: F14
 #pragma once
 #include "stress/case.h"
 

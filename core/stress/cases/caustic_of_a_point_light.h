@@ -1,5 +1,5 @@
 // A point light over a glass ball over a disk that lies wholly in the ball's shadow: all light arrives as ESDL read
-// from the camera, through a light without extent.
+// from the camera, through a light without extent.                                                     digest 8-10: F31
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,4 @@
-// A furnace whose walls are there twice.
+// A furnace whose walls are there twice.                                                               digest 8-10: F19
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,4 @@
-// Paths that are cut after so many edges, in a closed furnace.
+// Paths that are cut after so many edges, in a closed furnace.                                         digest 8-10: F25
 #pragma once
 #include "stress/case.h"
 

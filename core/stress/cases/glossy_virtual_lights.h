@@ -1,4 +1,4 @@
-// A metal wall that throws light back where it came from, and a floor beside.
+// A metal wall that throws light back where it came from, and a floor beside.                          digest 8-10: F32
 #pragma once
 #include "stress/case.h"
 #include "stress/lit_wall.h"

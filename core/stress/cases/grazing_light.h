@@ -1,4 +1,4 @@
-// A lamp that sinks towards the plane of the floor, and one that lies in it.
+// A lamp that sinks towards the plane of the floor, and one that lies in it.                           digest 8-10: F26
 #pragma once
 #include "stress/case.h"
 

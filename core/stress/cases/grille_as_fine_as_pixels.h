@@ -1,4 +1,4 @@
-// Bright bars and gaps of the same width, about one pair for each column of pixels.
+// Bright bars and gaps of the same width, about one pair for each column of pixels.                    digest 8-10: F28
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,4 @@
-// A closed room of lossless mirrors that emit one.
+// A closed room of lossless mirrors that emit one.                                                     digest 8-10: F14
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,5 @@
 // A cap of shrinking area that shines on the rest of a diffuse sphere: every walk's worth is known in closed form.
+//                                                                                                       digest 8-10: F3
 #pragma once
 #include "scene/golden_sphere.h"
 #include "stress/case.h"
@@ -8,12 +9,13 @@ namespace etendue::stress {
 inline void lamp_in_a_sphere(Lab& lab) {
   constexpr float kAlbedo = 0.5f;
   constexpr uint32_t kSamples = 16;
-  for (const double share : {1e-2, 1e-3}) {
+  for (const double share : {1e-2, 1e-3, 1e-4}) {
     auto d = lab.document(scene::golden_sphere(share, kAlbedo), scene::golden_sphere_camera());
     d.width = d.height = 96;
     d.filter = film::FilterKind::box;
     const double mean = kAlbedo * share / (1 - kAlbedo);
     for (const bool connected : {false, true}) {
+      if (!connected && share < 1e-3) continue;  // a dozen hits say nothing about their deviation
       const std::string method =
           std::string(connected ? "path" : "path-pure") + ":sampler=random:roulette-start=64:max-depth=14";
       const film::Mean found = lab.mean(Lab::with_method(d, method), kSamples);

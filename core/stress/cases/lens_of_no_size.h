@@ -1,4 +1,4 @@
-// A lens that is a point, and a lens that is focused on what is farthest.
+// A lens that is a point, and a lens that is focused on what is farthest.                              digest 8-10: F29
 #pragma once
 #include "stress/case.h"
 

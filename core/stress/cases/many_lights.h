@@ -1,4 +1,4 @@
-// A ring of point lights over a floor.
+// A ring of point lights over a floor.                                                             digest 8-10: F22, E3
 #pragma once
 #include "stress/case.h"
 

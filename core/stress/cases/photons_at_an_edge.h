@@ -1,4 +1,4 @@
-// A plate that ends where photons are looked up.
+// A plate that ends where photons are looked up.                                                       digest 8-10: F10
 #pragma once
 #include "stress/case.h"
 #include "stress/lit_plate.h"

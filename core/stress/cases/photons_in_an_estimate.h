@@ -1,4 +1,4 @@
-// One map, and more or fewer of its photons taken at a time.
+// One map, and more or fewer of its photons taken at a time.                                      digest 8-10: F12, O18
 #pragma once
 #include "stress/case.h"
 #include "stress/lit_plate.h"

@@ -1,4 +1,4 @@
-// A ball under an even sky, and discs of photons as large as it is.
+// A ball under an even sky, and discs of photons as large as it is.                                    digest 8-10: F11
 #pragma once
 #include "stress/case.h"
 

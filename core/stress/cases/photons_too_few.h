@@ -1,4 +1,4 @@
-// No photon at all, and fewer than are asked for.
+// No photon at all, and fewer than are asked for.                                                      digest 8-10: F27
 #pragma once
 #include "stress/case.h"
 #include "stress/lit_plate.h"

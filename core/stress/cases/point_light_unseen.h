@@ -1,4 +1,4 @@
-// A point light of 100 W, 2 m over a Lambertian floor.
+// A point light of 100 W, 2 m over a Lambertian floor.                                                  digest 8-10: F1
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,4 @@
-// A furnace whose walks would go on for hundreds of edges.
+// A furnace whose walks would go on for hundreds of edges.                                             digest 8-10: F13
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,4 @@
-// A shutter that opens and closes at one instant.
+// A shutter that opens and closes at one instant.                                                      digest 8-10: F30
 #pragma once
 #include "stress/case.h"
 

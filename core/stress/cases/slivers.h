@@ -1,4 +1,4 @@
-// A glowing ball that is squeezed to needles and stretched back by its node.
+// A glowing ball that is squeezed to needles and stretched back by its node.                           digest 8-10: F26
 #pragma once
 #include "stress/case.h"
 

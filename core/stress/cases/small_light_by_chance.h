@@ -1,4 +1,4 @@
-// A disk light of shrinking radius, found only when a walk happens to end on it.
+// A disk light of shrinking radius, found only when a walk happens to end on it.                        digest 8-10: F3
 #pragma once
 #include "stress/case.h"
 

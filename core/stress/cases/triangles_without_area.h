@@ -1,4 +1,4 @@
-// A furnace with triangles that are points and lines.
+// A furnace with triangles that are points and lines.                                                  digest 8-10: F26
 #pragma once
 #include "stress/case.h"
 

@@ -1,4 +1,4 @@
-// Virtual lights all over a wall, seen from a floor that comes ever closer.
+// Virtual lights all over a wall, seen from a floor that comes ever closer.                        digest 8-10: F9, O19
 #pragma once
 #include "stress/case.h"
 #include "stress/lit_wall.h"
