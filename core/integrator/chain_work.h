@@ -31,8 +31,7 @@
 //   static constexpr std::array<MutationKind, n> kKinds;
 //   std::optional<uint64_t> weigh(const Era&, uint64_t first, const Candidates&, const Turn&) const;
 //     the worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced
-//   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> candidates, const Turn&)
-//   const;
+//   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> starts, const Turn&) const;
 //     lets one chain start at each of these candidates; what the group was before is gone, but for its tally
 //   std::optional<uint64_t> mutate(const Era&, Group&, int group, int mutations, float scale, const Turn&) const;
 //     advances every chain of a group by so many mutations. A state x counts `scale` times era.worth f / target(x) in

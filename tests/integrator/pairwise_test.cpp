@@ -111,7 +111,7 @@ TEST(Pairwise, DirectLightOfCornell) { expect_pairs_agree(builtin("cornell"), "E
 // Of the techniques that a multiplexed sample chooses from, one or two find what smooth plates and balls mirror: twelve
 // pictures have no normal distribution then, here and below.
 TEST(Pairwise, GlossyPlates) {
-  expect_pairs_agree(builtin("glossy-plates"), "E(D|G)*L", 64, {"pssmlt:form=multiplexed"});
+  expect_pairs_agree(builtin("glossy-plates"), "E(D|G)*L", 64);
 }
 
 // Metal, glass rough and smooth, a sheet, glaze: every lobe.
@@ -121,7 +121,7 @@ TEST(Pairwise, GlossyThingsInMirrors) { expect_pairs_agree(test::glossy_things()
 TEST(Pairwise, UnderALamp) { expect_pairs_agree(test::under_a_lamp(), "E[(D|G).*]L", 64); }
 // The lamp in the weak mirror of the ball is found by one path in 100,000, and then a chain of paths stays there.
 TEST(Pairwise, GlassBallUnderALamp) {
-  expect_pairs_agree(test::under_a_lamp(), "ES.*L", 64, {"mlt", "pssmlt:form=multiplexed"});
+  expect_pairs_agree(test::under_a_lamp(), "ES.*L", 64);
 }
 
 TEST(Pairwise, UnderASky) { expect_pairs_agree(test::under_a_sky(), "E[(D|G).*]L", 64); }
@@ -130,9 +130,9 @@ TEST(Pairwise, GlassBallUnderASky) {
 }
 
 // Chains of paths see what moves as it was when the shutter opened. On a lens of 15 cm one walk in some thousands ends.
-TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::lens_and_shutter(), "E(D|G)*L", 64, {"mlt", "light-pure"}); }
+TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::lens_and_shutter(), "E(D|G)*L", 64, {"light-pure"}); }
 TEST(Pairwise, DirectLightThroughLensAndShutter) {
-  expect_pairs_agree(test::lens_and_shutter(), "E(D|G)L", 64, {"mlt", "light-pure"});
+  expect_pairs_agree(test::lens_and_shutter(), "E(D|G)L", 64, {"light-pure"});
 }
 
 TEST(Pairwise, WideLens) {
