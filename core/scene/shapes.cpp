@@ -122,6 +122,24 @@ int add(Scene& scene, std::shared_ptr<const Mesh> mesh, const Material& material
   return scene.roots.back();
 }
 
+int add(Scene& scene, const Light& light, const Transform& transform) {
+  scene.lights.push_back(light);
+  Node node;
+  node.light = static_cast<int>(scene.lights.size()) - 1;
+  node.transform = transform;
+  scene.nodes.push_back(node);
+  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  return scene.roots.back();
+}
+
+int add_point_light(Scene& scene, const Vec3& position, float intensity) {
+  Light light;
+  light.intensity = intensity;
+  Transform transform;
+  transform.translation = position;
+  return add(scene, light, transform);
+}
+
 Scene furnace(float albedo) {
   Scene scene;
   add(scene, cube(1, true), diffuse(Rgb(albedo), Rgb(1)));

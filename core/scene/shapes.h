@@ -24,6 +24,10 @@ std::shared_ptr<const Mesh> rectangle(const Vec3& corner, const Vec3& u, const V
 // Puts a mesh with a material of its own into the scene; returns the node.
 int add(Scene& scene, std::shared_ptr<const Mesh> mesh, const Material& material, const Mat4& transform = Mat4(1));
 
+// Puts a light into the scene; returns the node.
+int add(Scene& scene, const Light& light, const Transform& transform);
+int add_point_light(Scene& scene, const Vec3& position, float intensity);
+
 // A closed cube of one diffuse material that emits radiance one: L = 1 / (1 - albedo) everywhere.
 Scene furnace(float albedo);
 

@@ -80,7 +80,7 @@ Camera telescope(const Vec3& eye, const Vec3& target);
 
 // An empty scene under a sky of radiance one.
 scene::Scene sky();
-void add_point_light(scene::Scene& scene, const Vec3& position, float intensity);
+using scene::add_point_light;
 
 // Correlation of what two pictures deviate from their means, the second shifted to the left by so many pixels.
 double noise_correlation(const film::Film& a, const film::Film& b, int shift);

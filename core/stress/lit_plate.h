@@ -11,12 +11,9 @@ inline scene::Scene lit_plate() {
   scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0.5f)));
   Light light;
   light.type = LightType::directional;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  node.transform.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};  // downwards
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  scene::Transform downwards;
+  downwards.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
+  scene::add(scene, light, downwards);
   return scene;
 }
 

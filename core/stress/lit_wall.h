@@ -16,11 +16,7 @@ inline scene::Scene lit_wall(const Material& wall, float distance) {
   scene::add(scene, scene::quad(0.02f * distance), scene::diffuse(Rgb(0.5f)), place);
   Light light;
   light.type = LightType::directional;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  scene::add(scene, light, {});
   return scene;
 }
 

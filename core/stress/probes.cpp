@@ -26,17 +26,6 @@ scene::Scene sky() {
   return scene;
 }
 
-void add_point_light(scene::Scene& scene, const Vec3& position, float intensity) {
-  Light light;
-  light.intensity = intensity;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = static_cast<int>(scene.lights.size()) - 1;
-  node.transform.translation = position;
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
-}
-
 double noise_correlation(const film::Film& a, const film::Film& b, int shift) {
   Moments moments;
   for (int y = 0; y < a.height(); ++y)

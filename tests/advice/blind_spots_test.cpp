@@ -175,7 +175,7 @@ TEST(BlindSpots, BeyondAllMethods) {
   EXPECT_TRUE(sentences(things_under(true, true, false, 16)).empty());
   auto plain = cornell(16);
   scene::Scene scene = *plain.scene;
-  shine(scene, {0, 0, 0}, 1);
+  test::add_point_light(scene, {0, 0, 0}, 1);
   plain.scene = std::make_shared<const scene::Scene>(scene);
   EXPECT_TRUE(sentences(plain).empty());
 }

@@ -17,17 +17,6 @@ inline render::Document changed(const render::Document& d, const std::string& na
   return *render::with_text(d, name, value);
 }
 
-inline void shine(scene::Scene& scene, const Vec3& from, float intensity) {
-  Light light;
-  light.intensity = intensity;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = static_cast<int>(scene.lights.size()) - 1;
-  node.transform.translation = from;
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
-}
-
 // The things of test::glossy_things under other lights than their own.
 inline render::Document things_under(bool area, bool sky, bool point, int size) {
   render::Document d = sized(glossy_things(), size);
@@ -35,7 +24,7 @@ inline render::Document things_under(bool area, bool sky, bool point, int size) 
   if (!area)
     for (Material& m : scene.materials) m.emission = Rgb(0);
   scene.environment.tint = sky ? Rgb(0.4f, 0.5f, 0.6f) : Rgb(0);
-  if (point) shine(scene, {0.5f, 3, 1.5f}, 20);
+  if (point) test::add_point_light(scene, {0.5f, 3, 1.5f}, 20);
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   return d;
 }

@@ -28,9 +28,9 @@ TEST(Bidirectional, PunctualLights) {
   for (const LightType type : {LightType::point, LightType::spot, LightType::directional}) {
     const Document d = under(type), connected = with(d, "film.paths", "E.*(D|G)L");
     const std::string name = "light of type " + std::to_string(static_cast<int>(type));
-    expect_same(by(connected, "path"), 256, by(connected, "bdpt"), 128, name, 6);
+    expect_same(by(connected, "path"), 128, by(connected, "bdpt"), 64, name, 6);
     const Document lit = without_mirrors_in_view(d);
-    expect_same(by(lit, "light"), 512, by(lit, "bdpt"), 256, name + ", caustics included", 6);
+    expect_same(by(lit, "light"), 384, by(lit, "bdpt"), 128, name + ", caustics included", 6);
   }
 }
 

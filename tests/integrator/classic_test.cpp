@@ -7,35 +7,16 @@
 
 #include "camera/camera_ray.h"
 #include "integrator/integrator.h"
-#include "support/replicates.h"
+#include "support/places.h"
 
 namespace etendue {
 namespace {
 
+using test::by;
 using test::expect_agreement;
 using test::replicated;
 using test::same_bits;
-
-render::Document with(const render::Document& d, const char* name, const std::string& value) {
-  auto changed = render::with_text(d, name, value);
-  EXPECT_TRUE(changed) << changed.error().message;
-  return changed ? *changed : d;
-}
-
-render::Document by(const render::Document& d, const char* integrator) {
-  return with(d, "render.integrator", integrator);
-}
-
-void shine(scene::Scene& scene, const Vec3& from, float intensity) {
-  Light light;
-  light.intensity = intensity;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = static_cast<int>(scene.lights.size()) - 1;
-  node.transform.translation = from;
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
-}
+using test::with;
 
 render::Document relit(const render::Document& d, const std::function<void(scene::Scene&)>& change) {
   render::Document changed = d;
@@ -58,7 +39,7 @@ render::Document mirrors(bool points) {
     if (!points) return;
     for (Material& m : scene.materials) m.emission = Rgb(0);
     scene.environment.tint = Rgb(0);
-    shine(scene, {0.5f, 3, 1.5f}, 20), shine(scene, {-2, 2, 2}, 8);
+    test::add_point_light(scene, {0.5f, 3, 1.5f}, 20), test::add_point_light(scene, {-2, 2, 2}, 8);
   });
 }
 
@@ -66,7 +47,7 @@ render::Document mirrors(bool points) {
 render::Document floor_under_points(int lights) {
   scene::Scene scene;
   test::add(scene, test::quad(10), test::diffuse(Rgb(0.5f)));
-  for (int i = 0; i < lights; ++i) shine(scene, {0, 2, 0}, 100 / (4 * kPi));
+  for (int i = 0; i < lights; ++i) test::add_point_light(scene, {0, 2, 0}, 100 / (4 * kPi));
   return test::document(scene, look_at({1, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1e-4f), 4, 4);
 }
 
@@ -106,10 +87,10 @@ TEST(Classic, DiskLight) {
       const Vec3 eye(3 * std::max(r, h), 0.8f * h, 0);
       const auto d = test::document(scene, look_at(eye, {0, 0, 0}, {0, 1, 0}, 1e-3f), 16, 16);
       const double one = 0.5 * 3 * r * r / (r * r + h * h);
-      for (const char* method : {"raycast", "appel", "whitted", "distribution"}) {
+      for (const char* method : {"raycast", "appel", "whitted", "distribution", "path"}) {
         const bool shadows = std::strcmp(method, "raycast") != 0;
         const double expected = shadows ? one : lights * one;
-        const double mean = test::mean_of(test::rendered(by(d, method), 512)).value;
+        const double mean = test::mean_of(test::rendered(by(d, method), 256)).value;
         EXPECT_NEAR(mean, expected, 3e-3 * expected) << method << ' ' << r << ' ' << lights;
       }
     }
@@ -122,7 +103,7 @@ TEST(Classic, RaycastIsAppelWhereNothingStandsBetween) {
   Mat4 above(1);
   above[1][1] = -1, above[2][2] = -1, above[3] = Vec4(0, 3, 0, 1);
   test::add(scene, test::quad(1), test::diffuse(Rgb(0), Rgb(6)), above);
-  shine(scene, {1, 2, 0}, 3);
+  test::add_point_light(scene, {1, 2, 0}, 3);
   const auto d = test::document(scene, look_at({0, 2, 5}, {0, 0.4f, 0}, {0, 1, 0}, 0.8f), 32, 32);
   const auto lit = test::rendered(by(d, "raycast"), 8), shadowed = test::rendered(by(d, "appel"), 8);
   for (int y = 0; y < 32; ++y)
@@ -140,7 +121,7 @@ TEST(Appel, ShadowOfABall) {
   Mat4 place(1);
   place[3] = Vec4(ball, 1);
   test::add(scene, test::sphere(kRadius, 128, false), test::diffuse(Rgb(0)), place);
-  shine(scene, light, 5);
+  test::add_point_light(scene, light, 5);
   constexpr int kSide = 64;
   auto d = test::document(scene, look_at({0, 3, 6}, {0, 0, 0}, {0, 1, 0}, 0.7f), kSide, kSide);
   d.filter = film::FilterKind::centre;

@@ -3,8 +3,6 @@
 // Z-tests at a false-alarm rate of 1 % for the columns, or blocks, of one comparison together.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "base/hash.h"
 #include "support/motion.h"
 #include "support/replicates.h"
@@ -14,10 +12,7 @@ namespace {
 
 using scene::AnimatedPath;
 using test::animate;
-
-bool same_bits(const film::Film& a, const film::Film& b) {
-  return std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
-}
+using test::same_bits;
 
 // A picture of the xy plane, 2 m high, without a filter that would reach over pixels; every sample is one or zero.
 render::Document silhouette(scene::Scene scene, int size) {

@@ -42,14 +42,7 @@ TEST(Opacity, ShadowsAreAsTransparent) {
   Mat4 above(1);
   above[3] = Vec4(0, 1, 0, 1);
   test::add(scene, test::quad(10), m, above);
-  Light light;
-  light.intensity = 4;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  node.transform.translation = {0, 2, 0};
-  scene.nodes.push_back(node);
-  scene.roots.push_back(2);
+  test::add_point_light(scene, {0, 2, 0}, 4);
   auto d = test::document(scene, look_at({0.5f, 0.5f, 0}, {0, 0, 0}, {0, 1, 0}, 1e-3f), 16, 16);
   EXPECT_NEAR(test::mean_of(test::rendered(d, 256)).value, 0.5 * (0.5 / 3.14159265), 0.003);
 }

@@ -1,25 +1,21 @@
 // Photon mapping, once and progressive, against closed forms and path tracing.     digest 8-10: O1, O5, O18, S31-S37
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <cmath>
 
 #include "integrator/photon_emission.h"
 #include "sampling/random.h"
-#include "support/replicates.h"
+#include "support/places.h"
 
 namespace etendue {
 namespace {
 
-render::Document changed(const render::Document& d, const std::string& name, const std::string& value) {
-  auto made = render::with_text(d, name, value);
-  EXPECT_TRUE(made) << made.error().message;
-  return made ? *made : d;
-}
+using test::with;
 
 render::Document by(const render::Document& d, const std::string& integrator,
                     const std::vector<std::pair<std::string, std::string>>& settings = {}) {
-  render::Document made = changed(d, "render.integrator", integrator);
-  for (const auto& [name, value] : settings) made = changed(made, integrator + "." + name, value);
+  render::Document made = test::by(d, integrator);
+  for (const auto& [name, value] : settings) made = with(made, (integrator + "." + name).c_str(), value);
   return made;
 }
 
@@ -90,13 +86,10 @@ TEST(Photons, RouletteSplitsByAlbedo) {
   Light spot;
   spot.type = LightType::spot;
   spot.intensity = 1, spot.inner_cone = 0, spot.outer_cone = 0.01f;
-  scene.lights.push_back(spot);
-  scene::Node node;
-  node.light = 0;
-  node.transform.translation = {0, 50, 0};
-  node.transform.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  scene::Transform downwards;
+  downwards.translation = {0, 50, 0};
+  downwards.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
+  test::add(scene, spot, downwards);
   constexpr int kPhotons = 40'000;
   const Emitted emitted(scene, plan_of(kPhotons));
   double floor = 0, mirrored = 0, diffuse = 0;
@@ -120,14 +113,7 @@ scene::Scene ball_over_a_floor(const Material& material) {
   Mat4 place(1);
   place[3] = Vec4(0, 1, 0, 1);
   test::add(scene, test::sphere(0.5f, 32, false), material, place);
-  Light light;
-  light.intensity = 10;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  node.transform.translation = {0, 3, 0};
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  test::add_point_light(scene, {0, 3, 0}, 10);
   return scene;
 }
 
@@ -173,7 +159,7 @@ TEST(PhotonMapping, ClassByClassLikePathTracing) {
   auto d = *render::new_document("cornell-spheres");
   d.width = d.height = 24;
   for (const char* paths : {"ED.*L", "ESD.*L", "EDL", "EDDL", "E.*DS+L"}) {
-    const auto filtered = changed(d, "film.paths", paths);
+    const auto filtered = with(d, "film.paths", paths);
     const double expected = mean_of(by(filtered, "bdpt"), 128);
     const double tolerance = 0.08 * expected;
     for (const char* mode : {"direct", "classic"})
@@ -202,7 +188,7 @@ TEST(PhotonMapping, LettersOfOneSurfaceLikePathTracing) {
   test::add(scene, test::quad(0.5f), test::diffuse(Rgb(0), Rgb(5)), above);
   const auto d = test::document(scene, look_at({0, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.3f), 24, 24);
   for (const char* paths : {"EDL", "EGL", "E(D|G)L"}) {
-    const auto filtered = changed(d, "film.paths", paths);
+    const auto filtered = with(d, "film.paths", paths);
     const double expected = mean_of(by(filtered, "path"), 64);
     EXPECT_NEAR(mean_of(by(filtered, "photonmap", {{"mode", "direct"}, {"renew", "on"}}), 8), expected, 0.03 * expected)
         << paths;
@@ -235,14 +221,7 @@ double squared_error(const film::Film& film, const film::Film& reference) {
 scene::Scene lit_floor() {
   scene::Scene scene;
   test::add(scene, test::quad(4), test::diffuse(Rgb(0.5f)));
-  Light light;
-  light.intensity = 1;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  node.transform.translation = {0, 1, 0};
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  test::add_point_light(scene, {0, 1, 0}, 1);
   return scene;
 }
 
@@ -322,9 +301,9 @@ TEST(PhotonMapping, AMapOutlivesTheCamera) {
   fresh.submit(moved);
   fresh.finish();
   const auto a = fresh.film_copy(), b = session.film_copy();
-  EXPECT_EQ(std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()), 0);
-  EXPECT_LT(rays(changed(moved, "photonmap.nearest", "50")), first / 10);
-  EXPECT_GT(rays(changed(moved, "photonmap.photons", "50001")), first / 2);
+  EXPECT_TRUE(test::same_bits(a, b));
+  EXPECT_LT(rays(with(moved, "photonmap.nearest", "50")), first / 10);
+  EXPECT_GT(rays(with(moved, "photonmap.photons", "50001")), first / 2);
   moved.seed = 7;
   EXPECT_GT(rays(moved), first / 2);
   auto repainted = *moved.scene;

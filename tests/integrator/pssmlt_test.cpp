@@ -41,9 +41,9 @@ TEST(Pssmlt, LargeStepsNeedNotCount) {
 TEST(Pssmlt, ClassesOfPaths) {
   for (const char* paths : {"EL", "ED+L", "E(D|G)(D|G)L"}) {
     const Document d = with(test::glossy_things(), "film.paths", paths);
-    const auto expected = test::replicated(by(d, "path"), 512);
+    const auto expected = test::replicated(by(d, "path"), 256);
     for (const char* form : kForms)
-      test::expect_agreement(expected, test::replicated(metropolis(d, form), 128), std::string(paths) + form, 9);
+      test::expect_agreement(expected, test::replicated(metropolis(d, form), 96), std::string(paths) + form, 9);
   }
 }
 

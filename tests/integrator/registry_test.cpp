@@ -52,14 +52,7 @@ std::string obstacle_of(const render::Document& d) {
 render::Document under_a_point() {
   scene::Scene scene;
   test::add(scene, test::quad(10), test::diffuse(Rgb(0.5f)));
-  Light light;
-  light.intensity = 10;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  node.transform.translation = {0, 2, 0};
-  scene.nodes.push_back(node);
-  scene.roots.push_back(1);
+  test::add_point_light(scene, {0, 2, 0}, 10);
   return test::document(scene, look_at({1, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1), 16, 16);
 }
 

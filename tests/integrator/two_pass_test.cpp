@@ -1,7 +1,6 @@
 // What all methods that send something out first owe: the same bits whoever works, and an end when nobody wants them.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <thread>
 
 #include "integrator/integrator.h"
@@ -10,10 +9,7 @@
 namespace etendue {
 namespace {
 
-bool same_bits(const film::Film& a, const film::Film& b) {
-  return a.pixels().size() == b.pixels().size() &&
-         std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
-}
+using test::same_bits;
 
 struct Variant {
   const char* integrator;

@@ -63,12 +63,9 @@ Document under(LightType type) {
   light.type = type;
   light.intensity = type == LightType::directional ? 3 : 12;
   light.outer_cone = 0.6f, light.inner_cone = 0.3f, light.range = type == LightType::point ? 5.0f : kInfinity;
-  scene.lights.push_back(light);
-  scene::Node node;
-  node.light = 0;
-  node.transform.matrix = look_at({0.8f, 3, 1}, {0, 0, 0}, {0, 1, 0}, 1).to_world;
-  scene.nodes.push_back(node);
-  scene.roots.push_back(static_cast<int>(scene.nodes.size()) - 1);
+  scene::Transform place;
+  place.matrix = look_at({0.8f, 3, 1}, {0, 0, 0}, {0, 1, 0}, 1).to_world;
+  add(scene, light, place);
   return seen(std::move(scene));
 }
 

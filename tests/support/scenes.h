@@ -12,6 +12,7 @@
 namespace etendue::test {
 
 using scene::add;
+using scene::add_point_light;
 using scene::cube;
 using scene::diffuse;
 using scene::disk;
