@@ -92,11 +92,11 @@ class PrimaryPaths {
   // the lens.
   void choose_techniques(const Pass& pass, const Pssmlt& method, size_t lanes) {
     const PathLengths lengths(method.max_depth);
+    const auto& choices = proposals.blocks({seeds_.data(), lanes}, kBoth, 0).values;
     for (size_t i = 0; i < lanes; ++i) {
       const auto u = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
       const int edges = lengths.draw(u), count = edges + (pass.camera->can_be_hit() ? 2 : 1);
-      const float choice = proposals.block(i, kBoth, 0)[0];
-      const int s = std::min(static_cast<int>(choice * static_cast<float>(count)), count - 1);
+      const int s = std::min(static_cast<int>(choices[i][0] * static_cast<float>(count)), count - 1);
       techniques_[i] = {s, edges + 1 - s};
       over_probability_[i] = static_cast<float>(count) / lengths.probability(edges);
     }
