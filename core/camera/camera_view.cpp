@@ -4,7 +4,8 @@
 namespace etendue {
 
 // Of a camera ray in perspective, in camera space.
-Vec2 CameraRays::raster_of(const Vec3& direction, Vec2 on_lens) const {
+// What returns two numbers in one register makes the caller wait: it becomes part of it.
+[[gnu::always_inline]] inline Vec2 CameraRays::raster_of(const Vec3& direction, Vec2 on_lens) const {
   const float scale = -1 / direction.z;
   const Vec2 slope(direction.x * scale, direction.y * scale);
   // The point in focus is seen alike from all of the lens.

@@ -62,10 +62,13 @@ class Bidirectional {
     Splatter splatter(pass, found);
     light_.begin(*pass.scene, *given.light, 0, turn.wanted, pass.model->moving);
     for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_bits()));
-    walks_.launch_added(pass, light_, [&](const Start& start, Vec2 lens) {
-      begin_light(start, lens, splatter);
-      return techniques_.empty() || technique(start.path).s > 1;
-    });
+    walks_.launch_added(
+        pass, light_,
+        [&](const Start& start, Vec2 lens) {
+          begin_light(start, lens, splatter);
+          return techniques_.empty() || technique(start.path).s > 1;
+        },
+        [&](int path) { return needs_light(path); });
     shoot(splatter);
     if (light_.given_up()) return {};
     std::array<Vec2, kPaths> rasters;
@@ -117,6 +120,13 @@ class Bidirectional {
     return more;
   }
 
+  // Whether any technique of the path begins with a vertex on a light that its own numbers choose.
+  bool needs_light(int path) const {
+    if (techniques_.empty()) return true;
+    const Technique& t = technique(path);
+    return t.s > 1 || (t.s == 1 && t.t == 1);
+  }
+
   // ---- Walks from the lights.
 
   // Walks that were launched.
@@ -135,8 +145,10 @@ class Bidirectional {
         if (light_.length() == 1) walks_.dim_first_vertices(light_);
         note_arrivals(light_, light_chains_, rule);
         if (plan_->too_long(light_.length() + 1)) continue;
-        connect_to_camera(*pass_, walks_, light_, splatter,
-                          [&](int i, const CameraRays::View& view) { return weight_to_camera(i, view); });
+        connect_to_camera(
+            *pass_, walks_, light_, splatter,
+            [&](int i, const CameraRays::View& view) { return weight_to_camera(i, view); },
+            [&](int i) { return counts(light_.path_at(i), light_.length() + 1, 1); });
         keep_vertices();
         transport::scatter_some(
             light_, plan_->roulette_start, Transport::importance,
@@ -150,8 +162,7 @@ class Bidirectional {
     const Emission& e = start.emission;
     MisChain& chain = light_chains_[static_cast<size_t>(start.path)];
     chain.start(e.density.first, !e.density.delta, e.density.infinite);
-    chain.leave(e.density.second,
-                e.kind == LightKind::triangle ? std::abs(glm::dot(start.point.ng, e.direction)) : 1.0f);
+    chain.leave(e.density.second, start.point ? std::abs(glm::dot(start.point->ng, e.direction)) : 1.0f);
     if (plan_->too_long(1) || !counts(start.path, 1, 1)) return;
     see_light<M>(
         *pass_, start, lens, light_.world(start.path), splatter,
@@ -174,7 +185,7 @@ class Bidirectional {
   // Of a direction in which a triangle shines, per solid angle.
   float side_density(const Start& start, const Vec3& wi) const {
     const Emission& e = start.emission;
-    return pass_->scene->lights().density_of_triangle(e.light, glm::dot(start.point.ng, wi), e.time).second;
+    return pass_->scene->lights().density_of_triangle(e.light, glm::dot(start.point->ng, wi), e.time).second;
   }
 
   // The walk fell onto the lens: t = 0.
@@ -191,7 +202,6 @@ class Bidirectional {
   // The vertex is seen by the camera: t = 1.
   float weight_to_camera(int i, const CameraRays::View& view) {
     const int s = light_.length() + 1, path = light_.path_at(i);
-    if (!counts(path, s, 1)) return 0;
     const scene::SurfacePoint& point = light_.point(i);
     const Bsdf<M>& bsdf = light_.bsdf(i);
     const Vec3& wo = light_.wo(i);
@@ -247,7 +257,8 @@ class Bidirectional {
         if (plan_->too_long(camera_.length() + 1)) continue;
         transport::add_direct_light_weighed(
             camera_, transport::Shadows::cast,
-            [&](int i, const LightSample& light, const auto& value) { return weight_of_light(i, light, value.pdf); });
+            [&](int i, const LightSample& light, const auto& value) { return weight_of_light(i, light, value.pdf); },
+            [&](int i) { return counts(camera_.path_at(i), 1, camera_.length() + 1); });
         connect_vertices();
         transport::scatter_some(
             camera_, plan_->roulette_start, Transport::radiance,
@@ -308,7 +319,6 @@ class Bidirectional {
   // A weight over the density of the sample.
   float weight_of_light(int i, const LightSample& light, float pdf) {
     const int t = camera_.length() + 1, path = camera_.path_at(i);
-    if (plan_->too_long(t) || !counts(path, 1, t)) return 0;
     const scene::SurfacePoint& point = camera_.point(i);
     const float cosine = std::abs(glm::dot(point.ng, light.wi));
     const EmissionDensity d = pass_->scene->lights().density_of(light, camera_.state_at(i).time);
@@ -335,13 +345,13 @@ class Bidirectional {
     const Vec3 to_y = y.point.position - z.position;
     const float squared = length_squared(to_y);
     if (!(squared > 0)) return;
-    const float distance = std::sqrt(squared);
-    const Vec3 wi = to_y / distance;
+    const float distance = std::sqrt(squared), over_distance = 1 / distance;
+    const Vec3 wi = to_y * over_distance;
     const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, Transport::radiance);
     if (is_black(at_z.f_cos)) return;
     const auto at_y = y.bsdf.evaluate(y.wo, -wi, Transport::importance);
     if (is_black(at_y.f_cos)) return;
-    const float to_area = 1 / squared;
+    const float to_area = sqr(over_distance);
     const float lights =
         light_sum(y.mis, s - 1, &y, at_z.pdf * std::abs(glm::dot(y.point.ng, wi)) * to_area, y.bsdf.pdf(-wi, y.wo), t);
     const float cameras =
@@ -355,7 +365,9 @@ class Bidirectional {
     if constexpr (M::kClasses) value *= share(i, y, wi);
     if (is_black(value)) return;
     const uint32_t seed = camera_.world(path) + static_cast<uint32_t>(64 * s + t);
-    connections_.add(ray_to(z, wi, distance), state.time, seed, {static_cast<uint16_t>(path), value});
+    Connected& connected = connections_.add(ray_to(z, wi, distance), state.time, seed);
+    connected.path = static_cast<uint16_t>(path);
+    connected.value = value;
     if (connections_.full()) settle();
   }
 

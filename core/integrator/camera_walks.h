@@ -34,6 +34,7 @@ void launch_camera_walks(const Pass& pass, const PixelBlock& block, const BlockO
                          transport::Front<M>& front, const float* given_times = nullptr) {
   const uint32_t replicate = block.sample % film::kReplicates;
   front.begin(*pass.scene, *pass.sampler, block.sample / film::kReplicates, turn.wanted, pass.model->moving);
+  front.expect_coherence();
   if constexpr (M::kClasses) front.admit(pass.model->paths->automaton());
   for (int i = 0; i < order.size(); ++i)
     front.add(pixel_seed(pass.seed, block.x + order.x(i), block.y + order.y(i), replicate));

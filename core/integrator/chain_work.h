@@ -256,14 +256,19 @@ class ChainWork final : public Work {
 
   std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const Turn& turn) {
     const bool first = m.sample != half.sample;
-    if (first) m.before = m.now, m.sample = half.sample;
+    if (first) keep(m.now, m.before, turn), m.sample = half.sample;
     // A task that was given up is done again.
     static thread_local Group kept;
-    if (part > 0) kept = m.now;
+    if (part > 0) keep(m.now, kept, turn);
     const auto rays = move_on(half, m, index, part, turn);
     if (!rays) m.now = part > 0 ? kept : m.before;
     if (rays) m.starts.clear();
     return rays;
+  }
+
+  static void keep(const Group& group, Group& kept, const Turn& turn) {
+    const Stopwatch::Lap lap(turn.bookkeeping);
+    kept = group;
   }
 
   std::optional<uint64_t> move_on(Half& half, Member& m, int index, size_t part, const Turn& turn) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/parameter.h"
+#include "base/stopwatch.h"
 #include "camera/camera_ray.h"
 #include "film/filter.h"
 #include "film/splats.h"
@@ -106,6 +107,9 @@ struct PixelBlock {
 struct Turn {
   const std::function<bool()>* wanted = nullptr;  // asked now and then: a task is given up if nobody wants it any more
   film::Splats* splats = nullptr;                 // takes what is found for pixels anywhere
+  // Runs, if anybody asks, while a task is busy with neither rays nor shading: with the numbers and decisions of Markov
+  // chains, or looking up photons. All tasks that it is given to run on one thread.
+  Stopwatch* bookkeeping = nullptr;
 };
 
 // Tasks that may run side by side, and are done before anything else goes on.

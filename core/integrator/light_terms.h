@@ -37,23 +37,25 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
   }
   const auto view = pass.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;
-  const float facing = glm::dot(start.point.front ? start.point.ng : -start.point.ng, view->wi);
+  const scene::SurfacePoint& point = *start.point;
+  const float facing = glm::dot(point.front ? point.ng : -point.ng, view->wi);
   // Whichever side the walk left by, the other one shines as well.
-  const float cosine = start.point.material->description.double_sided ? std::abs(facing) : facing;
+  const float cosine = point.material->description.double_sided ? std::abs(facing) : facing;
   if (!(cosine > 0)) return;
   const float density = cosine * view->importance;
-  const auto through = transport::transmittance<M>(start.point, view->wi, view->distance);
-  splatter.connect(start.path, ray_to(start.point, view->wi, view->distance), e.time, seed, view->raster,
+  const auto through = transport::transmittance<M>(point, view->wi, view->distance);
+  splatter.connect(start.path, ray_to(point, view->wi, view->distance), e.time, seed, view->raster,
                    start.emitted * through * (density / e.density.first * weigh(density, view->wi, view->distance)));
 }
 
-// Connects the present vertices; weigh(arrival, view).
-template <class M, class Weigh>
+// Connects those of the present vertices that are wanted; weigh(arrival, view).
+template <class M, class Weigh, class Wanted = transport::EveryArrival>
 void connect_to_camera(const Pass& pass, const LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter,
-                       Weigh&& weigh) {
+                       Weigh&& weigh, const Wanted& wanted = {}) {
   const bool lens = pass.camera->has_lens();
   if (lens) front.draw(dimensions(vertex_dimension::kLightPoint, 2));
   for (int i = 0; i < front.arrived(); ++i) {
+    if (!wanted(i)) continue;
     const scene::SurfacePoint& point = front.point(i);
     const Bsdf<M>& bsdf = front.bsdf(i);
     if (!bsdf.has_non_delta()) continue;

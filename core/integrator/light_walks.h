@@ -20,11 +20,11 @@ class LightWalks {
   using Front = transport::Front<M>;
   using Color = typename M::Color;
 
-  // Where a walk starts. `point` belongs to triangles only.
+  // Where a walk starts.
   struct Start {
     int path = 0;
     Emission emission;
-    scene::SurfacePoint point;
+    const scene::SurfacePoint* point = nullptr;  // of triangles only
     Color emitted{0};
   };
 
@@ -37,12 +37,13 @@ class LightWalks {
     const uint32_t replicate = sample % film::kReplicates;
     front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
     for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
-    launch_added(pass, front, begun);
+    launch_added(pass, front, begun, [](int) { return true; });
   }
 
-  // The same for paths that were added to the front.
-  template <class Begun>
-  void launch_added(const Pass& pass, Front& front, Begun&& begun) {
+  // The same for paths that were added to the front; those stay behind, and are not begun, for which wanted(path) says
+  // no.
+  template <class Begun, class Wanted>
+  void launch_added(const Pass& pass, Front& front, Begun&& begun, Wanted&& wanted) {
     if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
     const int count = front.size();
     using namespace emission_dimension;
@@ -54,20 +55,26 @@ class LightWalks {
     };
     const auto pair = [&](int i, int dimension) { return Vec2(at(i, dimension), at(i, dimension + 1)); };
     for (int first = 0; first < count; first += kBatch) {
-      const int size = std::min(kBatch, count - first);
-      for (int k = 0; k < size; ++k) {
-        const int i = first + k;
+      const int end = std::min(first + kBatch, count);
+      squares_to_cosine_hemisphere(&random.values[kDirection][static_cast<size_t>(first)],
+                                   &random.values[kDirection + 1][static_cast<size_t>(first)],
+                                   static_cast<size_t>(end - first), cosine_directions_);
+      int size = 0;
+      for (int i = first; i < end; ++i) {
         const float time = pass.draws_times() ? at(i, kTime) : pass.moment.value_or(0.0f);
         times_[static_cast<size_t>(i)] = time;
-        Start& start = starts_[static_cast<size_t>(k)];
-        start.path = i;
-        start.emission = pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time});
+        if (!wanted(i)) continue;
+        Start& start = starts_[static_cast<size_t>(size++)];
+        start.path = i, start.point = nullptr;
+        start.emission = {};
+        pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
+                                   cosine_directions_[static_cast<size_t>(i - first)]},
+                                  start.emission);
       }
       finish_starts(*pass.scene, size);
       for (int k = 0; k < size; ++k) {
         const Start& start = starts_[static_cast<size_t>(k)];
-        if (begun(start, pass.camera->has_lens() ? pair(start.path, kLens) : Vec2(0)))
-          launch_one(start.path, start, front);
+        if (begun(start, pass.camera->has_lens() ? pair(start.path, kLens) : Vec2(0))) launch_one(k, front);
       }
     }
   }
@@ -106,35 +113,44 @@ class LightWalks {
     scene.surfaces({sides.data(), count}, {hits.data(), count}, points_.data(), times.data());
     for (size_t n = 0; n < count; ++n) {
       Start& start = starts_[static_cast<size_t>(of[n])];
-      start.point = points_[n];
-      start.emission.position = start.point.position;
-      const Vec3 out = start.point.front ? start.point.ng : -start.point.ng;
+      start.point = &points_[n];
+      start.emission.position = points_[n].position;
+      const Vec3 out = points_[n].front ? points_[n].ng : -points_[n].ng;
       start.emission.direction = Frame(out).to_world(start.emission.direction);
     }
-    for (int k = 0; k < size; ++k) {
-      Start& start = starts_[static_cast<size_t>(k)];
-      start.emitted = start.emission.per_density > 0 ? Color(scene.emitted(start.emission, start.point)) : Color(0);
-    }
+    for (int k = 0; k < size; ++k) find_ray(scene, k);
   }
 
-  void launch_one(int i, const Start& start, Front& front) {
+  // What a start sends out, and along which ray.
+  void find_ray(const scene::CompiledScene& scene, int k) {
+    Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
+    start.emitted = e.per_density > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
+    Ray& ray = rays_[static_cast<size_t>(k)];
+    ray = Ray();
+    ray.origin = e.position, ray.direction = e.direction;
+    if (start.point) start.point->spawn(e.direction, ray);
+  }
+
+  void launch_one(int k, Front& front) {
+    const Start& start = starts_[static_cast<size_t>(k)];
+    const Emission& e = start.emission;
+    const auto path = static_cast<size_t>(start.path);
     const Color flux = start.emitted * e.per_density;
     const float most = max_component(flux);
-    flux_[static_cast<size_t>(i)] = most, lights_[static_cast<size_t>(i)] = e.light;
+    flux_[path] = most, lights_[path] = e.light;
     if (!(most > 0)) return;
-    Ray ray;
-    ray.origin = e.position, ray.direction = e.direction;
-    if (e.kind == LightKind::triangle) start.point.spawn(e.direction, ray);
-    front.launch(i, ray, e.time);
-    front.state(i).throughput = flux / most;
-    front.state(i).from = e.position;
+    front.launch(start.path, rays_[static_cast<size_t>(k)], e.time);
+    front.state(start.path).throughput = flux / most;
+    front.state(start.path).from = e.position;
   }
 
   static constexpr int kBatch = 64;
 
   std::array<Start, kBatch> starts_;
   std::array<scene::SurfacePoint, kBatch> points_;
+  WideVec3<kBatch> cosine_directions_;
+  std::array<Ray, kBatch> rays_;
   std::array<float, Front::kCapacity> flux_, times_;
   std::array<uint32_t, Front::kCapacity> lights_;
 };

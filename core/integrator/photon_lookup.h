@@ -5,6 +5,7 @@
 // with the photons in a disc of radius r around. Photons lie as densely as light falls onto the real surface, while f
 // belongs to the shading normal: each counts with the ratio of its cosines to both, as in path tracing.
 #pragma once
+#include "base/stopwatch.h"
 #include "photon/kernel.h"
 #include "photon/photon_map.h"
 #include "transport/join_weights.h"
@@ -18,6 +19,7 @@ struct PhotonView {
   transport::LobeSplit split{0.0f};
   const transport::ClassJoin* join = nullptr;  // in a model with path classes
   int longest = 0;                             // edges of a whole path; 0: no limit
+  Stopwatch* watch = nullptr;                  // runs while photons are looked up
 };
 
 // One vertex, `edges` from the camera, for all photons around it.
@@ -78,6 +80,7 @@ template <class M, class Wanted = transport::EveryArrival>
 void add_nearest_photons(transport::Front<M>& front, const PhotonView& view, const NearestPhotons& nearest, int before,
                          const Wanted& wanted = {}) {
   static thread_local std::vector<photon::Neighbour> room;
+  const Stopwatch::Lap lap(view.watch);
   for (int i = 0; i < front.arrived(); ++i) {
     if (!wanted(i) || !view.split.has_wide(front.bsdf(i))) continue;
     const scene::SurfacePoint& point = front.point(i);
@@ -95,6 +98,7 @@ void add_nearest_photons(transport::Front<M>& front, const PhotonView& view, con
 // The same with a radius that every arrival has of its own: `radius2(i)`.
 template <class M, class Radius2>
 void add_photons_within(transport::Front<M>& front, const PhotonView& view, const Radius2& radius2) {
+  const Stopwatch::Lap lap(view.watch);
   for (int i = 0; i < front.arrived(); ++i) {
     if (!view.split.has_wide(front.bsdf(i))) continue;
     const scene::SurfacePoint& point = front.point(i);

@@ -27,23 +27,44 @@ struct PhotonPlan {
   friend bool operator==(const PhotonPlan&, const PhotonPlan&) = default;
 };
 
+// Normals and directions of the present vertices, packed as photons keep them.
+struct PackedArrivals {
+  static constexpr size_t kSize = 64;
+  std::array<uint32_t, kSize> normals, directions;
+
+  template <class M>
+  explicit PackedArrivals(const transport::Front<M>& front) {
+    static_assert(kSize == transport::Front<M>::kArrivals);
+    WideVec3<kSize> normal, direction;
+    for (int i = 0; i < front.arrived(); ++i)
+      normal.set(static_cast<size_t>(i), front.point(i).ng), direction.set(static_cast<size_t>(i), front.wo(i));
+    const auto count = static_cast<size_t>(front.arrived());
+    photon::packed_directions(normal, count, photon::Photon::kNormalBits, normals.data());
+    photon::packed_directions(direction, count, photon::Photon::kDirectionBits, directions.data());
+  }
+};
+
 template <class M>
 void store_photons(const PhotonPlan& plan, const LightWalks<M>& walks, transport::Front<M>& front,
                    std::vector<photon::Photon>& photons) {
   using namespace transport;
   if (front.length() < plan.shortest) return;
   if constexpr (M::kClasses) front.draw(dimensions(vertex_dimension::kLightChoice, 1));
+  const PackedArrivals packed(front);
+  const float share = 1 / static_cast<float>(plan.photons);
   for (int i = 0; i < front.arrived(); ++i) {
     if (!plan.split.has_wide(front.bsdf(i))) continue;
     const int path = front.path_at(i);
-    auto power = front.state(path).throughput * (walks.flux(path) / static_cast<float>(plan.photons));
+    auto power = front.state(path).throughput * (walks.flux(path) * share);
     uint8_t state = 0;
     if constexpr (M::kClasses) {
       const auto drawn = draw_state(front.shares(), path, front.random(vertex_dimension::kLightChoice, i));
       if (is_black(drawn.weight)) continue;
       power *= drawn.weight, state = drawn.state;
     }
-    photons.emplace_back(front.point(i).position, front.wo(i), front.point(i).ng, power, front.length(), state);
+    const auto arrival = static_cast<size_t>(i);
+    photons.emplace_back(front.point(i).position, packed.directions[arrival], packed.normals[arrival], power,
+                         front.length(), state);
   }
 }
 
@@ -53,8 +74,9 @@ std::optional<uint64_t> trace_photons(const Pass& pass, uint32_t sample, const P
                                       const Turn& turn, std::vector<photon::Photon>& photons) {
   using namespace transport;
   static thread_local const auto walks = std::make_unique<LightWalks<M>>();
+  static thread_local std::vector<photon::Photon> stored;
   Front<M>& front = front_of_thread<M>();
-  photons.clear();
+  stored.clear();
   const int first = task * PhotonPlan::kTask;
   constexpr uint32_t kCaustics = 1U << 31;  // others than those of the global map
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCaustics : 0);
@@ -64,7 +86,7 @@ std::optional<uint64_t> trace_photons(const Pass& pass, uint32_t sample, const P
   while (front.advance())
     while (front.arrive()) {
       if (front.length() == 1) walks->dim_first_vertices(front);
-      store_photons(plan, *walks, front, photons);
+      store_photons(plan, *walks, front, stored);
       if (plan.longest > 0 && front.length() >= plan.longest) continue;
       if (plan.caustics)
         scatter(front, 1, Transport::importance, TakeNarrow{plan.split, Transport::importance});
@@ -72,6 +94,7 @@ std::optional<uint64_t> trace_photons(const Pass& pass, uint32_t sample, const P
         scatter(front, 1, Transport::importance);
     }
   if (front.given_up()) return {};
+  photons.assign(stored.begin(), stored.end());
   return front.rays_traced();
 }
 

@@ -73,9 +73,10 @@ class PhotonMapping::Maps final : public Work {
            (!a.classes || a.paths->automaton() == b.paths->automaton()) && pass.scene->same_light(*pass_.scene);
   }
 
-  PhotonView view(uint32_t sample, bool caustics) const {
+  PhotonView view(uint32_t sample, bool caustics, const Turn& turn) const {
     const auto& emission = emissions_[sample % film::kReplicates][caustics];
-    return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth};
+    return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth,
+            turn.bookkeeping};
   }
 
   template <class M>
@@ -84,13 +85,13 @@ class PhotonMapping::Maps final : public Work {
     const BlockOrder order(block);
     launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
     if (method_.direct()) {
-      if (!estimate_directly(view(block.sample, false), turn, front)) return {};
+      if (!estimate_directly(view(block.sample, false, turn), turn, front)) return {};
       return collect(front, order, radiance);
     }
     static thread_local const auto gatherer = std::make_unique<FinalGather<M>>();
-    gatherer->begin({view(block.sample, false), method_.nearest_of(method_.photons, size_)},
-                    {view(block.sample, true), method_.nearest_of(method_.caustic_photons, size_)}, method_.gather,
-                    method_.near * size_);
+    gatherer->begin({view(block.sample, false, turn), method_.nearest_of(method_.photons, size_)},
+                    {view(block.sample, true, turn), method_.nearest_of(method_.caustic_photons, size_)},
+                    method_.gather, method_.near * size_);
     if (!estimate_in_terms(turn, *gatherer, front)) return {};
     const auto rays = collect(front, order, radiance);
     if (!rays || gatherer->given_up()) return {};

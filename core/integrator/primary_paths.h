@@ -70,9 +70,10 @@ class PrimaryPaths {
 
   // The length stays as it is in between large steps.
   void choose_techniques(const TechniqueLaw& law, size_t lanes) {
+    const auto& choices = proposals.blocks({seeds_.data(), lanes}, kBoth, 0).values;
     for (size_t i = 0; i < lanes; ++i) {
       const auto length = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
-      const auto choice = law.choose(length, proposals.block(i, kBoth, 0)[0]);
+      const auto choice = law.choose(length, choices[i][0]);
       techniques_[i] = choice.technique, kinds[i] = choice.kind;
       over_probability_[i] = 1 / choice.probability;
     }

@@ -112,12 +112,15 @@ class PrimaryKernel {
     uint64_t rays = 0;
     for (int i = 0; i < mutations; ++i, ++group.mutations) {
       const uint64_t key = mix_bits(group_key + group.mutations);
-      const auto traced = propose(era, group, key, paths, turn);
+      propose(group, key, paths, turn);
+      const auto traced = paths.evaluate(pass_, *method_, plan_, era.law, group.states.size(), turn);
       if (!traced) return {};
       rays += *traced;
+      const Stopwatch::Lap lap(turn.bookkeeping);
       for (size_t lane = 0; lane < group.states.size(); ++lane)
         decide(group, lane, key_of(key, lane), paths, stays[lane], count, *turn.splats);
     }
+    const Stopwatch::Lap lap(turn.bookkeeping);
     for (size_t lane = 0; lane < group.states.size(); ++lane)
       count.record(group.states[lane].splats, group.states[lane].target, stays[lane].settle(), *turn.splats);
     return rays;
@@ -148,7 +151,7 @@ class PrimaryKernel {
   template <class NumberOf>
   std::optional<uint64_t> look_at(const Era& era, PrimaryPaths& paths, size_t count, NumberOf&& number_of,
                                   const PrimaryPoints& points, const Turn& turn) const {
-    paths.proposals.begin(points, {method_->least_step, method_->step});
+    paths.proposals.begin(points, {method_->least_step, method_->step}, turn.bookkeeping);
     for (size_t i = 0; i < count; ++i) {
       paths.roots[i] = mix_bits(era.key + (number_of(i) + 1) * 0xd1342543de82ef95ULL);
       paths.proposals.propose(i, paths.roots[i], true);
@@ -156,16 +159,15 @@ class PrimaryKernel {
     return paths.evaluate(pass_, *method_, plan_, era.law, count, turn);
   }
 
-  std::optional<uint64_t> propose(const Era& era, const Group& group, uint64_t key, PrimaryPaths& paths,
-                                  const Turn& turn) const {
-    paths.proposals.begin(group.points, {method_->least_step, method_->step});
+  void propose(const Group& group, uint64_t key, PrimaryPaths& paths, const Turn& turn) const {
+    const Stopwatch::Lap lap(turn.bookkeeping);
+    paths.proposals.begin(group.points, {method_->least_step, method_->step}, turn.bookkeeping);
     for (size_t lane = 0; lane < group.states.size(); ++lane) {
       const uint64_t lane_key = key_of(key, lane);
       const bool large = is_large(lane_key);
       paths.roots[lane] = large ? lane_key : group.states[lane].root;
       paths.proposals.propose(lane, lane_key, large);
     }
-    return paths.evaluate(pass_, *method_, plan_, era.law, group.states.size(), turn);
   }
 
   void decide(Group& group, size_t lane, uint64_t lane_key, PrimaryPaths& paths, Stay& stay, const Count& count,

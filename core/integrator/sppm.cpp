@@ -59,14 +59,15 @@ class Progress final : public Work {
     transport::Front<M>& front = front_of_thread<M>();
     const BlockOrder order(block);
     launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
-    estimate(front);
+    estimate(front, turn.bookkeeping);
     return collect(front, order, radiance);
   }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::Front<M>& front, Stopwatch* watch) const {
     using namespace transport;
-    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, method_.max_depth};
+    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, method_.max_depth,
+                          watch};
     static thread_local std::array<float, Front<M>::kCapacity> walked;  // metres, of each path
     walked.fill(0);
     const auto radius2 = [&](int i) {

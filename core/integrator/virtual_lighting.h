@@ -81,8 +81,9 @@ class VirtualLighting {
     point.spawn_segment(w, distance, ray);
     const auto number = static_cast<uint32_t>(&light - options_.lights.data());
     const Color through = transport::transmittance<M>(point, w, distance);
-    connections_.add(ray, path.time, path_seed(path.seed, front.sample()) + number,
-                     {front.path_at(i), path.throughput * scattered * through * light.power * (kept / distance2)});
+    Gain& gain = connections_.add(ray, path.time, path_seed(path.seed, front.sample()) + number);
+    gain.path = front.path_at(i);
+    gain.radiance = path.throughput * scattered * through * light.power * (kept / distance2);
     if (connections_.full()) settle(front);
   }
 

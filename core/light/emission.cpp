@@ -8,9 +8,6 @@
 namespace etendue {
 namespace {
 
-// Half of what a double-sided triangle sends goes either way.
-float side_probability(const EmissiveTriangle& t) { return t.double_sided ? 0.5f : 1.0f; }
-
 // Point lights shine everywhere alike; a spot's rays fill its outer cone.
 float pdf_direction(const Light& light) {
   if (light.type == LightType::point) return 1 / (4 * kPi);
@@ -19,49 +16,38 @@ float pdf_direction(const Light& light) {
 
 }  // namespace
 
-Emission LightTable::emit(const EmissionDraw& draw) const {
-  if (choice_.empty()) return {};
+void LightTable::emit(const EmissionDraw& draw, Emission& e) const {
+  if (choice_.empty()) return;
   const auto choice = choice_.sample(draw.choice);
-  if (choice.index < triangles_.size()) return emit_from_triangle(choice, draw);
+  e.light = choice.index;
+  e.time = draw.time;
+  if (choice.index < triangles_.size()) return emit_from_triangle(draw, e);
   const size_t placed = choice.index - triangles_.size();
   if (placed < placed_.size() && placed_[placed].light.type != LightType::directional)
-    return emit_from_point(choice, draw);
-  return emit_from_infinity(choice, draw);
+    return emit_from_point(choice, draw, e);
+  emit_from_infinity(choice, draw, e);
 }
 
-Emission LightTable::emit_from_triangle(const AliasTable::Choice& choice, const EmissionDraw& draw) const {
-  const EmissiveTriangle& triangle = triangles_[choice.index];
-  Emission e;
-  e.light = choice.index;
-  e.barycentric = square_to_triangle(draw.point);
-  e.time = draw.time;
-  leave_triangle(draw.direction, e);
+void LightTable::emit_from_triangle(const EmissionDraw& draw, Emission& e) const {
+  const EmissiveTriangle& triangle = triangles_[e.light];
+  e.barycentric = square_to_triangle({draw.point.x, draw.point.y});
+  leave_triangle(draw.direction, draw.cosine_direction, e);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)
-    e.per_density = kPi / (side_probability(triangle) * e.density.first);
-  return e;
+    e.per_density = kPi / (triangle.side_probability() * e.density.first);
 }
 
-Emission LightTable::emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const {
+void LightTable::emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const {
   const PlacedLight& placed = placed_[choice.index - triangles_.size()];
-  const Light& light = placed.light;
-  Emission e;
   e.kind = LightKind::placed;
-  e.light = choice.index;
-  const LightPlace place = placed.at(draw.time);
-  e.time = draw.time;
-  e.position = place.position;
-  e.density = {choice.probability, pdf_direction(light), true, false};
+  e.position = placed.at(draw.time).position;
+  e.density = {choice.probability, pdf_direction(placed.light), true, false};
   leave_point(draw.direction, e);
   e.per_density = 1 / (e.density.first * e.density.second);
-  return e;
 }
 
-Emission LightTable::emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const {
+void LightTable::emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const {
   const size_t placed = choice.index - triangles_.size();
-  Emission e;
-  e.light = choice.index;
-  e.time = draw.time;
   if (placed < placed_.size()) {
     e.kind = LightKind::placed;
     e.direction = placed_[placed].at(draw.time).direction;
@@ -76,16 +62,20 @@ Emission LightTable::emit_from_infinity(const AliasTable::Choice& choice, const 
   }
   come_from_infinity(draw.point, e);
   if (e.density.first > 0) e.per_density = 1 / (e.density.first * e.density.second);
-  return e;
 }
 
-void LightTable::leave_triangle(Vec2 u, Emission& e) const {
+// The direction under the cosine is that of `u`, which a light of two sides divides between them.
+void LightTable::leave_triangle(const Vec2& u, const Vec3& cosine_direction, Emission& e) const {
+  // Number by number: what was just written in parts stalls when it is copied as words.
+  e.direction = {cosine_direction.x, cosine_direction.y, cosine_direction.z};
   if (triangles_[e.light].double_sided) {
     e.back = u.x >= 0.5f;
-    u.x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
+    const float x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
+    e.direction = square_to_cosine_hemisphere({x, u.y});
   }
-  e.direction = square_to_cosine_hemisphere(u);
-  e.density = density_of_triangle(e.light, e.direction.z, e.time);
+  const EmissionDensity density = density_of_triangle(e.light, e.direction.z, e.time);
+  e.density.first = density.first, e.density.second = density.second;
+  e.density.delta = false, e.density.infinite = false;
 }
 
 void LightTable::leave_point(Vec2 u, Emission& e) const {
@@ -108,29 +98,18 @@ void LightTable::come_from_infinity(Vec2 u, Emission& e) const {
 }
 
 void LightTable::emit_anew(Vec2 u, Emission& e) const {
-  if (e.kind == LightKind::triangle) return leave_triangle(u, e);
+  if (e.kind == LightKind::triangle) return leave_triangle(u, square_to_cosine_hemisphere(u), e);
   if (e.kind == LightKind::environment || placed_[e.light - triangles_.size()].light.type == LightType::directional)
     return come_from_infinity(u, e);
   leave_point(u, e);
-}
-
-EmissionDensity LightTable::density_of_triangle(uint32_t light, float cosine, float time) const {
-  if (choice_.empty() || light >= triangles_.size()) return {};
-  const EmissiveTriangle& t = triangles_[light];
-  const float area = t.moving ? triangle_at(light, time).area() : t.area();
-  return {choice_.probability(light) / area, side_probability(t) * std::abs(cosine) * kInvPi, false, false};
 }
 
 EmissionDensity LightTable::density_of_escape(const Vec3& direction) const {
   return {pdf_environment(direction), pdf_across(), false, true};
 }
 
-EmissionDensity LightTable::density_of(const LightSample& sample, float time) const {
+EmissionDensity LightTable::density_of_other(const LightSample& sample) const {
   if (sample.kind == LightKind::environment) return density_of_escape(sample.wi);
-  if (sample.kind == LightKind::triangle) {
-    const Vec3 cross = triangle_at(sample.light, time).cross;
-    return density_of_triangle(sample.light, glm::dot(cross, sample.wi) / glm::length(cross), time);
-  }
   const float choice = choice_.probability(sample.light);
   const Light& light = placed_[sample.light - triangles_.size()].light;
   if (light.type == LightType::directional) return {choice, pdf_across(), true, true};

@@ -10,7 +10,7 @@ namespace etendue {
 namespace {
 
 float power_of(const EmissiveTriangle& t) {
-  return kPi * t.area() * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
+  return kPi * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
 }
 
 float power_of(const PlacedLight& placed, float scene_radius) {
@@ -161,7 +161,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   }
   for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
     if (const uint32_t light = samples[i].light; light < triangles_.size() && triangles_[light].moving)
-      triangles.set(i, triangle_at(light, queries.times[i]), triangles.probability[i]);
+      triangles.set(i, moved(triangles_[light], queries.times[i]), triangles.probability[i]);
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
   for (size_t i = 0; i < queries.count; ++i) {
@@ -216,9 +216,8 @@ bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, floa
   return !is_black(sample.radiance);
 }
 
-EmissiveTriangle LightTable::triangle_at(uint32_t light, float time) const {
-  EmissiveTriangle t = triangles_[light];
-  if (!t.moving) return t;
+EmissiveTriangle LightTable::moved(const EmissiveTriangle& triangle, float time) const {
+  EmissiveTriangle t = triangle;
   const MovingEmitter& emitter = movers_[t.instance];
   t.place(emitter.motion->facet_at(*emitter.mesh, emitter.mesh->triangles[t.triangle], time));
   return t;
@@ -226,10 +225,10 @@ EmissiveTriangle LightTable::triangle_at(uint32_t light, float time) const {
 
 float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time) const {
   if (choice_.empty() || light >= triangles_.size()) return 0;
-  const EmissiveTriangle& t = triangles_[light];
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const float facing = std::abs(glm::dot(t.moving ? triangle_at(light, time).cross : t.cross, to_light));
+  const float facing =
+      with_triangle(light, time, [&](const EmissiveTriangle& t) { return std::abs(glm::dot(t.cross, to_light)); });
   if (!(facing > 0)) return 0;
   return choice_.probability(light) * 2 * distance2 * std::sqrt(distance2) / facing;
 }

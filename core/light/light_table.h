@@ -12,6 +12,7 @@
 
 #include "base/distribution.h"
 #include "base/parameter.h"
+#include "base/warp.h"
 #include "base/wide.h"
 #include "geometry/motion.h"
 #include "light/light.h"
@@ -29,11 +30,16 @@ struct EmissiveTriangle {
   bool textured = false;  // what is shaded varies over the triangle
   bool moving = false;    // then this is where it is halfway through the shutter
   Vec3 cross{0};          // of the edges, pointing to the front: as long as twice the area
+  Vec3 normal{0};         // the same, of unit length
+  float area = 0;
 
-  float area() const { return 0.5f * glm::length(cross); }
+  // Half of what a double-sided triangle sends goes either way.
+  float side_probability() const { return double_sided ? 0.5f : 1.0f; }
   void place(const Facet& facet) {
     p0 = facet.p0, e1 = facet.p1 - p0, e2 = facet.p2 - p0;
     cross = glm::cross(e1, e2) * facet.winding;
+    const float twice = glm::length(cross);
+    normal = cross / twice, area = 0.5f * twice;
   }
 };
 
@@ -125,11 +131,18 @@ struct Emission {
   EmissionDensity density;
 };
 
-// The random numbers of one emission, each in [0, 1).
+// The random numbers of one emission, each in [0, 1). Most lights want the direction under a cosine: it is cheaper to
+// compute for many rays at once.
 struct EmissionDraw {
   float choice;
   Vec2 point, direction;
-  float time = 0;
+  float time;
+  Vec3 cosine_direction;
+
+  EmissionDraw(float choice_, Vec2 point_, Vec2 direction_, float time_ = 0)
+      : EmissionDraw(choice_, point_, direction_, time_, square_to_cosine_hemisphere(direction_)) {}
+  EmissionDraw(float choice_, Vec2 point_, Vec2 direction_, float time_, const Vec3& cosine_direction_)
+      : choice(choice_), point(point_), direction(direction_), time(time_), cosine_direction(cosine_direction_) {}
 };
 
 // Where light is asked for, and the random numbers to find some: arrays with room for whole registers.
@@ -156,8 +169,12 @@ class LightTable {
   const std::vector<PlacedLight>& placed() const { return placed_; }
   const EnvironmentMap& environment() const { return environment_; }
 
-  // A triangle where it is at that time.
-  EmissiveTriangle triangle_at(uint32_t light, float time) const;
+  // What `use` makes of a triangle where it is at that time.
+  template <class Use>
+  auto with_triangle(uint32_t light, float time, Use&& use) const {
+    const EmissiveTriangle& t = triangles_[light];
+    return t.moving ? use(moved(t, time)) : use(t);
+  }
 
   // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
   // that looks away) or if there is no light at all.
@@ -176,15 +193,27 @@ class LightTable {
   float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0) const;
   float pdf_environment(const Vec3& direction) const;
 
-  // A ray that leaves some light; of power zero if there is none.
-  Emission emit(const EmissionDraw& draw) const;
+  // A ray that leaves some light; of power zero if there is none. `e` is a new one.
+  void emit(const EmissionDraw& draw, Emission& e) const;
+  Emission emit(const EmissionDraw& draw) const {
+    Emission e;
+    return emit(draw, e), e;
+  }
   // The same with another direction from the same point; from infinity, through another point from the same direction.
   // `e` needs no more than its kind, light, position and, from infinity, direction.
   void emit_anew(Vec2 u, Emission& e) const;
   // The densities with which `emit` finds a ray that was found otherwise: one that connects to a sample; one along
   // which a walk came to a triangle, its cosine there to the normal; one that a walk left the scene by.
-  EmissionDensity density_of(const LightSample& sample, float time = 0) const;
-  EmissionDensity density_of_triangle(uint32_t light, float cosine, float time = 0) const;
+  EmissionDensity density_of(const LightSample& sample, float time = 0) const {
+    return sample.kind == LightKind::triangle ? density_of_triangle(sample.light, cosine_at(sample, time), time)
+                                              : density_of_other(sample);
+  }
+  EmissionDensity density_of_triangle(uint32_t light, float cosine, float time = 0) const {
+    if (choice_.empty() || light >= triangles_.size()) return {};
+    return with_triangle(light, time, [&](const EmissiveTriangle& t) {
+      return EmissionDensity{choice_.probability(light) / t.area, t.side_probability() * std::abs(cosine) * kInvPi};
+    });
+  }
   EmissionDensity density_of_escape(const Vec3& direction) const;
   // What is left of a light's emission after so many metres; glTF's punctual lights may have a range.
   float window(uint32_t light, float distance) const;
@@ -201,12 +230,18 @@ class LightTable {
   void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time, LightSample& sample) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;
 
-  Emission emit_from_triangle(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
-  Emission emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
-  Emission emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw) const;
-  void leave_triangle(Vec2 u, Emission& e) const;
+  void emit_from_triangle(const EmissionDraw& draw, Emission& e) const;
+  void emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const;
+  void emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const;
+  void leave_triangle(const Vec2& u, const Vec3& cosine_direction, Emission& e) const;
   void leave_point(Vec2 u, Emission& e) const;
   void come_from_infinity(Vec2 u, Emission& e) const;
+  EmissiveTriangle moved(const EmissiveTriangle& triangle, float time) const;
+  // Of a point on a triangle.
+  float cosine_at(const LightSample& sample, float time) const {
+    return with_triangle(sample.light, time, [&](const EmissiveTriangle& t) { return glm::dot(t.normal, sample.wi); });
+  }
+  EmissionDensity density_of_other(const LightSample& sample) const;
   float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
   // Neighbours in the order of `choice_`.
   struct Source {

@@ -8,22 +8,27 @@
 #include <cstdint>
 
 #include "base/vec.h"
+#include "base/wide.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::photon {
 
 // A unit vector in 2 x bits: the octahedron around it, unfolded (Cigolle et al. 2014). Off by at most 4.3 / 2^bits.
 constexpr uint32_t grid_of(float x, int bits) {
-  const auto most = static_cast<float>((1U << bits) - 1);
-  return static_cast<uint32_t>((std::clamp(x, -1.0f, 1.0f) * 0.5f + 0.5f) * most + 0.5f);
+  const auto most = static_cast<float>((1 << bits) - 1);
+  return static_cast<uint32_t>(static_cast<int32_t>((std::clamp(x, -1.0f, 1.0f) * 0.5f + 0.5f) * most + 0.5f));
 }
 
+// Without branches, which directions would make unpredictable.
 inline uint32_t packed_direction(const Vec3& v, int bits) {
   const float size = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-  Vec2 p(v.x / size, v.y / size);
-  if (v.z < 0) p = Vec2((1 - std::abs(p.y)) * (p.x < 0 ? -1.0f : 1.0f), (1 - std::abs(p.x)) * (p.y < 0 ? -1.0f : 1.0f));
-  return grid_of(p.x, bits) << bits | grid_of(p.y, bits);
+  const float x = v.x / size, y = v.y / size;
+  const float folded_x = (1 - std::abs(y)) * select(x < 0, -1.0f, 1.0f);
+  const float folded_y = (1 - std::abs(x)) * select(y < 0, -1.0f, 1.0f);
+  return grid_of(select(v.z < 0, folded_x, x), bits) << bits | grid_of(select(v.z < 0, folded_y, y), bits);
 }
+// The same for many; arrays have room for whole registers.
+void packed_directions(const WideVec3View& v, size_t count, int bits, uint32_t* packed);
 
 // Not of unit length.
 inline Vec3 unfolded_direction(uint32_t packed, int bits) {
@@ -47,11 +52,14 @@ class Photon {
   // `direction` points back to where it came from; `length` is the number of edges of its path; `state` is below 64.
   Photon(const Vec3& position, const Vec3& direction, const Vec3& normal, const Rgb& power, int length,
          uint8_t state = 0)
+      : Photon(position, packed_direction(direction, kDirectionBits), packed_direction(normal, kNormalBits), power,
+               length, state) {}
+  // The same of a direction and a normal that are packed already.
+  Photon(const Vec3& position, uint32_t direction, uint32_t normal, const Rgb& power, int length, uint8_t state)
       : position_(position),
-        normal_(packed_direction(normal, kNormalBits) << 2),
+        normal_(normal << 2),
         power_(power),
-        rest_(packed_direction(direction, kDirectionBits) << 12 |
-              static_cast<uint32_t>(std::min(length, kLongest)) << 6 | state) {}
+        rest_(direction << 12 | static_cast<uint32_t>(std::min(length, kLongest)) << 6 | state) {}
 
   const Vec3& position() const { return position_; }
   const Rgb& power() const { return power_; }  // watts

@@ -4,67 +4,105 @@
 #include <cmath>
 
 #include "base/hash.h"
+#include "base/wide.h"
 
 namespace etendue {
 namespace {
 
 // 2^x for x in (-126, 0], off by a ten-thousandth: sizes of steps need no more.
 float power_of_two(float x) {
-  const float whole = std::floor(x), f = x - whole;
+  const auto up = static_cast<int32_t>(x);
+  const int32_t whole = up - (static_cast<float>(up) > x ? 1 : 0);
+  const float f = x - static_cast<float>(whole);
   const float fraction = 1 + f * (0.6951f + f * (0.2262f + f * 0.0787f));
-  return fraction * std::bit_cast<float>((static_cast<int32_t>(whole) + 127) << 23);
+  return fraction * std::bit_cast<float>((whole + 127) << 23);
 }
 
-void draw_anew(uint32_t key, SampleBlock& out) {
-  for (uint32_t k = 0; k < kBlockSize; ++k) out[k] = to_unit_float(mix_bits(key + k * 0x9e3779b9U));
-}
+// The key of one number of a block.
+constexpr uint32_t bits_of(uint32_t key, uint32_t k) { return mix_bits(key + k * 0x9e3779b9U); }
 
-void move(uint32_t key, float most, float log_ratio, SampleBlock& out) {
-  for (uint32_t k = 0; k < kBlockSize; ++k) {
-    const uint32_t bits = mix_bits(key + k * 0x9e3779b9U);
-    const float size = most * power_of_two(log_ratio * to_unit_float(bits));
-    const float moved = out[k] + ((bits & 1U) != 0 ? size : -size);
-    const float wrapped = moved - std::floor(moved);
-    out[k] = wrapped < 1 ? wrapped : 0.0f;
-  }
+// Where a move that these bits decide leads from x.
+float moved(float x, uint32_t bits, const StepRange& range) {
+  const float size = range.most * power_of_two(range.log_ratio * to_unit_float(bits));
+  const float to = x + ((bits & 1U) != 0 ? size : -size);
+  const float wrapped = to < 0 ? to + 1 : to >= 1 ? to - 1 : to;
+  return wrapped < 1 ? wrapped : 0.0f;
 }
 
 }  // namespace
+
+// What becomes of one block: all numbers are drawn anew, or they catch up on steps that they missed, and move once
+// more. Which of both is decided without a branch: nothing foretells it.
+struct PrimaryProposals::Draw {
+  const SampleBlock* from;
+  SampleBlock* to;
+  uint32_t key, missed;
+  bool anew;
+
+  ETENDUE_WIDE static void all(std::span<const Draw> draws, const StepRange& range) {
+    for (const Draw& d : draws) {
+      SampleBlock values;
+      for (uint32_t k = 0; k < kBlockSize; ++k) {
+        const uint32_t bits = bits_of(d.key, k);
+        values[k] = select(d.anew, to_unit_float(bits), moved((*d.from)[k], bits, range));
+      }
+      for (uint32_t step = 1; step <= d.missed; ++step)
+        for (uint32_t k = 0; k < kBlockSize; ++k)
+          values[k] = moved(values[k], bits_of(d.key + step * 0x85ebca6bU, k), range);
+      *d.to = values;
+    }
+  }
+};
 
 PrimaryProposals::PrimaryProposals() {
   for (size_t stream = 0; stream < PrimaryPoints::kStreams; ++stream) views_.emplace_back(*this, stream);
 }
 
-void PrimaryProposals::propose(size_t lane, uint64_t key, bool large) {
-  Proposal& p = proposals_[lane];
-  p = {key, p.number + 1, large};
+void PrimaryProposals::begin(const PrimaryPoints& from, const StepSize& size, Stopwatch* watch) {
+  from_ = &from, watch_ = watch;
+  range_ = {size.most, std::log2(size.least / size.most)};
 }
 
-const SampleBlock& PrimaryProposals::block(size_t lane, size_t stream, uint32_t block) {
+void PrimaryProposals::propose(size_t lane, uint64_t key, bool large) {
+  Proposal& p = proposals_[lane];
+  p.key = key, p.large = large, p.asked = {};
+  ++p.number;
+}
+
+const PrimaryProposals::Block& PrimaryProposals::blocks(std::span<const uint32_t> seeds, size_t stream,
+                                                        uint32_t block) {
+  const Stopwatch::Lap lap(watch_);
   auto& blocks = streams_[stream];
   while (blocks.size() <= block) blocks.push_back(std::make_unique<Block>());
   Block& b = *blocks[block];
-  const uint32_t number = proposals_[lane].number;
-  if (b.numbers[lane] != number) {
-    draw(lane, stream, block, b.values[lane]);
-    b.numbers[lane] = number;
+  const auto& known = from_->streams[stream];
+  const PrimaryPoints::Block* before = block < known.size() ? &known[block] : nullptr;
+  const uint64_t place = ((static_cast<uint64_t>(stream) << 32 | block) + 1) * 0x9e3779b97f4a7c15ULL;
+  std::array<Draw, PrimaryPoints::kLanes> draws;
+  size_t count = 0;
+  for (const uint32_t seed : seeds) {
+    const size_t lane = seed & kLaneBits;
+    Proposal& p = proposals_[lane];
+    if (b.numbers[lane] == p.number) continue;
+    b.numbers[lane] = p.number;
+    p.asked[stream] = std::max(p.asked[stream], block + 1);
+    Draw& draw = draws[count++];
+    draw.to = &b.values[lane], draw.key = static_cast<uint32_t>(mix_bits(p.key ^ place) >> 32);
+    find_past(lane, before, draw);
   }
-  return b.values[lane];
+  Draw::all({draws.data(), count}, range_);
+  return b;
 }
 
-void PrimaryProposals::draw(size_t lane, size_t stream, uint32_t block, SampleBlock& out) const {
+// What a draw starts from.
+void PrimaryProposals::find_past(size_t lane, const PrimaryPoints::Block* before, Draw& draw) const {
   // After so many steps nothing of a number is left: what it would be matters to nobody.
   constexpr uint32_t kForgotten = 64;
-  const Proposal& p = proposals_[lane];
-  const uint64_t place = (static_cast<uint64_t>(stream) << 32 | block) + 1;
-  const auto key = static_cast<uint32_t>(mix_bits(p.key ^ place * 0x9e3779b97f4a7c15ULL) >> 32);
+  draw.from = before ? &before->values[lane] : draw.to;
   const PrimaryPoints::Clock& clock = from_->clocks[lane];
-  const auto& known = from_->streams[stream];
-  const uint32_t time = block < known.size() ? known[block].times[lane] : 0;
-  if (p.large || time < clock.renewed || clock.now - time > kForgotten) return draw_anew(key, out);
-  out = known[block].values[lane];
-  const float log_ratio = std::log2(size_.least / size_.most);
-  for (uint32_t step = 0; step <= clock.now - time; ++step) move(key + step * 0x85ebca6bU, size_.most, log_ratio, out);
+  const uint32_t time = before ? before->times[lane] : 0, missed = clock.now - time;
+  draw.anew = proposals_[lane].large | (time < clock.renewed) | (missed > kForgotten);
+  draw.missed = draw.anew ? 0 : missed;
 }
 
 void PrimaryProposals::accept(size_t lane, PrimaryPoints& to) {
@@ -75,9 +113,9 @@ void PrimaryProposals::accept(size_t lane, PrimaryPoints& to) {
   for (size_t stream = 0; stream < PrimaryPoints::kStreams; ++stream) {
     const auto& blocks = streams_[stream];
     auto& known = to.streams[stream];
-    for (size_t i = 0; i < blocks.size(); ++i) {
+    if (known.size() < p.asked[stream]) known.resize(p.asked[stream]);
+    for (size_t i = 0; i < p.asked[stream]; ++i) {
       if (blocks[i]->numbers[lane] != p.number) continue;
-      if (known.size() <= i) known.resize(i + 1);
       known[i].values[lane] = blocks[i]->values[lane];
       known[i].times[lane] = clock.now;
     }
@@ -85,13 +123,14 @@ void PrimaryProposals::accept(size_t lane, PrimaryPoints& to) {
 }
 
 void PrimaryProposals::View::block(uint32_t seed, uint32_t, uint32_t block, SampleBlock& out) const {
-  out = proposals_->block(seed & kLaneBits, stream_, block);
+  out = proposals_->blocks({&seed, 1}, stream_, block).values[seed & kLaneBits];
 }
 
 DimensionSet PrimaryProposals::View::blocks(std::span<const uint32_t> seeds, uint32_t, uint32_t block, DimensionSet,
                                             SampleTable& out) const {
+  const Block& drawn = proposals_->blocks(seeds, stream_, block);
   for (size_t i = 0; i < seeds.size(); ++i) {
-    const SampleBlock& values = proposals_->block(seeds[i] & kLaneBits, stream_, block);
+    const SampleBlock& values = drawn.values[seeds[i] & kLaneBits];
     for (size_t k = 0; k < kBlockSize; ++k) out.values[k][i] = values[k];
   }
   return dimensions(0, kBlockSize);

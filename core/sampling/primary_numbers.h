@@ -13,12 +13,18 @@
 #include <memory>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "sampling/sampler.h"
 
 namespace etendue {
 
 struct StepSize {
   float least = 1.0f / 1024, most = 1.0f / 64;
+};
+
+// The same as moves take it: sizes are most * 2^(log_ratio u).
+struct StepRange {
+  float most = 0, log_ratio = 0;
 };
 
 // Where chains are, side by side.
@@ -56,15 +62,20 @@ class PrimaryProposals {
 
   PrimaryProposals();
 
-  // From now on proposals are made from these points, which have to stay where they are.
-  void begin(const PrimaryPoints& from, const StepSize& size) { from_ = &from, size_ = size; }
+  // From now on proposals are made from these points, which have to stay where they are; the watch runs while numbers
+  // are drawn.
+  void begin(const PrimaryPoints& from, const StepSize& size, Stopwatch* watch = nullptr);
   // The next proposal of a chain.
   void propose(size_t lane, uint64_t key, bool large);
   // The chain goes there.
   void accept(size_t lane, PrimaryPoints& to);
 
-  // One block of a chain.
-  const SampleBlock& block(size_t lane, size_t stream, uint32_t block);
+  struct Block {
+    std::array<SampleBlock, PrimaryPoints::kLanes> values;
+    std::array<uint32_t, PrimaryPoints::kLanes> numbers{};  // of the proposals that they belong to
+  };
+  // One block of the chains that the seeds tell: at most as many as there are lanes, each once.
+  const Block& blocks(std::span<const uint32_t> seeds, size_t stream, uint32_t block);
   const Sampler& sampler(size_t stream) const { return views_[stream]; }
 
  private:
@@ -84,16 +95,15 @@ class PrimaryProposals {
     uint64_t key = 0;
     uint32_t number = 0;  // counts the proposals of the lane
     bool large = false;
+    std::array<uint32_t, PrimaryPoints::kStreams> asked{};  // one more than the last block that was asked for
   };
-  struct Block {
-    std::array<SampleBlock, PrimaryPoints::kLanes> values;
-    std::array<uint32_t, PrimaryPoints::kLanes> numbers{};  // of the proposals that they belong to
-  };
+  struct Draw;
 
-  void draw(size_t lane, size_t stream, uint32_t block, SampleBlock& out) const;
+  void find_past(size_t lane, const PrimaryPoints::Block* before, Draw& draw) const;
 
   const PrimaryPoints* from_ = nullptr;
-  StepSize size_;
+  StepRange range_;
+  Stopwatch* watch_ = nullptr;
   std::array<Proposal, PrimaryPoints::kLanes> proposals_;
   std::array<std::vector<std::unique_ptr<Block>>, PrimaryPoints::kStreams> streams_;
   std::vector<View> views_;

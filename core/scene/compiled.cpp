@@ -200,8 +200,8 @@ std::string CompiledScene::moving() const {
 }
 
 void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
-  const EmissiveTriangle t = lights_->triangle_at(emission.light, emission.time);
-  const Vec3 normal = glm::normalize(t.cross);
+  const EmissiveTriangle& t = lights_->triangles()[emission.light];
+  const Vec3 normal = lights_->with_triangle(emission.light, emission.time, [](const auto& at) { return at.normal; });
   side = emission.back ? -normal : normal;
   hit.instance = t.instance, hit.triangle = t.triangle;
   hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;

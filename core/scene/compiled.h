@@ -112,8 +112,8 @@ class CompiledScene final : public OpacityTest {
   void locate(const Emission& emission, Hit& hit, Vec3& side) const;
   // What leaves the light along the ray: radiance, and the other quantities where Emission::radiance names them.
   // `point` is that of a triangle.
-  Rgb emitted(const Emission& emission, const SurfacePoint& point) const {
-    return emission.textured ? point.material->emission_at(point.texture) : emission.radiance;
+  Rgb emitted(const Emission& emission, const SurfacePoint* point) const {
+    return emission.textured ? point->material->emission_at(point->texture) : emission.radiance;
   }
   // The number of the light that this point lies on, or InstanceData::kNotALight.
   uint32_t light_at(const SurfacePoint& point) const {

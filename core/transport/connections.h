@@ -17,12 +17,14 @@ class Connections {
 
   bool full() const { return size_ == kCapacity; }
 
-  // The ray is at `time`, from 0 at the shutter's opening to 1 at its closing; the seed drives stochastic opacity.
-  void add(const Ray& ray, float time, uint32_t seed, const Carried& carried) {
+  // The ray is at `time`, from 0 at the shutter's opening to 1 at its closing; the seed drives stochastic opacity. The
+  // caller fills what is returned, in place: what was just written in parts stalls when it is copied as words.
+  Carried& add(const Ray& ray, float time, uint32_t seed) {
     const auto i = static_cast<size_t>(size_++);
     packets_[i / RayPacket::kSize].set(static_cast<int>(i % RayPacket::kSize), ray);
     packets_[i / RayPacket::kSize].set_time(static_cast<int>(i % RayPacket::kSize), time);
-    seeds_[i] = seed, carried_[i] = carried;
+    seeds_[i] = seed;
+    return carried_[i];
   }
 
   // Empties itself; returns the number of rays traced.

@@ -27,6 +27,14 @@ struct alignas(64) PathState {
   float time;         // from 0 at the shutter's opening to 1 at its closing; 0 in a model without motion
   uint32_t seed;      // the pixel's
   bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
+
+  // Filled in place: a state that is put together elsewhere and copied as words keeps the processor waiting.
+  void start(const Vec3& origin, float at) {
+    throughput = Color(1), radiance = Color(0);
+    from = origin;
+    pdf = 0, eta_scale = 1, time = at;
+    all_specular = true;
+  }
 };
 
 // Classes of paths are kept elsewhere: who does not ask for them does not carry them.
@@ -50,7 +58,10 @@ class Front {
     size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = length_ = 0;
     rays_traced_ = 0;
     seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_bits();
+    coherent_ = false;
   }
+  // Walks that are launched start close together and go about the same way: neighbours may be traced as one.
+  void expect_coherence() { coherent_ = true; }
 
   // Adds a path for the pixel with this seed; the next number is its own.
   void add(uint32_t pixel_seed) { states_[static_cast<size_t>(size_++)].seed = pixel_seed; }
@@ -66,7 +77,7 @@ class Front {
   void admit_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
   void launch(int path, const Ray& ray, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
-    state(path) = {Color(1), Color(0), ray.origin, 0, 1, time, state(path).seed, true};
+    state(path).start(ray.origin, time);
     travel(path, ray);
   }
 
@@ -262,7 +273,7 @@ class Front {
   uint32_t sample_ = 0, world_bits_ = ~0U;
   int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
   uint64_t rays_traced_ = 0;
-  bool seeded_ = false, timed_ = false, given_up_ = false;
+  bool seeded_ = false, timed_ = false, coherent_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
 
   // By path.
@@ -301,7 +312,7 @@ void Front<M>::trace() {
   time_lanes(travellers_, travelling_, travelling_packets_);
   for (int first = 0; first < travelling_; first += RayPacket::kSize)
     scene_->intersect(travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)],
-                      std::min(RayPacket::kSize, travelling_ - first), length_ == 1,
+                      std::min(RayPacket::kSize, travelling_ - first), coherent_ && length_ == 1,
                       &lane_seeds_[static_cast<size_t>(first)]);
   rays_traced_ += static_cast<uint64_t>(travelling_);
   reached_ = visited_ = arrived_ = escaped_ = 0;

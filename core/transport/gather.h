@@ -89,12 +89,19 @@ void add_environment(Front<M>& front, Combination shared = {}, LightStrategy str
 // Whether shadow rays are traced: thesis 8.2 knows local illumination without them.
 enum class Shadows { cast, ignored };
 
-// Light from these points, one for each vertex, times weigh(arrival, light sample, value of the scattering function),
-// which is a weight over the density of the sample.
-template <class M, class Weigh>
-void add_light_samples_weighed(Front<M>& front, std::span<const LightSample> samples, Shadows shadows, Weigh&& weigh) {
+// Which of the present vertices a term is for: all of them, unless a method says otherwise.
+struct EveryArrival {
+  constexpr bool operator()(int) const { return true; }
+};
+
+// Light from these points, one for each vertex that is wanted, times weigh(arrival, light sample, value of the
+// scattering function), which is a weight over the density of the sample.
+template <class M, class Weigh, class Wanted = EveryArrival>
+void add_light_samples_weighed(Front<M>& front, std::span<const LightSample> samples, Shadows shadows, Weigh&& weigh,
+                               const Wanted& wanted = {}) {
   const scene::CompiledScene& scene = front.scene();
   for (int i = 0; i < front.arrived(); ++i) {
+    if (!wanted(i)) continue;
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = front.bsdf(i);
     if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
@@ -120,10 +127,10 @@ void add_light_samples(Front<M>& front, std::span<const LightSample> samples, Co
 }
 
 // Next event estimation: one point on one light for each vertex.
-template <class M, class Weigh>
-void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh) {
+template <class M, class Weigh, class Wanted = EveryArrival>
+void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh, const Wanted& wanted = {}) {
   if (front.scene().lights().empty()) return;
-  add_light_samples_weighed(front, front.sample_lights(), shadows, weigh);
+  add_light_samples_weighed(front, front.sample_lights(), shadows, weigh, wanted);
 }
 
 template <class M>

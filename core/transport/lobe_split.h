@@ -40,11 +40,6 @@ class LobeSplit {
   float alpha_;
 };
 
-// All arrivals, where a function takes a choice of them.
-struct EveryArrival {
-  bool operator()(int) const { return true; }
-};
-
 // A walk goes on by the narrow part alone.
 struct TakeNarrow {
   LobeSplit split;

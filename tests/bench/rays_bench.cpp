@@ -1,13 +1,16 @@
-// How much of the rays' own speed is left: rays per second of `path` against a bare loop over the very same rays.
+// How much of the rays' own speed is left: rays per second of methods against a bare loop over the very same rays.
 //
-// Printed are ratios, measured interleaved on one thread.
+//   rays_bench [METHOD...]      methods as `etendue bench` takes them; `path` if there are none
+//
+// Printed are ratios, measured interleaved on one thread, and how long a ray takes in the bare loop: rays of some
+// methods are dearer than those of others.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 
+#include "bench/method.h"
 #include "bench/ray_log.h"
-#include "integrator/integrator.h"
-#include "render/document.h"
+#include "bench/work_rig.h"
 #include "scene/builtin/cornell.h"
 #include "support/scenes.h"
 
@@ -33,74 +36,45 @@ scene::Scene million() {
   return scene;
 }
 
-struct Rig {
-  render::Document document;
-  std::shared_ptr<const scene::CompiledScene> scene;
-  transport::Model model;
-  std::unique_ptr<Sampler> sampler;
-  std::unique_ptr<integrator::Integrator> integrator;
-  CameraRays camera;
-  film::Filter filter;
-  std::unique_ptr<integrator::Work> work;
-
-  explicit Rig(render::Document d)
-      : document(std::move(d)),
-        scene(scene::compile(document.scene, document.camera, nullptr)),
-        model(transport::model_for(*scene)),
-        sampler(make_sampler("sobol")),
-        integrator(integrator::make_integrator("path", document.method.settings_of("path"))),
-        camera(document.camera, document.width, document.height) {
-    sampler->prepare(0, 64);
-    work = integrator->begin(
-        {scene.get(), &model, sampler.get(), &camera, &filter, 0, document.width, document.height}, nullptr);
-  }
-  Rig(const Rig&) = delete;
-
-  uint64_t render(uint32_t sample) const {
-    using integrator::PixelBlock;
-    std::array<Rgb, PixelBlock::kMostPixels> out;
-    uint64_t rays = 0;
-    for (int y = 0; y < document.height; y += PixelBlock::kHeight)
-      for (int x = 0; x < document.width; x += PixelBlock::kWidth)
-        rays += work->sample({x, y, PixelBlock::kWidth, PixelBlock::kHeight, sample}, out, {}).value_or(0);
-    return rays;
-  }
-};
-
-void compare_rays(const char* name, render::Document d) {
+void compare_rays(const char* scene_name, const std::string& name, render::Document d) {
   d.width = d.height = 256;
-  const Rig rig(std::move(d));
+  const auto method = bench::parse_method(name, d);
+  if (!method) return static_cast<void>(std::fprintf(stderr, "%s\n", method.error().message.c_str()));
+  WorkRig rig(method->document, scene::compile(d.scene, d.camera, nullptr));
   RayLog log;
   log.start();
-  rig.render(0);
+  rig.step();
   log.stop();
-  std::vector<double> ratios;
-  double fastest_path = 1e30, fastest_bare = 1e30;
+  std::vector<double> ratios, without;
   constexpr int kRounds = 9;
+  double bare = 0;
   uint64_t hits = 0;
   for (int i = 0; i < kRounds; ++i) {
-    uint64_t rays = 0;
-    const double path = seconds([&] { rays = rig.render(0); });
-    const double bare = seconds([&] { hits += log.replay(); });
-    fastest_path = std::min(fastest_path, path), fastest_bare = std::min(fastest_bare, bare);
-    ratios.push_back((static_cast<double>(rays) / path) / (static_cast<double>(log.size()) / bare));
-    if (i == 0)
-      std::printf("%-16s %8llu rays, replayed %8zu\n", name, static_cast<unsigned long long>(rays), log.size());
+    const WorkRig::Part before = rig.total();
+    rig.step();
+    const WorkRig::Part after = rig.total();
+    bare = seconds([&] { hits += log.replay(); }) / static_cast<double>(log.size());
+    const auto rays = static_cast<double>(after.rays - before.rays);
+    const double took = after.seconds - before.seconds, apart = after.apart - before.apart;
+    ratios.push_back(bare * rays / took), without.push_back(bare * rays / (took - apart));
   }
-  std::sort(ratios.begin(), ratios.end());
-  std::printf("%-16s path / bare loop: median %.3f (min %.3f, max %.3f), fastest against fastest %.3f, %llu hits\n",
-              name, ratios[kRounds / 2], ratios.front(), ratios.back(), fastest_bare / fastest_path,
-              static_cast<unsigned long long>(hits));
+  std::sort(ratios.begin(), ratios.end()), std::sort(without.begin(), without.end());
+  std::printf("%-8s %-28s over the bare loop: median %.3f (min %.3f, max %.3f), without bookkeeping %.3f; bare %.1f ns "
+              "a ray, %llu hits\n",
+              scene_name, name.c_str(), ratios[kRounds / 2], ratios.front(), ratios.back(), without[kRounds / 2],
+              1e9 * bare, static_cast<unsigned long long>(hits));
 }
 
 }  // namespace
 }  // namespace etendue
 
-int main() {
+int main(int argc, char** argv) {
   using namespace etendue;
   prepare_thread_for_rays();
-  compare_rays("cornell", *render::new_document("cornell"));
+  std::vector<std::string> methods(argv + 1, argv + argc);
+  if (methods.empty()) methods = {"path"};
+  for (const std::string& method : methods) compare_rays("cornell", method, *render::new_document("cornell"));
   auto d = *render::new_document("cornell");
   d.scene = std::make_shared<const scene::Scene>(million());
-  compare_rays("million", d);
+  for (const std::string& method : methods) compare_rays("million", method, d);
 }

@@ -10,8 +10,9 @@ namespace etendue {
 namespace {
 
 EmissiveTriangle triangle(const Vec3& p0, const Vec3& p1, const Vec3& p2, float radiance, bool double_sided) {
-  EmissiveTriangle t{p0, p1 - p0, p2 - p0, 0, 0, Rgb(radiance), double_sided};
-  t.cross = glm::cross(t.e1, t.e2);
+  EmissiveTriangle t;
+  t.radiance = Rgb(radiance), t.double_sided = double_sided;
+  t.place({p0, p1, p2, 1});
   return t;
 }
 

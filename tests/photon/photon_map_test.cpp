@@ -90,6 +90,16 @@ TEST(Photon, DirectionsArePackedCloseToWhatTheyWere) {
     EXPECT_LT(glm::length(v - unpacked_direction(packed_direction(v, 10), 10)), 4.3f / (1 << 10));
 }
 
+TEST(Photon, ManyDirectionsArePackedAsEachAlone) {
+  constexpr size_t kCount = 75;  // no whole number of registers
+  Numbers random(3);
+  WideVec3<80> v{};
+  std::array<uint32_t, 80> packed{};
+  for (size_t i = 0; i < kCount; ++i) v.set(i, square_to_sphere(random.pair()));
+  packed_directions(v, kCount, 10, packed.data());
+  for (size_t i = 0; i < kCount; ++i) EXPECT_EQ(packed[i], packed_direction(v[i], 10)) << i;
+}
+
 TEST(Photon, KeepsWhatItIsGiven) {
   Photon p({1, 2, 3}, {0, 0, 1}, {0, 1, 0}, Rgb(4, 5, 6), 17, 63);
   p.set_axis(2);
