@@ -28,7 +28,8 @@ class ProgressivePhotonMapping final : public Method<ProgressivePhotonMapping> {
       Bias::consistent,
       "2 to 4 rays per photon and about 2 per pixel for each sample, a lookup for each pixel; 32 bytes for each photon "
       "that one sample stores, twice",
-      "early samples blur; error falls as samples^-1/3 at best: slower than unbiased methods where these find the "
+      "early samples blur, and light leaks through what is thinner than the radius; error falls as samples^-1/3 at "
+      "best: slower than unbiased methods where these find the "
       "light; "
       "views of a small part of what is lit: few photons come by",
       Sampling::pictures,
