@@ -89,8 +89,8 @@ Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_
   float radius2 = farthest2;
   search(
       position,
-      [&](const Photon& photon, float distance2) {
-        if (!(distance2 < radius2) || !photon.faces(normal)) return radius2;
+      [&](const Photon& photon, const Vec3& d, float distance2) {
+        if (!(distance2 < radius2) || !continues(photon, d, distance2, normal)) return radius2;
         const Neighbour neighbour{distance2, static_cast<uint32_t>(&photon - &tree_[1])};
         if (found.size() < most) {
           found.push_back(neighbour);

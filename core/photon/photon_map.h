@@ -46,21 +46,21 @@ class PhotonMap {
   // Gives back the photons' memory for the next ones.
   std::vector<Photon> take_memory();
 
-  // The nearest `most` photons (one at least) whose surface faces about as `normal` does and that are no farther than
-  // the root of `farthest2`. The disc goes through the farthest of them, which is left out: so its density is estimated
-  // without bias (O18). Photons beyond an edge or on the other side of a thin wall belong to another light. Where there
-  // are fewer, the disc has the largest radius, or goes through the farthest if there is none. `found` is room to work
-  // in.
+  // The nearest `most` photons (one at least) that lie on a surface's continuation and are no farther than the root of
+  // `farthest2`. The disc goes through the farthest of them, which is left out: so its density is estimated without
+  // bias (O18). Photons beyond an edge, on the other side of a thin wall or behind it belong to another light. Where
+  // there are fewer, the disc has the largest radius, or goes through the farthest if there is none. `found` is room to
+  // work in.
   Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t most, float farthest2,
                         std::vector<Neighbour>& found) const;
 
-  // Calls `visit(photon, distance2)` for every photon within the radius whose surface faces about as `normal` does.
+  // Calls `visit(photon, distance2)` for every photon within the radius that lies on the surface's continuation.
   template <class Visit>
   void for_each_within(const Vec3& position, const Vec3& normal, float radius2, Visit&& visit) const {
     search(
         position,
-        [&](const Photon& photon, float distance2) {
-          if (distance2 < radius2 && photon.faces(normal)) visit(photon, distance2);
+        [&](const Photon& photon, const Vec3& d, float distance2) {
+          if (distance2 < radius2 && continues(photon, d, distance2, normal)) visit(photon, distance2);
           return radius2;
         },
         radius2);
@@ -73,8 +73,14 @@ class PhotonMap {
     Corners box;
   };
 
-  // `look(photon, distance2)` is called for what lies in cells that reach into the sphere, and returns its squared
-  // radius from there on.
+  // Whether a photon at the offset d may lie on the same surface: that faces about as there, and the photon is less
+  // than 30 degrees above or below the plane. What curves does so within ever smaller discs.
+  static bool continues(const Photon& photon, const Vec3& d, float distance2, const Vec3& normal) {
+    return sqr(glm::dot(d, normal)) <= 0.25f * distance2 && photon.faces(normal);
+  }
+
+  // `look(photon, offset, distance2)` is called for what lies in cells that reach into the sphere, and returns its
+  // squared radius from there on.
   template <class Look>
   void search(const Vec3& position, Look&& look, float radius2) const;
 
@@ -109,7 +115,7 @@ void PhotonMap::search(const Vec3& position, Look&& look, float radius2) const {
       if (!(next.distance2 < radius2)) continue;
       const Photon& photon = tree_[next.node];
       const Vec3 d = photon.position() - position;
-      radius2 = look(photon, glm::dot(d, d));
+      radius2 = look(photon, d, glm::dot(d, d));
       if (!(next.distance2 < radius2)) continue;
       const int axis = photon.axis();
       node = 2 * next.node + (position[axis] - photon.position()[axis] > 0 ? 0 : 1);

@@ -59,7 +59,8 @@ std::vector<float> distances_by_force(const std::vector<Photon>& photons, const 
   std::vector<float> all;
   for (const Photon& p : photons) {
     const Vec3 d = p.position() - from;
-    if (glm::dot(p.normal(), normal) > 0.5f) all.push_back(glm::dot(d, d));
+    const bool level = std::abs(glm::dot(d, normal)) <= 0.5f * glm::length(d);
+    if (level && glm::dot(p.normal(), normal) > 0.5f) all.push_back(glm::dot(d, d));
   }
   std::ranges::sort(all);
   return all;
@@ -153,6 +154,21 @@ TEST(PhotonMap, NearestAreThoseOfBruteForce) {
     std::ranges::sort(visited);
     EXPECT_EQ(visited, std::vector<float>(all.begin(), all.begin() + within));
   }
+}
+
+// The inner side of a far wall faces as the outer side of the near one does.
+TEST(PhotonMap, WhatLiesStraightBehindIsOfAnotherSurface) {
+  std::vector<Neighbour> room;
+  PhotonMap map;
+  const Vec3 beside = glm::normalize(glm::cross(kUp, Vec3(0.3f, 0.4f, 0.5f)));
+  map.build({at(kUp), at(-kUp), at(beside)});
+  EXPECT_EQ(map.nearest({0, 0, 0}, kUp, 10, 4, room).photons.size(), 1U);
+  int visited = 0;
+  map.for_each_within({0, 0, 0}, kUp, 4, [&](const Photon& photon, float) {
+    ++visited;
+    EXPECT_GT(glm::dot(photon.position(), beside), 0.99f);
+  });
+  EXPECT_EQ(visited, 1);
 }
 
 TEST(PhotonMap, OfFewerPhotonsThanAreAskedFor) {
