@@ -12,13 +12,13 @@ namespace etendue::viewer {
 struct Workbench;
 
 struct Action {
-  std::string name;   // "snapshot.save": what scripts say
-  std::string menu;   // "File", "Edit", ...; empty for what has only a shortcut
+  std::string name;  // "snapshot.save": what scripts say
+  std::string menu;  // "File", "Edit", ...; empty for what has only a shortcut
   std::string label, doc;
-  std::string shortcut;            // as parse_chord reads it, or nothing
+  std::string shortcut;  // as parse_chord reads it, or nothing
   std::function<void()> run;
-  std::function<bool()> enabled;   // missing: always
-  std::function<bool()> checked;   // missing: it is no switch
+  std::function<bool()> enabled;               // missing: always
+  std::function<bool()> checked;               // missing: it is no switch
   std::string heading = {}, heading_doc = {};  // of its part of the menu; empty where the menu has no parts
 
   std::vector<Chord> chords() const;  // shortcuts are separated by spaces

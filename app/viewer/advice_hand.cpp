@@ -13,7 +13,8 @@ constexpr float kLeastError = 1e-6f, kLargestError = 100, kUsualError = 0.01f;
 
 // Whether advice for one document holds for the other: which integrator and which sampler it has makes no difference.
 bool same_question(const render::Document& a, const render::Document& b) {
-  return same_view(a, b) && a.method.paths == b.method.paths && a.method.settings == b.method.settings && a.method.adaptive == b.method.adaptive;
+  return same_view(a, b) && a.method.paths == b.method.paths && a.method.settings == b.method.settings &&
+         a.method.adaptive == b.method.adaptive;
 }
 
 // To one figure, as a person would say it.
@@ -46,8 +47,10 @@ void AdviceHand::ask() {
   document_ = editor_.document();
   study_.clear();
   advice::Question question;
-  question.target = double{target()}, question.pilot_seconds = double{setup.pilot.value}, question.seed = document_.seed;
-  study_.start([document = document_, question, threads = threads_, scene = session_.scene()](const auto& publish, const bench::Watch& watch) {
+  question.target = double{target()}, question.pilot_seconds = double{setup.pilot.value},
+  question.seed = document_.seed;
+  study_.start([document = document_, question, threads = threads_, scene = session_.scene()](
+                   const auto& publish, const bench::Watch& watch) {
     render::Session session({.threads = threads, .scene = scene});
     publish(advice::advise(session, document, question, watch, publish));
   });
@@ -79,7 +82,13 @@ void AdviceHand::advance(Notices& notices) {
 }
 
 std::vector<ParameterInfo> advice_parameters(const AdviceHand* hand) {
-  const Number<float> error{"advice.error", "Error", hand ? hand->target() : kUsualError, {kLeastError, kLargestError}, "Root mean square error in radiance that the picture should reach", "", Scale::logarithmic};
+  const Number<float> error{"advice.error",
+                            "Error",
+                            hand ? hand->target() : kUsualError,
+                            {kLeastError, kLargestError},
+                            "Root mean square error in radiance that the picture should reach",
+                            "",
+                            Scale::logarithmic};
   return {describe(error), describe(hand ? hand->setup.pilot : AdviceSetup{}.pilot)};
 }
 

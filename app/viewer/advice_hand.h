@@ -15,7 +15,13 @@ class Notices;
 // What the user set.
 struct AdviceSetup {
   std::optional<float> error;  // RMSE; none until it was chosen
-  Number<float> pilot{"advice.pilot", "Trial", 1, {0.125f, 60}, "Seconds of rendering with which each method is tried out, about", "s", Scale::logarithmic};
+  Number<float> pilot{"advice.pilot",
+                      "Trial",
+                      1,
+                      {0.125f, 60},
+                      "Seconds of rendering with which each method is tried out, about",
+                      "s",
+                      Scale::logarithmic};
 };
 
 class AdviceHand {

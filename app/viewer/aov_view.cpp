@@ -11,7 +11,9 @@ namespace {
 
 constexpr uint32_t kSamples = 2;
 
-Rgb linear(const Rgb& encoded) { return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)}; }
+Rgb linear(const Rgb& encoded) {
+  return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
+}
 
 // Neighbouring ids get colours that have nothing to do with each other; nothing is black.
 Rgb color_of_id(float id) {
@@ -35,7 +37,9 @@ std::vector<Rgb> to_look_at(const image::Layer& layer, size_t pixels) {
     else if (layer.name == "position")
       shown[i] = linear({v[0] / most * 0.5f + 0.5f, v[1] / most * 0.5f + 0.5f, v[2] / most * 0.5f + 0.5f});
     else if (n == 3)  // normals; where nothing was hit they have no length
-      shown[i] = v[0] == 0 && v[1] == 0 && v[2] == 0 ? Rgb(0) : linear({v[0] * 0.5f + 0.5f, v[1] * 0.5f + 0.5f, v[2] * 0.5f + 0.5f});
+      shown[i] = v[0] == 0 && v[1] == 0 && v[2] == 0
+                     ? Rgb(0)
+                     : linear({v[0] * 0.5f + 0.5f, v[1] * 0.5f + 0.5f, v[2] * 0.5f + 0.5f});
     else
       shown[i] = color_of_id(v[0]);
   }
@@ -45,7 +49,13 @@ std::vector<Rgb> to_look_at(const image::Layer& layer, size_t pixels) {
 AovPicture errors_of(render::Session& session, uint64_t version) {
   const film::Film film = session.film_copy();
   ErrorLayer layer = error_layer(film);
-  return {kErrorLayer, version, session.status().samples, text_of("%.2g to %.2g, dark to bright", layer.low, layer.high), film.width(), film.height(), std::move(layer.pixels)};
+  return {kErrorLayer,
+          version,
+          session.status().samples,
+          text_of("%.2g to %.2g, dark to bright", layer.low, layer.high),
+          film.width(),
+          film.height(),
+          std::move(layer.pixels)};
 }
 
 }  // namespace
@@ -60,7 +70,8 @@ std::vector<std::string> layer_names() {
 bool AovView::is_stale(const std::string& name) const {
   if (picture_.name != name || picture_.version != editor_.version()) return true;
   const render::Status status = session_.status();
-  return name == kErrorLayer && (status.samples > picture_.samples + picture_.samples / 4 || (status.finished && status.samples > picture_.samples));
+  return name == kErrorLayer && (status.samples > picture_.samples + picture_.samples / 4 ||
+                                 (status.finished && status.samples > picture_.samples));
 }
 
 bool AovView::advance(const std::string& name) {
@@ -71,8 +82,7 @@ bool AovView::advance(const std::string& name) {
   }
   const auto scene = session_.scene();
   const bool wanted = !name.empty() && is_stale(name);
-  if (wanted && !job_.running() && scene &&
-      session_.status().version == editor_.version()) {
+  if (wanted && !job_.running() && scene && session_.status().version == editor_.version()) {
     if (name == kErrorLayer) {
       job_.start([&session = session_, version = editor_.version()] { return errors_of(session, version); });
       return fresh;

@@ -1,5 +1,5 @@
-// Layers in the viewport: what lies under the pixels (albedo, normals, depth, ids), and how much each of them errs. Made
-// beside the rendering, which goes on.
+// Layers in the viewport: what lies under the pixels (albedo, normals, depth, ids), and how much each of them errs.
+// Made beside the rendering, which goes on.
 #pragma once
 #include <string>
 #include <vector>

@@ -35,7 +35,8 @@ void move_to(Camera& camera, const Vec3& eye) { camera.to_world[3] = Vec4(eye, 1
 
 }  // namespace
 
-std::optional<Picked> pick(const render::Document& document, const scene::CompiledScene& scene, const Placement& picture, Vec2 at) {
+std::optional<Picked> pick(const render::Document& document, const scene::CompiledScene& scene,
+                           const Placement& picture, Vec2 at) {
   if (!picture.contains(at)) return std::nullopt;
   Camera pinhole = document.camera;
   pinhole.lens_radius = 0;
@@ -77,7 +78,8 @@ Camera CameraHand::look_around(Camera camera, Vec2 amount) const {
 
 Camera CameraHand::pan(Camera camera, Vec2 amount, float height) {
   const float distance = std::max(glm::dot(eye_of(camera) - pivot_, back_of(camera)), 1e-6f);
-  const float visible = camera.projection == Projection::perspective ? 2 * std::tan(0.5f * camera.yfov) * distance : 2 * camera.ymag;
+  const float visible =
+      camera.projection == Projection::perspective ? 2 * std::tan(0.5f * camera.yfov) * distance : 2 * camera.ymag;
   const float metres = visible / std::max(height, 1.0f);
   const Vec3 move = (Vec3(camera.to_world[0]) * -amount.x + Vec3(camera.to_world[1]) * amount.y) * metres;
   move_to(camera, eye_of(camera) + move);

@@ -17,7 +17,8 @@ struct Picked {
 };
 
 // Nothing where the ray meets nothing, or outside the picture.
-std::optional<Picked> pick(const render::Document& document, const scene::CompiledScene& scene, const Placement& picture, Vec2 at);
+std::optional<Picked> pick(const render::Document& document, const scene::CompiledScene& scene,
+                           const Placement& picture, Vec2 at);
 
 // All moves return the camera that the move leads to; `amount` is in pixels of a picture that is `height` pixels high.
 class CameraHand {

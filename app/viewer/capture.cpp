@@ -9,21 +9,26 @@ namespace {
 // For finding out what a method may miss, where it does not declare to find everything.
 constexpr double kCertificateSeconds = 0.5;
 
-std::string certificate_of(const render::Session& session, const render::Document& document, const advice::Evidence& evidence) {
+std::string certificate_of(const render::Session& session, const render::Document& document,
+                           const advice::Evidence& evidence) {
   render::Session own({.threads = 1, .scene = session.scene()});
-  return advice::certificate_json(advice::certificate(own, document, evidence, kCertificateSeconds, [](double, const std::string&) { return true; }));
+  return advice::certificate_json(advice::certificate(own, document, evidence, kCertificateSeconds,
+                                                      [](double, const std::string&) { return true; }));
 }
 
 // An empty name if the picture is no longer of this version.
-Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document, uint64_t version) {
+Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document,
+                          uint64_t version) {
   if (auto known = render::check_output_name(file); !known) return known.error();
   const film::Film film = session.film_copy();
   auto shown = session.reweighted_copy();
   const render::Status status = session.status();
-  const advice::Evidence evidence{film.error(), film::relative_error(film), status.rejected, session.model(), status.health ? status.health->tail.khat : std::nullopt};
+  const advice::Evidence evidence{film.error(), film::relative_error(film), status.rejected, session.model(),
+                                  status.health ? status.health->tail.khat : std::nullopt};
   // An edit that came before the copy would have its film under the old settings.
   if (session.status().version != version) return std::string();
-  const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence), std::move(shown)};
+  const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence),
+                                    std::move(shown)};
   if (auto written = render::write_image(file, rendering); !written) return written.error();
   return file;
 }
@@ -59,7 +64,9 @@ std::optional<Result<std::string>> Capture::advance() {
     const render::Status status = session_.status();
     if (status.version != version_ || !status.finished) return std::nullopt;
     stage_ = Stage::writing;
-    job_.start([file = files_.front(), document = editor_.document(), version = version_, &session = session_] { return write(file, session, document, version); });
+    job_.start([file = files_.front(), document = editor_.document(), version = version_, &session = session_] {
+      return write(file, session, document, version);
+    });
   }
   auto result = job_.take();
   if (!result) return std::nullopt;

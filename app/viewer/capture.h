@@ -1,8 +1,8 @@
 // Snapshots: the picture in a file, with everything that is needed to make it again.
 //
-// A film is only worth keeping between two passes, when every pixel has the same number of samples: then the same settings and
-// that number give the same picture bit for bit. A capture lets the session finish the pass it is in, takes the film, and
-// lets it go on.
+// A film is only worth keeping between two passes, when every pixel has the same number of samples: then the same
+// settings and that number give the same picture bit for bit. A capture lets the session finish the pass it is in,
+// takes the film, and lets it go on.
 #pragma once
 #include <deque>
 #include <optional>
@@ -18,7 +18,8 @@ class Capture {
   Capture(render::Session& session, Editor& editor, std::function<void()> wake)
       : session_(session), editor_(editor), job_(std::move(wake)) {}
 
-  // As render::write_image does: .exr takes all, with a certificate; .hdr the radiance; .png what the screen shows of it.
+  // As render::write_image does: .exr takes all, with a certificate; .hdr the radiance; .png what the screen shows of
+  // it.
   void request(const std::string& file);
   bool busy() const { return !files_.empty(); }
   const std::string& file() const { return files_.front(); }

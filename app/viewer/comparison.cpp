@@ -15,7 +15,9 @@ namespace {
 constexpr double kShiftDelay = 0.2;  // seconds
 constexpr double kShare = 0.99;      // of the pixels lie within the colours
 
-Rgb linear(const Rgb& encoded) { return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)}; }
+Rgb linear(const Rgb& encoded) {
+  return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
+}
 
 // Rounded up to 1, 2 or 5 times a power of ten: a scale that holds still while the picture converges.
 float round_number(float x) {
@@ -45,10 +47,12 @@ void make_difference(DifferenceMap& map) {
   map.scale = scale_of(map.values);
   constexpr int kColors = 512;
   std::array<Rgb, kColors + 1> colors;
-  for (int i = 0; i <= kColors; ++i) colors[static_cast<size_t>(i)] = linear(signed_colors(2.0f * static_cast<float>(i) / kColors - 1));
+  for (int i = 0; i <= kColors; ++i)
+    colors[static_cast<size_t>(i)] = linear(signed_colors(2.0f * static_cast<float>(i) / kColors - 1));
   const float slope = map.scale > 0 ? 0.5f / map.scale : 0;
-  std::ranges::transform(map.values, map.painted.begin(),
-                         [&](float v) { return colors[static_cast<size_t>(std::clamp(v * slope + 0.5f, 0.0f, 1.0f) * kColors + 0.5f)]; });
+  std::ranges::transform(map.values, map.painted.begin(), [&](float v) {
+    return colors[static_cast<size_t>(std::clamp(v * slope + 0.5f, 0.0f, 1.0f) * kColors + 0.5f)];
+  });
 }
 
 // What the screen shows of it, before the encoding.
@@ -76,14 +80,19 @@ Result<Side> read_side(const std::string& file) {
   auto frame = std::make_shared<render::Frame>();
   frame->width = picture->width, frame->height = picture->height;
   auto pixels = std::make_shared<std::vector<Rgb>>(layer->pixels.size() / 3);
-  for (size_t i = 0; i < pixels->size(); ++i) (*pixels)[i] = {layer->pixels[3 * i], layer->pixels[3 * i + 1], layer->pixels[3 * i + 2]};
+  for (size_t i = 0; i < pixels->size(); ++i)
+    (*pixels)[i] = {layer->pixels[3 * i], layer->pixels[3 * i + 1], layer->pixels[3 * i + 2]};
   frame->pixels = std::move(pixels);
   return Side{std::filesystem::path(file).filename().string(), std::move(frame)};
 }
 
-bool same_size(const Side& a, const Side& b) { return a.frame->width == b.frame->width && a.frame->height == b.frame->height; }
+bool same_size(const Side& a, const Side& b) {
+  return a.frame->width == b.frame->width && a.frame->height == b.frame->height;
+}
 
-std::string size_text(const Side& side) { return std::to_string(side.frame->width) + " x " + std::to_string(side.frame->height); }
+std::string size_text(const Side& side) {
+  return std::to_string(side.frame->width) + " x " + std::to_string(side.frame->height);
+}
 
 }  // namespace
 
@@ -109,7 +118,8 @@ std::shared_ptr<const DifferenceMap> make_map(const MapKey& key, int width, int 
 std::string Comparison::problem() const {
   if (!first().frame) return "There is no picture yet.";
   if (!b.frame) return "There is no B: keep a picture, or load one.";
-  if (!same_size(first(), b)) return "A is " + size_text(first()) + ", B is " + size_text(b) + ": only pictures of one size can be compared.";
+  if (!same_size(first(), b))
+    return "A is " + size_text(first()) + ", B is " + size_text(b) + ": only pictures of one size can be compared.";
   return "";
 }
 
@@ -131,7 +141,8 @@ std::optional<Result<std::string>> Comparison::take_loaded() {
   if (!*loaded) return Result<std::string>(loaded->error());
   Side& side = (*loaded)->side;
   if (live.frame && !same_size(side, live))
-    return Result<std::string>(input_error(side.name + ": is " + size_text(side) + ", the picture is " + size_text(live) + "; only pictures of one size can be compared"));
+    return Result<std::string>(input_error(side.name + ": is " + size_text(side) + ", the picture is " +
+                                           size_text(live) + "; only pictures of one size can be compared"));
   const bool is_b = (*loaded)->target == Target::b;
   if (is_b && mode == CompareMode::off) mode = CompareMode::wipe;
   const std::string line = side.name + (is_b ? " is B now" : " is the reference now: hold Shift to see it");
@@ -153,7 +164,8 @@ bool Comparison::advance(float exposure, image::ToneCurve curve) {
   const bool resting = map() && std::chrono::duration<double>(Clock::now() - made_).count() < map_->seconds;
   if (settled_ || resting) return fresh;
   making_ = mode;
-  job_.start([key, width = left().frame->width, height = left().frame->height] { return make_map(key, width, height); });
+  job_.start(
+      [key, width = left().frame->width, height = left().frame->height] { return make_map(key, width, height); });
   return fresh;
 }
 
@@ -164,7 +176,8 @@ std::shared_ptr<const DifferenceMap> Comparison::map() const {
 
 bool Comparison::watch_shift(const Input& input, bool typing, Clock::time_point now) {
   const Shift before = shift_;
-  const bool alone = input.keys.count() == 1 && !typing && !input.buttons[0] && !input.buttons[1] && !input.buttons[2] && input.wheel == 0;
+  const bool alone = input.keys.count() == 1 && !typing && !input.buttons[0] && !input.buttons[1] &&
+                     !input.buttons[2] && input.wheel == 0;
   if (!input.shift())
     shift_ = Shift::up;
   else if (!alone)

@@ -1,8 +1,8 @@
 // Two pictures against each other: either side of a divider, their difference, or what an eye makes of it (FLIP); and a
 // reference that comes forth while Shift is held.
 //
-// Whoever has pictures puts them into `a`, `b` and `reference`. Where nobody does, A is the live picture, and B one that was
-// kept of it before.
+// Whoever has pictures puts them into `a`, `b` and `reference`. Where nobody does, A is the live picture, and B one
+// that was kept of it before.
 #pragma once
 #include <algorithm>
 #include <chrono>
@@ -107,7 +107,8 @@ class Comparison {
   Shift shift_ = Shift::up;
 };
 
-// The difference of two pictures of one size, as its key asks for it; takes milliseconds for each megapixel, FLIP a second.
+// The difference of two pictures of one size, as its key asks for it; takes milliseconds for each megapixel, FLIP a
+// second.
 std::shared_ptr<const DifferenceMap> make_map(const MapKey& key, int width, int height);
 
 }  // namespace etendue::viewer

@@ -27,7 +27,8 @@ void divider_line(const Workbench& w, ImDrawList* draw) {
   draw->AddCircleFilled({x, middle}, radius, dark);
   for (const float side : {-1.0f, 1.0f}) {
     const float foot = x + side * em * 0.14f;
-    draw->AddTriangleFilled({foot, middle - arrow}, {foot, middle + arrow}, {foot + side * arrow * 1.2f, middle}, light);
+    draw->AddTriangleFilled({foot, middle - arrow}, {foot, middle + arrow}, {foot + side * arrow * 1.2f, middle},
+                            light);
   }
 }
 
@@ -36,7 +37,8 @@ void side_names(const Workbench& w, ImDrawList* draw) {
   const Comparison& c = w.comparison;
   const Placement& p = w.view.picture;
   const float em = ImGui::GetFontSize(), x = divider_x(w), y = p.corner.y + em * 0.6f, gap = em * 0.5f;
-  const std::string left = std::string(c.left_letter()) + "  " + c.left().name, right = std::string(c.right_letter()) + "  " + c.right().name;
+  const std::string left = std::string(c.left_letter()) + "  " + c.left().name,
+                    right = std::string(c.right_letter()) + "  " + c.right().name;
   const float bottom = p.corner.y + p.size.y;
   draw->PushClipRect({p.corner.x, p.corner.y}, {x - 2, bottom}, true);
   draw_label(draw, {std::max(p.corner.x + gap, x - gap - label_size(left).x), y}, left);
@@ -57,16 +59,22 @@ void map_words(const Workbench& w, ImDrawList* draw) {
   const auto map = c.map();
   const bool flip = c.mode == CompareMode::flip;
   const std::string sides = flip ? "FLIP" : std::string(c.left_letter()) + " \u2212 " + c.right_letter();
-  const std::string head = !map ? sides + " is being made" : flip ? text_of("FLIP, mean %.4f", map->mean) : sides + text_of(", mean %+.3g", map->mean);
-  label_in_corner(w, draw, {head, std::string(c.left_letter()) + "  " + c.left().name, std::string(c.right_letter()) + "  " + c.right().name});
+  const std::string head = !map   ? sides + " is being made"
+                           : flip ? text_of("FLIP, mean %.4f", map->mean)
+                                  : sides + text_of(", mean %+.3g", map->mean);
+  label_in_corner(w, draw,
+                  {head, std::string(c.left_letter()) + "  " + c.left().name,
+                   std::string(c.right_letter()) + "  " + c.right().name});
   if (!map) return;
   if (flip) {
     const std::string figures[] = {"0", "0.25", "0.5", "0.75", "1"};
     draw_scale_bar(w, draw, viridis, figures, "FLIP");
   } else if (map->scale > 0) {
     std::string figures[5];
-    for (size_t i = 0; i < 5; ++i) figures[i] = i == 2 ? "0" : text_of("%+.3g", static_cast<double>(map->scale) * (static_cast<double>(i) / 2 - 1));
-    draw_scale_bar(w, draw, [](float x) { return signed_colors(2 * x - 1); }, figures, "luminance, W/(m\u00b2 sr)");
+    for (size_t i = 0; i < 5; ++i)
+      figures[i] = i == 2 ? "0" : text_of("%+.3g", static_cast<double>(map->scale) * (static_cast<double>(i) / 2 - 1));
+    draw_scale_bar(
+        w, draw, [](float x) { return signed_colors(2 * x - 1); }, figures, "luminance, W/(m\u00b2 sr)");
   }
 }
 
@@ -81,15 +89,20 @@ void read_out(const Workbench& w, ImDrawList* draw) {
   const Comparison& c = w.comparison;
   const auto pixel = pixel_under(w, c.left());
   if (!pixel) return;
-  const size_t index = static_cast<size_t>(pixel->y) * static_cast<size_t>(c.left().frame->width) + static_cast<size_t>(pixel->x);
+  const size_t index =
+      static_cast<size_t>(pixel->y) * static_cast<size_t>(c.left().frame->width) + static_cast<size_t>(pixel->x);
   const auto line = [](const std::string& name, const Rgb& v) {
-    return name + text_of("%10.4g %10.4g %10.4g", static_cast<double>(v.r), static_cast<double>(v.g), static_cast<double>(v.b));
+    return name + text_of("%10.4g %10.4g %10.4g", static_cast<double>(v.r), static_cast<double>(v.g),
+                          static_cast<double>(v.b));
   };
   const Rgb left = (*c.left().frame->pixels)[index], right = (*c.right().frame->pixels)[index];
   std::string text = text_of("pixel %d, %d\n", pixel->x, pixel->y);
-  text += line(std::string(c.left_letter()) + "    ", left) + "\n" + line(std::string(c.right_letter()) + "    ", right) + "\n";
+  text += line(std::string(c.left_letter()) + "    ", left) + "\n" +
+          line(std::string(c.right_letter()) + "    ", right) + "\n";
   text += line(std::string(c.left_letter()) + " \u2212 " + c.right_letter(), left - right);
-  if (const auto map = c.map()) text += text_of(c.mode == CompareMode::flip ? "\nFLIP %10.4f" : "\nlum. %10.4g", static_cast<double>(map->values[index]));
+  if (const auto map = c.map())
+    text += text_of(c.mode == CompareMode::flip ? "\nFLIP %10.4f" : "\nlum. %10.4g",
+                    static_cast<double>(map->values[index]));
   const Placement& p = w.view.picture;
   ImGui::PushFont(w.faces.figures);
   const float em = ImGui::GetFontSize();

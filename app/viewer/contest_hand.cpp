@@ -13,7 +13,9 @@ namespace etendue::viewer {
 namespace {
 
 // Whether two documents ask for the same picture, by whatever method.
-bool same_picture(const render::Document& a, const render::Document& b) { return same_view(a, b) && a.method.paths == b.method.paths; }
+bool same_picture(const render::Document& a, const render::Document& b) {
+  return same_view(a, b) && a.method.paths == b.method.paths;
+}
 
 std::string in_quotes(const std::string& text) {
   std::string quoted = "\"";
@@ -28,14 +30,15 @@ std::string csv_of(const bench::ContestSnapshot& contest) {
     for (size_t r = 0; r < method.corrected.repeats.size(); ++r)
       for (size_t i = 0; i < method.corrected.repeats[r].points.size(); ++i) {
         const auto &p = method.corrected.repeats[r].points[i], &raw = method.measured.repeats[r].points[i];
-        csv += in_quotes(method.name) + text_of(",%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", method.corrected.repeats[r].repeat, p.seconds, p.spp, p.mse, p.relmse,
+        csv += in_quotes(method.name) + text_of(",%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
+                                                method.corrected.repeats[r].repeat, p.seconds, p.spp, p.mse, p.relmse,
                                                 p.bias, raw.mse, raw.relmse);
       }
   return csv;
 }
 
-Result<std::string> write_chart(const std::string& file, const bench::ContestSnapshot& contest, std::span<const measure::MethodCurves> curves,
-                                const measure::ChartOptions& options) {
+Result<std::string> write_chart(const std::string& file, const bench::ContestSnapshot& contest,
+                                std::span<const measure::MethodCurves> curves, const measure::ChartOptions& options) {
   std::string extension = std::filesystem::path(file).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const auto drawing = measure::chart_of(curves, options);
@@ -55,7 +58,8 @@ Result<std::string> write_chart(const std::string& file, const bench::ContestSna
 }  // namespace
 
 bool same_view(const render::Document& a, const render::Document& b) {
-  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height && a.filter == b.filter && a.forced_flags == b.forced_flags;
+  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
+         a.filter == b.filter && a.forced_flags == b.forced_flags;
 }
 
 std::string name_of(const render::Method& method) {
@@ -63,7 +67,8 @@ std::string name_of(const render::Method& method) {
   for (const auto& [setting, value] : method.settings) {
     const size_t dot = setting.find('.');
     const std::string owner = setting.substr(0, dot);
-    if (owner == method.integrator || owner == method.sampler) name += ":" + setting.substr(dot + 1) + "=" + to_string(value);
+    if (owner == method.integrator || owner == method.sampler)
+      name += ":" + setting.substr(dot + 1) + "=" + to_string(value);
   }
   return name;
 }
@@ -147,7 +152,8 @@ void ContestHand::finish() {
 void ContestHand::retire() {
   if (!contest_) return;
   contest_->stop();
-  retiring_.start([last = std::make_shared<std::unique_ptr<bench::Contest>>(std::move(contest_))] { return last->reset(), true; });
+  retiring_.start(
+      [last = std::make_shared<std::unique_ptr<bench::Contest>>(std::move(contest_))] { return last->reset(), true; });
 }
 
 void ContestHand::advance(Comparison& comparison, Notices& notices) {
@@ -161,7 +167,9 @@ void ContestHand::advance(Comparison& comparison, Notices& notices) {
   const bool news = has_news();
   shown_ = contest_->snapshot();
   if (!same_picture(editor_.document(), document_)) {
-    if (running_) finish(), notices.say("The scene was edited: the comparison has ended. Its curves are those of the scene before.");
+    if (running_)
+      finish(),
+          notices.say("The scene was edited: the comparison has ended. Its curves are those of the scene before.");
     retire();
     comparison.a = comparison.b = comparison.reference = {};
     comparison.mode = CompareMode::off;
@@ -192,8 +200,10 @@ measure::ChartOptions ContestHand::chart_options() const {
   if (!shown_) return options;
   const auto& d = document_;
   options.title = std::filesystem::path(d.scene_name).filename().string() + text_of(", %d x %d, ", d.width, d.height) +
-                  (shown_->rule == bench::Rule::equal_time ? text_of("%g s each", shown_->seconds) : text_of("%u spp each", shown_->samples));
-  if (options.kind == measure::ErrorKind::rmse && std::isfinite(shown_->reference_error)) options.reference_error = shown_->reference_error;
+                  (shown_->rule == bench::Rule::equal_time ? text_of("%g s each", shown_->seconds)
+                                                           : text_of("%u spp each", shown_->samples));
+  if (options.kind == measure::ErrorKind::rmse && std::isfinite(shown_->reference_error))
+    options.reference_error = shown_->reference_error;
   return options;
 }
 
@@ -209,7 +219,9 @@ std::vector<measure::MethodCurves> ContestHand::curves() const {
 
 void ContestHand::write(const std::string& file) {
   if (!shown_) return;
-  job_.start([file, contest = shown_, curves = curves(), options = chart_options()] { return write_chart(file, *contest, curves, options); });
+  job_.start([file, contest = shown_, curves = curves(), options = chart_options()] {
+    return write_chart(file, *contest, curves, options);
+  });
 }
 
 }  // namespace etendue::viewer

@@ -1,7 +1,7 @@
 // The methods that take turns on the scene on the desk: which ones, by which rule, and what became of them.
 //
-// While they do, the main rendering is paused. An edit of what the picture is of ends them; their curves stay, marked as
-// those of the scene before.
+// While they do, the main rendering is paused. An edit of what the picture is of ends them; their curves stay, marked
+// as those of the scene before.
 #pragma once
 #include <array>
 #include <optional>
@@ -38,23 +38,41 @@ class Notices;
 
 // What the user set; none of it changes a contest that runs, but for what is drawn of it.
 struct ContestSetup {
-  std::vector<std::string> methods;  // as a bench names them
-  size_t a = 0, b = 1;               // whose pictures are the sides of the viewport
+  std::vector<std::string> methods;                    // as a bench names them
+  size_t a = 0, b = 1;                                 // whose pictures are the sides of the viewport
   std::string integrator = "path", sampler = "sobol";  // that can be added next
 
-  Choice<bench::Rule> rule{"compare.rule", "Rule", bench::Rule::equal_time, "What all methods get alike: time on the machine, or samples of every pixel"};
-  Number<float> seconds{"compare.seconds", "Budget", 10, {0.1f, 36000}, "Seconds of rendering for each method in each repeat", "s", Scale::logarithmic};
-  Number<int> samples{"compare.samples", "Budget", 64, {1, 1000000}, "Samples per pixel for each method in each repeat", "spp", Scale::logarithmic};
-  Number<int> repeats{"compare.repeats", "Repeats", 5, {1, 100}, "How often, with other random numbers: bands and uncertainties come from these", "x"};
+  Choice<bench::Rule> rule{"compare.rule", "Rule", bench::Rule::equal_time,
+                           "What all methods get alike: time on the machine, or samples of every pixel"};
+  Number<float> seconds{
+      "compare.seconds", "Budget", 10, {0.1f, 36000}, "Seconds of rendering for each method in each repeat", "s",
+      Scale::logarithmic};
+  Number<int> samples{
+      "compare.samples", "Budget", 64, {1, 1000000}, "Samples per pixel for each method in each repeat", "spp",
+      Scale::logarithmic};
+  Number<int> repeats{"compare.repeats",
+                      "Repeats",
+                      5,
+                      {1, 100},
+                      "How often, with other random numbers: bands and uncertainties come from these",
+                      "x"};
   Choice<measure::Abscissa> along{"compare.axis", "Axis", measure::Abscissa::seconds, "What the error is drawn over"};
-  Choice<measure::ErrorKind> kind{"compare.error", "Error", measure::ErrorKind::rmse, "Root mean square error in radiance, or mean square error relative to the reference"};
+  Choice<measure::ErrorKind> kind{"compare.error", "Error", measure::ErrorKind::rmse,
+                                  "Root mean square error in radiance, or mean square error relative to the reference"};
   auto knobs() { return std::tie(rule, seconds, samples, repeats, along, kind); }
 };
 
 class ContestHand {
  public:
-  ContestHand(render::Session& session, Editor& editor, int threads, std::filesystem::path cache, std::function<void()> wake)
-      : session_(session), editor_(editor), threads_(threads), cache_(std::move(cache)), wake_(wake), job_(wake), retiring_(std::move(wake)) {}
+  ContestHand(render::Session& session, Editor& editor, int threads, std::filesystem::path cache,
+              std::function<void()> wake)
+      : session_(session),
+        editor_(editor),
+        threads_(threads),
+        cache_(std::move(cache)),
+        wake_(wake),
+        job_(wake),
+        retiring_(std::move(wake)) {}
 
   ContestSetup setup;
 
@@ -102,7 +120,7 @@ class ContestHand {
   const std::function<void()> wake_;
   std::unique_ptr<bench::Contest> contest_;
   std::shared_ptr<const bench::ContestSnapshot> shown_, before_;  // before it went on
-  render::Document document_;  // that the contest is of
+  render::Document document_;                                     // that the contest is of
   bool running_ = false, was_paused_ = false, sides_wanted_ = false;
   Job<Result<std::string>> job_;
   Job<bool> retiring_;

@@ -26,7 +26,8 @@ measure::ChartOptions panel_options(const Workbench& w, const ImVec2& size) {
   options.palette = {ink_of(w.theme.text), ink_of(w.theme.quiet), border, faded(border, 0.45)};
   const auto* contest = w.contest.shown();
   const bool timed = contest && contest->rule == bench::Rule::equal_time;
-  if (contest && timed == (options.along == measure::Abscissa::seconds)) options.reach = timed ? contest->seconds : contest->samples;
+  if (contest && timed == (options.along == measure::Abscissa::seconds))
+    options.reach = timed ? contest->seconds : contest->samples;
   return options;
 }
 
@@ -58,8 +59,14 @@ std::string line_of(const MethodCurves& curves, const Reading& reading, double l
 // The read-out beside the pointer: what stands there, and where.
 class ReadOut {
  public:
-  ReadOut(const Workbench& w, const ImVec2& corner, const std::vector<MethodCurves>& curves, const measure::ChartOptions& options)
-      : w_(w), corner_(corner), curves_(curves), options_(options), frame_(measure::frame_of_chart(curves, options)), scale_(w.platform.scale()) {}
+  ReadOut(const Workbench& w, const ImVec2& corner, const std::vector<MethodCurves>& curves,
+          const measure::ChartOptions& options)
+      : w_(w),
+        corner_(corner),
+        curves_(curves),
+        options_(options),
+        frame_(measure::frame_of_chart(curves, options)),
+        scale_(w.platform.scale()) {}
 
   void draw() {
     const double x = (w_.input.mouse.x - corner_.x) / scale_, y = (w_.input.mouse.y - corner_.y) / scale_;
@@ -73,20 +80,25 @@ class ReadOut {
   }
 
  private:
-  ImVec2 at(double x, double y) const { return {corner_.x + static_cast<float>(x) * scale_, corner_.y + static_cast<float>(y) * scale_}; }
+  ImVec2 at(double x, double y) const {
+    return {corner_.x + static_cast<float>(x) * scale_, corner_.y + static_cast<float>(y) * scale_};
+  }
 
   // Where there is nothing to read, the place itself is read.
   void cross_hair(double x, double y) const {
     const ImU32 quiet = ImGui::GetColorU32(w_.theme.quiet);
     draw_->AddLine(at(x, frame_.top), at(x, frame_.bottom), quiet);
     if (readings_.empty()) draw_->AddLine(at(frame_.left, y), at(frame_.right, y), quiet);
-    for (const auto& r : readings_) draw_->AddCircleFilled(at(x, frame_.y.place(r.point.median)), 3.5f * scale_, color_of(measure::ink_of_method(r.method)));
+    for (const auto& r : readings_)
+      draw_->AddCircleFilled(at(x, frame_.y.place(r.point.median)), 3.5f * scale_,
+                             color_of(measure::ink_of_method(r.method)));
   }
 
   std::vector<std::string> lines() const {
     size_t name_width = 0;
     double least = INFINITY;
-    for (const auto& r : readings_) name_width = std::max(name_width, curves_[r.method].name.size()), least = std::min(least, r.point.median);
+    for (const auto& r : readings_)
+      name_width = std::max(name_width, curves_[r.method].name.size()), least = std::min(least, r.point.median);
     std::vector<std::string> list;
     for (const auto& r : readings_) list.push_back(line_of(curves_[r.method], r, least, name_width));
     return list;
@@ -110,7 +122,8 @@ class ReadOut {
   ImVec2 place_of(double x, const ImVec2& size, float gap) const {
     const ImVec2 low = at(frame_.left, frame_.top), high = at(frame_.right, frame_.bottom), line = at(x, 0);
     const bool right = x < 0.5 * (frame_.left + frame_.right);
-    const float left = std::clamp(right ? line.x + gap : line.x - size.x - gap, low.x, std::max(low.x, high.x - size.x));
+    const float left =
+        std::clamp(right ? line.x + gap : line.x - size.x - gap, low.x, std::max(low.x, high.x - size.x));
     const ImVec2 above{left, low.y + gap}, below{left, high.y - size.y - gap};
     return covered(below, size) < covered(above, size) ? below : above;
   }
@@ -129,7 +142,8 @@ class ReadOut {
     draw_->AddText(font, size, next, ImGui::GetColorU32(w_.theme.quiet), head.c_str());
     for (size_t i = 0; i < text.size(); ++i) {
       next.y += row;
-      draw_->AddRectFilled({next.x, next.y + size * 0.2f}, {next.x + size * 0.7f, next.y + size * 0.9f}, color_of(measure::ink_of_method(readings_[i].method)), 2);
+      draw_->AddRectFilled({next.x, next.y + size * 0.2f}, {next.x + size * 0.7f, next.y + size * 0.9f},
+                           color_of(measure::ink_of_method(readings_[i].method)), 2);
       draw_->AddText(font, size, {next.x + swatch, next.y}, ImGui::GetColorU32(w_.theme.text), text[i].c_str());
     }
   }
@@ -145,16 +159,22 @@ class ReadOut {
 };
 
 void invitation(const Workbench& w, const ImVec2& corner, const ImVec2& size) {
-  const std::string text = w.contest.running() ? "The first turns are being taken." : "Press Compare: the methods take turns on this scene,\nand their errors grow here as curves.";
+  const std::string text =
+      w.contest.running()
+          ? "The first turns are being taken."
+          : "Press Compare: the methods take turns on this scene,\nand their errors grow here as curves.";
   const ImVec2 words = ImGui::CalcTextSize(text.c_str());
-  ImGui::GetWindowDrawList()->AddText({corner.x + (size.x - words.x) * 0.5f, corner.y + (size.y - words.y) * 0.5f}, ImGui::GetColorU32(w.theme.quiet), text.c_str());
+  ImGui::GetWindowDrawList()->AddText({corner.x + (size.x - words.x) * 0.5f, corner.y + (size.y - words.y) * 0.5f},
+                                      ImGui::GetColorU32(w.theme.quiet), text.c_str());
 }
 
 // Curves descend: the lower left corner is free.
 void mark_as_past(const Workbench& w, const ImVec2& corner, const measure::ChartFrame& frame) {
   const float scale = w.platform.scale(), size = w.faces.small->FontSize;
-  const ImVec2 at{corner.x + static_cast<float>(frame.left + 8) * scale, corner.y + static_cast<float>(frame.bottom - 6) * scale - size};
-  ImGui::GetWindowDrawList()->AddText(w.faces.small, size, at, ImGui::GetColorU32(w.theme.warning), "of the scene before the edit");
+  const ImVec2 at{corner.x + static_cast<float>(frame.left + 8) * scale,
+                  corner.y + static_cast<float>(frame.bottom - 6) * scale - size};
+  ImGui::GetWindowDrawList()->AddText(w.faces.small, size, at, ImGui::GetColorU32(w.theme.warning),
+                                      "of the scene before the edit");
 }
 
 }  // namespace

@@ -9,8 +9,9 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar;
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar;
 
 float strip_height() { return std::floor(ImGui::GetFontSize() + 10); }
 
@@ -64,18 +65,26 @@ void draw_strip(Workbench& w, float top, float right, float bottom, bool open) {
 
 const std::vector<SheetInfo>& sheets() {
   static const std::vector<SheetInfo> list{
-      {"sheet.convergence", "Convergence", "Methods take turns on this scene; their errors grow as curves", draw_convergence_sheet},
-      {"sheet.health", "Health", "How far the picture can be trusted: its error, its rarest samples, what was rejected", draw_health_sheet},
-      {"sheet.paths", "Paths", "Where the energy of this view comes from, by classes of light paths, and what the method finds of it", draw_paths_sheet},
-      {"sheet.techniques", "Techniques", "What each technique of a bidirectional method adds to the picture", draw_techniques_sheet},
-      {"sheet.sampling", "Sampling", "The samples of one pixel: their running mean, their histogram, the points they are made of", draw_sampling_sheet},
+      {"sheet.convergence", "Convergence", "Methods take turns on this scene; their errors grow as curves",
+       draw_convergence_sheet},
+      {"sheet.health", "Health", "How far the picture can be trusted: its error, its rarest samples, what was rejected",
+       draw_health_sheet},
+      {"sheet.paths", "Paths",
+       "Where the energy of this view comes from, by classes of light paths, and what the method finds of it",
+       draw_paths_sheet},
+      {"sheet.techniques", "Techniques", "What each technique of a bidirectional method adds to the picture",
+       draw_techniques_sheet},
+      {"sheet.sampling", "Sampling",
+       "The samples of one pixel: their running mean, their histogram, the points they are made of",
+       draw_sampling_sheet},
   };
   return list;
 }
 
 float draw_drawer(Workbench& w, float top, float right, float bottom) {
   const float scale = w.platform.scale(), strip = strip_height(), room = bottom - top;
-  const auto open = std::find_if(sheets().begin(), sheets().end(), [&](const SheetInfo& info) { return w.view.sheet == info.name; });
+  const auto open =
+      std::find_if(sheets().begin(), sheets().end(), [&](const SheetInfo& info) { return w.view.sheet == info.name; });
   if (open == sheets().end()) {
     draw_strip(w, bottom - strip, right, bottom, false);
     return strip;

@@ -1,5 +1,5 @@
-// The drawer under the picture: sheets of figures about it, one open at a time, pulled out by its tab and pushed back by
-// the same.
+// The drawer under the picture: sheets of figures about it, one open at a time, pulled out by its tab and pushed back
+// by the same.
 #pragma once
 #include "viewer/workbench.h"
 

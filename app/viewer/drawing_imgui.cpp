@@ -32,10 +32,11 @@ std::vector<Crossing> crossings(const std::vector<Spot>& points, double left, do
 
 class Painter {
  public:
-  Painter(ImDrawList& list, const ImVec2& corner, float scale, ImFont* font) : list_(list), corner_(corner), scale_(scale), font_(font) {}
+  Painter(ImDrawList& list, const ImVec2& corner, float scale, ImFont* font)
+      : list_(list), corner_(corner), scale_(scale), font_(font) {}
 
-  // In strips between the corners' abscissae: an area need not be convex, as ImGui wants it. Without smooth edges, which
-  // would show where strips meet.
+  // In strips between the corners' abscissae: an area need not be convex, as ImGui wants it. Without smooth edges,
+  // which would show where strips meet.
   void operator()(const measure::Area& area) {
     if (!finite(area.points)) return;
     std::vector<double> xs;
@@ -47,8 +48,8 @@ class Painter {
       if (xs[i] <= xs[i - 1]) continue;
       const auto edges = crossings(area.points, xs[i - 1], xs[i]);
       for (size_t k = 0; k + 1 < edges.size(); k += 2)
-        list_.AddQuadFilled(at({xs[i - 1], edges[k].left}), at({xs[i], edges[k].right}), at({xs[i], edges[k + 1].right}), at({xs[i - 1], edges[k + 1].left}),
-                            color_of(area.ink));
+        list_.AddQuadFilled(at({xs[i - 1], edges[k].left}), at({xs[i], edges[k].right}),
+                            at({xs[i], edges[k + 1].right}), at({xs[i - 1], edges[k + 1].left}), color_of(area.ink));
     }
     list_.Flags = flags;
   }
@@ -62,7 +63,8 @@ class Painter {
     }
     // A thin line along the axes lies on whole pixels.
     const Spot &first = stroke.points.front(), &last = stroke.points.back();
-    if (stroke.points.size() == 2 && stroke.width <= 1 && (first.x == last.x || first.y == last.y)) return ruled(first, last, color_of(stroke.ink), width);
+    if (stroke.points.size() == 2 && stroke.width <= 1 && (first.x == last.x || first.y == last.y))
+      return ruled(first, last, color_of(stroke.ink), width);
     for (const Spot& s : stroke.points) list_.PathLineTo(at(s));
     list_.PathStroke(color_of(stroke.ink), 0, width);
   }
@@ -76,18 +78,23 @@ class Painter {
     ImVec2 place = at(words.at);
     const float width = font_->CalcTextSizeA(font_->FontSize, 1e6f, 0, words.text.c_str()).x;
     if (words.anchor != measure::Anchor::left) place.x -= words.anchor == measure::Anchor::right ? width : width / 2;
-    list_.AddText(font_, font_->FontSize, {std::floor(place.x), std::floor(place.y - font_->Ascent)}, color_of(words.ink), words.text.c_str());
+    list_.AddText(font_, font_->FontSize, {std::floor(place.x), std::floor(place.y - font_->Ascent)},
+                  color_of(words.ink), words.text.c_str());
   }
 
  private:
-  ImVec2 at(const Spot& s) const { return {corner_.x + static_cast<float>(s.x) * scale_, corner_.y + static_cast<float>(s.y) * scale_}; }
+  ImVec2 at(const Spot& s) const {
+    return {corner_.x + static_cast<float>(s.x) * scale_, corner_.y + static_cast<float>(s.y) * scale_};
+  }
 
   void ruled(const Spot& from, const Spot& to, ImU32 color, float width) {
     const ImVec2 a = at(from), b = at(to);
     if (from.x == to.x)
-      list_.AddRectFilled({std::floor(a.x), std::min(a.y, b.y)}, {std::floor(a.x) + std::max(1.0f, width), std::max(a.y, b.y)}, color);
+      list_.AddRectFilled({std::floor(a.x), std::min(a.y, b.y)},
+                          {std::floor(a.x) + std::max(1.0f, width), std::max(a.y, b.y)}, color);
     else
-      list_.AddRectFilled({std::min(a.x, b.x), std::floor(a.y)}, {std::max(a.x, b.x), std::floor(a.y) + std::max(1.0f, width)}, color);
+      list_.AddRectFilled({std::min(a.x, b.x), std::floor(a.y)},
+                          {std::max(a.x, b.x), std::floor(a.y) + std::max(1.0f, width)}, color);
   }
 
   ImDrawList& list_;
@@ -103,7 +110,9 @@ void draw(ImDrawList& list, const measure::Drawing& drawing, const ImVec2& corne
   for (const auto& shape : drawing.shapes) std::visit(painter, shape);
 }
 
-ImU32 color_of(const measure::Ink& ink) { return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity))); }
+ImU32 color_of(const measure::Ink& ink) {
+  return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity)));
+}
 
 measure::Ink ink_of(const ImVec4& color) {
   const auto part = [](float v) { return static_cast<uint8_t>(std::lround(255 * v)); };

@@ -6,8 +6,8 @@
 
 namespace etendue::viewer {
 
-// `corner` is where the drawing's upper left corner lies on screen, `scale` how many pixels of the screen are one of its own.
-// Words are drawn in `font` as it is, whatever size they ask for: letters of another size would blur.
+// `corner` is where the drawing's upper left corner lies on screen, `scale` how many pixels of the screen are one of
+// its own. Words are drawn in `font` as it is, whatever size they ask for: letters of another size would blur.
 void draw(ImDrawList& list, const measure::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
 
 ImU32 color_of(const measure::Ink& ink);

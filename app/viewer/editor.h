@@ -20,8 +20,8 @@ class Editor {
   // A new document; forgets all steps.
   void open(render::Document document);
 
-  // Makes `changed` the document. `name` is what the menu calls the step. Edits with the same gesture, one after the other,
-  // are one step until `end_gesture`.
+  // Makes `changed` the document. `name` is what the menu calls the step. Edits with the same gesture, one after the
+  // other, are one step until `end_gesture`.
   void apply(render::Document changed, const std::string& name, const std::string& gesture = "");
   void end_gesture() { gesture_.clear(); }
   const std::string& gesture() const { return gesture_; }

@@ -36,7 +36,9 @@ std::vector<double> smoothed(const std::vector<double>& values, int count, int l
   return means;
 }
 
-Rgb linear(const Rgb& encoded) { return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)}; }
+Rgb linear(const Rgb& encoded) {
+  return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
+}
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace etendue::viewer {
 
 struct ErrorLayer {
-  std::vector<Rgb> pixels;  // linear, made to be looked at; black where nothing is known or nothing errs
+  std::vector<Rgb> pixels;   // linear, made to be looked at; black where nothing is known or nothing errs
   double low = 0, high = 0;  // radiance at both ends of the scale, which is logarithmic
 };
 

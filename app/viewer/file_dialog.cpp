@@ -11,8 +11,8 @@
 namespace etendue::viewer {
 namespace fs = std::filesystem;
 
-void FileDialog::ask(std::string title, std::string folder, std::vector<std::string> extensions, bool saves, std::string name,
-                     std::function<void(const std::string&)> chosen) {
+void FileDialog::ask(std::string title, std::string folder, std::vector<std::string> extensions, bool saves,
+                     std::string name, std::function<void(const std::string&)> chosen) {
   title_ = std::move(title);
   extensions_ = std::move(extensions);
   saves_ = saves;
@@ -34,7 +34,8 @@ void FileDialog::read_folder() {
   files_.clear();
   problem_.clear();
   std::error_code code;
-  for (fs::directory_iterator it(folder_, fs::directory_options::skip_permission_denied, code), end; !code && it != end; it.increment(code)) {
+  for (fs::directory_iterator it(folder_, fs::directory_options::skip_permission_denied, code), end; !code && it != end;
+       it.increment(code)) {
     const std::string name = it->path().filename().string();
     if (name.starts_with('.')) continue;
     std::error_code kind;
@@ -59,7 +60,9 @@ void FileDialog::draw(Workbench& w) {
   const float line = ImGui::GetFrameHeightWithSpacing();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, line * 24), std::min(screen.y * 0.85f, line * 19)});
-  if (!ImGui::BeginPopupModal("##files", &open_, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) return;
+  if (!ImGui::BeginPopupModal("##files", &open_,
+                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+    return;
   bool accepted = false;
   ImGui::TextUnformatted(title_.c_str());
   ImGui::PushTextWrapPos(0);

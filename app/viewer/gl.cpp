@@ -7,11 +7,13 @@ namespace etendue::viewer {
 bool Gl::load(const Loader& loader) {
   bool complete = true;
   const auto get = [&](auto& function, const char* name) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(loader((std::string("gl") + name).c_str()));
+    function =
+        reinterpret_cast<std::remove_reference_t<decltype(function)>>(loader((std::string("gl") + name).c_str()));
     complete = complete && function != nullptr;
   };
   get(GetString, "GetString"), get(Viewport, "Viewport"), get(Clear, "Clear"), get(ClearColor, "ClearColor");
-  get(Disable, "Disable"), get(Enable, "Enable"), get(Scissor, "Scissor"), get(Finish, "Finish"), get(ReadPixels, "ReadPixels"), get(PixelStorei, "PixelStorei");
+  get(Disable, "Disable"), get(Enable, "Enable"), get(Scissor, "Scissor"), get(Finish, "Finish"),
+      get(ReadPixels, "ReadPixels"), get(PixelStorei, "PixelStorei");
   get(GenTextures, "GenTextures"), get(DeleteTextures, "DeleteTextures"), get(BindTexture, "BindTexture");
   get(ActiveTexture, "ActiveTexture"), get(TexImage2D, "TexImage2D"), get(TexSubImage2D, "TexSubImage2D");
   get(TexParameteri, "TexParameteri"), get(GenFramebuffers, "GenFramebuffers");

@@ -21,8 +21,10 @@ void draw_health_map(const Workbench& w, const render::Health& health, ImDrawLis
   const Placement& p = w.view.picture;
   const Vec2 pixel = p.size / Vec2(d.width, d.height);
   for (int tile = 0; tile < static_cast<int>(health.tiles.size()); ++tile) {
-    const Vec2 first(tile % health.across * render::TileTails::kWidth, tile / health.across * render::TileTails::kHeight);
-    const Vec2 end = glm::min(first + Vec2(render::TileTails::kWidth, render::TileTails::kHeight), Vec2(d.width, d.height));
+    const Vec2 first(tile % health.across * render::TileTails::kWidth,
+                     tile / health.across * render::TileTails::kHeight);
+    const Vec2 end =
+        glm::min(first + Vec2(render::TileTails::kWidth, render::TileTails::kHeight), Vec2(d.width, d.height));
     const Vec2 a = p.corner + first * pixel, b = p.corner + end * pixel;
     const render::TileHealth& state = health.tiles[static_cast<size_t>(tile)];
     draw->AddRectFilled({a.x, a.y}, {b.x, b.y}, veil(state));

@@ -16,13 +16,23 @@ struct KeyName {
 };
 
 constexpr KeyName kNames[] = {
-    {"space", "Space", GLFW_KEY_SPACE},     {"tab", "Tab", GLFW_KEY_TAB},         {"enter", "Enter", GLFW_KEY_ENTER},
-    {"escape", "Esc", GLFW_KEY_ESCAPE},     {"home", "Home", GLFW_KEY_HOME},      {"end", "End", GLFW_KEY_END},
-    {"delete", "Delete", GLFW_KEY_DELETE},  {"backspace", "Backspace", GLFW_KEY_BACKSPACE},
-    {"left", "Left", GLFW_KEY_LEFT},        {"right", "Right", GLFW_KEY_RIGHT},   {"up", "Up", GLFW_KEY_UP},
-    {"down", "Down", GLFW_KEY_DOWN},        {"f1", "F1", GLFW_KEY_F1},            {"f5", "F5", GLFW_KEY_F5},
+    {"space", "Space", GLFW_KEY_SPACE},
+    {"tab", "Tab", GLFW_KEY_TAB},
+    {"enter", "Enter", GLFW_KEY_ENTER},
+    {"escape", "Esc", GLFW_KEY_ESCAPE},
+    {"home", "Home", GLFW_KEY_HOME},
+    {"end", "End", GLFW_KEY_END},
+    {"delete", "Delete", GLFW_KEY_DELETE},
+    {"backspace", "Backspace", GLFW_KEY_BACKSPACE},
+    {"left", "Left", GLFW_KEY_LEFT},
+    {"right", "Right", GLFW_KEY_RIGHT},
+    {"up", "Up", GLFW_KEY_UP},
+    {"down", "Down", GLFW_KEY_DOWN},
+    {"f1", "F1", GLFW_KEY_F1},
+    {"f5", "F5", GLFW_KEY_F5},
     {"shift", "Shift", GLFW_KEY_LEFT_SHIFT},
-    {"f11", "F11", GLFW_KEY_F11},           {"pageup", "Page up", GLFW_KEY_PAGE_UP},
+    {"f11", "F11", GLFW_KEY_F11},
+    {"pageup", "Page up", GLFW_KEY_PAGE_UP},
     {"pagedown", "Page down", GLFW_KEY_PAGE_DOWN},
 };
 
@@ -110,8 +120,8 @@ bool EventQueue::take_frame(Input& input) {
 }
 
 bool Chord::pressed(const Input& input) const {
-  return key > 0 && input.keys_pressed[static_cast<size_t>(key)] && input.control() == control && input.shift() == shift &&
-         input.alt() == alt;
+  return key > 0 && input.keys_pressed[static_cast<size_t>(key)] && input.control() == control &&
+         input.shift() == shift && input.alt() == alt;
 }
 
 Result<Chord> parse_chord(const std::string& text) {
@@ -129,7 +139,9 @@ Result<Chord> parse_chord(const std::string& text) {
       for (const auto& name : kNames)
         if (word == name.written) chord.key = name.key;
       if (chord.key > 0 && chord.key < kKeys) return chord;
-      return usage_error("'" + text + "' is no key; give a character, f1, space, tab, enter, escape, home or an arrow, with ctrl+, shift+ or alt+ in front");
+      return usage_error("'" + text +
+                         "' is no key; give a character, f1, space, tab, enter, escape, home or an arrow, with ctrl+, "
+                         "shift+ or alt+ in front");
     }
     if (word == "ctrl")
       chord.control = true;

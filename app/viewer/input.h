@@ -1,7 +1,8 @@
 // What a user's hands do, from a real window or from a script, in one queue.
 //
-// Dear ImGui 1.86 looks at the state of buttons and keys once a frame: a press and a release between two looks are lost. The
-// queue therefore hands out events only up to the second change of the same button or key; the rest waits for the next frame.
+// Dear ImGui 1.86 looks at the state of buttons and keys once a frame: a press and a release between two looks are
+// lost. The queue therefore hands out events only up to the second change of the same button or key; the rest waits for
+// the next frame.
 #pragma once
 #include <array>
 #include <bitset>

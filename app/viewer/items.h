@@ -1,7 +1,7 @@
 // The names of what is on screen: where each item was drawn, and what a script wants of it.
 //
-// A script reaches a widget only through here: it asks for a value by name, and the widget of that name, when it is drawn,
-// takes the value on the way that a hand's value would take. What is not drawn cannot be set.
+// A script reaches a widget only through here: it asks for a value by name, and the widget of that name, when it is
+// drawn, takes the value on the way that a hand's value would take. What is not drawn cannot be set.
 #pragma once
 #include <map>
 #include <optional>

@@ -16,7 +16,8 @@ std::string extension_of(const std::string& file) {
 }
 
 Result<Opened> environment(const std::string& file, const render::Document& current) {
-  if (!current.scene) return usage_error(file + ": is a picture, and there is no scene that it could light; open a .gltf or .glb first");
+  if (!current.scene)
+    return usage_error(file + ": is a picture, and there is no scene that it could light; open a .gltf or .glb first");
   auto lit = render::with_environment(current, file);
   if (!lit) return lit.error();
   return Opened{Opened::Kind::environment, file, std::move(*lit)};
@@ -48,6 +49,8 @@ void Loader::open(const std::string& file, const render::Document& current) {
   job_.start([file, current] { return read(file, current); });
 }
 
-double Loader::seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
+double Loader::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
 
 }  // namespace etendue::viewer

@@ -1,6 +1,7 @@
 // Opening files without waiting for them.
 //
-// A file is what it contains: a scene, a snapshot (an .exr that carries a state), or light from all around (.hdr, .exr).
+// A file is what it contains: a scene, a snapshot (an .exr that carries a state), or light from all around (.hdr,
+// .exr).
 #pragma once
 #include <chrono>
 #include <optional>

@@ -16,7 +16,8 @@ void action_item(Workbench& w, const Action& action) {
   std::string text = action.label;
   if (action.name == "edit.undo" && !w.editor.undo_name().empty()) text += ": " + w.editor.undo_name();
   if (action.name == "edit.redo" && !w.editor.redo_name().empty()) text += ": " + w.editor.redo_name();
-  if (ImGui::MenuItem(text.c_str(), keys.c_str(), action.checked && action.checked(), action.is_enabled())) action.run();
+  if (ImGui::MenuItem(text.c_str(), keys.c_str(), action.checked && action.checked(), action.is_enabled()))
+    action.run();
   w.items.place(action.name);
   if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(w, action.doc);
 }

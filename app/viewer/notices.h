@@ -1,4 +1,5 @@
-// Lines that tell the user what happened, where they look, and go away by themselves; errors stay until they are closed.
+// Lines that tell the user what happened, where they look, and go away by themselves; errors stay until they are
+// closed.
 #pragma once
 #include <string>
 #include <vector>

@@ -9,8 +9,9 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags kOverlay = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 struct Hand {
   const char *what, *how;
@@ -50,7 +51,8 @@ void key_column(const Workbench& w, bool integrators) {
 
 // A table that is this many letters wide.
 bool sheet(const char* name, float letters) {
-  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX, {ImGui::GetFontSize() * letters, 0});
+  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX,
+                           {ImGui::GetFontSize() * letters, 0});
 }
 
 }  // namespace
@@ -97,7 +99,8 @@ void draw_loading(Workbench& w) {
   const float height = ImGui::GetFontSize() * 0.35f;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg), height / 2);
-  draw->AddRectFilled({corner.x + width * 0.8f * at, corner.y}, {corner.x + width * (0.8f * at + 0.2f), corner.y + height},
+  draw->AddRectFilled({corner.x + width * 0.8f * at, corner.y},
+                      {corner.x + width * (0.8f * at + 0.2f), corner.y + height},
                       ImGui::GetColorU32(ImGuiCol_PlotHistogram), height / 2);
   ImGui::Dummy({width, height});
   if (w.loader.busy()) {

@@ -18,7 +18,9 @@ std::string lower(std::string text) {
 
 // All letters in their order, in the label, the name or the explanation; earlier is better.
 bool matches(const Action& action, const std::string& wanted) {
-  return wanted.empty() || lower(action.label + " " + action.name + " " + action.menu + " " + action.doc).find(lower(wanted)) != std::string::npos;
+  return wanted.empty() ||
+         lower(action.label + " " + action.name + " " + action.menu + " " + action.doc).find(lower(wanted)) !=
+             std::string::npos;
 }
 
 struct State {
@@ -44,7 +46,8 @@ void draw_palette(Workbench& w) {
   }
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const bool entered = ImGui::InputTextWithHint("##wanted", "Find an action", &state.wanted, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##wanted", "Find an action", &state.wanted, ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) state.chosen = 0;
   std::vector<const Action*> found;
   for (const auto& action : w.actions.all())

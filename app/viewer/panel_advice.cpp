@@ -18,7 +18,8 @@ void question(Workbench& w) {
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const auto* ranking = w.advice.shown();
-  note(w, text_of("%s, %.0f %%", ranking && !ranking->methods.empty() ? "Trying methods out" : "Measuring path classes", 100 * w.advice.progress()));
+  note(w, text_of("%s, %.0f %%", ranking && !ranking->methods.empty() ? "Trying methods out" : "Measuring path classes",
+                  100 * w.advice.progress()));
 }
 
 // In few words; the whole reason comes when the pointer rests on it.
@@ -27,7 +28,8 @@ std::string verdict(const advice::Advice& a, bool running) {
   if (!a.time) return running ? "" : "unknown";
   const auto& interval = a.time->interval;
   std::string text = advice::seconds_text(a.time->seconds);
-  if (interval.high > interval.low) text += " (" + advice::seconds_text(interval.low) + " to " + advice::seconds_text(interval.high) + ")";
+  if (interval.high > interval.low)
+    text += " (" + advice::seconds_text(interval.low) + " to " + advice::seconds_text(interval.high) + ")";
   return text;
 }
 
@@ -61,7 +63,8 @@ void ranking_table(Workbench& w, const advice::Ranking& ranking) {
     ImGui::TextDisabled("method");
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", ("time to RMSE " + advice::number(ranking.target)).c_str());
-    if (ImGui::IsItemHovered()) tooltip(w, "Foretold from a short trial, with the interval that should hold it in 80 of 100 cases");
+    if (ImGui::IsItemHovered())
+      tooltip(w, "Foretold from a short trial, with the interval that should hold it in 80 of 100 cases");
     for (size_t row = 0; row < ranking.methods.size(); ++row) {
       ImGui::PushID(static_cast<int>(row));
       if (method_row(w, ranking.methods[row], row)) used = row;
@@ -82,7 +85,8 @@ void draw_advice(Workbench& w) {
   if (w.frame) w.advice.look_at(*w.frame);
   question(w);
   const auto* ranking = w.advice.shown();
-  if (!ranking) return note(w, "Tries every method out for a moment, and ranks them by the time they need to this error.");
+  if (!ranking)
+    return note(w, "Tries every method out for a moment, and ranks them by the time they need to this error.");
   if (!w.advice.running() && !w.advice.fresh()) note(w, "Of the scene before the last edit.");
   if (!w.advice.running() && ranking->interrupted) note(w, "Called off: as far as it came.");
   if (!ranking->methods.empty()) ranking_table(w, *ranking);

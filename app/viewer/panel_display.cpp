@@ -19,8 +19,10 @@ void draw_display_panel(Workbench& w) {
     loose[0].default_value = w.view.false_color;
     loose[1].default_value = w.view.aov.empty() ? std::string("picture") : w.view.aov;
     if (const auto value = loose_widget(w, loose[0])) w.view.false_color = std::get<bool>(*value);
-    if (const auto value = loose_widget(w, loose[1])) w.view.aov = to_string(*value) == "picture" ? "" : to_string(*value);
-    if (!w.view.aov.empty()) note(w, w.aov.busy() ? "The layer is being made..." : "The rendering goes on below this layer.");
+    if (const auto value = loose_widget(w, loose[1]))
+      w.view.aov = to_string(*value) == "picture" ? "" : to_string(*value);
+    if (!w.view.aov.empty())
+      note(w, w.aov.busy() ? "The layer is being made..." : "The rendering goes on below this layer.");
   }
   if (group(w, "Picture", "")) {
     const auto& d = w.editor.document();

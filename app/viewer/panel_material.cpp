@@ -13,8 +13,9 @@ std::string name_of(const scene::Scene& scene, size_t index) {
 }
 
 bool has_textures(const Material& m) {
-  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
-                                &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.anisotropy_texture})
+  for (const TextureUse* use :
+       {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
+        &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.anisotropy_texture})
     if (use->texture >= 0) return true;
   return false;
 }
@@ -33,18 +34,21 @@ void draw_material_panel(Workbench& w) {
   if (ImGui::BeginCombo("##material", chosen ? name_of(*scene, index).c_str() : "none chosen")) {
     for (size_t i = 0; i < count; ++i) {
       ImGui::PushID(static_cast<int>(i));
-      if (ImGui::Selectable(name_of(*scene, i).c_str(), chosen && i == index)) w.selection.material = static_cast<int>(i);
+      if (ImGui::Selectable(name_of(*scene, i).c_str(), chosen && i == index))
+        w.selection.material = static_cast<int>(i);
       ImGui::PopID();
       w.items.place("material.choose." + std::to_string(i));
     }
     ImGui::EndCombo();
   }
   w.items.place("material.choose");
-  if (ImGui::IsItemHovered()) tooltip(w, "The material that is edited; a click in the picture chooses the one under the pointer");
+  if (ImGui::IsItemHovered())
+    tooltip(w, "The material that is edited; a click in the picture chooses the one under the pointer");
   if (!chosen) return;
   if (has_textures(scene->materials[index])) note(w, "It has textures: the numbers below multiply them.");
   const std::string section = "material." + std::to_string(index), prefix = section + ".";
-  const std::vector<std::string> glass{"transmission", "thickness", "attenuation-color.r", "attenuation-color.g", "attenuation-color.b", "attenuation-distance"};
+  const std::vector<std::string> glass{"transmission",        "thickness",           "attenuation-color.r",
+                                       "attenuation-color.g", "attenuation-color.b", "attenuation-distance"};
   const std::vector<std::string> cover{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
   std::vector<std::string> rest = glass;
   rest.insert(rest.end(), cover.begin(), cover.end());

@@ -19,7 +19,10 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
     ImGui::PushFont(w.faces.figures);
     note(w, info.paths + "  " + std::string(integrator::bias_name(info.bias)));
     ImGui::PopFont();
-    if (ImGui::IsItemHovered()) tooltip(w, "The light paths it finds, from the light (L) over diffuse (D), glossy (G) and specular (S) surfaces to the eye (E)");
+    if (ImGui::IsItemHovered())
+      tooltip(w,
+              "The light paths it finds, from the light (L) over diffuse (D), glossy (G) and specular (S) surfaces to "
+              "the eye (E)");
   }
   ImGui::PushFont(w.faces.small);
   note(w, "Cost: " + info.cost + ".");
@@ -82,7 +85,8 @@ void draw_render_panel(Workbench& w) {
     note(w, "The program runs no more physics than the scene needs. A flag that is on runs it all the same.");
     section_widgets(w, "model");
     const auto model = w.session.model();
-    for (const auto& decision : model.decisions) note(w, decision.flag + ": " + decision.value + ". " + decision.reason);
+    for (const auto& decision : model.decisions)
+      note(w, decision.flag + ": " + decision.value + ". " + decision.reason);
   }
 }
 

@@ -43,14 +43,15 @@ void draw_interface(Workbench& w, float seconds);
 
 struct TabInfo {
   Tab tab;
-  const char* name;   // of its item: "tab.render"
+  const char* name;  // of its item: "tab.render"
   const char* label;
   const char* doc;
   void (*draw)(Workbench&);
 };
 const std::vector<TabInfo>& tabs();
 
-// The tab that holds the widgets of a setting, and what has to be selected for it to be shown; false for a name of no section.
+// The tab that holds the widgets of a setting, and what has to be selected for it to be shown; false for a name of no
+// section.
 bool reveal(Workbench& w, const std::string& setting);
 
 }  // namespace etendue::viewer

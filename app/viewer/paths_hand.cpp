@@ -27,7 +27,8 @@ void PathsHand::measure() {
   document_.method.paths.clear();
   // One is left to the picture.
   const int all = threads_ > 0 ? threads_ : static_cast<int>(std::thread::hardware_concurrency());
-  study_.start([document = document_, threads = std::max(1, all - 1), scene = session_.scene()](const auto& publish, const bench::Watch& watch) {
+  study_.start([document = document_, threads = std::max(1, all - 1), scene = session_.scene()](
+                   const auto& publish, const bench::Watch& watch) {
     render::Session session({.threads = threads, .scene = scene});
     advice::TableOptions options;
     options.seconds = kSeconds;

@@ -122,7 +122,8 @@ void Picture::transform(const Shown& shown) {
   last_ = shown;
 }
 
-void Picture::draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown, const std::optional<Placement>& part) {
+void Picture::draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown,
+                   const std::optional<Placement>& part) {
   if (empty()) return;
   if (stale_ || !(last_ == shown)) transform(shown);
   // Row 0 of the texture is the top of the picture, row 0 of the window is its bottom.

@@ -27,7 +27,9 @@ Vec2 false_color_stops(float exposure);
 struct Placement {
   Vec2 corner{0}, size{1};
 
-  bool contains(Vec2 p) const { return p.x >= corner.x && p.y >= corner.y && p.x < corner.x + size.x && p.y < corner.y + size.y; }
+  bool contains(Vec2 p) const {
+    return p.x >= corner.x && p.y >= corner.y && p.x < corner.x + size.x && p.y < corner.y + size.y;
+  }
 };
 
 // The pixel of a picture of this size that is shown at a place of the window; the nearest for places beside it.
@@ -46,7 +48,8 @@ class Picture {
 
   void upload(int width, int height, std::span<const Rgb> pixels);
   // Copies the picture to `place` of a target that is `target_size` large; only what lies in `part`, if it is given.
-  void draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown, const std::optional<Placement>& part = {});
+  void draw(GLuint target, Vec2i target_size, const Placement& place, const Shown& shown,
+            const std::optional<Placement>& part = {});
 
  private:
   void transform(const Shown& shown);

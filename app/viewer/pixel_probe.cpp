@@ -36,7 +36,9 @@ Histogram histogram_of(const std::vector<float>& values) {
   h.zeros = static_cast<uint32_t>(values.size() - positive.size());
   if (positive.empty()) return h;
   std::ranges::sort(positive);
-  const auto share = [&](double q) { return double{positive[static_cast<size_t>(q * static_cast<double>(positive.size() - 1))]}; };
+  const auto share = [&](double q) {
+    return double{positive[static_cast<size_t>(q * static_cast<double>(positive.size() - 1))]};
+  };
   // Far apart are the ends of most of the samples, or the largest from all others.
   h.logarithmic = share(0.95) > 30 * share(0.05) || share(1) > 5 * share(0.95);
   h.low = h.logarithmic ? share(0) : 0;
@@ -52,16 +54,20 @@ Histogram histogram_of(const std::vector<float>& values) {
 
 // Samples as far as they were drawn, and what has been told from them.
 struct PixelProbe::Work {
-  Work(const render::Document& document, const Key& key) : samples(document, key.scene, key.pixel) { study.pixel = key.pixel, study.wanted = key.wanted; }
+  Work(const render::Document& document, const Key& key) : samples(document, key.scene, key.pixel) {
+    study.pixel = key.pixel, study.wanted = key.wanted;
+  }
 
   // The next samples, as many as a slice of time holds.
   std::shared_ptr<const PixelStudy> go_on() {
     const auto start = std::chrono::steady_clock::now();
-    while (drawn < study.wanted && std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < kSlice)
+    while (drawn < study.wanted &&
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < kSlice)
       if (!window(std::min(study.wanted, (drawn / kWindow + 1) * kWindow))) return nullptr;
     study.histogram = histogram_of(luminances);
     study.tail = tail.report();
-    study.mean = Rgb(static_cast<float>(colors[0] / drawn), static_cast<float>(colors[1] / drawn), static_cast<float>(colors[2] / drawn));
+    study.mean = Rgb(static_cast<float>(colors[0] / drawn), static_cast<float>(colors[1] / drawn),
+                     static_cast<float>(colors[2] / drawn));
     const double mean = (halves[0] + halves[1]) / drawn;
     study.deviation = std::sqrt(std::max(0.0, squares / drawn - mean * mean));
     auto so_far = std::make_shared<PixelStudy>(study);
@@ -103,7 +109,10 @@ struct PixelProbe::Work {
     for (const double other : others) sum += other / drawn, sum_of_squares += sqr(other / drawn);
     const double variance = std::max(0.0, sum_of_squares - sum * sum / kReplicates) / (kReplicates - 1);
     const double a = (drawn + 1) / 2, b = drawn / 2;
-    return {drawn, (halves[0] + halves[1]) / drawn, kStudent * std::sqrt(variance), {halves[0] / a, b > 0 ? halves[1] / b : 0}};
+    return {drawn,
+            (halves[0] + halves[1]) / drawn,
+            kStudent * std::sqrt(variance),
+            {halves[0] / a, b > 0 ? halves[1] / b : 0}};
   }
 
   render::PixelSamples samples;

@@ -15,7 +15,8 @@
 
 namespace etendue::viewer {
 
-// Samples by their luminance. What is exactly zero is counted apart: a logarithm has no place for it, and it says something.
+// Samples by their luminance. What is exactly zero is counted apart: a logarithm has no place for it, and it says
+// something.
 struct Histogram {
   bool logarithmic = false;  // of the luminance
   double low = 0, high = 1;  // of the bins
@@ -26,7 +27,8 @@ Histogram histogram_of(const std::vector<float>& values);
 
 // Luminances in W/(m^2 sr).
 struct PixelStudy {
-  // After so many samples: the mean, that of either half, and how far the truth may be from the mean in 95 of 100 cases.
+  // After so many samples: the mean, that of either half, and how far the truth may be from the mean in 95 of 100
+  // cases.
   struct Moment {
     uint32_t samples = 0;
     double mean = 0, band = 0;
@@ -55,8 +57,8 @@ class PixelProbe {
   void choose(Vec2i pixel) { pixel_ = pixel; }
   const std::optional<Vec2i>& pixel() const { return pixel_; }
 
-  // Called once a frame while somebody looks, with the number of samples to draw; an edit of the light starts again. True
-  // if there is something new.
+  // Called once a frame while somebody looks, with the number of samples to draw; an edit of the light starts again.
+  // True if there is something new.
   bool advance(uint32_t wanted);
   // Whether there is more to come.
   bool busy() const { return pixel_ && !settled_; }
@@ -88,7 +90,7 @@ class PixelProbe {
   const Editor& editor_;
   std::optional<Vec2i> pixel_;
   std::optional<Key> key_;
-  bool settled_ = false;  // the study is that of the present picture, and whole
+  bool settled_ = false;        // the study is that of the present picture, and whole
   std::shared_ptr<Work> work_;  // one job at a time has its hands on it
   std::shared_ptr<const PixelStudy> study_;
   Job<std::shared_ptr<const PixelStudy>> job_;

@@ -82,8 +82,9 @@ class Offscreen final : public Platform {
     if (!eglBindAPI(EGL_OPENGL_API)) return false;
     constexpr std::array kConfig{EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     constexpr std::array kAnyConfig{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-    constexpr std::array kContext{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                  EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    constexpr std::array kContext{
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     EGLConfig config{};
     EGLint count = 0;
     const bool buffered = eglChooseConfig(display_, kConfig.data(), &config, 1, &count) && count > 0;
@@ -124,7 +125,8 @@ class Offscreen final : public Platform {
 Result<std::unique_ptr<Platform>> make_offscreen(int width, int height) {
   auto platform = std::make_unique<Offscreen>(width, height);
   if (!platform->start())
-    return usage_error("view: no OpenGL 3.3 without a display; install libegl-mesa0 and libgl1-mesa-dri, or leave out --offscreen");
+    return usage_error(
+        "view: no OpenGL 3.3 without a display; install libegl-mesa0 and libgl1-mesa-dri, or leave out --offscreen");
   return std::unique_ptr<Platform>(std::move(platform));
 }
 

@@ -28,13 +28,16 @@ class Window final : public Platform {
     glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     window_ = glfwCreateWindow(place.width, place.height, "Étendue", nullptr, nullptr);
-    if (!window_) return usage_error("view: no window with OpenGL 3.3: " + reason() + "; give --offscreen to work without one");
+    if (!window_)
+      return usage_error("view: no window with OpenGL 3.3: " + reason() + "; give --offscreen to work without one");
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(0);
     if (!gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); }))
-      return usage_error("view: the display's OpenGL lacks functions of version 3.3; give --offscreen to work without it");
+      return usage_error(
+          "view: the display's OpenGL lacks functions of version 3.3; give --offscreen to work without it");
     glfwSetWindowUserPointer(window_, this);
-    constexpr std::array kShapes{GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR, GLFW_HAND_CURSOR};
+    constexpr std::array kShapes{GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR,
+                                 GLFW_HAND_CURSOR};
     for (size_t i = 0; i < kShapes.size(); ++i) cursors_[i] = glfwCreateStandardCursor(kShapes[i]);
     listen();
     return {};
@@ -115,9 +118,11 @@ class Window final : public Platform {
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
       // Repeating a key that is held is ImGui's business, where it edits text.
-      if (key >= 0 && action != GLFW_REPEAT) push(w, {.type = Event::Type::key, .key = key, .down = action == GLFW_PRESS});
+      if (key >= 0 && action != GLFW_REPEAT)
+        push(w, {.type = Event::Type::key, .key = key, .down = action == GLFW_PRESS});
     });
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned c) { push(w, {.type = Event::Type::text, .character = c}); });
+    glfwSetCharCallback(window_,
+                        [](GLFWwindow* w, unsigned c) { push(w, {.type = Event::Type::text, .character = c}); });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** files) {
       for (int i = 0; i < count; ++i) push(w, {.type = Event::Type::drop, .file = files[i]});
     });

@@ -11,7 +11,8 @@ std::vector<measure::LogAxis::Tick> even_ticks(double low, double high, int most
   for (const double digit : {5.0, 2.0, 1.0})
     if (digit * power >= least) step = digit * power;
   std::vector<measure::LogAxis::Tick> ticks;
-  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) ticks.push_back({i * step, measure::short_number(i * step + 0.0)});  // no -0
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
+    ticks.push_back({i * step, measure::short_number(i * step + 0.0)});  // no -0
   return ticks;
 }
 
@@ -34,31 +35,36 @@ std::vector<measure::LogAxis::Tick> PlotAxis::ticks(int most) const {
   return list;
 }
 
-Plot::Plot(const Workbench& w, ImDrawList* draw, const Placement& frame, const char* title, const PlotAxis& x, const PlotAxis& y)
+Plot::Plot(const Workbench& w, ImDrawList* draw, const Placement& frame, const char* title, const PlotAxis& x,
+           const PlotAxis& y)
     : w_(w), draw_(draw), frame_(frame), title_(title), x_(x), y_(y) {
   const float em = ImGui::GetFontSize();
   up_ = y_.ticks(static_cast<int>((frame.size.y - em * 2.8f) / (em * 1.6f)));
   float margin = 0;
-  for (const auto& tick : up_) margin = std::max(margin, w.faces.figures->CalcTextSizeA(w.faces.figures->FontSize, 1e6f, 0, tick.label.c_str()).x);
+  for (const auto& tick : up_)
+    margin = std::max(margin, w.faces.figures->CalcTextSizeA(w.faces.figures->FontSize, 1e6f, 0, tick.label.c_str()).x);
   margin += em * 0.5f;
   inner_ = {frame.corner + Vec2(margin, em * 1.5f), glm::max(frame.size - Vec2(margin + em, em * 2.8f), Vec2(1))};
   across_ = x_.ticks(static_cast<int>(inner_.size.x / (em * 2.6f)));
 }
 
 ImVec2 Plot::at(double x, double y) const {
-  return {inner_.corner.x + inner_.size.x * static_cast<float>(x_.share(x)), inner_.corner.y + inner_.size.y * static_cast<float>(1 - y_.share(y))};
+  return {inner_.corner.x + inner_.size.x * static_cast<float>(x_.share(x)),
+          inner_.corner.y + inner_.size.y * static_cast<float>(1 - y_.share(y))};
 }
 
 void Plot::words(ImVec2 at, float anchor, ImU32 color, const char* text) const {
   ImFont* font = w_.faces.figures;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text);
-  draw_->AddText(font, font->FontSize, {std::floor(at.x - anchor * size.x), std::floor(at.y - 0.5f * size.y)}, color, text);
+  draw_->AddText(font, font->FontSize, {std::floor(at.x - anchor * size.x), std::floor(at.y - 0.5f * size.y)}, color,
+                 text);
 }
 
 void Plot::draw_axes() const {
   const float em = ImGui::GetFontSize();
   const ImU32 line = ImGui::GetColorU32(ImGuiCol_Border, 0.6f), quiet = ImGui::GetColorU32(w_.theme.quiet);
-  const ImVec2 low{inner_.corner.x, inner_.corner.y + inner_.size.y}, high{inner_.corner.x + inner_.size.x, inner_.corner.y};
+  const ImVec2 low{inner_.corner.x, inner_.corner.y + inner_.size.y},
+      high{inner_.corner.x + inner_.size.x, inner_.corner.y};
   draw_->AddText({inner_.corner.x, frame_.corner.y}, ImGui::GetColorU32(ImGuiCol_Text), title_);
   for (const auto& tick : across_) {
     const float x = low.x + inner_.size.x * static_cast<float>(x_.share(tick.value));

@@ -23,7 +23,8 @@ struct PlotAxis {
 class Plot {
  public:
   // In `frame`, with room for the title above and the figures at the axes.
-  Plot(const Workbench& w, ImDrawList* draw, const Placement& frame, const char* title, const PlotAxis& x, const PlotAxis& y);
+  Plot(const Workbench& w, ImDrawList* draw, const Placement& frame, const char* title, const PlotAxis& x,
+       const PlotAxis& y);
 
   const Placement& inner() const { return inner_; }
   ImVec2 at(double x, double y) const;

@@ -15,7 +15,8 @@ void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size, Rgb (*color)(float)) {
   for (int i = 0; i < kSteps; ++i) {
     const Rgb c = color((static_cast<float>(i) + 0.5f) / kSteps);
     const float x = corner.x + size.x * static_cast<float>(i) / kSteps;
-    draw->AddRectFilled({x, corner.y}, {x + size.x / kSteps + 1, corner.y + size.y}, ImGui::GetColorU32({c.r, c.g, c.b, 1}));
+    draw->AddRectFilled({x, corner.y}, {x + size.x / kSteps + 1, corner.y + size.y},
+                        ImGui::GetColorU32({c.r, c.g, c.b, 1}));
   }
 }
 
@@ -29,7 +30,8 @@ Vec2 label_padding() { return Vec2(0.5f, 0.3f) * ImGui::GetFontSize(); }
 
 }  // namespace
 
-void draw_scale_bar(const Workbench& w, ImDrawList* draw, Rgb (*color)(float), std::span<const std::string> figures, const char* title) {
+void draw_scale_bar(const Workbench& w, ImDrawList* draw, Rgb (*color)(float), std::span<const std::string> figures,
+                    const char* title) {
   const float em = ImGui::GetFontSize();
   const float margin = em * 2;  // half of the widest figure stands out at both ends
   const Placement& p = w.view.picture;

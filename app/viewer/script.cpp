@@ -27,7 +27,8 @@ struct Script::Impl {
   bool failed = false;
 
   void fail(const std::string& what) {
-    std::fprintf(stderr, "etendue: %s: step %zu %s: %s\n", file.c_str(), next, steps[next - 1].dump().c_str(), what.c_str());
+    std::fprintf(stderr, "etendue: %s: step %zu %s: %s\n", file.c_str(), next, steps[next - 1].dump().c_str(),
+                 what.c_str());
     failed = true;
     code = 1;
   }
@@ -78,7 +79,8 @@ void Script::advance(Workbench& w, Picture& picture) {
     s.step.reset();
     return;
   }
-  if (std::chrono::duration<double>(Clock::now() - s.started).count() > kPatience + s.step->patience()) s.fail("it was not done in " + std::to_string(static_cast<int>(kPatience)) + " s");
+  if (std::chrono::duration<double>(Clock::now() - s.started).count() > kPatience + s.step->patience())
+    s.fail("it was not done in " + std::to_string(static_cast<int>(kPatience)) + " s");
 }
 
 bool Script::ended() const { return impl_->failed || (!impl_->step && impl_->next >= impl_->steps.size()); }

@@ -1,7 +1,7 @@
 // A user made of JSON: steps that move the pointer, press keys and set widgets, and steps that look.
 //
-// Everything that acts goes through the event queue or the widget of that name, as a hand would; nothing reaches into the
-// document behind the interface's back. A step that cannot be done ends the script.
+// Everything that acts goes through the event queue or the widget of that name, as a hand would; nothing reaches into
+// the document behind the interface's back. A step that cannot be done ends the script.
 #pragma once
 #include <chrono>
 #include <memory>

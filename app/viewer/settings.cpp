@@ -37,7 +37,11 @@ Settings from_json(const json& j) {
 
 json to_json(const Settings& s) {
   return {{"window", {{"width", s.window.width}, {"height", s.window.height}, {"maximised", s.window.maximised}}},
-          {"column", s.column}, {"drawer", s.drawer}, {"dark", s.dark}, {"recent", s.recent}, {"folder", s.folder}};
+          {"column", s.column},
+          {"drawer", s.drawer},
+          {"dark", s.dark},
+          {"recent", s.recent},
+          {"folder", s.folder}};
 }
 
 }  // namespace

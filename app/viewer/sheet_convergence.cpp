@@ -52,7 +52,8 @@ void knob(Workbench& w, Number<T>& number, float width) {
 }
 
 template <class Infos>
-ParameterInfo choice_of(const char* name, const char* label, const char* doc, const std::string& now, const Infos& infos) {
+ParameterInfo choice_of(const char* name, const char* label, const char* doc, const std::string& now,
+                        const Infos& infos) {
   ParameterInfo info;
   info.name = name, info.label = label, info.doc = doc;
   info.type = ParameterType::choice;
@@ -62,9 +63,12 @@ ParameterInfo choice_of(const char* name, const char* label, const char* doc, co
 }
 
 ParameterInfo integrator_choice(const std::string& now) {
-  return choice_of("compare.integrator", "Integrator", "Of the method to be added", now, integrator::integrator_infos());
+  return choice_of("compare.integrator", "Integrator", "Of the method to be added", now,
+                   integrator::integrator_infos());
 }
-ParameterInfo sampler_choice(const std::string& now) { return choice_of("compare.sampler", "Sampler", "Of the method to be added", now, sampler_infos()); }
+ParameterInfo sampler_choice(const std::string& now) {
+  return choice_of("compare.sampler", "Sampler", "Of the method to be added", now, sampler_infos());
+}
 
 void controls(Workbench& w) {
   ContestSetup& setup = w.contest.setup;
@@ -92,7 +96,8 @@ void progress_line(const Workbench& w) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(corner, {corner.x + width, corner.y + height}, ImGui::GetColorU32(ImGuiCol_FrameBg));
   if (contest)
-    draw->AddRectFilled(corner, {corner.x + width * static_cast<float>(contest->progress), corner.y + height}, ImGui::GetColorU32(w.contest.running() ? w.theme.accent : w.theme.quiet));
+    draw->AddRectFilled(corner, {corner.x + width * static_cast<float>(contest->progress), corner.y + height},
+                        ImGui::GetColorU32(w.contest.running() ? w.theme.accent : w.theme.quiet));
   ImGui::Dummy({width, height});
 }
 
@@ -103,7 +108,9 @@ constexpr Column kColumns[] = {
     {"", ""},
     {"method", "As etendue bench names it"},
     {"RMSE", "Root mean square error of the first repeat's picture, without the reference's own"},
-    {"slope", "Of the logarithm of RMSE over that of time, with its standard error over repeats: -0.5 for random numbers, steeper for good points, flat where a bias is left"},
+    {"slope",
+     "Of the logarithm of RMSE over that of time, with its standard error over repeats: -0.5 for random numbers, "
+     "steeper for good points, flat where a bias is left"},
     {"eff.", "Efficiency, 1 / (MSE x time), as a part of the best one's"},
     {"spp", "Samples per pixel of the first repeat"},
     {"s", "Seconds of rendering of the first repeat"},
@@ -118,14 +125,16 @@ void side_button(Workbench& w, const char* letter, size_t row, size_t& chosen) {
   if (ImGui::SmallButton(letter)) chosen = row, w.contest.choose_sides();
   ImGui::PopStyleColor(2);
   w.items.place(std::string("compare.") + (letter[0] == 'A' ? "a." : "b.") + std::to_string(row));
-  if (ImGui::IsItemHovered()) tooltip(w, letter[0] == 'A' ? "Show its picture left of the divider" : "Show its picture right of the divider");
+  if (ImGui::IsItemHovered())
+    tooltip(w, letter[0] == 'A' ? "Show its picture left of the divider" : "Show its picture right of the divider");
 }
 
 void swatch(size_t place) {
   const float size = ImGui::GetFontSize() * 0.75f;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float top = at.y + (ImGui::GetTextLineHeight() - size) * 0.5f;
-  ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + size, top + size}, color_of(measure::ink_of_method(place)), 2);
+  ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + size, top + size},
+                                            color_of(measure::ink_of_method(place)), 2);
   ImGui::Dummy({size, ImGui::GetTextLineHeight()});
   ImGui::SameLine(0, size * 0.6f);
 }
@@ -137,7 +146,8 @@ void cell(const std::string& text) {
 
 std::string slope_text(const measure::Figure& slope) {
   if (!slope.known) return "?";
-  return slope.degrees > 0 ? text_of("%.2f \u00b1%.2f", slope.value, slope.standard_error) : text_of("%.2f", slope.value);
+  return slope.degrees > 0 ? text_of("%.2f \u00b1%.2f", slope.value, slope.standard_error)
+                           : text_of("%.2f", slope.value);
 }
 
 double best_efficiency(const bench::ContestSnapshot& contest) {
@@ -192,10 +202,13 @@ void headers(Workbench& w) {
 
 void method_table(Workbench& w) {
   ImGui::PushFont(w.faces.small);
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {ImGui::GetFontSize() * 0.4f, std::floor(ImGui::GetFontSize() * 0.2f)});
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                      {ImGui::GetFontSize() * 0.4f, std::floor(ImGui::GetFontSize() * 0.2f)});
   std::optional<size_t> removed;
   if (ImGui::BeginTable("##methods", static_cast<int>(std::size(kColumns)), ImGuiTableFlags_SizingFixedFit)) {
-    for (size_t i = 0; i < std::size(kColumns); ++i) ImGui::TableSetupColumn(kColumns[i].label, i == 1 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
+    for (size_t i = 0; i < std::size(kColumns); ++i)
+      ImGui::TableSetupColumn(kColumns[i].label,
+                              i == 1 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
     headers(w);
     for (size_t row = 0; row < w.contest.setup.methods.size(); ++row) {
       ImGui::PushID(static_cast<int>(row));
@@ -212,9 +225,11 @@ void method_table(Workbench& w) {
 void adder(Workbench& w) {
   ContestSetup& setup = w.contest.setup;
   const float em = ImGui::GetFontSize();
-  if (const auto value = choice_field(w, integrator_choice(setup.integrator), em * 8.4f)) setup.integrator = std::get<std::string>(*value);
+  if (const auto value = choice_field(w, integrator_choice(setup.integrator), em * 8.4f))
+    setup.integrator = std::get<std::string>(*value);
   ImGui::SameLine();
-  if (const auto value = choice_field(w, sampler_choice(setup.sampler), em * 7.4f)) setup.sampler = std::get<std::string>(*value);
+  if (const auto value = choice_field(w, sampler_choice(setup.sampler), em * 7.4f))
+    setup.sampler = std::get<std::string>(*value);
   ImGui::SameLine();
   if (ImGui::Button("Add")) w.contest.add(setup.integrator + ":sampler=" + setup.sampler);
   w.items.place("compare.add");
@@ -237,11 +252,16 @@ void about_reference(Workbench& w) {
   const auto* contest = w.contest.shown();
   if (!contest) return;
   ImGui::PushFont(w.faces.small);
-  std::string text = contest->phase == Phase::preparing ? "preparing" : text_of("repeat %d of %d", contest->repeat, contest->repeats);
-  if (contest->reference) text += text_of("; reference: %u spp, %.1f s", contest->reference_samples, contest->reference_seconds);
+  std::string text =
+      contest->phase == Phase::preparing ? "preparing" : text_of("repeat %d of %d", contest->repeat, contest->repeats);
+  if (contest->reference)
+    text += text_of("; reference: %u spp, %.1f s", contest->reference_samples, contest->reference_seconds);
   if (std::isfinite(contest->reference_error)) text += text_of(", standard error %.2g", contest->reference_error);
   note(w, text);
-  if (contest->too_noisy) note(w, "That is not ten times below the smallest error: it is taken off, but the smallest differences may be its own.");
+  if (contest->too_noisy)
+    note(w,
+         "That is not ten times below the smallest error: it is taken off, but the smallest differences may be its "
+         "own.");
   ImGui::PopFont();
 }
 

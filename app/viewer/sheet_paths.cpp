@@ -17,7 +17,8 @@ struct Column {
   const char *label, *doc;
 };
 constexpr Column kColumns[] = {
-    {"paths", "A class of light paths, read from the eye to the light. Click one to see what it carries; click again for all"},
+    {"paths",
+     "A class of light paths, read from the eye to the light. Click one to see what it carries; click again for all"},
     {"share", "Of the light in this view"},
     {"energy", "Mean luminance over the picture, W/(m^2 sr), with its standard error"},
     {"found", "Whether the method of the Render panel finds these paths"},
@@ -51,12 +52,16 @@ std::string in_words(const std::string& paths) {
 // The share as a bar with its figure on it.
 void share_bar(const Workbench& w, double share, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight(), figure_width = ImGui::GetFontSize() * 4.8f, room = width - figure_width;
+  const float height = ImGui::GetTextLineHeight(), figure_width = ImGui::GetFontSize() * 4.8f,
+              room = width - figure_width;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({at.x, at.y + 2}, {at.x + room, at.y + height - 2}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-  draw->AddRectFilled({at.x, at.y + 2}, {at.x + room * static_cast<float>(std::clamp(share, 0.0, 1.0)), at.y + height - 2}, ImGui::GetColorU32(w.theme.accent));
+  draw->AddRectFilled({at.x, at.y + 2},
+                      {at.x + room * static_cast<float>(std::clamp(share, 0.0, 1.0)), at.y + height - 2},
+                      ImGui::GetColorU32(w.theme.accent));
   const std::string text = advice::percent(share);
-  draw->AddText({at.x + width - ImGui::CalcTextSize(text.c_str()).x, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  draw->AddText({at.x + width - ImGui::CalcTextSize(text.c_str()).x, at.y}, ImGui::GetColorU32(ImGuiCol_Text),
+                text.c_str());
   ImGui::Dummy({width, height});
 }
 
@@ -65,7 +70,8 @@ void energy_cell(const Workbench& w, const advice::ClassEnergy& energy) {
   if (!energy.uncertain()) return;
   ImGui::SameLine();
   ImGui::TextColored(w.theme.warning, "uncertain");
-  if (ImGui::IsItemHovered()) tooltip(w, "Few samples found these paths: the truth may be far from this number, most likely above it");
+  if (ImGui::IsItemHovered())
+    tooltip(w, "Few samples found these paths: the truth may be far from this number, most likely above it");
 }
 
 void found_cell(const Workbench& w, Finds finds) {
@@ -86,7 +92,9 @@ void class_row(Workbench& w, const advice::ClassRow& row, size_t index, float ba
   const bool chosen = w.editor.document().method.paths == row.paths;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (ImGui::Selectable(row.paths.c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) w.choose_paths(chosen ? "" : row.paths);
+  if (ImGui::Selectable(row.paths.c_str(), chosen,
+                        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap))
+    w.choose_paths(chosen ? "" : row.paths);
   w.items.place("paths.row." + std::to_string(index));
   if (ImGui::IsItemHovered()) tooltip(w, row.paths + ": " + in_words(row.paths));
   share_and_energy(w, row, bar);
@@ -108,8 +116,11 @@ void total_row(Workbench& w, const advice::ClassTable& table, float bar) {
 void class_table(Workbench& w, const PathsTable& shown) {
   const float em = ImGui::GetFontSize(), bar = em * 13;
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {em * 0.5f, std::floor(em * 0.12f)});
-  if (ImGui::BeginTable("##classes", static_cast<int>(std::size(kColumns)), ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
-    for (const Column& column : kColumns) ImGui::TableSetupColumn(column.label, &column == kColumns ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
+  if (ImGui::BeginTable("##classes", static_cast<int>(std::size(kColumns)),
+                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
+    for (const Column& column : kColumns)
+      ImGui::TableSetupColumn(
+          column.label, &column == kColumns ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow();
     for (const Column& column : kColumns) {
@@ -148,7 +159,8 @@ void remarks(Workbench& w) {
       for (const auto& paths : shown->table.unseen) unseen += "  " + paths;
       note(w, unseen + ".");
     }
-    note(w, text_of("%d x %d pixels, %u spp, %.1f s.", shown->table.width, shown->table.height, shown->table.samples, shown->table.seconds));
+    note(w, text_of("%d x %d pixels, %u spp, %.1f s.", shown->table.width, shown->table.height, shown->table.samples,
+                    shown->table.seconds));
   }
   ImGui::Spacing();
   note(w, kLetters);
@@ -166,7 +178,8 @@ void draw_paths_sheet(Workbench& w) {
   if (const auto* shown = w.paths.shown())
     class_table(w, *shown);
   else
-    note(w, w.paths.running() ? "Small pictures of path classes are being made." : "Nothing was measured of this view yet.");
+    note(w, w.paths.running() ? "Small pictures of path classes are being made."
+                              : "Nothing was measured of this view yet.");
   ImGui::PopFont();
   ImGui::EndChild();
   ImGui::SameLine(0, em);

@@ -75,7 +75,8 @@ void figures(Workbench& w, const PixelStudy& s) {
   const float gap = ImGui::GetFontSize() * 0.9f, end = ImGui::GetContentRegionMax().x;
   bool first = true;
   const auto part = [&](const char* label, const std::string& value, const char* doc, bool warns = false) {
-    const float width = ImGui::CalcTextSize(label).x + ImGui::GetFontSize() * 0.4f + w.faces.figures->CalcTextSizeA(w.faces.figures->FontSize, 1e6f, 0, value.c_str()).x;
+    const float width = ImGui::CalcTextSize(label).x + ImGui::GetFontSize() * 0.4f +
+                        w.faces.figures->CalcTextSizeA(w.faces.figures->FontSize, 1e6f, 0, value.c_str()).x;
     if (!first) ImGui::SameLine(0, gap);
     if (!first && ImGui::GetCursorPosX() + width > end) ImGui::NewLine();
     first = false;
@@ -86,25 +87,35 @@ void figures(Workbench& w, const PixelStudy& s) {
     ImGui::PopFont();
     if (ImGui::IsItemHovered()) tooltip(w, doc);
   };
-  part("n", s.samples() < s.wanted ? text_of("%u of %u", s.samples(), s.wanted) : text_of("%u", s.samples()), "Samples drawn");
-  part("mean", text_of("%.4g \u00b1 %.2g", s.course.back().mean, s.course.back().band), "Of the luminance, and how far the truth may be in 95 of 100 cases");
+  part("n", s.samples() < s.wanted ? text_of("%u of %u", s.samples(), s.wanted) : text_of("%u", s.samples()),
+       "Samples drawn");
+  part("mean", text_of("%.4g \u00b1 %.2g", s.course.back().mean, s.course.back().band),
+       "Of the luminance, and how far the truth may be in 95 of 100 cases");
   part("sd", text_of("%.3g", s.deviation), "Of one sample");
   part("max", text_of("%.3g", s.largest), "The brightest sample");
   part("zeros", text_of("%.3g %%", 100 * s.histogram.zeros / n), "Samples that found no light at all");
-  part("khat", s.tail.khat ? text_of("%.2f", *s.tail.khat) : "-", "Shape of the tail of large samples: from 0.5 on their variance is infinite, above 0.7 mean and error cannot be relied on", s.tail.heavy());
+  part("khat", s.tail.khat ? text_of("%.2f", *s.tail.khat) : "-",
+       "Shape of the tail of large samples: from 0.5 on their variance is infinite, above 0.7 mean and error cannot be "
+       "relied on",
+       s.tail.heavy());
 }
 
 void running_mean(Workbench& w, ImDrawList* draw, const Placement& frame, const PixelStudy& s) {
   // The first handful would stretch the axis over everything that comes later.
-  const size_t settled = std::min(s.course.size() - 1, static_cast<size_t>(std::ranges::find_if(s.course, [](const auto& m) { return m.samples >= 16; }) - s.course.begin()));
+  const size_t settled =
+      std::min(s.course.size() - 1,
+               static_cast<size_t>(std::ranges::find_if(s.course, [](const auto& m) { return m.samples >= 16; }) -
+                                   s.course.begin()));
   double low = INFINITY, high = -INFINITY;
   for (size_t i = settled; i < s.course.size(); ++i) {
     const auto& m = s.course[i];
-    low = std::min({low, m.mean - m.band, m.halves[0], m.halves[1]}), high = std::max({high, m.mean + m.band, m.halves[0], m.halves[1]});
+    low = std::min({low, m.mean - m.band, m.halves[0], m.halves[1]}),
+    high = std::max({high, m.mean + m.band, m.halves[0], m.halves[1]});
   }
   low = std::max(low, 0.0);
   const double margin = high > low ? 0.05 * (high - low) : std::max(1e-6, 0.1 * std::abs(high));
-  const Plot plot(w, draw, frame, "Running mean", {true, 2, static_cast<double>(s.wanted)}, {false, std::max(0.0, low - margin), high + margin});
+  const Plot plot(w, draw, frame, "Running mean", {true, 2, static_cast<double>(s.wanted)},
+                  {false, std::max(0.0, low - margin), high + margin});
   plot.draw_axes();
   const Vec2 corner = plot.inner().corner, end = corner + plot.inner().size;
   draw->PushClipRect({corner.x, corner.y}, {end.x, end.y}, true);
@@ -118,7 +129,8 @@ void running_mean(Workbench& w, ImDrawList* draw, const Placement& frame, const 
     for (size_t h = 0; h < 2; ++h) halves[h].push_back(plot.at(m.samples, m.halves[h]));
     if (i == 0) continue;
     const auto& b = s.course[i - 1];
-    draw->AddQuadFilled(plot.at(b.samples, b.mean - b.band), plot.at(m.samples, m.mean - m.band), plot.at(m.samples, m.mean + m.band), plot.at(b.samples, b.mean + b.band), band);
+    draw->AddQuadFilled(plot.at(b.samples, b.mean - b.band), plot.at(m.samples, m.mean - m.band),
+                        plot.at(m.samples, m.mean + m.band), plot.at(b.samples, b.mean + b.band), band);
   }
   draw->Flags |= ImDrawListFlags_AntiAliasedFill;
   for (int h = 0; h < 2; ++h) plot.curve(halves[h], half_color(w, h), 1.3f);
@@ -133,7 +145,8 @@ void histogram(Workbench& w, ImDrawList* draw, const Placement& frame, const Pix
   const float apart = h.zeros > 0 ? ImGui::GetFontSize() * 2 : 0;
   const PlotAxis counts{true, 0.7, std::max(10.0, 1.5 * most)};
   const Placement right{frame.corner + Vec2(apart, 0), frame.size - Vec2(apart, 0)};
-  const Plot plot(w, draw, right, h.logarithmic ? "Luminance (log)" : "Luminance", {h.logarithmic, h.low, h.high}, counts);
+  const Plot plot(w, draw, right, h.logarithmic ? "Luminance (log)" : "Luminance", {h.logarithmic, h.low, h.high},
+                  counts);
   plot.draw_axes();
   const ImU32 fill = ImGui::GetColorU32(w.theme.accent);
   const Vec2 corner = plot.inner().corner, size = plot.inner().size;
@@ -162,7 +175,8 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
   const Vec2 corner = frame.corner + Vec2(0, em * 1.5f);
   draw->AddText({frame.corner.x, frame.corner.y}, half_color(w, 0), "Half 1");
   draw->AddText({frame.corner.x + em * 3.4f, frame.corner.y}, half_color(w, 1), "Half 2");
-  draw->AddRectFilled({corner.x, corner.y}, {corner.x + side, corner.y + side}, ImGui::GetColorU32(ImGuiCol_FrameBg, 0.4f));
+  draw->AddRectFilled({corner.x, corner.y}, {corner.x + side, corner.y + side},
+                      ImGui::GetColorU32(ImGuiCol_FrameBg, 0.4f));
   // Of a net, each half has as many points in each of these squares.
   int cells = 1;
   while (4 * cells * cells <= static_cast<int>(view.points / film::kReplicates)) cells *= 2;
@@ -175,7 +189,8 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
   const float radius = em * (view.points > 1000 ? 0.07f : view.points > 200 ? 0.1f : 0.17f);
   const auto& list = points_of(w, pixel);
   for (size_t i = 0; i < list.size(); ++i)
-    draw->AddCircleFilled({corner.x + side * list[i].x, corner.y + side * (1 - list[i].y)}, radius, half_color(w, static_cast<int>(i % film::kReplicates)), 8);
+    draw->AddCircleFilled({corner.x + side * list[i].x, corner.y + side * (1 - list[i].y)}, radius,
+                          half_color(w, static_cast<int>(i % film::kReplicates)), 8);
 }
 
 // The methods whose samples are made pixel by pixel, as the registry says.
@@ -189,10 +204,12 @@ std::string names_of_pixel_methods() {
 void charts(Workbench& w) {
   if (!render::PixelSamples::possible(w.editor.document()))
     return warning(w, "No sample of " + w.editor.document().method.integrator +
-                          " belongs to one pixel: its paths end on pixels that they did not choose, or wait for what all pixels share. Pixels can be looked at with " +
+                          " belongs to one pixel: its paths end on pixels that they did not choose, or wait for what "
+                          "all pixels share. Pixels can be looked at with " +
                           names_of_pixel_methods() + ".");
   const auto study = w.probe.study();
-  if (!w.probe.pixel()) return note(w, "Choose a pixel: press Pick a pixel and click in the picture, or Ctrl+click there.");
+  if (!w.probe.pixel())
+    return note(w, "Choose a pixel: press Pick a pixel and click in the picture, or Ctrl+click there.");
   if (!study || study->course.empty()) return note(w, "The first samples are being drawn.");
   figures(w, *study);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -209,7 +226,8 @@ void charts(Workbench& w) {
 
 std::vector<ParameterInfo> sampling_parameters() {
   ParameterInfo samples;
-  samples.name = "sampling.samples", samples.label = "Samples", samples.doc = "Drawn of the pixel, beside the rendering";
+  samples.name = "sampling.samples", samples.label = "Samples",
+  samples.doc = "Drawn of the pixel, beside the rendering";
   samples.type = ParameterType::integer, samples.min = 64, samples.max = 65536, samples.logarithmic = true;
   samples.default_value = int64_t{SamplingView{}.samples};
   ParameterInfo x;
@@ -217,9 +235,11 @@ std::vector<ParameterInfo> sampling_parameters() {
   x.type = ParameterType::choice, x.default_value = SamplingView{}.x;
   for (const auto& d : known_dimensions()) x.options.push_back(d.name), x.option_labels.push_back(d.label);
   ParameterInfo y = x;
-  y.name = "sampling.y", y.label = "Points up", y.doc = "What the points' second number decides", y.default_value = SamplingView{}.y;
+  y.name = "sampling.y", y.label = "Points up", y.doc = "What the points' second number decides",
+  y.default_value = SamplingView{}.y;
   ParameterInfo count;
-  count.name = "sampling.points", count.label = "Points", count.doc = "How many of the first samples' points are shown; one half of them in each colour";
+  count.name = "sampling.points", count.label = "Points",
+  count.doc = "How many of the first samples' points are shown; one half of them in each colour";
   count.type = ParameterType::choice, count.default_value = std::to_string(SamplingView{}.points);
   count.options = count.option_labels = {"32", "128", "512", "2048"};
   return {samples, x, y, count};
@@ -252,7 +272,8 @@ void draw_pixel_marker(Workbench& w, ImDrawList* draw) {
   const Placement& p = w.view.picture;
   const Vec2 middle = p.corner + (Vec2(*w.probe.pixel()) + 0.5f) * p.size / size;
   const float half = std::max(0.5f * p.size.x / size.x + 1, ImGui::GetFontSize() * 0.35f);
-  for (const auto& [color, width] : {std::pair{IM_COL32(0, 0, 0, 170), 3.5f}, std::pair{IM_COL32(255, 220, 80, 255), 1.5f}}) {
+  for (const auto& [color, width] :
+       {std::pair{IM_COL32(0, 0, 0, 170), 3.5f}, std::pair{IM_COL32(255, 220, 80, 255), 1.5f}}) {
     draw->AddRect({middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}, color, 0, 0, width);
     for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
       const Vec2 from = middle + way * half, to = middle + way * half * 2.4f;

@@ -32,13 +32,15 @@ void SplitScreen::draw(const Workbench& w, GLuint target, Vec2i target_size) {
   if (!c.active()) return live_.draw(target, target_size, place, shown);
   if (const auto made = c.map()) {
     const Pixels painted(made, &made->painted);
-    return uploaded(w, map, {c.left().frame->width, c.left().frame->height}, painted).draw(target, target_size, place, Shown{});
+    return uploaded(w, map, {c.left().frame->width, c.left().frame->height}, painted)
+        .draw(target, target_size, place, Shown{});
   }
   // A map that is still being made has the left side in its place.
   Picture& first = uploaded(w, left, c.left());
   if (c.mode != CompareMode::wipe) return first.draw(target, target_size, place, shown);
   const float x = divider_x(w), end = place.corner.x + place.size.x;
-  const Placement parts[2] = {{place.corner, {x - place.corner.x, place.size.y}}, {{x, place.corner.y}, {end - x, place.size.y}}};
+  const Placement parts[2] = {{place.corner, {x - place.corner.x, place.size.y}},
+                              {{x, place.corner.y}, {end - x, place.size.y}}};
   first.draw(target, target_size, place, shown, parts[0]);
   uploaded(w, right, c.right()).draw(target, target_size, place, shown, parts[1]);
 }

@@ -104,7 +104,8 @@ constexpr PlainItem kItems[] = {
 };
 
 json comparison_json(const Comparison& c) {
-  json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped}, {"a", c.first().name}, {"b", c.b.name}, {"reference", c.reference.name}};
+  json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped},
+         {"a", c.first().name},     {"b", c.b.name},        {"reference", c.reference.name}};
   j["reference_on_screen"] = c.reference_on_screen();
   if (c.mode != CompareMode::off && !c.problem().empty()) j["problem"] = c.problem();
   if (const auto map = c.map()) {
@@ -123,7 +124,9 @@ json contest_json(const ContestHand& hand) {
   constexpr const char* kPhases[] = {"preparing", "comparing", "stopped", "done"};
   j["phase"] = kPhases[static_cast<size_t>(contest->phase)];
   j["progress"] = contest->progress, j["repeat"] = contest->repeat;
-  j["reference"] = {{"samples", contest->reference_samples}, {"seconds", contest->reference_seconds}, {"too_noisy", contest->too_noisy}};
+  j["reference"] = {{"samples", contest->reference_samples},
+                    {"seconds", contest->reference_seconds},
+                    {"too_noisy", contest->too_noisy}};
   if (std::isfinite(contest->reference_error)) j["reference"]["error"] = contest->reference_error;
   for (const auto& m : contest->methods) {
     json method{{"name", m.name}, {"samples", m.samples}, {"seconds", m.seconds}, {"rmse", m.rmse}, {"slope", nullptr}};
@@ -139,7 +142,9 @@ json paths_json(PathsHand& hand) {
   constexpr const char* kFound[] = {"yes", "in part", "no"};
   const auto& rows = hand.shown()->table.rows;
   for (size_t i = 0; i < rows.size(); ++i)
-    j["rows"].push_back({{"paths", rows[i].paths}, {"share", rows[i].share}, {"found", kFound[static_cast<size_t>(hand.seen().rows[i])]}});
+    j["rows"].push_back({{"paths", rows[i].paths},
+                         {"share", rows[i].share},
+                         {"found", kFound[static_cast<size_t>(hand.seen().rows[i])]}});
   j["missing_share"] = hand.seen().misses.share;
   return j;
 }
@@ -159,14 +164,19 @@ json techniques_json(const TechniquesHand& hand) {
   if (!pyramid) return j;
   j["mean"] = pyramid->whole.mean;
   for (const auto& cell : pyramid->cells) {
-    j["cells"].push_back({{"s", cell.s}, {"t", cell.t}, {"samples", cell.samples}, {"mean", cell.mean}, {"absent", cell.absent}});
+    j["cells"].push_back(
+        {{"s", cell.s}, {"t", cell.t}, {"samples", cell.samples}, {"mean", cell.mean}, {"absent", cell.absent}});
     if (const auto share = pyramid->share(cell)) j["cells"].back()["share"] = *share;
   }
   return j;
 }
 
 json pixel_json(const PixelStudy& s) {
-  json j{{"x", s.pixel.x}, {"y", s.pixel.y}, {"samples", s.samples()}, {"wanted", s.wanted}, {"mean", {s.mean.r, s.mean.g, s.mean.b}}};
+  json j{{"x", s.pixel.x},
+         {"y", s.pixel.y},
+         {"samples", s.samples()},
+         {"wanted", s.wanted},
+         {"mean", {s.mean.r, s.mean.g, s.mean.b}}};
   j["deviation"] = s.deviation, j["largest"] = s.largest, j["zeros"] = s.histogram.zeros;
   if (!s.course.empty()) j["luminance"] = s.course.back().mean, j["band"] = s.course.back().band;
   if (s.tail.khat) j["khat"] = *s.tail.khat;
@@ -214,10 +224,12 @@ std::string state_report(Workbench& w) {
   state["statistics"] = json::object();
   for (const auto& statistic : status.statistics) state["statistics"][statistic.name] = statistic.value;
   if (const auto* misses = w.misses()) state["misses"] = misses->share;
-  if (const auto* points = w.points.shown()) state["points"] = {{"kept", points->kept}, {"seen", points->points.size()}};
+  if (const auto* points = w.points.shown())
+    state["points"] = {{"kept", points->kept}, {"seen", points->points.size()}};
   if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);
   if (status.error.known) state["rmse"] = status.error.rmse;
-  if (status.health) state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};
+  if (status.health)
+    state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};
   return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -71,15 +71,20 @@ void status_parts(Workbench& w, Line& line) {
   line.part(w, samples, "Complete samples of every pixel");
   line.part(w, time_text(status.seconds), "Time spent on this picture");
   if (status.left && !status.finished)
-    line.part(w, left_text(*status.left), "Until it stops; how far that may be off, in four of five cases, where it stops at an error");
+    line.part(w, left_text(*status.left),
+              "Until it stops; how far that may be off, in four of five cases, where it stops at an error");
   line.part(w, text_of("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
   line.part(w, text_of("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
-  line.part(w, memory_text(status.memory), "Memory of the scene and its acceleration structures");
+  line.part(w, memory_text(status.memory),
+            "Memory of the scene, its acceleration structures, the film and what the method keeps");
   const std::string error = status.error.known ? text_of("rmse %.2g", status.error.rmse) : "rmse ?";
-  line.part(w, error, "Estimated root mean square error of the picture, from its two independent halves; not known before every pixel has samples in both");
+  line.part(w, error,
+            "Estimated root mean square error of the picture, from its two independent halves; not known before every "
+            "pixel has samples in both");
   if (status.health) health_part(w, line, *status.health);
   if (status.rejected.total() > 0)
-    line.part(w, text_of("%llu rejected", static_cast<unsigned long long>(status.rejected.total())), "Samples that were no radiance (not finite, or negative) and were left out", true);
+    line.part(w, text_of("%llu rejected", static_cast<unsigned long long>(status.rejected.total())),
+              "Samples that were no radiance (not finite, or negative) and were left out", true);
   line.part(w, text_of("ui %.0f %%", 100 * w.pace.share), "Share of the time that the interface takes");
   line.part(w, w.session.model().summary(), "The model in use: no more physics than the scene needs");
 }
@@ -93,7 +98,9 @@ void draw_status_bar(Workbench& w, float top, float height) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, w.theme.ground);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 4});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin("##status", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::Begin("##status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PushFont(w.faces.figures);
   if (w.editor.empty()) {
     ImGui::TextUnformatted(w.loader.busy() ? "opening" : "no scene");

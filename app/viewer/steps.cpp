@@ -56,8 +56,8 @@ class Wait final : public Step {
   Clock::time_point started_ = Clock::now();
 };
 
-// Until every method of the contest has so many samples; if no number is given, until the contest has come to rest and what
-// was exported of it is written.
+// Until every method of the contest has so many samples; if no number is given, until the contest has come to rest and
+// what was exported of it is written.
 class WaitForContest final : public Step {
  public:
   explicit WaitForContest(std::optional<uint32_t> samples = {}) : samples_(samples) {}
@@ -65,7 +65,10 @@ class WaitForContest final : public Step {
     const auto* contest = w.contest.shown();
     if (!contest) return impossible("no methods are compared; click compare.start first");
     using Phase = bench::ContestSnapshot::Phase;
-    if (!samples_) return {!w.contest.running() && (contest->phase == Phase::stopped || contest->phase == Phase::done) && !w.contest.writing(), {}};
+    if (!samples_)
+      return {!w.contest.running() && (contest->phase == Phase::stopped || contest->phase == Phase::done) &&
+                  !w.contest.writing(),
+              {}};
     if (std::ranges::all_of(contest->methods, [&](const auto& m) { return m.samples >= *samples_; })) return kDone;
     return w.contest.running() ? kGoingOn : impossible("the comparison has ended with fewer samples; raise its budget");
   }
@@ -82,7 +85,8 @@ class WaitForWork final : public Step {
   explicit WaitForWork(bool pixel) : pixel_(pixel) {}
   Progress advance(Workbench& w, Picture&) override {
     if (!rest_.over()) return kGoingOn;
-    if (pixel_ && !render::PixelSamples::possible(w.editor.document())) return impossible("no sample of this integrator belongs to one pixel");
+    if (pixel_ && !render::PixelSamples::possible(w.editor.document()))
+      return impossible("no sample of this integrator belongs to one pixel");
     if (pixel_ && !w.probe.pixel()) return impossible("no pixel is chosen");
     return {!(pixel_ ? w.probe.busy() : w.comparison.busy()), {}};
   }
@@ -100,7 +104,9 @@ class WaitForStudy final : public Step {
     if (!begun_.over() || (paths_ ? w.paths.running() : w.advice.running())) return kGoingOn;
     // A table's columns take some frames to find their widths.
     if (!settled_.over()) return kGoingOn;
-    if (paths_) return w.paths.fresh() ? kDone : impossible("the path classes of this view were not measured; click paths.measure first");
+    if (paths_)
+      return w.paths.fresh() ? kDone
+                             : impossible("the path classes of this view were not measured; click paths.measure first");
     return w.advice.shown() ? kDone : impossible("no advice was asked for; click advice.ask first");
   }
   bool hurries() const override { return false; }
@@ -421,14 +427,17 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
   try {
     const std::string action = j.at("do").get<std::string>();
     if (action == "wait" && j.contains("spp")) return made(std::make_unique<Wait>(j["spp"].get<uint32_t>(), 0));
-    if (action == "wait" && j.contains("compared")) return made(std::make_unique<WaitForContest>(j["compared"].get<uint32_t>()));
+    if (action == "wait" && j.contains("compared"))
+      return made(std::make_unique<WaitForContest>(j["compared"].get<uint32_t>()));
     if (action == "wait" && j.contains("for")) {
       const std::string what = j["for"].get<std::string>();
       if (what == "contest") return made(std::make_unique<WaitForContest>());
       if (what == "paths" || what == "advice") return made(std::make_unique<WaitForStudy>(what == "paths"));
       if (what == "techniques") return made(std::make_unique<WaitForTechniques>());
       if (what == "misses" || what == "points") return made(std::make_unique<WaitForKnowledge>(what == "points"));
-      if (what != "pixel" && what != "comparison") return usage_error("there is no waiting for '" + what + "'; give pixel, comparison, contest, paths, techniques, misses, points or advice");
+      if (what != "pixel" && what != "comparison")
+        return usage_error("there is no waiting for '" + what +
+                           "'; give pixel, comparison, contest, paths, techniques, misses, points or advice");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));

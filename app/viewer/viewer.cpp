@@ -94,13 +94,15 @@ class Application {
     const bool hurry =
         new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
     const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
-    const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news() || w_.blind_spots.has_news() || w_.techniques.has_news();
+    const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news() ||
+                      w_.blind_spots.has_news() || w_.techniques.has_news();
     const bool news = told && since_last >= pacing_.interval(0);
     wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (told && !news);
     // Status figures move on even when no frame comes.
     const double still = w_.session.status().phase_progress > 0 ? 0.25 : 1;
-    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= still || w_.loader.busy() ||
-                     w_.capture.busy() || writing() || w_.input.buttons[1] || (script && script->wants_frame());
+    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= still ||
+                     w_.loader.busy() || w_.capture.busy() || writing() || w_.input.buttons[1] ||
+                     (script && script->wants_frame());
     if (due) draw();
     measure(now);
   }

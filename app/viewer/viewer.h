@@ -9,8 +9,8 @@ struct ViewOptions {
   bool offscreen = false;  // the same program without a display
   std::string script;      // a JSON file of user actions; the viewer ends with it
   int width = 1280, height = 720;
-  int threads = 0;         // 0: one per hardware thread
-  bool safe = false;       // neither reads nor writes remembered settings
+  int threads = 0;    // 0: one per hardware thread
+  bool safe = false;  // neither reads nor writes remembered settings
 };
 
 // Runs until the window is closed or the script ends; gives the exit code. Errors go to standard error.

@@ -145,7 +145,9 @@ void outline(const Workbench& w, ImDrawList* draw) {
 void legend(const Workbench& w, ImDrawList* draw) {
   const Vec2 stops = false_color_stops(w.editor.document().display.exposure);
   std::string figures[5];
-  for (int i = 0; i <= 4; ++i) figures[i] = text_of("%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * static_cast<float>(i) / 4)));
+  for (int i = 0; i <= 4; ++i)
+    figures[i] =
+        text_of("%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * static_cast<float>(i) / 4)));
   draw_scale_bar(w, draw, viridis, figures, "luminance, W/(m\u00b2 sr)");
 }
 
@@ -164,12 +166,14 @@ void points(const Workbench& w, ImDrawList* draw) {
   const float half = std::max(1.0f, ImGui::GetFontSize() * (seen->points.size() > 2000 ? 0.07f : 0.14f));
   for (const SeenPoint& point : seen->points) {
     const Vec2 at = p.corner + point.raster * scale;
-    const ImU32 color = ImGui::ColorConvertFloat4ToU32({std::sqrt(point.tint.r), std::sqrt(point.tint.g), std::sqrt(point.tint.b), 1});
+    const ImU32 color =
+        ImGui::ColorConvertFloat4ToU32({std::sqrt(point.tint.r), std::sqrt(point.tint.g), std::sqrt(point.tint.b), 1});
     draw->AddRectFilled({at.x - half - 1, at.y - half - 1}, {at.x + half + 1, at.y + half + 1}, IM_COL32(0, 0, 0, 150));
     draw->AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, color);
   }
-  const std::string words = seen->kept == 0 ? w.editor.document().method.integrator + " keeps nothing in space"
-                                            : text_of("%zu points of light, %zu of them seen here", seen->kept, seen->points.size());
+  const std::string words =
+      seen->kept == 0 ? w.editor.document().method.integrator + " keeps nothing in space"
+                      : text_of("%zu points of light, %zu of them seen here", seen->kept, seen->points.size());
   const float em = ImGui::GetFontSize();
   draw_label(draw, Vec2(p.corner.x + em * 0.6f, p.corner.y + p.size.y - em * 0.6f - label_size(words).y), words);
 }
@@ -185,7 +189,8 @@ void obstacle_notice(const Workbench& w, ImDrawList* draw) {
   const Vec2 from = corner - margin, to = corner + Vec2(words.x, words.y) + margin;
   draw->AddRectFilled({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.92f), em * 0.25f);
   draw->AddRect({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(w.theme.warning), em * 0.25f);
-  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr, width);
+  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr,
+                width);
 }
 
 }  // namespace

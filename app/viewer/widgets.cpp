@@ -27,7 +27,8 @@ void group_heading(const Workbench& w, integrator::Group group) {
 
 // What is offered, as a list that opens at a button if `shown` is null.
 void offered(Workbench& w, const ParameterInfo& info, const char* shown, size_t index, Change& change) {
-  const ImGuiComboFlags flags = (shown ? 0 : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft) | ImGuiComboFlags_HeightLarge;
+  const ImGuiComboFlags flags =
+      (shown ? 0 : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft) | ImGuiComboFlags_HeightLarge;
   if (!ImGui::BeginCombo("##offered", shown, flags)) return;
   if (auto chosen = option_list(w, info, index)) change.value = std::move(chosen);
   ImGui::EndCombo();
@@ -190,7 +191,9 @@ std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, 
   const char* group = nullptr;
   for (size_t i = 0; i < info.options.size(); ++i) {
     const auto* method = info.name.ends_with("integrator") ? integrator::find_integrator(info.options[i]) : nullptr;
-    if (method && std::exchange(group, integrator::info_of(method->group).name) != integrator::info_of(method->group).name) group_heading(w, method->group);
+    if (method &&
+        std::exchange(group, integrator::info_of(method->group).name) != integrator::info_of(method->group).name)
+      group_heading(w, method->group);
     const float inset = method ? ImGui::GetFontSize() * 0.6f : 0;
     if (method) ImGui::Indent(inset);
     if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) chosen = info.options[i];

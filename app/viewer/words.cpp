@@ -10,7 +10,9 @@ std::string time_text(double seconds) {
 
 std::string memory_text(size_t bytes) {
   const double mega = static_cast<double>(bytes) / (1 << 20);
-  return mega < 1 ? text_of("%.0f kB", mega * 1024) : mega < 1024 ? text_of("%.0f MB", mega) : text_of("%.1f GB", mega / 1024);
+  return mega < 1      ? text_of("%.0f kB", mega * 1024)
+         : mega < 1024 ? text_of("%.0f MB", mega)
+                       : text_of("%.1f GB", mega / 1024);
 }
 
 }  // namespace etendue::viewer

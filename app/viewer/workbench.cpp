@@ -88,9 +88,7 @@ std::string Workbench::obstacle() const {
   return !editor.empty() && status.version == editor.version() ? status.obstacle : "";
 }
 
-const advice::BlindSpots* Workbench::misses() {
-  return paths.fresh() ? &paths.seen().misses : blind_spots.shown();
-}
+const advice::BlindSpots* Workbench::misses() { return paths.fresh() ? &paths.seen().misses : blind_spots.shown(); }
 
 void Workbench::select(int node, int material) {
   selection.node = node;
@@ -195,12 +193,14 @@ bool Workbench::advance(Picture& on_screen) {
     redraw = true;
   }
   shows_aov_ = shows_aov;
-  if (frame && frame->version == editor.version()) comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
+  if (frame && frame->version == editor.version())
+    comparison.live = {name_of_picture(editor.document(), frame->samples), frame};
   contest.advance(comparison, notices);
   advice.advance(notices);
   paths.advance(view.sheet == "sheet.paths" && !advice.running());
   if (points.advance(view.points)) redraw = true;
-  techniques.advance(view.sheet == "sheet.techniques" && view.interface && !advice.running() && !contest.running(), notices);
+  techniques.advance(view.sheet == "sheet.techniques" && view.interface && !advice.running() && !contest.running(),
+                     notices);
   const bool busy = advice.running() || contest.running() || paths.running();
   blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
   if (view.sheet != "sheet.sampling")

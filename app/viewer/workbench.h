@@ -7,8 +7,8 @@
 #include "viewer/actions.h"
 #include "viewer/advice_hand.h"
 #include "viewer/aov_view.h"
-#include "viewer/camera_hand.h"
 #include "viewer/blind_spots_hand.h"
+#include "viewer/camera_hand.h"
 #include "viewer/capture.h"
 #include "viewer/comparison.h"
 #include "viewer/contest_hand.h"
@@ -36,7 +36,7 @@ struct Selection {
 
 // What the sheet about one pixel's samples shows.
 struct SamplingView {
-  uint32_t samples = 4096;               // to draw
+  uint32_t samples = 4096;                   // to draw
   std::string x = "pixel-x", y = "pixel-y";  // of the points
   uint32_t points = 512;
   bool picks = false;  // the next click chooses the pixel
@@ -54,7 +54,7 @@ struct View {
   bool false_color = false;
   bool health_map = false;
   bool points = false;  // photons and virtual lights over the picture
-  std::string aov;  // the layer shown instead of the picture
+  std::string aov;      // the layer shown instead of the picture
   Tab tab = Tab::render;
   std::optional<Tab> reveal;    // the tab to bring to the front in the next frame
   bool focus_by_click = false;  // the next click sets the focus

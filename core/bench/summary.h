@@ -17,7 +17,7 @@ struct MethodSummary {
   std::optional<measure::Split> split;        // with two repeats or more
   double rmse = 0, relmse = 0;                // medians
   double spp = 0, seconds = 0, rays_per_second = 0;
-  double flip = 0;  // of the last repeat, as the document is shown
+  double flip = 0;             // of the last repeat, as the document is shown
   std::optional<double> khat;  // of the samples' tail (measure/tail.h); nothing where there is none to fit
   bool heavy_tail = false;     // so heavy that errors cannot be told from few repeats (render/health.h)
   // The reference is not ten times better than the best picture: too noisy to tell small errors.

@@ -16,7 +16,7 @@ struct Margins {
 constexpr Margins kPage{78, 24, 52, 46}, kPanel{54, 10, 10, 24};
 constexpr double kLegendRow = 22;
 constexpr double kText = 13, kTitle = 16;
-constexpr int kSteps = 25, kPanelSteps = 64;       // places along a curve
+constexpr int kSteps = 25, kPanelSteps = 64;      // places along a curve
 constexpr double kLetter = 7, kSlopeWidth = 210;  // of the legend, about
 
 // Told apart without colour vision (M. Okabe and K. Ito, 2008), without the yellow that white swallows.

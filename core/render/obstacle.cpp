@@ -23,8 +23,9 @@ std::string obstacle(const Document& document, const scene::CompiledScene& scene
 std::string adaptive_obstacle(const std::string& integrator) {
   const auto& info = *integrator::find_integrator(integrator);
   if (info.sampling == integrator::Sampling::pixels) return {};
-  return info.name + " does not work pixel by pixel, so that all have the same number of samples: leave it off, or take "
-                     "another integrator";
+  return info.name +
+         " does not work pixel by pixel, so that all have the same number of samples: leave it off, or take "
+         "another integrator";
 }
 
 }  // namespace etendue::render

@@ -41,8 +41,8 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   const std::string state = state_json(r.document, r.samples);
   if (extension == ".png") {
     const Display& display = r.document.display;
-    const auto shown = image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure,
-                                             display.curve);
+    const auto shown =
+        image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure, display.curve);
     return image::write_png(path, film.width(), film.height(), shown, {{kStateAttribute, state}});
   }
   image::LayeredImage picture = film::picture_of(film);

@@ -62,8 +62,7 @@ using EditOf = render::Document (*)(render::Document, int);
 
 class Bench {
  public:
-  Bench(const std::string& name, render::Document document, int edits)
-      : document_(std::move(document)), edits_(edits) {
+  Bench(const std::string& name, render::Document document, int edits) : document_(std::move(document)), edits_(edits) {
     std::printf("%s, %d x %d\n  %-28s %5s %8s %8s %8s %8s\n", name.c_str(), document_.width, document_.height,
                 "milliseconds", "n", "p50", "p95", "p99", "max");
   }
@@ -116,8 +115,10 @@ class Bench {
       next += std::chrono::microseconds(16'667);
       std::this_thread::sleep_until(next);
       const uint64_t shown = session.frame()->version - first;
-      if (shown + 1 < submitted.size()) ages.push_back(Milliseconds(Clock::now() - submitted[shown + 1]).count());
-      else ages.push_back(0);
+      if (shown + 1 < submitted.size())
+        ages.push_back(Milliseconds(Clock::now() - submitted[shown + 1]).count());
+      else
+        ages.push_back(0);
     }
     row("unseen edits, dragging", std::move(ages), {});
   }

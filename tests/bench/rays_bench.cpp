@@ -59,10 +59,11 @@ void compare_rays(const char* scene_name, const std::string& name, render::Docum
     ratios.push_back(bare * rays / took), without.push_back(bare * rays / (took - apart));
   }
   std::sort(ratios.begin(), ratios.end()), std::sort(without.begin(), without.end());
-  std::printf("%-8s %-28s over the bare loop: median %.3f (min %.3f, max %.3f), without bookkeeping %.3f; bare %.1f ns "
-              "a ray, %llu hits\n",
-              scene_name, name.c_str(), ratios[kRounds / 2], ratios.front(), ratios.back(), without[kRounds / 2],
-              1e9 * bare, static_cast<unsigned long long>(hits));
+  std::printf(
+      "%-8s %-28s over the bare loop: median %.3f (min %.3f, max %.3f), without bookkeeping %.3f; bare %.1f ns "
+      "a ray, %llu hits\n",
+      scene_name, name.c_str(), ratios[kRounds / 2], ratios.front(), ratios.back(), without[kRounds / 2], 1e9 * bare,
+      static_cast<unsigned long long>(hits));
 }
 
 }  // namespace

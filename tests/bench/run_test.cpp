@@ -59,8 +59,8 @@ TEST(Methods, TheSamplersSettingsMayComeBeforeIt) {
   for (const auto& info : samplers) {
     if (info.parameters.empty()) continue;
     const auto& p = info.parameters.front();
-    const auto methods = bench::parse_methods(
-        "path:" + p.name + "=" + to_string(p.default_value) + ":sampler=" + info.name, cornell(8));
+    const auto methods =
+        bench::parse_methods("path:" + p.name + "=" + to_string(p.default_value) + ":sampler=" + info.name, cornell(8));
     EXPECT_TRUE(methods) << methods.error().message;
   }
 }
@@ -140,8 +140,8 @@ TEST(Reference, ADamagedCacheIsMadeAnew) {
 
 TEST(Reference, MayBeCutShort) {
   render::Session session({1});
-  const auto r = bench::made_reference(session, cornell(12), {0, 1000000}, {},
-                                       [](double, const std::string&) { return false; });
+  const auto r =
+      bench::made_reference(session, cornell(12), {0, 1000000}, {}, [](double, const std::string&) { return false; });
   EXPECT_LT(r.samples, 1000000u);
   EXPECT_EQ(r.rgb().size(), 12u * 12 * 3);
 }

@@ -1,9 +1,10 @@
-// Mutation fuzzing of the loader: files are damaged at random and opened; a crash, a hang or a sanitizer report is the finding.
+// Mutation fuzzing of the loader: files are damaged at random and opened; a crash, a hang or a sanitizer report is the
+// finding.
 //
 //   gltf_fuzz SEED ITERATIONS FILE...
 //
-// Bits are flipped, runs are deleted or doubled, numbers in the JSON become absurd ones, lengths lie. The same seed gives the
-// same files.
+// Bits are flipped, runs are deleted or doubled, numbers in the JSON become absurd ones, lengths lie. The same seed
+// gives the same files.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -25,11 +26,21 @@ class Mutator {
   void mutate(Bytes& bytes) {
     const int times = 1 + below(4);
     for (int i = 0; i < times && !bytes.empty(); ++i) switch (below(5)) {
-        case 0: bytes[at(bytes)] ^= std::byte(1U << below(8)); break;
-        case 1: bytes.resize(at(bytes)); break;
-        case 2: absurd_number(bytes); break;
-        case 3: lying_word(bytes); break;
-        default: bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at(bytes))); break;
+        case 0:
+          bytes[at(bytes)] ^= std::byte(1U << below(8));
+          break;
+        case 1:
+          bytes.resize(at(bytes));
+          break;
+        case 2:
+          absurd_number(bytes);
+          break;
+        case 3:
+          lying_word(bytes);
+          break;
+        default:
+          bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at(bytes)));
+          break;
       }
   }
 
@@ -39,7 +50,8 @@ class Mutator {
 
   // Replaces a digit run near a random place by a number nobody expects.
   void absurd_number(Bytes& bytes) {
-    static constexpr const char* kNumbers[] = {"-1", "4294967295", "1e38", "0", "99999999999999999999", "65536", "0.5", "-0"};
+    static constexpr const char* kNumbers[] = {"-1",    "4294967295", "1e38", "0", "99999999999999999999",
+                                               "65536", "0.5",        "-0"};
     size_t i = at(bytes);
     const auto digit = [&](size_t k) { return k < bytes.size() && std::isdigit(static_cast<int>(bytes[k])); };
     while (i < bytes.size() && !digit(i)) ++i;

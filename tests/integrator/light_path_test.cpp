@@ -13,9 +13,9 @@ namespace {
 using integrator::ChainRandom;
 using integrator::EdgeCounts;
 using integrator::LightPath;
-using integrator::PathCandidates;
 using integrator::Mutation;
 using integrator::MutationPlan;
+using integrator::PathCandidates;
 using integrator::PathShape;
 using integrator::PathSpace;
 using integrator::PathVertex;

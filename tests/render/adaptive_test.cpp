@@ -39,8 +39,8 @@ TEST(Adaptive, BeatsAnEvenHandAtTheSameNumberOfSamples) {
     auto much = even;
     much.method.sampler = "sobol", much.seed = 99;
     const auto reference = test::rendered(much, 1024);
-    const double gain = squared_error(test::rendered(even, 128), reference) /
-                        squared_error(test::rendered(adaptive, 128), reference);
+    const double gain =
+        squared_error(test::rendered(even, 128), reference) / squared_error(test::rendered(adaptive, 128), reference);
     EXPECT_GT(gain, 1.25) << sampler;
   }
 }
@@ -69,9 +69,7 @@ TEST(Adaptive, IsUnbiased) {
   const auto adaptive = estimate(render::Adaptive::rmse, 1), even = estimate(render::Adaptive::off, 10'000);
   for (size_t i = 0; i < adaptive.size(); ++i) {
     const auto mean = [&](const auto& sum) { return sum[0] / kReplicates; };
-    const auto variance = [&](const auto& sum) {
-      return (sum[1] / kReplicates - sqr(mean(sum))) / (kReplicates - 1);
-    };
+    const auto variance = [&](const auto& sum) { return (sum[1] / kReplicates - sqr(mean(sum))) / (kReplicates - 1); };
     const double z = (mean(adaptive[i]) - mean(even[i])) / std::sqrt(variance(adaptive[i]) + variance(even[i]));
     EXPECT_LT(std::abs(z), 3.64) << "cell " << i;
   }

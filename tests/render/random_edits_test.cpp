@@ -1,6 +1,6 @@
 // Five hundred edits, faster than they can be rendered: every method, its parameters, samplers, the camera, materials,
-// path classes. Nothing crashes, nothing leaks (under the address sanitizer), nobody races (under the thread sanitizer),
-// no frame is older than the one before it, and what stands at the end is what the last document asks for.
+// path classes. Nothing crashes, nothing leaks (under the address sanitizer), nobody races (under the thread
+// sanitizer), no frame is older than the one before it, and what stands at the end is what the last document asks for.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -20,8 +20,8 @@ class Editor {
   explicit Editor(uint32_t seed) : random_(seed) {}
 
   Document edited(const Document& d) {
-    static const std::vector<std::string> kSections{"render", "render", "render", "method", "method", "method",
-                                                    "sampler", "film",  "camera", "material.0", "node.1", "model"};
+    static const std::vector<std::string> kSections{"render",  "render", "render", "method",     "method", "method",
+                                                    "sampler", "film",   "camera", "material.0", "node.1", "model"};
     const std::string& kind = kSections[below(kSections.size())];
     const std::string section = kind == "method" ? d.method.integrator : kind == "sampler" ? d.method.sampler : kind;
     const auto list = render::bindings(d, section);

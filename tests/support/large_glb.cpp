@@ -71,7 +71,8 @@ std::string structure(const Grid& grid) {
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2,"material":0}]}],)"
       R"("materials":[{"pbrMetallicRoughness":{"metallicFactor":0}}],)"
       R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","min":[-1.1,-1.1,-1.1],"max":[1.1,1.1,1.1],)"
-      R"("count":)" + vertices + R"(},{"bufferView":1,"componentType":5126,"type":"VEC3","count":)" + vertices +
+      R"("count":)" +
+      vertices + R"(},{"bufferView":1,"componentType":5126,"type":"VEC3","count":)" + vertices +
       R"(},{"bufferView":2,"componentType":5125,"type":"SCALAR","count":)" + corners +
       R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + third + R"(},{"buffer":0,"byteOffset":)" + third +
       R"(,"byteLength":)" + third + R"(},{"buffer":0,"byteOffset":)" + std::to_string(before) + R"(,"byteLength":)" +

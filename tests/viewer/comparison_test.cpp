@@ -1,4 +1,5 @@
-// Two pictures against each other, as a user meets them: what stands left and right of the divider, what a difference shows.
+// Two pictures against each other, as a user meets them: what stands left and right of the divider, what a difference
+// shows.
 #include "viewer/comparison.h"
 
 #include <cmath>
@@ -13,9 +14,7 @@ namespace {
 constexpr int kWidth = 400, kHeight = 300;  // a dialog has room in it
 
 // Steps that leave the window with nothing but the picture in it, and take it.
-json bare_shot(const std::string& file) {
-  return json::array({key("h"), file_step("screenshot", file), key("h")});
-}
+json bare_shot(const std::string& file) { return json::array({key("h"), file_step("screenshot", file), key("h")}); }
 
 // The bytes that a screen shows of a picture's beauty.
 std::vector<uint8_t> encoded(const image::LayeredImage& picture) {
@@ -36,7 +35,8 @@ class Compared : public Viewer {
     EXPECT_TRUE(read) << read.error().message;
     Shot s;
     if (read)
-      for (const float v : read->find("")->pixels) s.bytes.push_back(static_cast<uint8_t>(std::lround(255 * linear_to_srgb(v))));
+      for (const float v : read->find("")->pixels)
+        s.bytes.push_back(static_cast<uint8_t>(std::lround(255 * linear_to_srgb(v))));
     EXPECT_EQ(s.bytes.size(), size_t{3} * kWidth * kHeight);
     s.bytes.resize(size_t{3} * kWidth * kHeight);
     return s;
@@ -46,21 +46,27 @@ class Compared : public Viewer {
 
   // Two pictures in files, of another light each: a scene to go on with, and one to compare it with.
   void make_two() {
-    const json steps = joined(small(), json::array({set("film.width", kWidth), set("film.height", kHeight), {{"do", "wait"}, {"spp", 4}},
-                                                    file_step("image", path("first.exr")), set("material.2.base-color.g", 0.9),
-                                                    set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 4}},
+    const json steps = joined(small(), json::array({set("film.width", kWidth),
+                                                    set("film.height", kHeight),
+                                                    {{"do", "wait"}, {"spp", 4}},
+                                                    file_step("image", path("first.exr")),
+                                                    set("material.2.base-color.g", 0.9),
+                                                    set("render.integrator", "path-pure"),
+                                                    {{"do", "wait"}, {"spp", 4}},
                                                     file_step("image", path("second.exr"))}));
     ASSERT_EQ(run(steps), 0);
   }
 
-  // How many pixels of the columns [first, end) are not what the bytes say; names lie above the rest, figures and notices below.
+  // How many pixels of the columns [first, end) are not what the bytes say; names lie above the rest, figures and
+  // notices below.
   static int wrong_pixels(const Shot& seen, const std::vector<uint8_t>& expected, int first, int end) {
     int wrong = 0;
     for (int y = kHeight / 5; y < kHeight * 3 / 5; ++y)
       for (int x = first; x < end; ++x) {
         bool same = true;
         for (int c = 0; c < 3; ++c)
-          same = same && std::abs(seen.at(x, y, c) - expected[3 * static_cast<size_t>(y * kWidth + x) + static_cast<size_t>(c)]) <= 1;
+          same = same && std::abs(seen.at(x, y, c) -
+                                  expected[3 * static_cast<size_t>(y * kWidth + x) + static_cast<size_t>(c)]) <= 1;
         wrong += same ? 0 : 1;
       }
     return wrong;
@@ -71,8 +77,12 @@ const json kWaitForWork = {{"do", "wait"}, {"for", "comparison"}};
 
 TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
   make_two();
-  json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-b"), click("files.second.exr"), click("files.accept"),
-                            kWaitForWork, file_step("state", path("a.json"))});
+  json steps = json::array({{{"do", "wait"}, {"spp", 4}},
+                            click("compare.load-b"),
+                            click("files.second.exr"),
+                            click("files.accept"),
+                            kWaitForWork,
+                            file_step("state", path("a.json"))});
   steps = joined(joined(steps, bare_shot(path("wipe.png"))), json::array({click("compare.swap")}));
   steps = joined(steps, bare_shot(path("swapped.png")));
   ASSERT_EQ(run_small(steps, path("first.exr")), 0);
@@ -93,10 +103,19 @@ TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
 }
 
 TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
-  const json steps = joined(small(), json::array({click("compare.pin"), set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 4}},
-                                                  click("compare.difference"), kWaitForWork, file_step("state", path("a.json")), key("c"),
-                                                  {{"do", "drag"}, {"item", "compare.divider"}, {"by", {60, 0}}}, file_step("state", path("b.json")),
-                                                  key("alt+left"), file_step("state", path("c.json")), key("c"), file_step("state", path("d.json"))}));
+  const json steps = joined(small(), json::array({click("compare.pin"),
+                                                  set("render.integrator", "path-pure"),
+                                                  {{"do", "wait"}, {"spp", 4}},
+                                                  click("compare.difference"),
+                                                  kWaitForWork,
+                                                  file_step("state", path("a.json")),
+                                                  key("c"),
+                                                  {{"do", "drag"}, {"item", "compare.divider"}, {"by", {60, 0}}},
+                                                  file_step("state", path("b.json")),
+                                                  key("alt+left"),
+                                                  file_step("state", path("c.json")),
+                                                  key("c"),
+                                                  file_step("state", path("d.json"))}));
   ASSERT_EQ(run(steps), 0);
   const json a = state("a.json")["comparison"];
   EXPECT_EQ(a["mode"], "difference");
@@ -112,8 +131,9 @@ TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
 }
 
 TEST_F(Compared, EqualPicturesHaveNoDifferenceAndNoFlip) {
-  json steps = joined(small(), json::array({click("compare.pin"), click("compare.difference"), kWaitForWork, file_step("state", path("a.json")),
-                                            click("compare.flip"), kWaitForWork, file_step("state", path("b.json"))}));
+  json steps = joined(small(), json::array({click("compare.pin"), click("compare.difference"), kWaitForWork,
+                                            file_step("state", path("a.json")), click("compare.flip"), kWaitForWork,
+                                            file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("a.json")["comparison"]["scale"], 0);
   EXPECT_EQ(state("a.json")["comparison"]["mean_difference"], 0);
@@ -124,10 +144,20 @@ TEST_F(Compared, EqualPicturesHaveNoDifferenceAndNoFlip) {
 TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
   make_two();
   const auto shift = [](bool down) { return json{{"do", "key"}, {"key", "shift"}, {"down", down}}; };
-  json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-reference"), click("files.second.exr"), click("files.accept"),
-                            kWaitForWork, key("h"), shift(true),
-                            {{"do", "wait"}, {"seconds", 0.6}}, file_step("state", path("held.json")), file_step("screenshot", path("held.png")),
-                            shift(false), {{"do", "wait"}, {"seconds", 0.2}}, file_step("screenshot", path("after.png")), file_step("state", path("after.json"))});
+  json steps = json::array({{{"do", "wait"}, {"spp", 4}},
+                            click("compare.load-reference"),
+                            click("files.second.exr"),
+                            click("files.accept"),
+                            kWaitForWork,
+                            key("h"),
+                            shift(true),
+                            {{"do", "wait"}, {"seconds", 0.6}},
+                            file_step("state", path("held.json")),
+                            file_step("screenshot", path("held.png")),
+                            shift(false),
+                            {{"do", "wait"}, {"seconds", 0.2}},
+                            file_step("screenshot", path("after.png")),
+                            file_step("state", path("after.json"))});
   ASSERT_EQ(run_small(steps, path("first.exr")), 0);
   const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_on_screen"].get<bool>(); };
   EXPECT_TRUE(on_screen("held.json"));
@@ -139,8 +169,14 @@ TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
 
 TEST_F(Compared, PicturesOfAnotherSizeAreRefusedInWords) {
   make_two();
-  json steps = json::array({{{"do", "wait"}, {"spp", 4}}, click("compare.load-b"), click("files.second.exr"), click("files.accept"),
-                            kWaitForWork, set("film.width", 64), {{"do", "wait"}, {"spp", 4}}, file_step("state", path("a.json"))});
+  json steps = json::array({{{"do", "wait"}, {"spp", 4}},
+                            click("compare.load-b"),
+                            click("files.second.exr"),
+                            click("files.accept"),
+                            kWaitForWork,
+                            set("film.width", 64),
+                            {{"do", "wait"}, {"spp", 4}},
+                            file_step("state", path("a.json"))});
   ASSERT_EQ(run(steps, path("first.exr")), 0);
   const auto problem = state("a.json")["comparison"]["problem"].get<std::string>();
   EXPECT_NE(problem.find("64 x 300"), std::string::npos) << problem;
@@ -197,7 +233,9 @@ TEST(Comparison, AFileIsTakenIfItHasTheSizeOfThePicture) {
   fs::remove(file);
 }
 
-std::shared_ptr<const std::vector<Rgb>> flat(float value) { return std::make_shared<const std::vector<Rgb>>(32 * 32, Rgb(value)); }
+std::shared_ptr<const std::vector<Rgb>> flat(float value) {
+  return std::make_shared<const std::vector<Rgb>>(32 * 32, Rgb(value));
+}
 
 TEST(DifferenceMap, TheSignIsThatOfLeftMinusRight) {
   const auto brighter = viewer::make_map({viewer::CompareMode::difference, flat(0.75f), flat(0.5f), 0, {}}, 32, 32);
@@ -213,13 +251,15 @@ TEST(DifferenceMap, AFewPixelsFarOffDoNotSetTheScale) {
   auto pixels = std::vector<Rgb>(*flat(0.018f));
   for (size_t i = 0; i < 8; ++i) pixels[i] = Rgb(1e6f);
   pixels[8] = Rgb(NAN);
-  const auto map = viewer::make_map({viewer::CompareMode::difference, std::make_shared<const std::vector<Rgb>>(pixels), flat(0), 0, {}}, 32, 32);
+  const auto map = viewer::make_map(
+      {viewer::CompareMode::difference, std::make_shared<const std::vector<Rgb>>(pixels), flat(0), 0, {}}, 32, 32);
   EXPECT_FLOAT_EQ(map->scale, 0.02f);
 }
 
 TEST(DifferenceMap, FlipSeesWhatTheExposureShows) {
   const auto flip = [](float exposure) {
-    return viewer::make_map({viewer::CompareMode::flip, flat(2), flat(3), exposure, image::ToneCurve::none}, 32, 32)->mean;
+    return viewer::make_map({viewer::CompareMode::flip, flat(2), flat(3), exposure, image::ToneCurve::none}, 32, 32)
+        ->mean;
   };
   EXPECT_EQ(flip(0), 0);  // both are white
   EXPECT_GT(flip(-2), 0.01);

@@ -20,7 +20,8 @@ class Contested : public Viewer {
 
   // Two methods that go on until they are stopped.
   static json begun() {
-    return joined(small(), json::array({click("sheet.convergence"), set("compare.seconds", 1000), click("compare.start"), compared(8)}));
+    return joined(small(), json::array({click("sheet.convergence"), set("compare.seconds", 1000),
+                                        click("compare.start"), compared(8)}));
   }
   json exported(const std::string& name) const {
     return json::array({click("compare.export"), set("files.name", path(name)), click("files.accept"), kAtRest});
@@ -35,13 +36,15 @@ class Contested : public Viewer {
 };
 
 TEST_F(Contested, MethodsTakeTurnsAndCurvesCanBeTakenAway) {
-  auto steps = joined(begun(), json::array({file_step("state", path("begun.json")), file_step("screenshot", path("chart.png")), click("compare.stop"),
-                                            kAtRest, file_step("state", path("stopped.json"))}));
+  auto steps =
+      joined(begun(), json::array({file_step("state", path("begun.json")), file_step("screenshot", path("chart.png")),
+                                   click("compare.stop"), kAtRest, file_step("state", path("stopped.json"))}));
   for (const char* name : {"a.svg", "a.csv", "a.png"}) steps = joined(steps, exported(name));
   steps = joined(steps, json::array({click("compare.go-on"), file_step("state", path("on.json"))}));
   ASSERT_EQ(run(steps), 0);
 
-  const auto begun = state("begun.json")["contest"], stopped = state("stopped.json")["contest"], on = state("on.json")["contest"];
+  const auto begun = state("begun.json")["contest"], stopped = state("stopped.json")["contest"],
+             on = state("on.json")["contest"];
   EXPECT_TRUE(begun["running"]);
   EXPECT_FALSE(stopped["running"]);
   EXPECT_EQ(stopped["phase"], "stopped");
@@ -72,9 +75,12 @@ TEST_F(Contested, MethodsTakeTurnsAndCurvesCanBeTakenAway) {
 }
 
 TEST_F(Contested, AListIsMadeByHandAndAnEqualNumberOfSamplesIsKept) {
-  const auto steps = joined(small(), json::array({click("sheet.convergence"), set("compare.rule", "samples"), set("compare.samples", 6), set("compare.repeats", 2),
-                                                  set("compare.integrator", "path-pure"), set("compare.sampler", "sobol"), click("compare.add"), click("compare.add"),
-                                                  click("compare.remove.1"), click("compare.start"), kAtRest, file_step("state", path("s.json"))}));
+  const auto steps = joined(
+      small(),
+      json::array({click("sheet.convergence"), set("compare.rule", "samples"), set("compare.samples", 6),
+                   set("compare.repeats", 2), set("compare.integrator", "path-pure"), set("compare.sampler", "sobol"),
+                   click("compare.add"), click("compare.add"), click("compare.remove.1"), click("compare.start"),
+                   kAtRest, file_step("state", path("s.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto contest = state("s.json")["contest"];
   EXPECT_EQ(contest["phase"], "done");
@@ -85,9 +91,14 @@ TEST_F(Contested, AListIsMadeByHandAndAnEqualNumberOfSamplesIsKept) {
 }
 
 TEST_F(Contested, AnEditOfTheSceneEndsItAndTheCurvesStay) {
-  const auto steps = joined(begun(), json::array({set("camera.exposure", 1), file_step("state", path("exposed.json")), set("material.5.metallic", 1),
-                                                  {{"do", "wait"}, {"spp", 1}}, file_step("state", path("edited.json")), click("compare.start"),
-                                                  compared(1), file_step("state", path("again.json"))}));
+  const auto steps = joined(begun(), json::array({set("camera.exposure", 1),
+                                                  file_step("state", path("exposed.json")),
+                                                  set("material.5.metallic", 1),
+                                                  {{"do", "wait"}, {"spp", 1}},
+                                                  file_step("state", path("edited.json")),
+                                                  click("compare.start"),
+                                                  compared(1),
+                                                  file_step("state", path("again.json"))}));
   ASSERT_EQ(run(steps), 0);
   // What changes no light is no edit of the scene.
   EXPECT_TRUE(state("exposed.json")["contest"]["running"]);

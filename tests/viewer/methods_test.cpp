@@ -40,13 +40,18 @@ TEST_F(Methods, NoTwoActionsShareAKey) {
   std::set<std::string> keys;
   for (const auto& entry : json::parse(viewer::widgets_json())) {
     if (!entry.contains("shortcut")) continue;
-    for (const auto& shortcut : entry["shortcut"]) EXPECT_TRUE(keys.insert(shortcut.get<std::string>()).second) << entry["name"] << ' ' << shortcut;
+    for (const auto& shortcut : entry["shortcut"])
+      EXPECT_TRUE(keys.insert(shortcut.get<std::string>()).second) << entry["name"] << ' ' << shortcut;
   }
 }
 
 TEST_F(Methods, WhatStandsInTheWayIsSaidUntilItIsGone) {
-  const auto steps = joined(small(), steps_of({set("render.integrator", "light-pure"), {{"do", "wait"}, {"spp", 1}}, file_step("state", path("a.json")),
-                                               file_step("screenshot", path("a.png")), set("camera.lens-radius", 0.1), {{"do", "wait"}, {"spp", 1}},
+  const auto steps = joined(small(), steps_of({set("render.integrator", "light-pure"),
+                                               {{"do", "wait"}, {"spp", 1}},
+                                               file_step("state", path("a.json")),
+                                               file_step("screenshot", path("a.png")),
+                                               set("camera.lens-radius", 0.1),
+                                               {{"do", "wait"}, {"spp", 1}},
                                                file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_NE(state("a.json")["obstacle"].get<std::string>().find("camera.lens-radius"), std::string::npos);
@@ -54,17 +59,20 @@ TEST_F(Methods, WhatStandsInTheWayIsSaidUntilItIsGone) {
 }
 
 TEST_F(Methods, AdaptiveSamplingCannotBeTurnedOnWhereItDoesNothing) {
-  expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), set("render.adaptive", "rmse")})), "does not work pixel by pixel");
+  expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), set("render.adaptive", "rmse")})),
+                 "does not work pixel by pixel");
 }
 
 TEST_F(Methods, PixelsOfAMethodThatHasNoneCannotBeWaitedFor) {
-  expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), click("sheet.sampling"), click("sampling.pick"), wait_for("pixel")})),
+  expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), click("sheet.sampling"),
+                                           click("sampling.pick"), wait_for("pixel")})),
                  "no sample of this integrator belongs to one pixel");
 }
 
 TEST_F(Methods, WhatAMethodMissesIsMeasuredByItself) {
-  const auto steps = joined(small(), steps_of({set("render.integrator", "raycast"), wait_for("misses"), file_step("state", path("a.json")),
-                                               set("render.integrator", "path"), wait_for("misses"), file_step("state", path("b.json"))}));
+  const auto steps = joined(
+      small(), steps_of({set("render.integrator", "raycast"), wait_for("misses"), file_step("state", path("a.json")),
+                         set("render.integrator", "path"), wait_for("misses"), file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_GT(state("a.json")["misses"].get<double>(), 0.05);
   EXPECT_EQ(state("b.json")["misses"], 0);
@@ -73,21 +81,25 @@ TEST_F(Methods, WhatAMethodMissesIsMeasuredByItself) {
 }
 
 TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
-  const auto steps = joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0,*"), file_step("state", path("a.json")), key("ctrl+z"),
-                                               file_step("state", path("b.json")), click("bdpt.without"), key("1"), key(","), key("2"), key("enter"),
-                                               file_step("state", path("c.json"))}));
+  const auto steps = joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0,*"),
+                                               file_step("state", path("a.json")), key("ctrl+z"),
+                                               file_step("state", path("b.json")), click("bdpt.without"), key("1"),
+                                               key(","), key("2"), key("enter"), file_step("state", path("c.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("a.json")["parameters"]["bdpt.without"], "0,*");
   EXPECT_EQ(state("b.json")["parameters"]["bdpt.without"], "");
   EXPECT_EQ(state("c.json")["parameters"]["bdpt.without"], "1,2");
-  expect_refusal(joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0;1")})), "is no technique");
+  expect_refusal(joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0;1")})),
+                 "is no technique");
 }
 
 TEST_F(Methods, WhatOneKnowsOfItsOwnWorkIsTold) {
   const auto& infos = integrator::integrator_infos();
   const auto chains = std::ranges::find(infos, integrator::Group::markov_chain, &integrator::IntegratorInfo::group);
   ASSERT_NE(chains, infos.end());
-  const auto steps = joined(small(2), steps_of({file_step("state", path("a.json")), set("render.integrator", chains->name), {{"do", "wait"}, {"spp", 2}},
+  const auto steps = joined(small(2), steps_of({file_step("state", path("a.json")),
+                                                set("render.integrator", chains->name),
+                                                {{"do", "wait"}, {"spp", 2}},
                                                 file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_TRUE(state("a.json")["statistics"].empty());
@@ -95,10 +107,17 @@ TEST_F(Methods, WhatOneKnowsOfItsOwnWorkIsTold) {
 }
 
 TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
-  const auto steps = joined(small(2), steps_of({set("render.integrator", "photonmap"), {{"do", "wait"}, {"spp", 2}}, file_step("screenshot", path("without.png")),
-                                                click("view.points"), wait_for("points"), file_step("state", path("a.json")),
-                                                file_step("screenshot", path("with.png")), set("render.integrator", "path"), {{"do", "wait"}, {"spp", 2}},
-                                                wait_for("points"), file_step("state", path("b.json"))}));
+  const auto steps = joined(small(2), steps_of({set("render.integrator", "photonmap"),
+                                                {{"do", "wait"}, {"spp", 2}},
+                                                file_step("screenshot", path("without.png")),
+                                                click("view.points"),
+                                                wait_for("points"),
+                                                file_step("state", path("a.json")),
+                                                file_step("screenshot", path("with.png")),
+                                                set("render.integrator", "path"),
+                                                {{"do", "wait"}, {"spp", 2}},
+                                                wait_for("points"),
+                                                file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto points = state("a.json")["points"];
   EXPECT_GT(points["kept"], 100);
@@ -113,8 +132,9 @@ TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
 class Techniques : public Viewer {
  protected:
   static json pyramid(bool weighted) {
-    return joined(small(1), steps_of({set("render.integrator", "bdpt"), click("sheet.techniques"), set("techniques.samples", 8),
-                                      set("techniques.longest", 3), set("techniques.weighted", weighted), wait_for("techniques")}));
+    return joined(small(1), steps_of({set("render.integrator", "bdpt"), click("sheet.techniques"),
+                                      set("techniques.samples", 8), set("techniques.longest", 3),
+                                      set("techniques.weighted", weighted), wait_for("techniques")}));
   }
   static double mean_of(const json& state, int s, int t) {
     for (const auto& cell : state["techniques"]["cells"])
@@ -124,9 +144,10 @@ class Techniques : public Viewer {
 };
 
 TEST_F(Techniques, TheirPicturesAddUpToThatOfTheMethod) {
-  auto steps = joined(pyramid(true), steps_of({set("bdpt.max-depth", 3), wait_for("techniques"), file_step("state", path("a.json")),
-                                               file_step("screenshot", path("a.png")), set("techniques.weighted", false), wait_for("techniques"),
-                                               file_step("state", path("b.json"))}));
+  auto steps = joined(pyramid(true),
+                      steps_of({set("bdpt.max-depth", 3), wait_for("techniques"), file_step("state", path("a.json")),
+                                file_step("screenshot", path("a.png")), set("techniques.weighted", false),
+                                wait_for("techniques"), file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto a = state("a.json"), b = state("b.json");
   ASSERT_EQ(a["techniques"]["cells"].size(), 12u);
@@ -141,10 +162,12 @@ TEST_F(Techniques, TheirPicturesAddUpToThatOfTheMethod) {
 }
 
 TEST_F(Techniques, AClickLeavesOneToTheOthersAndAnotherBringsItBack) {
-  const auto steps = joined(pyramid(true), steps_of({file_step("state", path("a.json")), click("techniques.cell.1.2"), file_step("state", path("off.json")),
-                                                     wait_for("techniques"), file_step("state", path("without.json")), click("techniques.cell.1.2"),
-                                                     file_step("state", path("back.json")), key("ctrl+z"), click("techniques.all"),
-                                                     file_step("state", path("all.json"))}));
+  const auto steps = joined(
+      pyramid(true),
+      steps_of({file_step("state", path("a.json")), click("techniques.cell.1.2"), file_step("state", path("off.json")),
+                wait_for("techniques"), file_step("state", path("without.json")), click("techniques.cell.1.2"),
+                file_step("state", path("back.json")), key("ctrl+z"), click("techniques.all"),
+                file_step("state", path("all.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_EQ(state("off.json")["parameters"]["bdpt.without"], "1,2");
   EXPECT_EQ(state("back.json")["parameters"]["bdpt.without"], "");
@@ -155,8 +178,10 @@ TEST_F(Techniques, AClickLeavesOneToTheOthersAndAnotherBringsItBack) {
 }
 
 TEST_F(Techniques, AreExportedAsLayersAndAsAGrid) {
-  const auto steps = joined(pyramid(true), steps_of({click("techniques.export"), set("files.name", path("t.exr")), click("files.accept"), wait_for("techniques"),
-                                                     click("techniques.export"), set("files.name", path("t.png")), click("files.accept"), wait_for("techniques")}));
+  const auto steps = joined(
+      pyramid(true), steps_of({click("techniques.export"), set("files.name", path("t.exr")), click("files.accept"),
+                               wait_for("techniques"), click("techniques.export"), set("files.name", path("t.png")),
+                               click("files.accept"), wait_for("techniques")}));
   ASSERT_EQ(run(steps), 0);
   const auto layers = picture("t.exr");
   EXPECT_TRUE(layers.find("technique.1.2"));

@@ -15,9 +15,15 @@ class PathsSheet : public Viewer {
 };
 
 TEST_F(PathsSheet, SharesAddUpAndAClickHasOneClassCount) {
-  const auto steps = joined(measured(), steps_of({file_step("state", path("all.json")), file_step("screenshot", path("sheet.png")), click("paths.row.1"),
-                                                  {{"do", "wait"}, {"spp", 1}}, file_step("state", path("one.json")), click("paths.row.1"),
-                                                  file_step("state", path("again.json")), click("paths.row.0"), click("paths.all"),
+  const auto steps = joined(measured(), steps_of({file_step("state", path("all.json")),
+                                                  file_step("screenshot", path("sheet.png")),
+                                                  click("paths.row.1"),
+                                                  {{"do", "wait"}, {"spp", 1}},
+                                                  file_step("state", path("one.json")),
+                                                  click("paths.row.1"),
+                                                  file_step("state", path("again.json")),
+                                                  click("paths.row.0"),
+                                                  click("paths.all"),
                                                   file_step("state", path("button.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto all = state("all.json");
@@ -43,8 +49,9 @@ TEST_F(PathsSheet, SharesAddUpAndAClickHasOneClassCount) {
 }
 
 TEST_F(PathsSheet, AnEditOfTheViewMakesTheTableStaleUntilItIsMeasuredAgain) {
-  const auto steps = joined(measured(), steps_of({set("material.5.metallic", 1), file_step("state", path("stale.json")), click("paths.measure"),
-                                                  wait_for("paths"), file_step("state", path("anew.json"))}));
+  const auto steps =
+      joined(measured(), steps_of({set("material.5.metallic", 1), file_step("state", path("stale.json")),
+                                   click("paths.measure"), wait_for("paths"), file_step("state", path("anew.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto stale = state("stale.json"), anew = state("anew.json");
   EXPECT_FALSE(stale["paths"]["fresh"]);
@@ -65,8 +72,9 @@ TEST_F(PathsSheet, AMethodIsHeldAgainstTheTable) {
 }
 
 TEST_F(PathsSheet, AnyExpressionCanBeTypedAndAWrongOneIsRefused) {
-  ASSERT_EQ(run(joined(small(), steps_of({set("film.paths", "ES*DL"), file_step("state", path("set.json")), click("film.paths"), key("ctrl+a"),
-                                          key("shift+e"), key("shift+l"), key("enter"), file_step("state", path("typed.json"))}))),
+  ASSERT_EQ(run(joined(small(), steps_of({set("film.paths", "ES*DL"), file_step("state", path("set.json")),
+                                          click("film.paths"), key("ctrl+a"), key("shift+e"), key("shift+l"),
+                                          key("enter"), file_step("state", path("typed.json"))}))),
             0);
   EXPECT_EQ(state("set.json")["parameters"]["film.paths"], "ES*DL");
   EXPECT_EQ(state("set.json")["undo_depth"], kDepth + 1);
@@ -78,25 +86,29 @@ TEST_F(PathsSheet, AnyExpressionCanBeTypedAndAWrongOneIsRefused) {
 }
 
 TEST_F(PathsSheet, TheBestMethodIsTakenInOneStep) {
-  const auto steps = joined(small(), steps_of({set("render.integrator", "path-pure"), set("advice.pilot", 0.125), set("advice.error", 0.5), click("advice.ask"),
-                                               file_step("state", path("asked.json")), wait_for("advice"), file_step("state", path("told.json")),
-                                               click("advice.use.0"), file_step("state", path("used.json")), key("ctrl+z"),
-                                               file_step("state", path("back.json"))}));
+  const auto steps = joined(
+      small(), steps_of({set("render.integrator", "path-pure"), set("advice.pilot", 0.125), set("advice.error", 0.5),
+                         click("advice.ask"), file_step("state", path("asked.json")), wait_for("advice"),
+                         file_step("state", path("told.json")), click("advice.use.0"),
+                         file_step("state", path("used.json")), key("ctrl+z"), file_step("state", path("back.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto told = state("told.json"), used = state("used.json"), back = state("back.json");
   EXPECT_FALSE(told["advice"]["running"]);
   EXPECT_FALSE(told["paused"]);
   ASSERT_TRUE(told["advice"]["best"].is_string());
   const std::string best = told["advice"]["best"];
-  EXPECT_EQ(used["parameters"]["render.integrator"].get<std::string>() + ":sampler=" + used["parameters"]["render.sampler"].get<std::string>(), best);
+  EXPECT_EQ(used["parameters"]["render.integrator"].get<std::string>() +
+                ":sampler=" + used["parameters"]["render.sampler"].get<std::string>(),
+            best);
   EXPECT_NEAR(used["parameters"]["render.error"].get<double>(), 0.5, 1e-6);
   EXPECT_EQ(used["undo_depth"], told["undo_depth"].get<int>() + 1);
   EXPECT_EQ(back["parameters"], told["parameters"]);
 }
 
 TEST_F(PathsSheet, AnEditCallsTheAdviceOff) {
-  const auto steps = joined(small(), steps_of({set("advice.pilot", 60), set("advice.error", 1e-5), click("advice.ask"), file_step("state", path("asked.json")),
-                                               set("material.5.metallic", 1), file_step("state", path("edited.json")), click("advice.ask"),
+  const auto steps = joined(small(), steps_of({set("advice.pilot", 60), set("advice.error", 1e-5), click("advice.ask"),
+                                               file_step("state", path("asked.json")), set("material.5.metallic", 1),
+                                               file_step("state", path("edited.json")), click("advice.ask"),
                                                click("advice.stop"), file_step("state", path("stopped.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_TRUE(state("asked.json")["advice"]["running"]);

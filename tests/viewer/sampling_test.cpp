@@ -14,8 +14,9 @@ json click_at(int x, int y) { return {{"do", "drag"}, {"from", {x, y}}, {"to", {
 const json kWaitForSamples = {{"do", "wait"}, {"for", "pixel"}};
 
 TEST_F(Sampling, ThePixelThatWasClickedHasTheMeanOfTheRendering) {
-  const auto steps = joined(small(64), json::array({set("sampling.samples", 64), click("sampling.pick"), click_at(300, 200), kWaitForSamples,
-                                                    file_step("state", path("a.json")), file_step("image", path("a.exr"))}));
+  const auto steps = joined(
+      small(64), json::array({set("sampling.samples", 64), click("sampling.pick"), click_at(300, 200), kWaitForSamples,
+                              file_step("state", path("a.json")), file_step("image", path("a.exr"))}));
   ASSERT_EQ(run(steps), 0);
   const json pixel = state("a.json")["pixel"];
   ASSERT_EQ(pixel["samples"], 64);
@@ -33,9 +34,18 @@ TEST_F(Sampling, ThePixelThatWasClickedHasTheMeanOfTheRendering) {
 }
 
 TEST_F(Sampling, AnEditOfTheLightStartsAgainAndADisplayDoesNot) {
-  const auto steps = joined(small(), json::array({set("sampling.samples", 128), click("sampling.pick"), click_at(300, 200), kWaitForSamples,
-                                                  file_step("state", path("a.json")), set("camera.exposure", 1), kWaitForSamples, file_step("state", path("b.json")),
-                                                  set("render.integrator", "path-pure"), {{"do", "wait"}, {"spp", 1}}, kWaitForSamples, file_step("state", path("c.json"))}));
+  const auto steps = joined(small(), json::array({set("sampling.samples", 128),
+                                                  click("sampling.pick"),
+                                                  click_at(300, 200),
+                                                  kWaitForSamples,
+                                                  file_step("state", path("a.json")),
+                                                  set("camera.exposure", 1),
+                                                  kWaitForSamples,
+                                                  file_step("state", path("b.json")),
+                                                  set("render.integrator", "path-pure"),
+                                                  {{"do", "wait"}, {"spp", 1}},
+                                                  kWaitForSamples,
+                                                  file_step("state", path("c.json"))}));
   ASSERT_EQ(run(steps), 0);
   const json a = state("a.json")["pixel"], b = state("b.json")["pixel"], c = state("c.json")["pixel"];
   ASSERT_EQ(a["samples"], 128);
@@ -46,8 +56,11 @@ TEST_F(Sampling, AnEditOfTheLightStartsAgainAndADisplayDoesNot) {
 }
 
 TEST_F(Sampling, EveryPairOfNumbersCanBeChosenAndAnUnknownOneIsRefused) {
-  const auto steps = joined(small(), json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"), set("sampling.y", "vertex-4.roulette"),
-                                                  set("sampling.points", "2048"), file_step("screenshot", path("a.png")), kWaitForSamples, file_step("state", path("a.json"))}));
+  const auto steps = joined(
+      small(),
+      json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"),
+                   set("sampling.y", "vertex-4.roulette"), set("sampling.points", "2048"),
+                   file_step("screenshot", path("a.png")), kWaitForSamples, file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_TRUE(state("a.json").contains("pixel"));
   ::testing::internal::CaptureStderr();
@@ -56,7 +69,8 @@ TEST_F(Sampling, EveryPairOfNumbersCanBeChosenAndAnUnknownOneIsRefused) {
 }
 
 TEST_F(Sampling, EscapeTakesTheChoiceBack) {
-  const auto steps = joined(small(), json::array({click("sampling.pick"), key("escape"), click_at(300, 200), file_step("state", path("a.json"))}));
+  const auto steps = joined(small(), json::array({click("sampling.pick"), key("escape"), click_at(300, 200),
+                                                  file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_FALSE(state("a.json").contains("pixel"));
 }

@@ -66,7 +66,9 @@ class Viewer : public ::testing::Test {
   fs::path folder_;
 };
 
-inline json set(const std::string& name, const json& value) { return {{"do", "set"}, {"name", name}, {"value", value}}; }
+inline json set(const std::string& name, const json& value) {
+  return {{"do", "set"}, {"name", name}, {"value", value}};
+}
 inline json click(const std::string& item) { return {{"do", "click"}, {"item", item}}; }
 inline json key(const std::string& chord) { return {{"do", "key"}, {"key", chord}}; }
 inline json file_step(const std::string& action, const std::string& file) { return {{"do", action}, {"file", file}}; }

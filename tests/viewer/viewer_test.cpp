@@ -35,10 +35,15 @@ TEST_F(Viewer, ASnapshotBringsEverythingBack) {
 TEST_F(Viewer, APngIsWhatIsShownAndRadianceKeepsItsFireflies) {
   const auto saved = [&](const char* fireflies) {
     const std::string name = fireflies;
-    return json::array({set("film.fireflies", name), {{"do", "wait"}, {"spp", 16}}, file_step("image", path(name + ".png")), file_step("image", path(name + ".exr"))});
+    return json::array({set("film.fireflies", name),
+                        {{"do", "wait"}, {"spp", 16}},
+                        file_step("image", path(name + ".png")),
+                        file_step("image", path(name + ".exr"))});
   };
   // Small lights met by chance alone.
-  ASSERT_EQ(run(joined(joined(joined(json::array({set("render.integrator", "path-pure")}), small(16)), saved("keep")), saved("reweight"))), 0);
+  ASSERT_EQ(run(joined(joined(joined(json::array({set("render.integrator", "path-pure")}), small(16)), saved("keep")),
+                       saved("reweight"))),
+            0);
   const auto kept = image::read_linear(path("keep.png")), shown = image::read_linear(path("reweight.png"));
   ASSERT_TRUE(kept && shown);
   EXPECT_FALSE(same_pixels(*kept, *shown));
