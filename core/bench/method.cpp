@@ -1,6 +1,7 @@
 #include "bench/method.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "render/obstacle.h"
 
@@ -14,6 +15,19 @@ std::vector<std::string> pieces(const std::string& text, char separator) {
     list.push_back(text.substr(begin, end - begin));
   list.push_back(text.substr(begin));
   return list;
+}
+
+// Methods begin with a letter; what does not belongs to the value before its comma, as in bdpt:without=1,*.
+std::vector<std::string> methods_in(const std::string& list) {
+  std::vector<std::string> methods;
+  for (const std::string& piece : pieces(list, ',')) {
+    const bool begins = piece.empty() || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
+    if (begins || methods.empty())
+      methods.push_back(piece);
+    else
+      methods.back() += ',' + piece;
+  }
+  return methods;
 }
 
 // Whether the same picture is made, by whatever way.
@@ -69,7 +83,7 @@ Result<Method> parse_method(const std::string& text, const render::Document& bas
 
 Result<std::vector<Method>> parse_methods(const std::string& list, const render::Document& base) {
   std::vector<Method> methods;
-  for (const auto& text : pieces(list, ',')) {
+  for (const auto& text : methods_in(list)) {
     if (text.empty()) continue;
     auto method = parse_method(text, base);
     if (!method) return method.error();

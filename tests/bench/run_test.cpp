@@ -54,6 +54,16 @@ TEST(Methods, AreDocumentsWithTheirSettings) {
   EXPECT_EQ(methods->at(1).document.method.sampler, "sobol");
 }
 
+TEST(Methods, ACommaThatNoNameFollowsBelongsToItsValue) {
+  const auto methods = bench::parse_methods("bdpt:without=1,* 2,3,path,bdpt:only=*,1", cornell(8));
+  ASSERT_TRUE(methods) << methods.error().message;
+  ASSERT_EQ(methods->size(), 3u);
+  EXPECT_EQ(methods->at(0).name, "bdpt:without=1,* 2,3");
+  EXPECT_EQ(to_string(*render::get(methods->at(0).document, "bdpt.without")), "1,* 2,3");
+  EXPECT_EQ(methods->at(1).document.method.integrator, "path");
+  EXPECT_EQ(to_string(*render::get(methods->at(2).document, "bdpt.only")), "*,1");
+}
+
 TEST(Methods, TheSamplersSettingsMayComeBeforeIt) {
   const auto& samplers = sampler_infos();
   for (const auto& info : samplers) {
