@@ -1,5 +1,6 @@
 #include "integrator/mlt.h"
 
+#include "integrator/camera_walks.h"
 #include "integrator/chain_work.h"
 #include "integrator/mutation_chain.h"
 #include "integrator/path_candidates.h"
@@ -56,7 +57,7 @@ class MutationKernel {
   }
 
   std::optional<uint64_t> weigh(const Era& era, uint64_t first, const Candidates& candidates, const Turn& turn) const {
-    if (!(*turn.wanted)()) return {};
+    if (!is_wanted(turn)) return {};
     PathSpace<M> space(pass_);
     PathCandidates<M> paths(method_->max_depth);
     LightPath<M> path;
@@ -84,7 +85,7 @@ class MutationKernel {
 
   std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, float scale,
                                  const Turn& turn) const {
-    if (!(*turn.wanted)()) return {};
+    if (!is_wanted(turn)) return {};
     MutationRunner<M> runner(pass_, plan_);
     const auto count = [&](Mutation m, const Verdict& v) { group.tally.kinds[static_cast<size_t>(m)].count(v); };
     const float of_path = scale * static_cast<float>(era.worth);
