@@ -2,6 +2,7 @@
 // false alarms for each test.
 #include <gtest/gtest.h>
 
+#include "support/cut.h"
 #include "support/motion.h"
 #include "support/places.h"
 
@@ -78,13 +79,24 @@ TEST(Mlt, StochasticOpacity) {
   test::expect_same(by(d, "path"), 256, by_mlt(d), 256, "veil", 1);
 }
 
+// An era ends with almost every sample.
+Document of_short_eras(const Document& d) { return with(by_mlt(d), "candidates", "64"); }
+
 TEST(Mlt, TheSameBitsWithAnyNumberOfThreads) {
   Document d = test::through_a_lens(test::cornell(test::kSize));
   d.width = 70, d.height = 50;
-  const auto one = test::rendered(by_mlt(d), 5, 1);
+  const auto one = test::rendered(of_short_eras(d), 5, 1);
   for (const int threads : {2, 7}) {
-    const auto many = test::rendered(by_mlt(d), 5, threads);
+    const auto many = test::rendered(of_short_eras(d), 5, threads);
     for (size_t i = 0; i < one.pixels().size(); ++i) ASSERT_EQ(one.pixels()[i].sum, many.pixels()[i].sum) << threads;
+  }
+}
+
+// Of each path little is written down, and everything else made anew: through glass, a lens and a shutter.
+TEST(Mlt, ARenderingThatWasCutGoesOnToTheSameBits) {
+  for (Document d : {test::through_a_lens(test::under_a_lamp()), test::lens_and_shutter()}) {
+    d.width = 70, d.height = 50;
+    test::expect_same_bits_after_a_cut(of_short_eras(d), "mlt");
   }
 }
 

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <thread>
 
-#include "render/checkpoint.h"
+#include "support/cut.h"
 #include "support/replicates.h"
 
 namespace etendue {
@@ -95,53 +93,22 @@ TEST(Pssmlt, ABlackSceneStaysBlackAndEnds) {
   for (const char* form : kForms) EXPECT_EQ(test::mean_of(test::rendered(chains(d, form), 4)).value, 0) << form;
 }
 
-void expect_same_bits(const film::Film& a, const film::Film& b, const std::string& what) {
-  ASSERT_EQ(a.pixels().size(), b.pixels().size());
-  for (size_t i = 0; i < a.pixels().size(); ++i) ASSERT_EQ(a.pixels()[i].sum, b.pixels()[i].sum) << what << ' ' << i;
-}
-
 Document several_groups(const std::string& form) {
   Document d = with(chains(cornell(), form), "chains", "700");
   d.width = 70, d.height = 50;
-  return with(d, "candidates", "3000");
+  return with(d, "candidates", "300");  // so that eras end
 }
 
 TEST(Pssmlt, TheSameBitsWithAnyNumberOfThreads) {
   for (const char* form : kForms) {
     const Document d = several_groups(form);
     const auto one = test::rendered(d, 4, 1);
-    for (const int threads : {2, 7}) expect_same_bits(one, test::rendered(d, 4, threads), form);
+    for (const int threads : {2, 7}) test::expect_same_bits(one, test::rendered(d, 4, threads), form);
   }
 }
 
-// Cut after complete steps, and somewhere in the middle of one.
 TEST(Pssmlt, ARenderingThatWasCutGoesOnToTheSameBits) {
-  const auto path = std::filesystem::temp_directory_path() / "etendue-test-chains.checkpoint";
-  for (const char* form : kForms) {
-    Document d = several_groups(form);
-    const auto whole = test::rendered(d, 9);
-    for (const bool running : {false, true}) {
-      d.limits = {running ? 9u : 4u, 0, 0};
-      render::Session first({.threads = 2});
-      first.submit(d);
-      if (running)
-        while (first.status().samples < 2) std::this_thread::yield();
-      else
-        first.finish();
-      render::Start copy = first.start_copy();
-      ASSERT_TRUE(
-          render::write_checkpoint(path, {render::state_json(d, 4), std::move(copy.film), 1, std::move(copy.work)}));
-      auto read = render::read_checkpoint(path);
-      ASSERT_TRUE(read);
-      EXPECT_FALSE(read->work.empty());
-      d.limits = {9, 0, 0};
-      render::Session second({.threads = 2});
-      second.submit(d, {std::move(read->film), std::move(read->work)});
-      second.finish();
-      expect_same_bits(whole, second.film_copy(), form);
-    }
-  }
-  std::filesystem::remove(path);
+  for (const char* form : kForms) test::expect_same_bits_after_a_cut(several_groups(form), form);
 }
 
 // A film whose chains are lost goes on with others.

@@ -1,0 +1,43 @@
+#include "support/cut.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "render/checkpoint.h"
+
+namespace etendue::test {
+
+void expect_same_bits(const film::Film& a, const film::Film& b, const std::string& what) {
+  ASSERT_EQ(a.pixels().size(), b.pixels().size());
+  for (size_t i = 0; i < a.pixels().size(); ++i) ASSERT_EQ(a.pixels()[i].sum, b.pixels()[i].sum) << what << ' ' << i;
+}
+
+void expect_same_bits_after_a_cut(render::Document d, const std::string& what) {
+  const auto path = std::filesystem::temp_directory_path() / ("etendue-test-cut-" + d.method.integrator);
+  const auto whole = rendered(d, 9);
+  for (const bool running : {false, true}) {
+    d.limits = {running ? 9u : 4u, 0, 0};
+    render::Session first({.threads = 2});
+    first.submit(d);
+    if (running)
+      while (first.status().samples < 2) std::this_thread::yield();
+    else
+      first.finish();
+    render::Start copy = first.start_copy();
+    ASSERT_TRUE(
+        render::write_checkpoint(path, {render::state_json(d, 4), std::move(copy.film), 1, std::move(copy.work)}));
+    auto read = render::read_checkpoint(path);
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(read->work.empty());
+    d.limits = {9, 0, 0};
+    render::Session second({.threads = 2});
+    second.submit(d, {std::move(read->film), std::move(read->work)});
+    second.finish();
+    expect_same_bits(whole, second.film_copy(), what);
+  }
+  std::filesystem::remove(path);
+}
+
+}  // namespace etendue::test
