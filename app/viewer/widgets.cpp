@@ -283,7 +283,9 @@ void warning(const Workbench& w, const std::string& text) {
 
 void figure(const Workbench& w, const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
-  ImGui::SameLine(label_width());
+  // A long name pushes its figure to the right rather than lie under it.
+  const float end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetFontSize() * 0.4f;
+  ImGui::SameLine(std::max(label_width(), end));
   ImGui::PushFont(w.faces.figures);
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopFont();

@@ -38,21 +38,19 @@ class Mlt final : public Method<Mlt> {
       Scale::logarithmic};
   Number<float> bidirectional{
       "bidirectional",
-      "Bidirectional mutations",
+      "Bidirectional",
       1,
       {0.01f, 1},
       "How often, against the others: new paths; without them chains would stay where they are"};
-  Number<float> lens{
-      "lens-perturbation", "Lens perturbations", 1, {0, 1}, "How often: the point of the picture is moved"};
+  Number<float> lens{"lens-perturbation", "Lens", 1, {0, 1}, "How often: the point of the picture is moved"};
   Number<float> caustic{"caustic-perturbation",
-                        "Caustic perturbations",
+                        "Caustic",
                         1,
                         {0, 1},
                         "How often: the light's direction is turned before it meets the last surface"};
-  Number<float> chain{
-      "multi-chain", "Multi-chain perturbations", 1, {0, 1}, "How often: caustics seen in mirrors or through glass"};
+  Number<float> chain{"multi-chain", "Multi-chain", 1, {0, 1}, "How often: caustics seen in mirrors or through glass"};
   Number<float> subpath{"lens-subpath",
-                        "Lens subpath mutations",
+                        "Lens subpath",
                         1,
                         {0, 1},
                         "How often: the point of the picture is chosen anew, all parts of the picture alike"};
