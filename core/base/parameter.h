@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "base/vec.h"
 
 namespace etendue {
 
@@ -64,6 +65,19 @@ struct Number {
   Scale scale = Scale::linear;
 
   operator T() const { return value; }  // NOLINT(google-explicit-constructor)
+};
+
+// Three numbers that belong together: NAME.r, NAME.g and NAME.b.
+struct Triple {
+  static constexpr const char* kParts[3] = {".r", ".g", ".b"};
+
+  const char* name;
+  const char* label;
+  Vec3 value;
+  Range<float> range;
+  const char* doc;
+  const char* unit = "";
+  Scale scale = Scale::linear;
 };
 
 struct Toggle {
@@ -116,6 +130,13 @@ ParameterInfo describe(const Number<T>& p) {
     info.default_value = int64_t{p.value};
   else
     info.default_value = static_cast<double>(p.value);
+  return info;
+}
+
+inline ParameterInfo describe_part(const Triple& p, int part) {
+  const Number<float> number{p.name, p.label, p.value[part], p.range, p.doc, p.unit, p.scale};
+  ParameterInfo info = describe(number);
+  info.name += Triple::kParts[part];
   return info;
 }
 
@@ -173,18 +194,45 @@ void assign(Choice<E>& p, const Value& value) {
     if (options[i].name == std::get<std::string>(value)) p.value = static_cast<E>(i);
 }
 
+template <class P>
+void append_description(const P& p, std::vector<ParameterInfo>& infos) {
+  if constexpr (std::is_same_v<P, Triple>)
+    for (int part = 0; part < 3; ++part) infos.push_back(describe_part(p, part));
+  else
+    infos.push_back(describe(p));
+}
+
+// Gives the knob, or a part of it, the value if this is its name.
+template <class P>
+bool assign_if_named(P& p, std::string_view name, const Value& value) {
+  if constexpr (std::is_same_v<P, Triple>) {
+    for (int part = 0; part < 3; ++part) {
+      if (name != std::string(p.name) + Triple::kParts[part]) continue;
+      Number<float> number{p.name, p.label, 0, p.range, p.doc};
+      assign(number, value);
+      p.value[part] = number.value;
+      return true;
+    }
+    return false;
+  } else {
+    if (name != p.name) return false;
+    assign(p, value);
+    return true;
+  }
+}
+
 // The description of every knob in a tuple of references to knobs; default_value is the value that each has now.
 template <class... P>
 std::vector<ParameterInfo> describe_all(const std::tuple<P...>& knobs) {
-  return std::apply([](const auto&... p) { return std::vector<ParameterInfo>{describe(p)...}; }, knobs);
+  std::vector<ParameterInfo> infos;
+  std::apply([&](const auto&... p) { (append_description(p, infos), ...); }, knobs);
+  return infos;
 }
 
 // Gives the knob called `name` a value that was checked; false if there is no such knob.
 template <class... P>
 bool assign_by_name(const std::tuple<P...>& knobs, std::string_view name, const Value& value) {
-  bool found = false;
-  std::apply([&](auto&... p) { ((p.name == name ? (assign(p, value), found = true) : false), ...); }, knobs);
-  return found;
+  return std::apply([&](auto&... p) { return (assign_if_named(p, name, value) || ...); }, knobs);
 }
 
 const ParameterInfo* find_parameter(std::span<const ParameterInfo> infos, std::string_view name);

@@ -1,0 +1,22 @@
+// The whole set of lobes: what glTF's rarer extensions and the reflection models of the thesis need.
+//
+// Surfaces that do with less have a mix of their own (lobe_mix.h), and pay for none of this.
+#pragma once
+#include "material/cover.h"
+#include "material/lobe_mix.h"
+#include "material/models.h"
+#include "material/type_list.h"
+
+namespace etendue {
+
+template <class Color, class... Model>
+auto every_lobe(TypeList<Model...>) ->
+    typename UniqueVariant<StandardLobe<Color>, typename Model::template Lobes<Color>...>::type;
+
+template <class Color>
+using AnyLobe = decltype(every_lobe<Color>(ReflectionModels{}));
+
+template <class Color>
+using WideLobes = Mix<Color, AnyLobe<Color>, 5, Covers>;
+
+}  // namespace etendue
