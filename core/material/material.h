@@ -46,6 +46,30 @@ struct Material {
   float anisotropy = 0, anisotropy_rotation = 0;  // [0, 1]; radians from the tangent, counter-clockwise
   TextureUse anisotropy_texture;                  // linear: RG direction, B strength
 
+  float clearcoat = 0, clearcoat_roughness = 0;  // KHR_materials_clearcoat
+  TextureUse clearcoat_texture;                  // linear, R
+  TextureUse clearcoat_roughness_texture;        // linear, G
+  TextureUse clearcoat_normal_texture;           // linear, tangent space
+  float clearcoat_normal_scale = 1;
+  Rgb sheen_color{0};  // KHR_materials_sheen
+  float sheen_roughness = 0;
+  TextureUse sheen_color_texture;                 // sRGB
+  TextureUse sheen_roughness_texture;             // linear, A
+  float iridescence = 0, iridescence_ior = 1.3f;  // KHR_materials_iridescence
+  float iridescence_thickness_min = 100;          // nanometres, where the texture is 0
+  float iridescence_thickness_max = 400;          // nanometres, where it is 1 or missing
+  TextureUse iridescence_texture;                 // linear, R
+  TextureUse iridescence_thickness_texture;       // linear, G
+  float diffuse_transmission = 0;                 // KHR_materials_diffuse_transmission
+  Rgb diffuse_transmission_color{1};
+  TextureUse diffuse_transmission_texture;        // linear, A
+  TextureUse diffuse_transmission_color_texture;  // sRGB
+
+  // KHR_materials_pbrSpecularGlossiness: base_color is the diffuse colour, specular_color the reflectance at normal
+  // incidence, roughness one minus glossiness; specular_color_texture (RGB, sRGB) and metallic_roughness_texture (A,
+  // linear: glossiness) are the same picture.
+  bool specular_glossiness = false;
+
   bool solid() const { return transmission > 0 && thickness > 0; }
   bool emits() const { return !is_black(emission); }
 

@@ -109,6 +109,11 @@ bool is_supported(const std::string& extension) {
                                                 "KHR_materials_volume",
                                                 "KHR_materials_specular",
                                                 "KHR_materials_anisotropy",
+                                                "KHR_materials_clearcoat",
+                                                "KHR_materials_sheen",
+                                                "KHR_materials_iridescence",
+                                                "KHR_materials_diffuse_transmission",
+                                                "KHR_materials_pbrSpecularGlossiness",
                                                 "EXT_texture_webp"};
   return kSupported.contains(extension);
 }

@@ -17,7 +17,7 @@ constexpr int kDeepest = 64;
 
 // What a member has to be wherever it occurs; glTF uses each name for one kind of thing, or for two that differ in
 // type.
-enum class Kind { index, size, stride, number, numbers, scale, rotation, indices, attributes };
+enum class Kind { index, size, stride, number, numbers, scale, rotation, factor, indices, attributes };
 
 struct Rule {
   Kind kind;
@@ -83,11 +83,23 @@ const std::unordered_map<std::string_view, Rule>& rules() {
                                                                  {"outerConeAngle", {Kind::number}},
                                                                  {"emissiveStrength", {Kind::number}},
                                                                  {"ior", {Kind::number}},
-                                                                 {"specularFactor", {Kind::number}},
+                                                                 {"specularFactor", {Kind::factor, 3}},
                                                                  {"transmissionFactor", {Kind::number}},
                                                                  {"thicknessFactor", {Kind::number}},
                                                                  {"attenuationDistance", {Kind::number}},
                                                                  {"anisotropyStrength", {Kind::number}},
+                                                                 {"clearcoatFactor", {Kind::number}},
+                                                                 {"clearcoatRoughnessFactor", {Kind::number}},
+                                                                 {"sheenRoughnessFactor", {Kind::number}},
+                                                                 {"iridescenceFactor", {Kind::number}},
+                                                                 {"iridescenceIor", {Kind::number}},
+                                                                 {"iridescenceThicknessMinimum", {Kind::number}},
+                                                                 {"iridescenceThicknessMaximum", {Kind::number}},
+                                                                 {"diffuseTransmissionFactor", {Kind::number}},
+                                                                 {"glossinessFactor", {Kind::number}},
+                                                                 {"sheenColorFactor", {Kind::numbers, 3}},
+                                                                 {"diffuseTransmissionColorFactor", {Kind::numbers, 3}},
+                                                                 {"diffuseFactor", {Kind::numbers, 4}},
                                                                  {"anisotropyRotation", {Kind::number}}};
   return kRules;
 }
@@ -143,6 +155,9 @@ void check_member(json& value, const Rule& rule, bool in_sparse, const std::stri
       return value.is_array() ? check_numbers(value, value.size() == 2 ? 2 : 3, where) : check_number(value, where);
     case Kind::rotation:
       return value.is_array() ? check_numbers(value, 4, where) : check_number(value, where);
+    // Of KHR_materials_specular, of KHR_materials_pbrSpecularGlossiness.
+    case Kind::factor:
+      return value.is_array() ? check_numbers(value, rule.count, where) : check_number(value, where);
     case Kind::indices:
       if (!value.is_array()) fail(where, "has to be an array of indices");
       for (size_t i = 0; i < value.size(); ++i)

@@ -1,5 +1,7 @@
 // Materials, with the extensions that the surface model knows, and the textures they use.     glTF 2.0,
 // sections 3.8, 3.9
+#include <charconv>
+
 #include "scene/gltf_import.h"
 
 namespace etendue::scene::gltf {
@@ -28,7 +30,11 @@ Texture import_texture(const Document& document, size_t index) {
   return texture;
 }
 
-float clamped(double x, float low, float high) { return std::clamp(static_cast<float>(x), low, high); }
+// As few digits as tell it from its neighbours.
+std::string shortest(float x) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
 
 class MaterialImporter {
  public:
@@ -45,6 +51,28 @@ class MaterialImporter {
 
  private:
   void warn(const std::string& what) { scene_.warnings.push_back(where_ + ": " + what); }
+
+  float limited(double x, float low, float high, const std::string& member) {
+    const auto value = static_cast<float>(x);
+    const float kept = std::clamp(value, low, high);
+    if (kept != value)
+      warn(member + " is " + shortest(value) + "; it has to be " +
+           (high < kInfinity ? "between " + shortest(low) + " and " + shortest(high) : "at least " + shortest(low)) +
+           ", and " + shortest(kept) + " is used");
+    return kept;
+  }
+  Rgb limited(const Rgb& color, float high, const std::string& member) {
+    Rgb kept;
+    for (int c = 0; c < 3; ++c) kept[c] = limited(color[c], 0, high, member + "[" + std::to_string(c) + "]");
+    return kept;
+  }
+  // A factor between 0 and 1.
+  float factor_in(const tinygltf::Value& extension, const char* member, float usual) {
+    return limited(number_of(extension, member, usual), 0, 1, member);
+  }
+  Rgb color_in(const tinygltf::Value& extension, const char* member, const Rgb& usual, float high = 1) {
+    return limited(color_of(extension, member, usual), high, member);
+  }
 
   TextureUse use(int texture, int set, const tinygltf::Value* transform, const std::string& member) {
     TextureUse use;
@@ -90,9 +118,10 @@ class MaterialImporter {
   void surface() {
     const auto& pbr = from_.pbrMetallicRoughness;
     const auto& base = pbr.baseColorFactor;
-    to_.base_color = Rgb(clamped(base[0], 0, 1), clamped(base[1], 0, 1), clamped(base[2], 0, 1));
-    to_.alpha = clamped(base[3], 0, 1);
-    to_.metallic = clamped(pbr.metallicFactor, 0, 1), to_.roughness = clamped(pbr.roughnessFactor, 0, 1);
+    to_.base_color = limited(Rgb(base[0], base[1], base[2]), 1, "pbrMetallicRoughness.baseColorFactor");
+    to_.alpha = limited(base[3], 0, 1, "pbrMetallicRoughness.baseColorFactor[3]");
+    to_.metallic = limited(pbr.metallicFactor, 0, 1, "pbrMetallicRoughness.metallicFactor");
+    to_.roughness = limited(pbr.roughnessFactor, 0, 1, "pbrMetallicRoughness.roughnessFactor");
     to_.base_color_texture = use_of(pbr.baseColorTexture, "pbrMetallicRoughness.baseColorTexture");
     to_.metallic_roughness_texture =
         use_of(pbr.metallicRoughnessTexture, "pbrMetallicRoughness.metallicRoughnessTexture");
@@ -104,16 +133,17 @@ class MaterialImporter {
       to_.alpha_mode = AlphaMode::blend;
     else if (from_.alphaMode != "OPAQUE")
       warn("alphaMode is none of OPAQUE, MASK and BLEND; OPAQUE is used");
-    to_.alpha_cutoff = std::max(0.0f, static_cast<float>(from_.alphaCutoff));
+    to_.alpha_cutoff = limited(from_.alphaCutoff, 0, kInfinity, "alphaCutoff");
     to_.double_sided = from_.doubleSided;
   }
 
   void emission() {
     const auto& factor = from_.emissiveFactor;
-    for (int c = 0; c < 3; ++c) to_.emission[c] = std::max(0.0f, static_cast<float>(factor[static_cast<size_t>(c)]));
+    to_.emission = limited(Rgb(factor[0], factor[1], factor[2]), kInfinity, "emissiveFactor");
     to_.emission_texture = use_of(from_.emissiveTexture, "emissiveTexture");
     const auto* strength = extension_of(from_.extensions, "KHR_materials_emissive_strength");
-    if (strength) to_.emission *= std::max(0.0f, number_of(*strength, "emissiveStrength", 1));
+    if (strength)
+      to_.emission *= limited(number_of(*strength, "emissiveStrength", 1), 0, kInfinity, "emissiveStrength");
     if (is_finite(to_.emission)) return;
     warn("its emission is beyond what single precision holds; it emits nothing");
     to_.emission = Rgb(0);
@@ -128,31 +158,90 @@ class MaterialImporter {
         to_.ior = 1;
       }
     }
-    if (const auto* e = extension_of(from_.extensions, "KHR_materials_specular")) {
-      to_.specular = clamped(number_of(*e, "specularFactor", 1), 0, 1);
-      to_.specular_color = color_of(*e, "specularColorFactor", Rgb(1));
-      to_.specular_texture = use_in(*e, "specularTexture");
-      to_.specular_color_texture = use_in(*e, "specularColorTexture");
-    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_specular")) specular(*e);
     if (const auto* e = extension_of(from_.extensions, "KHR_materials_transmission")) {
-      to_.transmission = clamped(number_of(*e, "transmissionFactor", 0), 0, 1);
+      to_.transmission = factor_in(*e, "transmissionFactor", 0);
       to_.transmission_texture = use_in(*e, "transmissionTexture");
     }
     if (const auto* e = extension_of(from_.extensions, "KHR_materials_volume")) volume(*e);
     if (const auto* e = extension_of(from_.extensions, "KHR_materials_anisotropy")) {
-      to_.anisotropy = clamped(number_of(*e, "anisotropyStrength", 0), 0, 1);
+      to_.anisotropy = factor_in(*e, "anisotropyStrength", 0);
       to_.anisotropy_rotation = number_of(*e, "anisotropyRotation", 0);
       to_.anisotropy_texture = use_in(*e, "anisotropyTexture");
     }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_clearcoat")) clearcoat(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_sheen")) sheen(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_iridescence")) iridescence(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_diffuse_transmission")) diffuse_transmission(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_pbrSpecularGlossiness")) specular_glossiness(*e);
+  }
+
+  void specular(const tinygltf::Value& e) {
+    to_.specular = factor_in(e, "specularFactor", 1);
+    to_.specular_color = color_in(e, "specularColorFactor", Rgb(1), kInfinity);
+    to_.specular_texture = use_in(e, "specularTexture");
+    to_.specular_color_texture = use_in(e, "specularColorTexture");
   }
 
   void volume(const tinygltf::Value& e) {
-    to_.thickness = std::max(0.0f, number_of(e, "thicknessFactor", 0));
-    to_.attenuation_color = color_of(e, "attenuationColor", Rgb(1));
-    for (int c = 0; c < 3; ++c) to_.attenuation_color[c] = std::min(to_.attenuation_color[c], 1.0f);
+    to_.thickness = limited(number_of(e, "thicknessFactor", 0), 0, kInfinity, "thicknessFactor");
+    to_.attenuation_color = color_in(e, "attenuationColor", Rgb(1));
     const float distance = number_of(e, "attenuationDistance", kInfinity);
     to_.attenuation_distance = distance > 0 ? distance : kInfinity;
     if (!(distance > 0)) warn("attenuationDistance has to be above 0; it is taken as infinite");
+  }
+
+  void clearcoat(const tinygltf::Value& e) {
+    to_.clearcoat = factor_in(e, "clearcoatFactor", 0);
+    to_.clearcoat_texture = use_in(e, "clearcoatTexture");
+    to_.clearcoat_roughness = factor_in(e, "clearcoatRoughnessFactor", 0);
+    to_.clearcoat_roughness_texture = use_in(e, "clearcoatRoughnessTexture");
+    to_.clearcoat_normal_texture = use_in(e, "clearcoatNormalTexture");
+    if (to_.clearcoat_normal_texture.texture >= 0)
+      to_.clearcoat_normal_scale = number_of(e.Get("clearcoatNormalTexture"), "scale", 1);
+  }
+
+  void sheen(const tinygltf::Value& e) {
+    to_.sheen_color = color_in(e, "sheenColorFactor", Rgb(0));
+    to_.sheen_color_texture = use_in(e, "sheenColorTexture");
+    to_.sheen_roughness = factor_in(e, "sheenRoughnessFactor", 0);
+    to_.sheen_roughness_texture = use_in(e, "sheenRoughnessTexture");
+  }
+
+  // The minimal thickness may be the greater one: it belongs to the texture's 0.
+  void iridescence(const tinygltf::Value& e) {
+    to_.iridescence = factor_in(e, "iridescenceFactor", 0);
+    to_.iridescence_texture = use_in(e, "iridescenceTexture");
+    to_.iridescence_ior = limited(number_of(e, "iridescenceIor", 1.3f), 1, kInfinity, "iridescenceIor");
+    const auto thickness = [&](const char* member, float usual) {
+      return limited(number_of(e, member, usual), 0, kInfinity, member);
+    };
+    to_.iridescence_thickness_min = thickness("iridescenceThicknessMinimum", to_.iridescence_thickness_min);
+    to_.iridescence_thickness_max = thickness("iridescenceThicknessMaximum", to_.iridescence_thickness_max);
+    to_.iridescence_thickness_texture = use_in(e, "iridescenceThicknessTexture");
+  }
+
+  void diffuse_transmission(const tinygltf::Value& e) {
+    to_.diffuse_transmission = factor_in(e, "diffuseTransmissionFactor", 0);
+    to_.diffuse_transmission_texture = use_in(e, "diffuseTransmissionTexture");
+    to_.diffuse_transmission_color = color_in(e, "diffuseTransmissionColorFactor", Rgb(1));
+    to_.diffuse_transmission_color_texture = use_in(e, "diffuseTransmissionColorTexture");
+  }
+
+  // It stands instead of metal and roughness, and does not go together with the newer extensions of the surface.
+  void specular_glossiness(const tinygltf::Value& e) {
+    to_.specular_glossiness = true;
+    const auto& diffuse = e.Get("diffuseFactor");
+    const auto component = [&](int i) {
+      return diffuse.ArrayLen() == 4 ? static_cast<float>(diffuse.Get(i).GetNumberAsDouble()) : 1.0f;
+    };
+    to_.base_color = limited(Rgb(component(0), component(1), component(2)), 1, "diffuseFactor");
+    to_.alpha = limited(component(3), 0, 1, "diffuseFactor[3]");
+    to_.base_color_texture = use_in(e, "diffuseTexture");
+    to_.specular_color = color_in(e, "specularFactor", Rgb(1));
+    to_.metallic = 0, to_.roughness = 1 - factor_in(e, "glossinessFactor", 1);
+    to_.specular_color_texture = to_.metallic_roughness_texture = use_in(e, "specularGlossinessTexture");
+    to_.specular = 1, to_.specular_texture = {};
   }
 
   const tinygltf::Material& from_;
@@ -182,7 +271,7 @@ Rgb color_of(const tinygltf::Value& object, const char* member, const Rgb& usual
   const auto& value = object.Get(member);
   if (value.ArrayLen() != 3) return usual;
   Rgb color;
-  for (int c = 0; c < 3; ++c) color[c] = std::max(0.0f, static_cast<float>(value.Get(c).GetNumberAsDouble()));
+  for (int c = 0; c < 3; ++c) color[c] = static_cast<float>(value.Get(c).GetNumberAsDouble());
   return color;
 }
 

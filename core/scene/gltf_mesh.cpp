@@ -22,9 +22,11 @@ struct TangentNeed {
 };
 
 TangentNeed tangent_need(const Material& material) {
-  const bool mapped = material.normal_texture.texture >= 0;
-  const TextureUse& use = mapped ? material.normal_texture : material.anisotropy_texture;
-  return {mapped || material.anisotropy > 0, use.uv_set, use.scale, use.rotation};
+  const bool mapped = material.normal_texture.texture >= 0, coat = material.clearcoat_normal_texture.texture >= 0;
+  const TextureUse& use = mapped ? material.normal_texture
+                          : coat ? material.clearcoat_normal_texture
+                                 : material.anisotropy_texture;
+  return {mapped || coat || material.anisotropy > 0, use.uv_set, use.scale, use.rotation};
 }
 
 glm::mat2 to_texture(const TangentNeed& need) {

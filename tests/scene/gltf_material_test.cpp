@@ -123,6 +123,131 @@ TEST_F(Materials, Anisotropy) {
   EXPECT_EQ(m.anisotropy_texture.uv_set, 1);
 }
 
+// A reference that uses everything a reference can say.
+json moved_texture(int index) {
+  return {{"index", index},
+          {"texCoord", 1},
+          {"extensions", {{"KHR_texture_transform", {{"offset", {0.5, 1}}, {"rotation", 0.25}, {"scale", {2, 3}}}}}}};
+}
+
+void expect_moved(const TextureUse& use, int index) {
+  TextureUse moved;
+  moved.texture = index, moved.uv_set = 1;
+  moved.offset = Vec2(0.5f, 1), moved.scale = Vec2(2, 3), moved.rotation = 0.25f;
+  EXPECT_EQ(use, moved);
+}
+
+TEST_F(Materials, Clearcoat) {
+  json normal = moved_texture(0);
+  normal["scale"] = 0.75;
+  const Material m = extended("KHR_materials_clearcoat", {{"clearcoatFactor", 0.5},
+                                                          {"clearcoatRoughnessFactor", 0.25},
+                                                          {"clearcoatTexture", moved_texture(0)},
+                                                          {"clearcoatRoughnessTexture", moved_texture(1)},
+                                                          {"clearcoatNormalTexture", normal}});
+  EXPECT_EQ(m.clearcoat, 0.5f);
+  EXPECT_EQ(m.clearcoat_roughness, 0.25f);
+  EXPECT_EQ(m.clearcoat_normal_scale, 0.75f);
+  expect_moved(m.clearcoat_texture, 0);
+  expect_moved(m.clearcoat_roughness_texture, 1);
+  expect_moved(m.clearcoat_normal_texture, 0);
+}
+
+TEST_F(Materials, Sheen) {
+  const Material m = extended("KHR_materials_sheen", {{"sheenColorFactor", {0.1, 0.2, 0.3}},
+                                                      {"sheenRoughnessFactor", 0.5},
+                                                      {"sheenColorTexture", moved_texture(0)},
+                                                      {"sheenRoughnessTexture", moved_texture(1)}});
+  EXPECT_EQ(m.sheen_color, Rgb(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(m.sheen_roughness, 0.5f);
+  expect_moved(m.sheen_color_texture, 0);
+  expect_moved(m.sheen_roughness_texture, 1);
+}
+
+TEST_F(Materials, Iridescence) {
+  const Material m = extended("KHR_materials_iridescence", {{"iridescenceFactor", 0.5},
+                                                            {"iridescenceIor", 1.75},
+                                                            {"iridescenceThicknessMinimum", 300},
+                                                            {"iridescenceThicknessMaximum", 200},
+                                                            {"iridescenceTexture", moved_texture(0)},
+                                                            {"iridescenceThicknessTexture", moved_texture(1)}});
+  EXPECT_EQ(m.iridescence, 0.5f);
+  EXPECT_EQ(m.iridescence_ior, 1.75f);
+  EXPECT_EQ(m.iridescence_thickness_min, 300) << "thickness may fall where the texture grows";
+  EXPECT_EQ(m.iridescence_thickness_max, 200);
+  expect_moved(m.iridescence_texture, 0);
+  expect_moved(m.iridescence_thickness_texture, 1);
+}
+
+TEST_F(Materials, DiffuseTransmission) {
+  const Material m =
+      extended("KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 0.5},
+                                                      {"diffuseTransmissionColorFactor", {0.1, 0.2, 0.3}},
+                                                      {"diffuseTransmissionTexture", moved_texture(0)},
+                                                      {"diffuseTransmissionColorTexture", moved_texture(1)}});
+  EXPECT_EQ(m.diffuse_transmission, 0.5f);
+  EXPECT_EQ(m.diffuse_transmission_color, Rgb(0.1f, 0.2f, 0.3f));
+  expect_moved(m.diffuse_transmission_texture, 0);
+  expect_moved(m.diffuse_transmission_color_texture, 1);
+}
+
+TEST_F(Materials, SpecularGlossiness) {
+  // The metallic-roughness values beside it are for those who cannot read it.
+  const Material m = material({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}, {"metallicFactor", 1}}},
+                               {"extensions",
+                                {{"KHR_materials_pbrSpecularGlossiness",
+                                  {{"diffuseFactor", {0.1, 0.2, 0.3, 0.4}},
+                                   {"specularFactor", {0.5, 0.6, 0.7}},
+                                   {"glossinessFactor", 0.75},
+                                   {"diffuseTexture", moved_texture(0)},
+                                   {"specularGlossinessTexture", moved_texture(1)}}}}}});
+  EXPECT_TRUE(m.specular_glossiness);
+  EXPECT_EQ(m.base_color, Rgb(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(m.alpha, 0.4f);
+  EXPECT_EQ(m.specular_color, Rgb(0.5f, 0.6f, 0.7f));
+  EXPECT_EQ(m.roughness, 0.25f);
+  EXPECT_EQ(m.metallic, 0);
+  expect_moved(m.base_color_texture, 0);
+  expect_moved(m.specular_color_texture, 1);
+  expect_moved(m.metallic_roughness_texture, 1);
+  const Material usual = extended("KHR_materials_pbrSpecularGlossiness", json::object());
+  EXPECT_EQ(usual.base_color, Rgb(1));
+  EXPECT_EQ(usual.specular_color, Rgb(1));
+  EXPECT_EQ(usual.roughness, 0) << "the default is a perfect mirror";
+}
+
+TEST_F(Materials, ExtensionsOutsideTheirRangeAreRepairedAndSaidToBe) {
+  Gltf gltf = with({{"extensions",
+                     {{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}, {"clearcoatRoughnessFactor", -1}}},
+                      {"KHR_materials_sheen", {{"sheenColorFactor", {0, 1.5, 0}}}},
+                      {"KHR_materials_iridescence", {{"iridescenceIor", 0.5}, {"iridescenceThicknessMinimum", -7}}},
+                      {"KHR_materials_diffuse_transmission", {{"diffuseTransmissionFactor", 3}}}}}});
+  const auto scene = opened(gltf);
+  const Material& m = scene.materials[0];
+  EXPECT_EQ(m.clearcoat, 1);
+  EXPECT_EQ(m.clearcoat_roughness, 0);
+  EXPECT_EQ(m.sheen_color, Rgb(0, 1, 0));
+  EXPECT_EQ(m.iridescence_ior, 1);
+  EXPECT_EQ(m.iridescence_thickness_min, 0);
+  EXPECT_EQ(m.diffuse_transmission, 1);
+  for (const char* text : {"materials[0]: clearcoatFactor is 2; it has to be between 0 and 1, and 1 is used",
+                           "materials[0]: clearcoatRoughnessFactor is -1;", "materials[0]: sheenColorFactor[1] is 1.5;",
+                           "materials[0]: iridescenceIor is 0.5; it has to be at least 1, and 1 is used",
+                           "materials[0]: iridescenceThicknessMinimum is -7; it has to be at least 0",
+                           "materials[0]: diffuseTransmissionFactor is 3;"})
+    EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
+}
+
+TEST_F(Materials, ExtensionsOfTheWrongTypeAreRefused) {
+  for (const auto& [extension, member] :
+       {std::pair("KHR_materials_clearcoat", "clearcoatFactor"), std::pair("KHR_materials_sheen", "sheenColorFactor"),
+        std::pair("KHR_materials_pbrSpecularGlossiness", "diffuseFactor"),
+        std::pair("KHR_materials_pbrSpecularGlossiness", "glossinessFactor")}) {
+    Gltf gltf = with({{"extensions", {{extension, {{member, "much"}}}}}});
+    EXPECT_NE(error_of(gltf).find(std::string(extension) + "." + member), std::string::npos) << error_of(gltf);
+  }
+}
+
 TEST_F(Materials, TextureTransform) {
   const json transform = {{"offset", {0.5, -1}}, {"scale", {2, 3}}, {"rotation", 0.25}, {"texCoord", 1}};
   const auto use = material({{"emissiveTexture",
