@@ -79,12 +79,30 @@ render::Document with_one_light(LightType type) {
   return d;
 }
 
+json presets(const std::vector<ModelPreset>& presets) {
+  json list = json::array();
+  for (const auto& p : presets) {
+    json values = json::object();
+    for (const auto& [name, value] : p.values) values[name] = value_json(value);
+    list.push_back({{"name", p.name}, {"label", p.label}, {"source", p.source}, {"values", values}});
+  }
+  return list;
+}
+
 json materials() {
   const auto d = with_one_light(LightType::point);
-  return json::array({entry(
+  json list = json::array({entry(
       "gltf", "glTF surface",
       "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
       bare(render::material_bindings(d, 0, "material.0")))});
+  for (const auto& info : reflection_infos()) {
+    const ModelDescription& model = info.description;
+    json j = entry(model.name, model.label, model.doc, info.parameters);
+    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.kind)].name;
+    j["sampling"] = model.sampling, j["presets"] = presets(info.presets);
+    list.push_back(j);
+  }
+  return list;
 }
 
 json lights() {

@@ -36,7 +36,7 @@ void settle(BlindSpots& spots, std::span<const ClassEnergy> missing) {
 
 // A surface that reflects or refracts into single directions, whatever its textures say.
 bool is_smooth(const SurfaceMaterial& m) {
-  return !m.diffuse && facets_of(m.description.roughness, m.description.anisotropy).alpha_x < kSmoothAlpha;
+  return m.specular_deltas;
 }
 
 std::string name_of(const Light& light) {

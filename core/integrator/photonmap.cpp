@@ -69,7 +69,7 @@ class PhotonMapping::Maps final : public Work {
 
   bool same_light(const Pass& pass) const {
     const transport::Model &a = *pass_.model, &b = *pass.model;
-    return pass.seed == pass_.seed && a.diffuse == b.diffuse && a.absorbing == b.absorbing && a.classes == b.classes &&
+    return pass.seed == pass_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.absorbing == b.absorbing && a.classes == b.classes &&
            (!a.classes || a.paths->automaton() == b.paths->automaton()) && pass.scene->same_light(*pass_.scene);
   }
 

@@ -1,4 +1,4 @@
-// Lobes that fall off with a power of the cosine to the mirrored direction: the three Phong models.     thesis 4.2.2.5.2
+// Lobes that fall off with a power of the cosine to the mirrored direction: the three Phong models. thesis 4.2.2.5.2
 //
 //   f = scale cos^n(theta_ro) [/ cos_i]       sampled by (n + 1) / (2 pi) cos^n around the mirrored direction
 //

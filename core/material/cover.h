@@ -2,8 +2,8 @@
 //
 //   f = f_below (1 - max(a(o), a(i))) + f_layer
 //
-// where a is what the layer itself keeps or sends back of the light of one direction: as KHR_materials_sheen has it, and
-// for KHR_materials_clearcoat in place of the viewer's angle alone, so that f stays reciprocal.
+// where a is what the layer itself keeps or sends back of the light of one direction: as KHR_materials_sheen has it,
+// and for KHR_materials_clearcoat in place of the viewer's angle alone, so that f stays reciprocal.
 #pragma once
 #include <array>
 

@@ -11,6 +11,14 @@
 
 namespace etendue {
 
+template <size_t first, class F, class Variant>
+decltype(auto) visit_from(F&& f, const Variant& lobe) {
+  if constexpr (first + 1 == std::variant_size_v<Variant>)
+    return f(*std::get_if<first>(&lobe));
+  else
+    return lobe.index() == first ? f(*std::get_if<first>(&lobe)) : visit_from<first + 1>(f, lobe);
+}
+
 // Calls f with the lobe that the variant holds: a switch, however many types there are.
 template <class F, class... L>
 decltype(auto) visit_lobe(F&& f, const std::variant<L...>& lobe) {
@@ -48,6 +56,11 @@ class Mix {
   void clear() { count_ = 0, covers_ = {}; }
   bool empty() const { return count_ == 0; }
   int size() const { return count_; }
+  // The lobe, if there is but one and it is of this type.
+  template <class Type>
+  const Type* only() const {
+    return count_ == 1 ? std::get_if<Type>(&lobes_[0]) : nullptr;
+  }
 
   // Puts a layer over all lobes that are there.
   template <class Layer>

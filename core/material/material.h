@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/vec.h"
+#include "material/reflection.h"
 #include "material/texture.h"
 #include "spectrum/rgb.h"
 
@@ -16,6 +17,10 @@ enum class AlphaMode : uint8_t { opaque, mask, blend };
 
 struct Material {
   std::string name;
+
+  // Instead of the surface that the numbers below describe; base colour, opacity, normal map, emission and the inside
+  // of a solid count for it too.
+  ReflectionUse reflection;
 
   Rgb base_color{1};
   float alpha = 1;
@@ -70,7 +75,7 @@ struct Material {
   // linear: glossiness) are the same picture.
   bool specular_glossiness = false;
 
-  bool solid() const { return transmission > 0 && thickness > 0; }
+  bool solid() const { return reflection ? reflection->solid() : transmission > 0 && thickness > 0; }
   bool emits() const { return !is_black(emission); }
 
   friend bool operator==(const Material&, const Material&) = default;

@@ -1,5 +1,6 @@
 #include "material/reflection.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace etendue {
@@ -83,6 +84,24 @@ std::shared_ptr<const Reflection> make_reflection(std::string_view name) {
   for (const auto& e : entries())
     if (e.info->description.name == name) return e.usual;
   return nullptr;
+}
+
+std::string_view preset_of(const Reflection& model) {
+  const auto parameters = model.parameters();
+  const auto has = [&](const std::pair<std::string, Value>& setting) {
+    const ParameterInfo* p = find_parameter(parameters, setting.first);
+    return p && p->default_value == setting.second;
+  };
+  for (const ModelPreset& preset : model.info().presets)
+    if (std::all_of(preset.values.begin(), preset.values.end(), has)) return preset.name;
+  return kNoPreset;
+}
+
+std::shared_ptr<const Reflection> with_preset(std::shared_ptr<const Reflection> model, std::string_view name) {
+  for (const ModelPreset& preset : model->info().presets)
+    if (preset.name == name)
+      for (const auto& [parameter, value] : preset.values) model = model->with(parameter, value);
+  return model;
 }
 
 bool operator==(const ReflectionUse& a, const ReflectionUse& b) {

@@ -5,7 +5,8 @@
 //
 //   template <class Color> using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 //
-// and puts them into a mix for a base colour, which is that of the material with its texture and the colour of vertices:
+// and puts them into a mix for a base colour, which is that of the material with its texture and the colour of
+// vertices:
 //
 //   template <class Mix> void add_lobes(const Rgb& base, Mix& lobes) const;
 //
@@ -52,6 +53,12 @@ class Reflection {
 
 // A model with its default parameters; null if there is none of this name.
 std::shared_ptr<const Reflection> make_reflection(std::string_view name);
+
+// The name of the preset that the model's parameters are, or kNoPreset.
+inline constexpr const char* kNoPreset = "none";
+std::string_view preset_of(const Reflection& model);
+// The model with the values of a preset; an unknown name leaves it as it is.
+std::shared_ptr<const Reflection> with_preset(std::shared_ptr<const Reflection> model, std::string_view preset);
 
 // A material's model: none is glTF's own surface. Equal if name and parameters are.
 struct ReflectionUse {

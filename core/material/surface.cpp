@@ -47,14 +47,41 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   specular_color = resolved(m.specular_color_texture, textures);
   transmission = resolved(m.transmission_texture, textures);
   anisotropy = resolved(m.anisotropy_texture, textures);
-  diffuse = m.unlit || (m.metallic == 0 && m.transmission == 0 &&
-                        (m.specular == 0 || (is_black(m.specular_color) && m.specular == 0) || m.ior == 1.0f));
   plain = !base_color && !m.unlit;
   factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
   shines = m.emits() || m.unlit;
   transparent = m.alpha_mode != AlphaMode::opaque;
   textured = base_color || metallic_roughness || normal || emission || specular || specular_color || transmission ||
              anisotropy;
+  absorbs = m.solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
+  if (m.reflection && !m.unlit)
+    prepare_model();
+  else
+    look_at_gltf();
+}
+
+// What the lobes of the model are, as its base colour makes no others of them.
+void SurfaceMaterial::prepare_model() {
+  WideLobes<Rgb> lobes;
+  description.reflection->add_lobes(reflectance(factor), lobes);
+  if (const auto* lambert = lobes.only<Lambert<Rgb>>()) {
+    diffuse = standard = true;
+    // Base colour and model are one factor.
+    const Rgb share = ratio(lambert->albedo, reflectance(factor));
+    factor *= Vec4(share.r, share.g, share.b, 1);
+  }
+  Deltas<Rgb> deltas;
+  lobes.add_deltas(Vec3(0, 0, 1), Transport::radiance, deltas);
+  specular_deltas = deltas.count > 0;
+  if (plain) ready = std::make_shared<WideLobes<Rgb>>(lobes);
+}
+
+void SurfaceMaterial::look_at_gltf() {
+  const Material& m = description;
+  diffuse = m.unlit || (m.metallic == 0 && m.transmission == 0 &&
+                        (m.specular == 0 || (is_black(m.specular_color) && m.specular == 0) || m.ior == 1.0f));
+  standard = true;
+  specular_deltas = !diffuse && facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha;
 }
 
 Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
@@ -102,7 +129,10 @@ Ggx facets_of(float roughness, float anisotropy) {
   return facets;
 }
 
-void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes) {
+namespace {
+
+template <class Lobes>
+void add_gltf_lobes(const SurfaceMaterial& material, const TexturePoint& point, Lobes& lobes) {
   const Material& m = material.description;
   const Rgb base = reflectance(material.base_at(point));
   if (material.diffuse) return lobes.add(Lambert<Rgb>{base});
@@ -156,6 +186,22 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeM
     sheet.share = through;
     sheet.facets = facets;
     lobes.add(sheet);
+  }
+}
+
+}  // namespace
+
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes) {
+  add_gltf_lobes(material, point, lobes);
+}
+
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, WideLobes<Rgb>& lobes) {
+  if (material.ready && point.color == Vec4(1)) {
+    lobes = *material.ready;
+  } else if (material.description.reflection && !material.diffuse) {
+    material.description.reflection->add_lobes(reflectance(material.base_at(point)), lobes);
+  } else {
+    add_gltf_lobes(material, point, lobes);
   }
 }
 

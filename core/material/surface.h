@@ -1,10 +1,12 @@
 // From a Material to what shading reads: textures looked up at a hit, numbers brought into their ranges, lobes chosen.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "base/frame.h"
 #include "material/bsdf.h"
 #include "material/material.h"
+#include "material/wide_lobes.h"
 
 namespace etendue {
 
@@ -30,9 +32,14 @@ struct SurfaceMaterial {
     }
   };
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
-  bool diffuse = false;  // never anything but a Lambertian lobe
-  bool plain = false;    // its base colour is `factor` but for vertex colours
+  bool diffuse = false;          // never anything but a Lambertian lobe
+  bool standard = false;         // never anything but the lobes of LobeMix
+  bool specular_deltas = false;  // it can be smooth: a mirror, or clear glass
+  bool absorbs = false;          // a solid whose inside takes light away
+  bool plain = false;            // its base colour is `factor` but for vertex colours
   Vec4 factor{0};
+  // The lobes of a reflection model where its base colour is the same everywhere.
+  std::shared_ptr<const WideLobes<Rgb>> ready = nullptr;
   bool shines = false;       // emits, or is unlit
   bool transparent = false;  // its opacity is not one everywhere
   bool textured = false;     // looks at texture coordinates or vertex colours
@@ -47,6 +54,10 @@ struct SurfaceMaterial {
   Rgb emission_at(const TexturePoint& point) const;
   // The shading normal in the tangent frame of the mesh; (0, 0, 1) without a normal map.
   Vec3 normal_at(const TexturePoint& point) const;
+
+ private:
+  void prepare_model();
+  void look_at_gltf();
 };
 
 // The two axes of GGX: alpha = roughness^2, stretched along the tangent as KHR_materials_anisotropy says.
@@ -60,5 +71,6 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, Diffu
 }
 
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes);
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, WideLobes<Rgb>& lobes);
 
 }  // namespace etendue

@@ -6,6 +6,15 @@ namespace etendue::render {
 namespace {
 
 constexpr float kFar = 1e9f;
+constexpr const char* kGltfModel = "gltf";
+
+// What a reflection model has numbers of its own for.
+bool is_of_gltf(std::string_view name) {
+  for (const char* kept :
+       {"base-color.", "alpha", "normal-scale", "double-sided", "unlit", "emission.", "attenuation-"})
+    if (name.starts_with(kept)) return false;
+  return true;
+}
 
 // Three numbers NAME.r, NAME.g, NAME.b for one colour.
 template <class Store>
@@ -37,6 +46,64 @@ Binding of_light(const std::string& section, size_t index, const Knob& knob, Mem
   return binding(section, knob, [index, member](Document& document, const auto& v) {
     edit_scene(document, [&](scene::Scene& s) { s.lights[index].*member = v; });
   });
+}
+
+void set_reflection(Document& document, size_t index, std::shared_ptr<const Reflection> model) {
+  edit_scene(document, [&](scene::Scene& s) { s.materials[index].reflection.model = std::move(model); });
+}
+
+// glTF's own surface, or one of the reflection models.
+Binding model_choice(const Material& m, size_t index, const std::string& section) {
+  Binding b;
+  b.section = section;
+  b.info.name = section + ".model", b.info.label = "Model";
+  b.info.doc = "How the surface reflects light: as glTF describes it, or by a model of the literature";
+  b.info.type = ParameterType::choice;
+  b.info.options.emplace_back(kGltfModel), b.info.option_labels.emplace_back("glTF surface");
+  for (const auto& info : reflection_infos()) {
+    b.info.options.emplace_back(info.description.name);
+    b.info.option_labels.emplace_back(info.description.label);
+  }
+  b.info.default_value = std::string(m.reflection ? m.reflection->info().description.name : kGltfModel);
+  b.assign = [index](Document& d, const Value& v) {
+    set_reflection(d, index, make_reflection(std::get<std::string>(v)));
+  };
+  return b;
+}
+
+// Values of its parameters that go together.
+Binding preset_choice(const ReflectionUse& use, size_t index, const std::string& section) {
+  Binding b;
+  b.section = section;
+  b.info.name = section + "." + use->info().description.name + ".preset", b.info.label = "Preset";
+  b.info.doc = "Sets the parameters to those of a known material";
+  b.info.type = ParameterType::choice;
+  b.info.options.emplace_back(kNoPreset), b.info.option_labels.emplace_back("None");
+  for (const ModelPreset& preset : use->info().presets) {
+    b.info.options.push_back(preset.name);
+    b.info.option_labels.push_back(preset.label);
+  }
+  b.info.default_value = std::string(preset_of(*use.model));
+  b.assign = [index](Document& d, const Value& v) {
+    const auto& model = d.scene->materials[index].reflection.model;
+    set_reflection(d, index, with_preset(model, std::get<std::string>(v)));
+  };
+  return b;
+}
+
+void add_model(std::vector<Binding>& list, const Material& m, size_t index, const std::string& section) {
+  list.push_back(model_choice(m, index, section));
+  if (!m.reflection) return;
+  if (!m.reflection->info().presets.empty()) list.push_back(preset_choice(m.reflection, index, section));
+  for (const ParameterInfo& info : m.reflection->parameters()) {
+    Binding b;
+    b.section = section, b.info = info;
+    b.info.name = section + "." + m.reflection->info().description.name + "." + info.name;
+    b.assign = [index, name = info.name](Document& d, const Value& v) {
+      set_reflection(d, index, d.scene->materials[index].reflection->with(name, v));
+    };
+    list.push_back(b);
+  }
 }
 
 // Rotation and scale, which only exist where the transform has these parts. The first edit takes a matrix apart.
@@ -83,6 +150,8 @@ namespace etendue::render {
 std::vector<Binding> material_bindings(const Document& document, size_t index, const std::string& section) {
   const Material& m = document.scene->materials[index];
   std::vector<Binding> list;
+  add_model(list, m, index, section);
+  const size_t own = list.size();
   const auto color = [index](Rgb Material::*member) {
     return [index, member](Document& d, int c, float v) {
       edit_scene(d, [&](scene::Scene& s) { (s.materials[index].*member)[c] = v; });
@@ -132,6 +201,10 @@ std::vector<Binding> material_bindings(const Document& document, size_t index, c
                              &Material::double_sided));
   list.push_back(of_material(
       section, index, Toggle{"unlit", "Unlit", m.unlit, "Shows its base colour whatever the light"}, &Material::unlit));
+  for (size_t i = own; m.reflection && i < list.size(); ++i)
+    if (is_of_gltf(std::string_view(list[i].info.name).substr(section.size() + 1)))
+      list[i].idle = std::string("The model ") + m.reflection->info().description.label +
+                     " has numbers of its own; this one is of glTF's surface";
   return list;
 }
 

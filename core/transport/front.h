@@ -38,7 +38,7 @@ struct alignas(64) PathState {
 };
 
 // Classes of paths are kept elsewhere: who does not ask for them does not carry them.
-static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<AnyVacuum<false>>>);
+static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<StandardVacuum<false>>>);
 
 template <class M>
 class Front {

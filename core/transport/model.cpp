@@ -21,14 +21,21 @@ std::string named(const SurfaceMaterial& material) {
   return material.description.name.empty() ? "an unnamed material" : "material '" + material.description.name + "'";
 }
 
-bool absorbs(const SurfaceMaterial& m) {
-  const Material& d = m.description;
-  return d.solid() && std::isfinite(d.attenuation_distance) && !(d.attenuation_color == Rgb(1));
-}
-
 Decision decide(const char* flag, bool larger, const char* small, const char* large, std::string reason, bool forced) {
   Decision d{flag, larger || forced ? large : small, larger ? large : small, std::move(reason)};
   if (forced && !larger) d.reason += "; forced on";
+  return d;
+}
+
+// Lambert's lobe alone, the lobes that most glTF files do with, or all there are.
+Decision decide_surfaces(const CompiledScene& scene, bool forced) {
+  const auto* shiny = find_used(scene, [](const auto& m) { return !m.diffuse; });
+  const auto* rare = find_used(scene, [](const auto& m) { return !m.standard; });
+  Decision d{"surfaces", "diffuse", "diffuse", "every surface is Lambertian"};
+  if (shiny) d.needed = "standard", d.reason = named(*shiny) + " is not Lambertian";
+  if (rare) d.needed = "any", d.reason = named(*rare) + " has a reflection model or a layer of its own";
+  d.value = forced ? "any" : d.needed;
+  if (forced && d.value != d.needed) d.reason += "; forced on";
   return d;
 }
 
@@ -66,11 +73,8 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   auto& out = model.decisions;
   out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
 
-  const auto* shiny = find_used(scene, [](const auto& m) { return !m.diffuse; });
-  out.push_back(decide("surfaces", shiny, "diffuse", "any",
-                       shiny ? named(*shiny) + " is not Lambertian" : "every surface is Lambertian",
-                       is_forced("surfaces")));
-  const auto* solid = find_used(scene, absorbs);
+  out.push_back(decide_surfaces(scene, is_forced("surfaces")));
+  const auto* solid = find_used(scene, [](const auto& m) { return m.absorbs; });
   out.push_back(decide("media", solid, "vacuum", "absorbing",
                        solid ? named(*solid) + " absorbs inside" : "nothing absorbs between surfaces",
                        is_forced("media")));
@@ -97,6 +101,7 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
         std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
   model.absorbing = out[2].value == "absorbing";
   model.diffuse = out[1].value == "diffuse" && !model.absorbing;
+  model.wide = out[1].value == "any";
   return model;
 }
 

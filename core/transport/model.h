@@ -12,14 +12,16 @@
 #include <vector>
 
 #include "material/bsdf.h"
+#include "material/wide_lobes.h"
 #include "scene/compiled.h"
 #include "transport/path_expression.h"
 
 namespace etendue::transport {
 
 // Colour axis: Rgb. Spectral samples join here.
-// Surfaces axis: DiffuseOnly or every lobe. Media axis: vacuum, or absorption inside solids (Beer's law). Classes axis:
-// every path counts, or those of an expression (transport/class_shares.h).
+// Surfaces axis: DiffuseOnly, LobeMix for what most files do with, or WideLobes for everything. Media axis: vacuum, or
+// absorption inside solids (Beer's law). Classes axis: every path counts, or those of an expression
+// (transport/class_shares.h).
 template <class ColorType, template <class> class LobeSet, bool absorbing, bool classes>
 struct ModelType {
   using Color = ColorType;
@@ -32,9 +34,12 @@ struct ModelType {
 template <bool classes>
 using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, false, classes>;
 template <bool classes>
-using AnyVacuum = ModelType<Rgb, LobeMix, false, classes>;
+using StandardVacuum = ModelType<Rgb, LobeMix, false, classes>;
 template <bool classes>
-using AnyAbsorbing = ModelType<Rgb, LobeMix, true, classes>;
+using StandardAbsorbing = ModelType<Rgb, LobeMix, true, classes>;
+// Whose rarer scenes do not ask for a loop that saves the question whether a solid absorbs.
+template <bool classes>
+using AnyAbsorbing = ModelType<Rgb, WideLobes, true, classes>;
 
 struct Decision {
   std::string flag;    // "colour", "media", "surfaces", ...
@@ -45,6 +50,7 @@ struct Decision {
 
 struct Model {
   bool diffuse = false;                         // every surface is Lambertian
+  bool wide = false;                            // some surface needs lobes that few do
   bool absorbing = false;                       // some solid absorbs
   bool moving = false;                          // something moves while the shutter is open: paths have a time
   bool classes = false;                         // some paths do not count
@@ -65,9 +71,12 @@ Model model_for(const scene::CompiledScene& scene, std::span<const std::string> 
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
-  if (model.absorbing) return f(AnyAbsorbing<classes>{});
+  // Each loop costs minutes of building: where classes of paths are told apart, absorbing solids take the widest.
+  if (model.wide || (classes && model.absorbing)) return f(AnyAbsorbing<classes>{});
+  if constexpr (!classes)
+    if (model.absorbing) return f(StandardAbsorbing<classes>{});
   if (model.diffuse) return f(DiffuseVacuum<classes>{});
-  return f(AnyVacuum<classes>{});
+  return f(StandardVacuum<classes>{});
 }
 
 // Calls `f` with a value of the model type that the flags ask for.

@@ -2,8 +2,8 @@
 //
 //   f = rho_d / pi + rho_s <N, H>^n / cos_i
 //
-// The half vector is a unit vector. Neither reciprocal nor energy conserving; without the cosine, as thesis L9442 has it
-// too, it is reciprocal. The lobe is as wide as Phong's with a quarter of the exponent.
+// The half vector is a unit vector. Neither reciprocal nor energy conserving; without the cosine, as thesis L9442 has
+// it too, it is reciprocal. The lobe is as wide as Phong's with a quarter of the exponent.
 #pragma once
 #include "material/glossy.h"
 #include "material/half_vector.h"
@@ -38,7 +38,8 @@ struct HalfVectorPower : OpaqueLobe<ColorType, HalfVectorPower<ColorType>> {
 struct BlinnPhongModel {
   static constexpr ModelDescription kDescription{
       "blinn-phong", "Blinn-Phong", ModelClass::phenomenological,
-      "f = rho_d/pi + rho_s <N,H>^n / cos_i with the unit half vector H. Neither reciprocal nor energy conserving; without "
+      "f = rho_d/pi + rho_s <N,H>^n / cos_i with the unit half vector H. Neither reciprocal nor energy conserving; "
+      "without "
       "the cosine it is reciprocal.",
       "half vectors by cos^n; what is reflected below the surface is absorbed"};
   template <class Color>
@@ -46,8 +47,8 @@ struct BlinnPhongModel {
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the height of the lobe, in 1/sr"};
-  Number<float> exponent{"exponent", "Exponent", 80, {0, 1e5f}, "n: four times Phong's for as wide a highlight", "",
-                         Scale::logarithmic};
+  Number<float> exponent{"exponent", "Exponent",        80, {0, 1e5f}, "n: four times Phong's for as wide a highlight",
+                         "",         Scale::logarithmic};
   Toggle over_cosine{"over-cosine", "Over the cosine", true, "Divide by the cosine of incidence, as Phong's BRDF does"};
   auto parameters() { return std::tie(diffuse, specular, exponent, over_cosine); }
 

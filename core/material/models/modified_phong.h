@@ -14,7 +14,8 @@ namespace etendue {
 struct ModifiedPhongModel {
   static constexpr ModelDescription kDescription{
       "modified-phong", "Phong, modified (Lafortune and Willems)", ModelClass::phenomenological,
-      "f = rho_d/pi + rho_s (n + 2)/(2 pi) cos^n about the mirrored direction. Reciprocal; conserves energy for rho_d + "
+      "f = rho_d/pi + rho_s (n + 2)/(2 pi) cos^n about the mirrored direction. Reciprocal; conserves energy for rho_d "
+      "+ "
       "rho_s up to 1, and darkens towards grazing angles.",
       "by cos^n about the mirrored direction; what falls below the surface is absorbed"};
   template <class Color>
@@ -22,7 +23,8 @@ struct ModifiedPhongModel {
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the albedo of the lobe at normal incidence"};
-  Number<float> exponent{"exponent", "Exponent", 20, {0, 1e5f}, "n: 1 is matte, above 100 glossy", "", Scale::logarithmic};
+  Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
+                         "",         Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, specular, exponent); }
 
   template <class Mix>

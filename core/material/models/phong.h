@@ -15,7 +15,8 @@ namespace etendue {
 struct PhongModel {
   static constexpr ModelDescription kDescription{
       "phong", "Phong (BRDF)", ModelClass::phenomenological,
-      "f = rho_d/pi + rho_s cos^n / cos_i about the mirrored direction. Not reciprocal, and its albedo exceeds any bound "
+      "f = rho_d/pi + rho_s cos^n / cos_i about the mirrored direction. Not reciprocal, and its albedo exceeds any "
+      "bound "
       "at grazing incidence.",
       "by cos^n about the mirrored direction; what falls below the surface is absorbed"};
   template <class Color>
@@ -23,7 +24,8 @@ struct PhongModel {
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the height of the lobe, in 1/sr"};
-  Number<float> exponent{"exponent", "Exponent", 20, {0, 1e5f}, "n: 1 is matte, above 100 glossy", "", Scale::logarithmic};
+  Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
+                         "",         Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, specular, exponent); }
 
   template <class Mix>

@@ -29,14 +29,16 @@ struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, Scatter::diffuse>
 struct Phong1975Model {
   static constexpr ModelDescription kDescription{
       "phong-1975", "Phong shading (1975)", ModelClass::phenomenological,
-      "pi f cos_i = C (cos_i (1 - d) + d) + W cos^n: the historical shading of intensities. Neither reciprocal nor energy "
+      "pi f cos_i = C (cos_i (1 - d) + d) + W cos^n: the historical shading of intensities. Neither reciprocal nor "
+      "energy "
       "conserving.",
       "cosine, uniform directions and cos^n for its three terms, each its own lobe exactly"};
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, EvenShade<Color>, CosinePower<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "C, as a factor on the base colour"};
-  Number<float> even{"even", "Even shade", 0, {0, 1}, "d: the part of C that does not depend on the angle of incidence"};
+  Number<float> even{
+      "even", "Even shade", 0, {0, 1}, "d: the part of C that does not depend on the angle of incidence"};
   Number<float> weight{"weight", "Highlight", 0.3f, {0, 1}, "W: the height of the highlight"};
   Number<float> exponent{"exponent", "Exponent", 5, {0, 1e5f}, "n, between 1 and 10 in 1975", "", Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, even, weight, exponent); }

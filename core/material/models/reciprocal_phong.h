@@ -21,7 +21,8 @@ struct ReciprocalPhongModel {
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the height of the lobe, in 1/sr"};
-  Number<float> exponent{"exponent", "Exponent", 20, {0, 1e5f}, "n: 1 is matte, above 100 glossy", "", Scale::logarithmic};
+  Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
+                         "",         Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, specular, exponent); }
 
   template <class Mix>
