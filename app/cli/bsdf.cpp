@@ -123,8 +123,7 @@ json specimen_json(const Specimen& s) {
 
 void print(const Specimen& s) {
   std::printf("%s\n", s.name.c_str());
-  for (const auto& b : s.audit.badges)
-    std::printf("  %s  %-18s %s\n", b.holds ? "yes" : "NO ", b.label, b.reason.c_str());
+  for (const auto& b : s.audit.badges) std::printf("  %s %-22s %s\n", b.holds ? " " : "!", b.label(), b.reason.c_str());
   std::printf("  albedo by angle (hemispherical %.4f)\n", audit::hemispherical_albedo(s.audit.albedo));
   for (const auto& a : s.audit.albedo)
     std::printf("    %5.1f\u00b0  %.4f %.4f %.4f  +- %.1g\n", a.degrees, static_cast<double>(a.value.r),

@@ -19,7 +19,7 @@ double degrees_of(const Vec3& w) {
 }
 
 Badge non_negative(const Plausibility& p) {
-  Badge b{"non-negative", "Not negative", p.non_negative(), {}};
+  Badge b{"non-negative", "Nowhere negative", "Negative or no number", p.non_negative(), {}};
   if (p.not_finite > 0)
     b.reason = text("no number for %zu of %zu pairs of directions", p.not_finite, p.pairs);
   else if (p.least < 0)
@@ -30,7 +30,7 @@ Badge non_negative(const Plausibility& p) {
 }
 
 Badge reciprocal(const Plausibility& p) {
-  Badge b{"reciprocal", "Reciprocal", p.reciprocal(), {}};
+  Badge b{"reciprocal", "Reciprocal", "Not reciprocal", p.reciprocal(), {}};
   if (p.reciprocal())
     b.reason = text("both ways alike to %.1g in %zu pairs of directions", p.asymmetry, p.pairs);
   else
@@ -41,14 +41,14 @@ Badge reciprocal(const Plausibility& p) {
 
 Badge conserves_energy(const Plausibility& p) {
   const double most = static_cast<double>(max_component(p.most.value));
-  Badge b{"conserves-energy", "Conserves energy", p.conserves_energy(), {}};
+  Badge b{"conserves-energy", "Conserves energy", "Makes light", p.conserves_energy(), {}};
   b.reason = b.holds ? text("at most %.4f of the light leaves, at %.4g\u00b0", most, p.most.degrees)
-                     : text("makes light: %.4g times what comes at %.4g\u00b0", most, p.most.degrees);
+                     : text("%.4g times the light that comes leaves again, at %.4g\u00b0", most, p.most.degrees);
   return b;
 }
 
 Badge sampled(const std::vector<SamplingQuality>& curve) {
-  Badge b{"well-sampled", "Well sampled", well_sampled(curve), {}};
+  Badge b{"well-sampled", "Well sampled", "Badly sampled", well_sampled(curve), {}};
   const SamplingQuality* worst = nullptr;
   for (const SamplingQuality& q : curve) {
     if (q.degrees > 80) continue;

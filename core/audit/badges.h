@@ -9,10 +9,12 @@
 namespace etendue::audit {
 
 struct Badge {
-  const char* name;  // "non-negative", "reciprocal", "conserves-energy", "well-sampled"
-  const char* label;
+  const char* name;      // "non-negative", "reciprocal", "conserves-energy", "well-sampled"
+  const char *yes, *no;  // the verdict in words
   bool holds = false;
   std::string reason;  // the figure, and where
+
+  const char* label() const { return holds ? yes : no; }
 };
 
 struct Audit {

@@ -23,8 +23,10 @@ class View {
     constexpr double kRadians = 3.14159265358979323846 / 180;
     cos_turn_ = std::cos(look.turn * kRadians), sin_turn_ = std::sin(look.turn * kRadians);
     cos_tilt_ = std::cos(look.tilt * kRadians), sin_tilt_ = std::sin(look.tilt * kRadians);
-    scale_ = 0.92 * std::min(0.5 * look.width, (below ? 0.5 : 0.8) * look.height);
-    middle_ = {0.5 * look.width, (below ? 0.5 : 0.82) * look.height};
+    // Room for the normal's name above, and for the disk, or the lower side, below.
+    const double up = 1.2, down = below ? 1.1 : std::abs(sin_tilt_) + 0.05;
+    scale_ = std::min(look.width / 2.1, look.height / (up + down));
+    middle_ = {0.5 * look.width, up * scale_ + 0.5 * (look.height - (up + down) * scale_)};
   }
 
   Spot at(const Vec3& p) const {

@@ -16,7 +16,7 @@ struct Look {
   int width = 480, height = 360;
   measure::ChartPalette palette = {};
   Length length = Length::linear;
-  double turn = -35, tilt = 25;  // degrees: the eye on a lobe
+  double turn = 145, tilt = 25;  // degrees: the eye on a lobe
 };
 
 // Slices of several specimens about the normal, one colour each, with the direction to the eye.

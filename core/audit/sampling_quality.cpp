@@ -86,7 +86,9 @@ SamplingQuality sampling_quality_at(const Lobes& lobes, double degrees, const Sa
   q.largest = own.mean() > 0 ? own.largest / own.mean() : 0;
   q.absorbed = static_cast<double>(own.lost) / static_cast<double>(own.count);
   q.by_cosine = own.deltas ? std::numeric_limits<double>::infinity() : other.deviation();
-  const double error = std::hypot(own.common.standard_error(), other.common.standard_error());
+  // Where neither has any noise, rounding is what is left.
+  const double rounding = 1e-4 * std::max(own.mean(), other.mean());
+  const double error = std::hypot(own.common.standard_error(), other.common.standard_error(), rounding);
   if (error > 0) q.discrepancy = (own.common.mean() - other.common.mean()) / error;
   return q;
 }

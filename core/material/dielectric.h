@@ -112,8 +112,10 @@ struct Dielectric {
     if (h.z < 0) h = -h;
     // Facets seen from behind contribute nothing.
     if (glm::dot(wo, h) * wo.z <= 0 || glm::dot(wi, h) * wi.z <= 0) return false;
-    float cos_t;
-    f = fresnel_dielectric(std::abs(glm::dot(wo, h)), e, cos_t);
+    const float oh = std::abs(glm::dot(wo, h));
+    float cos_t = std::abs(glm::dot(wi, h));
+    // Near total reflection the refracted cosine is known far better than it follows from the other.
+    f = reflection ? fresnel_dielectric(oh, e, cos_t) : fresnel_of_cosines(oh, cos_t, e);
     return true;
   }
 };
