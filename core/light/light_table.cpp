@@ -95,6 +95,7 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
   if (!any) return;
   choice_ = AliasTable(powers);
   find_sources();
+  plant_tree(powers);
 }
 
 void LightTable::find_sources() {
@@ -125,12 +126,15 @@ AliasTable::Choice LightTable::choose_within(const Source& source, float u) cons
   return {index, choice_.probability(index) / source.probability};
 }
 
-void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
-  sample_chosen(queries, samples, [&](float u) { return choice_.sample(u); });
+void LightTable::sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const {
+  if (uses_tree(strategy))
+    sample_chosen(queries, samples, [&](size_t i) { return choose_by_tree(queries.from[i], queries.choice[i]); });
+  else
+    sample_chosen(queries, samples, [&](size_t i) { return choice_.sample(queries.choice[i]); });
 }
 
 void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
-  sample_chosen(queries, samples, [&](float u) { return choose_within(sources_[source], u); });
+  sample_chosen(queries, samples, [&](size_t i) { return choose_within(sources_[source], queries.choice[i]); });
 }
 
 template <class Choose>
@@ -140,7 +144,7 @@ void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples
     sample_batch(
         {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
          std::min(ChosenTriangles::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
-        triangles, samples + first, choose);
+        triangles, samples + first, [&](size_t i) { return choose(first + i); });
 }
 
 template <class Choose>
@@ -150,7 +154,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
     LightSample& sample = samples[i];
     sample.pdf = 0;
     if (choice_.empty()) continue;
-    const auto choice = choose(queries.choice[i]);
+    const auto choice = choose(i);
     sample.light = choice.index;
     sample.kind = choice.index < triangles_.size() ? LightKind::triangle : LightKind::placed;
     if (sample.kind == LightKind::triangle)
@@ -223,19 +227,30 @@ EmissiveTriangle LightTable::moved(const EmissiveTriangle& triangle, float time)
   return t;
 }
 
-float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time) const {
+float LightTable::probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
+  if (uses_tree(strategy)) {
+    if (!is_infinite(light)) return (1 - infinite_share_) * tree_.probability(light, from);
+    const auto at = std::lower_bound(infinite_.begin(), infinite_.end(), light) - infinite_.begin();
+    return infinite_share_ * infinite_choice_.probability(static_cast<uint32_t>(at));
+  }
+  const float p = choice_.probability(light);
+  return strategy == LightStrategy::every && p > 0 ? p / sources_[source_of(light)].probability : p;
+}
+
+float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time,
+                               LightStrategy strategy) const {
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
   const float facing =
       with_triangle(light, time, [&](const EmissiveTriangle& t) { return std::abs(glm::dot(t.cross, to_light)); });
   if (!(facing > 0)) return 0;
-  return choice_.probability(light) * 2 * distance2 * std::sqrt(distance2) / facing;
+  return probability(light, from, strategy) * 2 * distance2 * std::sqrt(distance2) / facing;
 }
 
-float LightTable::pdf_environment(const Vec3& direction) const {
+float LightTable::pdf_environment(const Vec3& direction, LightStrategy strategy) const {
   if (choice_.empty() || environment_.black()) return 0;
-  return choice_.probability(static_cast<uint32_t>(choice_.size() - 1)) * environment_.pdf_solid_angle(direction);
+  return probability(environment_light(), Vec3(0), strategy) * environment_.pdf_solid_angle(direction);
 }
 
 }  // namespace etendue

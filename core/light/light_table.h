@@ -1,10 +1,10 @@
-// All lights of a compiled scene, and choosing among them by power.           thesis 6.4, 9.1.2; (9.21)-(9.23)
+// All lights of a compiled scene, and choosing among them.                    thesis 6.4, 9.1.2; (9.21)-(9.23)
 //
 // A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density
 // with its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
 //
 // Lights that move while the shutter is open are sampled where they are at the time that is asked for, and chosen by
-// their power halfway.
+// their power halfway, or by the tree for wherever they may be.
 #pragma once
 #include <memory>
 #include <span>
@@ -16,6 +16,7 @@
 #include "base/wide.h"
 #include "geometry/motion.h"
 #include "light/light.h"
+#include "light/light_tree.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -153,8 +154,10 @@ struct LightQueries {
   const float* times = nullptr;  // from 0 at the shutter's opening to 1 at its closing; null where no light moves
 };
 
-// Whether one light is asked at a time, chosen by its power, or every one: the sum over lights (thesis 8.2; E3).
-enum class LightStrategy : uint8_t { one, every };
+// How the lights that are asked are chosen: one at a time by its power, or every one: the sum over lights (thesis 8.2;
+// E3), or one by what it may bring to the receiver's place (light_tree.h), or whichever of the single ones suits the
+// scene.
+enum class LightStrategy : uint8_t { one, every, tree, automatic };
 
 class LightTable {
  public:
@@ -176,22 +179,23 @@ class LightTable {
     return t.moving ? use(moved(t, time)) : use(t);
   }
 
-  // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
-  // that looks away) or if there is no light at all.
-  void sample(const LightQueries& queries, LightSample* samples) const;
+  // One sample each, by one of the strategies that take a single light. Its density is 0 if the light cannot send
+  // anything there (a triangle seen edge-on, a spot that looks away) or if there is no light at all.
+  void sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy = LightStrategy::one) const;
 
   // Lights as a user counts them: the emissive triangles of an instance are one source, so are a placed light and the
   // environment. Those without power are none.
   size_t sources() const { return sources_.size(); }
   // As `sample`, on one source: only the point on it is chosen.
   void sample_source(size_t source, const LightQueries& queries, LightSample* samples) const;
-  // The density of `sample_source` over that of `sample`, for the source that this light belongs to.
-  float density_within_source(uint32_t light) const { return 1 / sources_[source_of(light)].probability; }
-  uint32_t environment_light() const { return static_cast<uint32_t>(choice_.size() - 1); }
 
-  // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0) const;
-  float pdf_environment(const Vec3& direction) const;
+  // Densities with which samples by the strategy would have found, from there, a direction that was found otherwise,
+  // per solid angle. With every light these are densities of its source's own sample.
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0,
+                     LightStrategy strategy = LightStrategy::one) const;
+  float pdf_environment(const Vec3& direction, LightStrategy strategy = LightStrategy::one) const;
+  // The probability of the light itself.
+  float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const;
 
   // A ray that leaves some light; of power zero if there is none. `e` is a new one.
   void emit(const EmissionDraw& draw, Emission& e) const;
@@ -248,6 +252,14 @@ class LightTable {
     uint32_t first, count;
     float probability;  // of `sample` choosing one of them
   };
+  uint32_t environment_light() const { return static_cast<uint32_t>(choice_.size() - 1); }
+  bool is_infinite(uint32_t light) const;
+  void plant_tree(std::span<const float> powers);
+  LightBounds bounds_of(uint32_t light) const;
+  bool uses_tree(LightStrategy strategy) const {
+    return strategy == LightStrategy::tree || (strategy == LightStrategy::automatic && many_);
+  }
+  AliasTable::Choice choose_by_tree(const Vec3& from, float u) const;
   void find_sources();
   size_t source_of(uint32_t light) const;
   AliasTable::Choice choose_within(const Source& source, float u) const;
@@ -261,12 +273,21 @@ class LightTable {
   AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
   std::vector<Source> sources_;
   std::vector<float> mass_;  // probability of a triangle and those of its source before it
+
+  // What is infinitely far away has no place in the tree: a share of all choices goes there, by power.
+  LightTree tree_;
+  std::vector<uint32_t> infinite_;
+  AliasTable infinite_choice_;
+  float infinite_share_ = 0;
+  bool many_ = false;  // lights enough for the tree to pay
 };
 
 }  // namespace etendue
 
 template <>
 struct etendue::Options<etendue::LightStrategy> {
-  static constexpr std::array<etendue::Option, 2> kOptions{
-      {{"one", "One, chosen by its power"}, {"every", "Every light"}}};
+  static constexpr std::array<etendue::Option, 4> kOptions{{{"one", "One, chosen by its power"},
+                                                            {"every", "Every light"},
+                                                            {"tree", "One, chosen by what it may bring"},
+                                                            {"auto", "One, by the tree where there are many"}}};
 };

@@ -69,7 +69,7 @@ void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, c
   using Color = typename M::Color;
   const scene::CompiledScene& scene = front.scene();
   if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::narrow)) return;
-  const std::span<const LightSample> samples = front.sample_lights();
+  const std::span<const LightSample> samples = front.sample_lights(LightStrategy::automatic);
   for (int i = 0; i < front.arrived(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = front.bsdf(i);

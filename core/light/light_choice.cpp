@@ -1,0 +1,94 @@
+// Choosing a light by the tree.
+#include "light/light_table.h"
+
+namespace etendue {
+namespace {
+
+// From this number of lights on the tree is worth its way down (docs/lights.md).
+constexpr size_t kMany = 8;
+// However strong the sky is, what stands near by may be stronger, and the other way round.
+constexpr float kLeastShare = 0.25f;
+
+Vec3 unit_or_up(const Vec3& v) { return normalize_or(v, Vec3(0, 1, 0)); }
+
+LightBounds bounds_at(const EmissiveTriangle& t) {
+  LightBounds b;
+  b.box.extend(t.p0), b.box.extend(t.p0 + t.e1), b.box.extend(t.p0 + t.e2);
+  b.axis = unit_or_up(t.cross), b.normals = 0;
+  b.two_sided = t.double_sided;
+  b.intensity = t.area * luminance(t.radiance);
+  return b;
+}
+
+LightBounds bounds_at(const Light& light, const LightPlace& place) {
+  LightBounds b;
+  b.box.extend(place.position);
+  b.intensity = light.intensity * luminance(light.color);
+  b.range = light.range;
+  if (light.type == LightType::spot) b.axis = place.direction, b.normals = 0, b.emission = light.outer_cone;
+  return b;
+}
+
+// What moves on straight lines is always within the box around its places at their ends. It may turn meanwhile.
+template <class At>
+LightBounds bounds_over_time(const Motion& motion, At&& at) {
+  LightBounds all = at(0.0f);
+  const auto intervals = static_cast<float>(motion.steps() - 1);
+  for (size_t k = 1; k < motion.steps(); ++k) {
+    const LightBounds b = at(static_cast<float>(k) / intervals);
+    if (b.axis != all.axis) all.normals = kPi;
+    all.box.extend(b.box), all.intensity = std::max(all.intensity, b.intensity);
+  }
+  return all;
+}
+
+}  // namespace
+
+bool LightTable::is_infinite(uint32_t light) const {
+  if (light < triangles_.size()) return false;
+  const size_t placed = light - triangles_.size();
+  return placed >= placed_.size() || placed_[placed].light.type == LightType::directional;
+}
+
+LightBounds LightTable::bounds_of(uint32_t light) const {
+  if (light < triangles_.size()) {
+    const EmissiveTriangle& t = triangles_[light];
+    if (!t.moving) return bounds_at(t);
+    return bounds_over_time(*movers_[t.instance].motion, [&](float time) { return bounds_at(moved(t, time)); });
+  }
+  const PlacedLight& placed = placed_[light - triangles_.size()];
+  if (!placed.motion) return bounds_at(placed.light, placed.place);
+  return bounds_over_time(*placed.motion, [&](float time) { return bounds_at(placed.light, placed.at(time)); });
+}
+
+void LightTable::plant_tree(std::span<const float> powers) {
+  std::vector<LightBounds> local(powers.size());
+  std::vector<float> far;
+  float all = 0;
+  for (uint32_t light = 0; light < powers.size(); ++light) {
+    all += powers[light];
+    if (is_infinite(light))
+      infinite_.push_back(light), far.push_back(powers[light]);
+    else if (powers[light] > 0)
+      local[light] = bounds_of(light);
+  }
+  tree_ = LightTree(local);
+  many_ = powers.size() - infinite_.size() >= kMany && !tree_.empty();
+  float from_far = 0;
+  for (const float power : far) from_far += power;
+  if (!(from_far > 0)) return;
+  infinite_choice_ = AliasTable(far);
+  infinite_share_ = tree_.empty() ? 1 : std::clamp(from_far / all, kLeastShare, 1 - kLeastShare);
+}
+
+AliasTable::Choice LightTable::choose_by_tree(const Vec3& from, float u) const {
+  if (u < infinite_share_) {
+    const auto choice = infinite_choice_.sample(u / infinite_share_);
+    return {infinite_[choice.index], choice.probability * infinite_share_};
+  }
+  const float local = 1 - infinite_share_;
+  const auto choice = tree_.choose(from, std::min((u - infinite_share_) / local, kOneMinusEpsilon));
+  return {choice.index, choice.probability * local};
+}
+
+}  // namespace etendue
