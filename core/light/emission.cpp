@@ -105,7 +105,7 @@ void LightTable::emit_anew(Vec2 u, Emission& e) const {
 }
 
 EmissionDensity LightTable::density_of_escape(const Vec3& direction) const {
-  return {pdf_environment(direction), pdf_across(), false, true};
+  return {pdf_environment(direction, LightStrategy::as_emitted), pdf_across(), false, true};
 }
 
 EmissionDensity LightTable::density_of_other(const LightSample& sample) const {

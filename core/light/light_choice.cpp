@@ -9,6 +9,10 @@ constexpr size_t kMany = 8;
 // However strong the sky is, what stands near by may be stronger, and the other way round.
 constexpr float kLeastShare = 0.25f;
 
+// Choices that are made by power all the same. What stands right behind a wall looks so strong to the tree that without
+// them the light on this side would hardly ever be asked.
+constexpr float kByPower = 1.0f / 64;
+
 Vec3 unit_or_up(const Vec3& v) { return normalize_or(v, Vec3(0, 1, 0)); }
 
 LightBounds bounds_at(const EmissiveTriangle& t) {
@@ -82,13 +86,33 @@ void LightTable::plant_tree(std::span<const float> powers) {
 }
 
 AliasTable::Choice LightTable::choose_by_tree(const Vec3& from, float u) const {
+  if (u < kByPower) {
+    const auto choice = choice_.sample(u / kByPower);
+    return {choice.index, choice.probability > 0 ? probability_by_tree(choice.index, from) : 0};
+  }
+  u = std::min((u - kByPower) / (1 - kByPower), kOneMinusEpsilon);
+  const auto with_the_rest = [&](uint32_t light, float probability) {
+    return AliasTable::Choice{light, (1 - kByPower) * probability + kByPower * choice_.probability(light)};
+  };
   if (u < infinite_share_) {
     const auto choice = infinite_choice_.sample(u / infinite_share_);
-    return {infinite_[choice.index], choice.probability * infinite_share_};
+    return with_the_rest(infinite_[choice.index], choice.probability * infinite_share_);
   }
   const float local = 1 - infinite_share_;
   const auto choice = tree_.choose(from, std::min((u - infinite_share_) / local, kOneMinusEpsilon));
-  return {choice.index, choice.probability * local};
+  return choice.probability > 0 ? with_the_rest(choice.index, choice.probability * local) : choice;
+}
+
+float LightTable::probability_by_tree(uint32_t light, const Vec3& from) const {
+  const float p = is_infinite(light) ? infinite_share_ * probability_of_infinite(light)
+                                     : (1 - infinite_share_) * tree_.probability(light, from);
+  return (1 - kByPower) * p + kByPower * choice_.probability(light);
+}
+
+float LightTable::probability_of_infinite(uint32_t light) const {
+  if (infinite_choice_.empty()) return 0;
+  const auto at = std::lower_bound(infinite_.begin(), infinite_.end(), light) - infinite_.begin();
+  return infinite_choice_.probability(static_cast<uint32_t>(at));
 }
 
 }  // namespace etendue

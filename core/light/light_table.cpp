@@ -5,12 +5,21 @@
 #include "base/warp.h"
 #include "base/wide.h"
 #include "light/punctual.h"
+#include "light/spherical_triangle.h"
 
 namespace etendue {
 namespace {
 
 float power_of(const EmissiveTriangle& t) {
   return kPi * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
+}
+
+// Whether a triangle looks so large from there that directions to it are sampled rather than its points: its area over
+// the square of the distance to its middle. Squares of both sides, since the cross product is twice the area.
+inline bool looks_large(const Vec3& to_p0, const Vec3& e1, const Vec3& e2, const Vec3& cross) {
+  constexpr float kLarge = 1;
+  const Vec3 to_middle = to_p0 + (e1 + e2) * (1 / 3.0f);
+  return sqr(length_squared(to_middle) * (2 * kLarge)) < length_squared(cross);
 }
 
 float power_of(const PlacedLight& placed, float scene_radius) {
@@ -45,11 +54,12 @@ struct LightTable::ChosenTriangles {
 
   struct Points;
   void sample(const LightQueries& queries, Points& points) const;
+  void sample_directions(const LightQueries& queries, size_t i, Points& points) const;
 };
 
 struct LightTable::ChosenTriangles::Points {
   WideVec3<kSize> wi;
-  alignas(64) Array<float> distance, pdf, b1, b2;
+  alignas(64) Array<float> distance, pdf, b1, b2, large;
 
   void get(size_t i, LightSample& sample) const {
     sample.wi = wi[i];
@@ -63,7 +73,8 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(queries.count); ++i) {
     const Vec2 b = square_to_triangle({queries.u0[i], queries.u1[i]});
-    const Vec3 to_light = p0[i] + b.x * e1[i] + b.y * e2[i] - queries.from[i];
+    const Vec3 to_p0 = p0[i] - queries.from[i];
+    const Vec3 to_light = to_p0 + b.x * e1[i] + b.y * e2[i];
     const float distance2 = length_squared(to_light);
     const float distance = std::sqrt(distance2), scale = 1 / distance;
     const Vec3 wi = to_light * scale;
@@ -74,7 +85,19 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
     points.wi.set(i, wi);
     points.distance[i] = distance, points.b1[i] = b.x, points.b2[i] = b.y;
     points.pdf[i] = seen > 0 && pdf < kInfinity ? pdf : 0;
+    points.large[i] = looks_large(to_p0, e1[i], e2[i], cross[i]) ? 1 : 0;
   }
+}
+
+// Of one that looks large. What is not seen is left as it is.
+void LightTable::ChosenTriangles::sample_directions(const LightQueries& queries, size_t i, Points& points) const {
+  const SphericalTriangle seen(p0[i] - queries.from[i], e1[i], e2[i]);
+  if (points.pdf[i] == 0 || !seen.can_be_sampled()) return;
+  const auto point = seen.sample({queries.u0[i], queries.u1[i]});
+  points.wi.set(i, point.direction);
+  points.distance[i] = point.distance;
+  points.b1[i] = point.barycentric.x, points.b2[i] = point.barycentric.y;
+  points.pdf[i] = probability[i] / seen.solid_angle();
 }
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
@@ -128,28 +151,30 @@ AliasTable::Choice LightTable::choose_within(const Source& source, float u) cons
 
 void LightTable::sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const {
   if (uses_tree(strategy))
-    sample_chosen(queries, samples, [&](size_t i) { return choose_by_tree(queries.from[i], queries.choice[i]); });
+    sample_chosen(queries, samples, true, [&](size_t i) { return choose_by_tree(queries.from[i], queries.choice[i]); });
   else
-    sample_chosen(queries, samples, [&](size_t i) { return choice_.sample(queries.choice[i]); });
+    sample_chosen(queries, samples, strategy != LightStrategy::as_emitted,
+                  [&](size_t i) { return choice_.sample(queries.choice[i]); });
 }
 
 void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
-  sample_chosen(queries, samples, [&](size_t i) { return choose_within(sources_[source], queries.choice[i]); });
+  sample_chosen(queries, samples, true, [&](size_t i) { return choose_within(sources_[source], queries.choice[i]); });
 }
 
 template <class Choose>
-void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const {
+void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, bool solid_angles,
+                               Choose&& choose) const {
   ChosenTriangles triangles;
   for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
     sample_batch(
         {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
          std::min(ChosenTriangles::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
-        triangles, samples + first, [&](size_t i) { return choose(first + i); });
+        triangles, samples + first, solid_angles, [&](size_t i) { return choose(first + i); });
 }
 
 template <class Choose>
 void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
-                              Choose&& choose) const {
+                              bool solid_angles, Choose&& choose) const {
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     sample.pdf = 0;
@@ -171,6 +196,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     if (choice_.empty() || sample.kind != LightKind::triangle) continue;
+    if (solid_angles && points.large[i] != 0) triangles.sample_directions(queries, i, points);
     const EmissiveTriangle& triangle = triangles_[sample.light];
     points.get(i, sample);
     sample.delta = false;
@@ -228,11 +254,7 @@ EmissiveTriangle LightTable::moved(const EmissiveTriangle& triangle, float time)
 }
 
 float LightTable::probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
-  if (uses_tree(strategy)) {
-    if (!is_infinite(light)) return (1 - infinite_share_) * tree_.probability(light, from);
-    const auto at = std::lower_bound(infinite_.begin(), infinite_.end(), light) - infinite_.begin();
-    return infinite_share_ * infinite_choice_.probability(static_cast<uint32_t>(at));
-  }
+  if (uses_tree(strategy)) return probability_by_tree(light, from);
   const float p = choice_.probability(light);
   return strategy == LightStrategy::every && p > 0 ? p / sources_[source_of(light)].probability : p;
 }
@@ -242,10 +264,14 @@ float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at,
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const float facing =
-      with_triangle(light, time, [&](const EmissiveTriangle& t) { return std::abs(glm::dot(t.cross, to_light)); });
-  if (!(facing > 0)) return 0;
-  return probability(light, from, strategy) * 2 * distance2 * std::sqrt(distance2) / facing;
+  const float per_solid_angle = with_triangle(light, time, [&](const EmissiveTriangle& t) {
+    const float facing = std::abs(glm::dot(t.cross, to_light));
+    if (!(facing > 0)) return 0.0f;
+    if (strategy != LightStrategy::as_emitted && looks_large(t.p0 - from, t.e1, t.e2, t.cross))
+      if (const SphericalTriangle seen(t.p0 - from, t.e1, t.e2); seen.can_be_sampled()) return 1 / seen.solid_angle();
+    return 2 * distance2 * std::sqrt(distance2) / facing;
+  });
+  return per_solid_angle > 0 ? probability(light, from, strategy) * per_solid_angle : 0;
 }
 
 float LightTable::pdf_environment(const Vec3& direction, LightStrategy strategy) const {

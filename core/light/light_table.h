@@ -157,7 +157,10 @@ struct LightQueries {
 // How the lights that are asked are chosen: one at a time by its power, or every one: the sum over lights (thesis 8.2;
 // E3), or one by what it may bring to the receiver's place (light_tree.h), or whichever of the single ones suits the
 // scene.
-enum class LightStrategy : uint8_t { one, every, tree, automatic };
+//
+// All but `as_emitted` find points on large triangles near by through the solid angle that they subtend; that one
+// finds them as `emit` does, one by its power and any of its points alike, for weights that rely on it.
+enum class LightStrategy : uint8_t { one, every, tree, automatic, as_emitted };
 
 class LightTable {
  public:
@@ -181,7 +184,7 @@ class LightTable {
 
   // One sample each, by one of the strategies that take a single light. Its density is 0 if the light cannot send
   // anything there (a triangle seen edge-on, a spot that looks away) or if there is no light at all.
-  void sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy = LightStrategy::one) const;
+  void sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const;
 
   // Lights as a user counts them: the emissive triangles of an instance are one source, so are a placed light and the
   // environment. Those without power are none.
@@ -191,9 +194,8 @@ class LightTable {
 
   // Densities with which samples by the strategy would have found, from there, a direction that was found otherwise,
   // per solid angle. With every light these are densities of its source's own sample.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0,
-                     LightStrategy strategy = LightStrategy::one) const;
-  float pdf_environment(const Vec3& direction, LightStrategy strategy = LightStrategy::one) const;
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightStrategy strategy) const;
+  float pdf_environment(const Vec3& direction, LightStrategy strategy) const;
   // The probability of the light itself.
   float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const;
 
@@ -226,9 +228,9 @@ class LightTable {
   struct ChosenTriangles;
   // `choose` turns a random number into a light and its probability.
   template <class Choose>
-  void sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const;
+  void sample_chosen(const LightQueries& queries, LightSample* samples, bool solid_angles, Choose&& choose) const;
   template <class Choose>
-  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
+  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples, bool solid_angles,
                     Choose&& choose) const;
   bool sample_placed(const PlacedLight& light, const Vec3& from, float time, LightSample& sample) const;
   void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time, LightSample& sample) const;
@@ -260,6 +262,8 @@ class LightTable {
     return strategy == LightStrategy::tree || (strategy == LightStrategy::automatic && many_);
   }
   AliasTable::Choice choose_by_tree(const Vec3& from, float u) const;
+  float probability_by_tree(uint32_t light, const Vec3& from) const;
+  float probability_of_infinite(uint32_t light) const;
   void find_sources();
   size_t source_of(uint32_t light) const;
   AliasTable::Choice choose_within(const Source& source, float u) const;

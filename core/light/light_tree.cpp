@@ -106,10 +106,12 @@ AliasTable::Choice LightTree::choose(const Vec3& from, float u) const {
     const float all = sums.back();
     if (!(all > 0)) return {0, 0};
     const float at = u * all;
-    size_t slot = 0;
-    for (const float sum : sums) slot += sum <= at ? 1 : 0;
-    // Rounding may have left something over: it belongs to the last that counts.
-    if (slot == kWidth) slot = static_cast<size_t>(std::find(sums.begin(), sums.end(), all) - sums.begin());
+    // The first whose sum is beyond it, by halves and without branches, which would be anybody's guess. Rounding may
+    // have left something over: it belongs to the last that counts.
+    size_t slot = sums[3] <= at ? 4 : 0;
+    slot += sums[slot + 1] <= at ? 2 : 0;
+    slot += sums[slot] <= at ? 1 : 0;
+    if (at >= all) slot = static_cast<size_t>(std::find(sums.begin(), sums.end(), all) - sums.begin());
     const float before = slot > 0 ? sums[slot - 1] : 0, own = sums[slot] - before;
     probability *= own / all;
     u = std::min((at - before) / own, kOneMinusEpsilon);

@@ -22,7 +22,7 @@ class SphericalTriangle {
 
   float solid_angle() const { return solid_angle_; }
   // What is seen edge-on, and what surrounds the place, is left to other ways.
-  bool can_be_sampled() const { return solid_angle_ > 1e-3f && solid_angle_ < 6.2f; }
+  bool can_be_sampled() const { return solid_angle_ > 0.01f && solid_angle_ < 6.2f; }
 
   struct Point {
     Vec3 direction;  // unit

@@ -122,12 +122,11 @@ void add_light_samples(Front<M>& front, std::span<const LightSample> samples, Co
   });
 }
 
-// Next event estimation: one point on one light for each vertex. Weights of other ways than the two that meet here know
-// lights by their power alone.
+// Next event estimation: one point on one light for each vertex, as it would be found by walks from the lights.
 template <class M, class Weigh, class Wanted = EveryArrival>
 void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh, const Wanted& wanted = {}) {
   if (front.scene().lights().empty()) return;
-  add_light_samples_weighed(front, front.sample_lights(LightStrategy::one), shadows, weigh, wanted);
+  add_light_samples_weighed(front, front.sample_lights(LightStrategy::as_emitted), shadows, weigh, wanted);
 }
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)

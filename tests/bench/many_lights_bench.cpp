@@ -5,6 +5,7 @@
 // First its efficiency over choosing by power, 1 / (MSE x time), in a hall with so many lamps (core/scene/builtin/
 // many_lights.h): direct light, and whole paths. Both go on in turns on one thread; printed are medians over the
 // turns. Then the cost of a choice and of a sample of the picture beside the number of lamps, over that of one lamp.
+// Last the efficiency of sampling directions to a lamp over that of sampling its points, from places under it.
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -123,6 +124,63 @@ class Choices {
   std::vector<LightSample> samples_{kCount};
 };
 
+// A lamp of 2 x 2 m over places so far under it: the irradiance there, by points or directions.
+class UnderALamp {
+ public:
+  explicit UnderALamp(float height) {
+    for (size_t i = 0; i < kCount; ++i) from_.set(i, Vec3(0.3f, -height, 0.2f));
+    std::vector<EmissiveTriangle> lamp(2);
+    lamp[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1}), lamp[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
+    for (EmissiveTriangle& t : lamp) t.radiance = Rgb(1), t.double_sided = false;
+    Bounds bounds;
+    bounds.extend(Vec3(-1, -height, -1)), bounds.extend(Vec3(1, 0, 1));
+    table_ = LightTable(std::move(lamp), {}, Environment{}, bounds);
+  }
+
+  // Variance of an estimate from one sample, and its time.
+  Turn turn(LightStrategy strategy, uint32_t seed) {
+    constexpr int kRepeats = 64;
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<float> uniform(0, kOneMinusEpsilon);
+    double sum = 0, squares = 0, seconds = 0;
+    for (int k = 0; k < kRepeats; ++k) {
+      for (size_t i = 0; i < kCount; ++i)
+        choice_[i] = uniform(engine), u0_[i] = uniform(engine), u1_[i] = uniform(engine);
+      const auto start = Clock::now();
+      table_.sample({from_, choice_.data(), u0_.data(), u1_.data(), kCount}, samples_.data(), strategy);
+      seconds += std::chrono::duration<double>(Clock::now() - start).count();
+      for (const LightSample& s : samples_) {
+        const auto value = static_cast<double>(s.pdf > 0 ? s.wi.y / s.pdf : 0);
+        sum += value, squares += value * value;
+      }
+    }
+    constexpr double n = kRepeats * static_cast<double>(kCount);
+    return {squares / n - sqr(sum / n), seconds / n};
+  }
+
+ private:
+  static constexpr size_t kCount = 1024;
+  WideVec3<kCount> from_;
+  alignas(64) std::array<float, kCount> choice_{}, u0_{}, u1_{};
+  std::vector<LightSample> samples_{kCount};
+  LightTable table_;
+};
+
+void directions(int turns) {
+  std::printf("\n%7s %16s %16s %10s\n", "below", "variance, points", "directions", "time");
+  for (const float height : {0.05f, 0.1f, 0.25f, 0.5f, 1.0f, 1.3f, 2.0f}) {
+    const auto place = std::make_unique<UnderALamp>(height);
+    std::vector<double> points, seen, time;
+    for (int i = 0; i < turns; ++i) {
+      const Turn a = place->turn(LightStrategy::as_emitted, 2), b = place->turn(LightStrategy::one, 3);
+      points.push_back(a.error), seen.push_back(b.error), time.push_back(b.seconds / a.seconds);
+    }
+    using measure::quantile;
+    std::printf("%7.2f %16.5f %16.5f %10.2f\n", static_cast<double>(height), quantile(points, 0.5), quantile(seen, 0.5),
+                quantile(time, 0.5));
+  }
+}
+
 void costs(int turns) {
   std::vector<std::unique_ptr<Hall>> halls;
   const std::vector<int> counts{1, 10, 100, 1000, 10'000, 100'000};
@@ -164,4 +222,5 @@ int main(int argc, char** argv) {
   for (const int lamps : {1, 4, 10, 100, 1000, 10'000}) compare(lamps, "path:max-depth=2", turns, reference);
   compare(1000, "path", turns, reference);
   costs(turns);
+  directions(turns);
 }
