@@ -24,6 +24,20 @@ LightBounds bounds_at(const EmissiveTriangle& t) {
   return b;
 }
 
+LightBounds bounds_at(const EmissiveTriangle& t, const RoundShape& shape) {
+  LightBounds b;
+  Vec3 half(shape.radius);
+  b.intensity = t.area * luminance(t.radiance);
+  if (shape.kind == RoundShape::Kind::disk) {
+    half = shape.radius * glm::sqrt(glm::max(Vec3(0), 1.0f - shape.frame.z * shape.frame.z));
+    b.axis = shape.frame.z, b.normals = 0, b.two_sided = t.double_sided;
+  } else {
+    b.intensity /= 4;  // what is seen of it
+  }
+  b.box.extend(shape.centre - half), b.box.extend(shape.centre + half);
+  return b;
+}
+
 LightBounds bounds_at(const Light& light, const LightPlace& place) {
   LightBounds b;
   b.box.extend(place.position);
@@ -51,12 +65,18 @@ LightBounds bounds_over_time(const Motion& motion, At&& at) {
 bool LightTable::is_infinite(uint32_t light) const {
   if (light < triangles_.size()) return false;
   const size_t placed = light - triangles_.size();
-  return placed >= placed_.size() || placed_[placed].light.type == LightType::directional;
+  return placed >= placed_.size() || placed_[placed].light.type == LightType::directional ||
+         placed_[placed].light.type == LightType::ambient;
 }
 
 LightBounds LightTable::bounds_of(uint32_t light) const {
   if (light < triangles_.size()) {
     const EmissiveTriangle& t = triangles_[light];
+    if (t.round >= 0) {
+      const RoundLight& round = round_of(t);
+      const auto at = [&](float time) { return bounds_at(t, round.at(time)); };
+      return round.motion ? bounds_over_time(*round.motion, at) : at(0);
+    }
     if (!t.moving) return bounds_at(t);
     return bounds_over_time(*movers_[t.instance].motion, [&](float time) { return bounds_at(moved(t, time)); });
   }

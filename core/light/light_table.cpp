@@ -11,7 +11,7 @@ namespace etendue {
 namespace {
 
 float power_of(const EmissiveTriangle& t) {
-  return kPi * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
+  return 2 * kPi / (t.focus + 2) * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
 }
 
 // Whether a triangle looks so large from there that directions to it are sampled rather than its points: its area over
@@ -29,9 +29,16 @@ float power_of(const PlacedLight& placed, float scene_radius) {
     case LightType::point:
       return 4 * kPi * intensity;
     case LightType::spot:
+      if (light.profile == SpotProfile::cosine)
+        return 2 * kPi * (1 - std::pow(std::cos(light.outer_cone), light.exponent + 1)) / (light.exponent + 1) *
+               intensity;
       return kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone)) * intensity;
     case LightType::directional:
       return kPi * sqr(scene_radius) * intensity;
+    case LightType::ambient:
+      return 4 * sqr(kPi * scene_radius) * intensity;
+    default:  // surfaces are triangles or round
+      break;
   }
   return 0;
 }
@@ -101,10 +108,12 @@ void LightTable::ChosenTriangles::sample_directions(const LightQueries& queries,
 }
 
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
-                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers)
+                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers,
+                       std::vector<RoundLight> rounds)
     : triangles_(std::move(triangles)),
       placed_(std::move(placed)),
       movers_(std::move(movers)),
+      rounds_(std::move(rounds)),
       centre_(scene_bounds.empty() ? Vec3(0) : scene_bounds.center()),
       radius_(std::max(scene_bounds.radius(), 1e-6f)),
       environment_(environment) {
@@ -189,18 +198,24 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
                    sample);
   }
   for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
-    if (const uint32_t light = samples[i].light; light < triangles_.size() && triangles_[light].moving)
+    if (const uint32_t light = samples[i].light;
+        light < triangles_.size() && triangles_[light].moving && triangles_[light].round < 0)
       triangles.set(i, moved(triangles_[light], queries.times[i]), triangles.probability[i]);
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     if (choice_.empty() || sample.kind != LightKind::triangle) continue;
-    if (solid_angles && points.large[i] != 0) triangles.sample_directions(queries, i, points);
     const EmissiveTriangle& triangle = triangles_[sample.light];
+    if (points.large[i] != 0 && triangle.round < 0 && solid_angles) triangles.sample_directions(queries, i, points);
     points.get(i, sample);
+    if (points.large[i] != 0 && triangle.round >= 0)
+      sample_round(triangle, triangles.probability[i], queries.from[i], {queries.u0[i], queries.u1[i]},
+                   queries.times ? queries.times[i] : 0, solid_angles, sample);
     sample.delta = false;
     sample.radiance = triangle.radiance, sample.textured = triangle.textured;
+    if (triangle.focus != 0 && sample.pdf > 0)
+      sample.radiance *= triangle.beam(cosine_at(sample, queries.times ? queries.times[i] : 0));
   }
 }
 
@@ -209,7 +224,7 @@ void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from
   const size_t placed = choice.index - triangles_.size();
   sample.textured = false;
   const bool reached =
-      placed < placed_.size() ? sample_placed(placed_[placed], from, time, sample) : sample_environment(u, sample);
+      placed < placed_.size() ? sample_placed(placed_[placed], from, u, time, sample) : sample_environment(u, sample);
   sample.pdf = reached ? sample.pdf * choice.probability : 0;
 }
 
@@ -224,13 +239,19 @@ bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
   return sample.pdf > 0;
 }
 
-bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, float time, LightSample& sample) const {
+bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, Vec2 u, float time,
+                               LightSample& sample) const {
   const Light& light = placed.light;
   const LightPlace place = placed.at(time);
   sample.kind = LightKind::placed;
   sample.delta = true;
   sample.pdf = 1;
   sample.radiance = light.color * light.intensity;
+  if (light.type == LightType::ambient) {
+    sample.wi = square_to_sphere(u);
+    sample.distance = 0, sample.pdf = 1 / (4 * kPi);
+    return true;
+  }
   if (light.type == LightType::directional) {
     sample.wi = -place.direction;
     sample.distance = kInfinity;
@@ -264,10 +285,13 @@ float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at,
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
+  const bool solid_angles = strategy != LightStrategy::as_emitted;
+  if (const EmissiveTriangle& t = triangles_[light]; t.round >= 0)
+    return probability(light, from, strategy) * pdf_of_point_on_round(t, from, at, time, solid_angles);
   const float per_solid_angle = with_triangle(light, time, [&](const EmissiveTriangle& t) {
     const float facing = std::abs(glm::dot(t.cross, to_light));
     if (!(facing > 0)) return 0.0f;
-    if (strategy != LightStrategy::as_emitted && looks_large(t.p0 - from, t.e1, t.e2, t.cross))
+    if (solid_angles && looks_large(t.p0 - from, t.e1, t.e2, t.cross))
       if (const SphericalTriangle seen(t.p0 - from, t.e1, t.e2); seen.can_be_sampled()) return 1 / seen.solid_angle();
     return 2 * distance2 * std::sqrt(distance2) / facing;
   });

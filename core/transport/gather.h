@@ -47,7 +47,7 @@ void add_emission_weighed(Front<M>& front, Weigh&& weigh) {
     if (!point.material->shines) continue;
     auto& path = front.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
-    const Rgb emitted = scene.emitted(point);
+    const Rgb emitted = scene.emitted(point, front.wo(i));
     if (is_black(emitted)) continue;
     path.radiance += admitted(front, path, front.path_at(i)) * emitted * weigh(i);
   }
@@ -108,7 +108,8 @@ void add_light_samples_weighed(Front<M>& front, std::span<const LightSample> sam
     const float weight = weigh(i, light, scattered);
     if (weight == 0) continue;
     auto& path = front.state_at(i);
-    auto& gain = shadows == Shadows::cast ? front.connect(i, light.wi, light.distance) : path.radiance;
+    const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
+    auto& gain = can_be_shadowed ? front.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
 }

@@ -95,7 +95,8 @@ void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, c
     const Color reflected = diffuse * alone + glossy * of_gloss;
     if (is_black(reflected)) continue;
     auto& path = front.state_at(i);
-    front.connect(i, light.wi, light.distance) += path.throughput * reflected * scene.radiance_of(light);
+    auto& gain = light.distance > 0 ? front.connect(i, light.wi, light.distance) : path.radiance;
+    gain += path.throughput * reflected * scene.radiance_of(light);
   }
 }
 
