@@ -8,7 +8,8 @@ namespace etendue::viewer {
 namespace {
 
 const char* type_of(const Light& light) {
-  return light.type == LightType::point ? "point" : light.type == LightType::spot ? "spot" : "directional";
+  constexpr const char* kNames[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
+  return kNames[static_cast<size_t>(light.type)];
 }
 
 void list_lights(Workbench& w, const scene::Scene& scene) {
