@@ -13,13 +13,14 @@ namespace etendue {
 
 // erf(inverse_erf(x)) = x to 3e-7 for |x| < 1.                              Giles, "Approximating the erfinv function"
 inline float inverse_erf(float x) {
-  const auto polynomial = [](float w, const float (&c)[9]) {
+  const auto polynomial = [](float w, const float(&c)[9]) {
     float p = c[0];
     for (int k = 1; k < 9; ++k) p = c[k] + p * w;
     return p;
   };
-  static constexpr float kCentre[9] = {2.81022636e-08f,  3.43273939e-07f, -3.5233877e-06f, -4.39150654e-06f, 0.00021858087f,
-                                       -0.00125372503f, -0.00417768164f, 0.246640727f,    1.50140941f};
+  static constexpr float kCentre[9] = {2.81022636e-08f,  3.43273939e-07f, -3.5233877e-06f,
+                                       -4.39150654e-06f, 0.00021858087f,  -0.00125372503f,
+                                       -0.00417768164f,  0.246640727f,    1.50140941f};
   static constexpr float kTail[9] = {-0.000200214257f, 0.000100950558f, 0.00134934322f, -0.00367342844f, 0.00573950773f,
                                      -0.0076224613f,   0.00943887047f,  1.00167406f,    2.83297682f};
   const float w = -std::log(std::max((1 - x) * (1 + x), 1e-38f));

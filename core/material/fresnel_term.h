@@ -13,6 +13,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/parameter.h"
 #include "material/fresnel.h"
@@ -66,35 +67,50 @@ struct FresnelTerm {
     return f;
   }
 
-  // The mean over the hemisphere, weighted by the cosine: midpoints of the cosine's square.
+  // The mean over the hemisphere, weighted by the cosine: Gauss points in the cosine, to 1e-6.
   Color mean() const {
-    constexpr int kSteps = 16;
+    static constexpr std::array<std::pair<float, float>, 5> kGauss{{{0.0130467357f, 0.0333356722f},
+                                                                    {0.0674683167f, 0.0747256746f},
+                                                                    {0.1602952159f, 0.1095431813f},
+                                                                    {0.2833023029f, 0.1346333597f},
+                                                                    {0.4255628305f, 0.1477621124f}}};
     Color sum(0);
-    for (int k = 0; k < kSteps; ++k) sum += (*this)(std::sqrt((static_cast<float>(k) + 0.5f) / kSteps));
-    return sum / kSteps;
+    for (const auto& [x, weight] : kGauss) sum += ((*this)(x)*x + (*this)(1 - x) * (1 - x)) * (2 * weight);
+    return sum;
   }
 
  private:
   float of_band(float cosine, float n, float k) const {
     float refracted;
     switch (kind) {
-      case FresnelKind::dielectric: return fresnel_dielectric(cosine, n, refracted);
-      case FresnelKind::conductor: return fresnel_conductor(cosine, n, k);
-      case FresnelKind::approximate: return fresnel_conductor_approximate(cosine, n, k);
-      default: return fresnel_schlick(cosine, n, k);
+      case FresnelKind::dielectric:
+        return fresnel_dielectric(cosine, n, refracted);
+      case FresnelKind::conductor:
+        return fresnel_conductor(cosine, n, k);
+      case FresnelKind::approximate:
+        return fresnel_conductor_approximate(cosine, n, k);
+      default:
+        return fresnel_schlick(cosine, n, k);
     }
   }
 };
 
 // The knobs of the models that let one choose.
 struct FresnelKnobs {
-  Choice<FresnelKind> kind{"fresnel", "Fresnel", FresnelKind::conductor,
-                           "Exact for a dielectric or for a metal, the thesis's approximation for metals, Schlick's, or "
-                           "1: a perfect mirror"};
-  Triple eta{"eta",        "Index", Vec3(0.10475f, 0.49154f, 1.47733f),
-             {0.01f, 10}, "Index of refraction (real part) by band, over that of the vacuum"};
-  Triple kappa{"kappa", "Extinction", Vec3(3.51907f, 2.32971f, 1.81014f),
-               {0, 20}, "Imaginary part of the index by band; 0 for a dielectric"};
+  Choice<FresnelKind> kind{
+      "fresnel", "Fresnel", FresnelKind::conductor,
+      "Exact for a dielectric or for a metal, the thesis's approximation for metals, Schlick's, or "
+      "1: a perfect mirror"};
+  Triple eta{"eta",
+             "Index",
+             Vec3(0.10475f, 0.49154f, 1.47733f),
+             {0.01f, 10},
+             "Index of refraction (real part) by band, over that of the vacuum"};
+  Triple kappa{"kappa",
+               "Extinction",
+               Vec3(3.51907f, 2.32971f, 1.81014f),
+               {0, 20},
+               "Imaginary part of the index by band; 0 for a dielectric"};
 
   auto parameters() { return std::tie(kind, eta, kappa); }
   FresnelTerm<Rgb> term() const { return {kind, rgb_of(eta), rgb_of(kappa)}; }

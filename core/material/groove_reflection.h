@@ -1,6 +1,7 @@
 // Reflection by facets in symmetric V-shaped grooves.                  Cook, Torrance 1982; thesis (4.270)-(4.289)
 //
-//   f = tint F(<o, h>) G sum(w_k D_k(h)) / (4 cos_o cos_i),   G = min(1, 2 cos_h cos_o / <o, h>, 2 cos_h cos_i / <o, h>)
+//   f = tint F(<o, h>) G sum(w_k D_k(h)) / (4 cos_o cos_i),   G = min(1, 2 cos_h cos_o / <o, h>, 2 cos_h cos_i / <o,
+//   h>)
 //
 // A distribution is chosen by its weight, a normal by it; the weight of a sample with a single distribution is
 // tint F G <o, h> / (cos_h cos_o). Reciprocal.

@@ -4,6 +4,10 @@
 
 namespace etendue {
 
+// The least slope of facets across grooves: a lobe that is long one way and narrower the other would be a needle that
+// directions in floats do not resolve.
+inline constexpr float kLeastGroove = 1e-3f;
+
 // Of directions on the upper side, whose sum always has a direction.
 inline Vec3 half_vector(const Vec3& o, const Vec3& i) { return normalize_or(o + i, Vec3(0, 0, 1)); }
 

@@ -17,14 +17,14 @@ enum class SlopeKind : uint8_t { beckmann, gaussian };
 
 // The constant of the Gaussian: Simpson's rule in theta / m.
 inline float gaussian_normalisation(float m) {
-  constexpr int kSteps = 64;
-  const float top = std::min(kPi / (2 * m), 5.0f), step = top / kSteps;
-  float sum = 0;
+  constexpr int kSteps = 128;
+  const double top = std::min(0.5 * M_PI / m, 5.5), step = top / kSteps;
+  double sum = 0;
   for (int k = 1; k <= kSteps; ++k) {
-    const float x = static_cast<float>(k) * step;
-    sum += (k == kSteps ? 1.0f : k % 2 == 1 ? 4.0f : 2.0f) * std::exp(-sqr(x)) * std::sin(2 * m * x);
+    const double x = k * step;
+    sum += (k == kSteps ? 1 : k % 2 == 1 ? 4 : 2) * std::exp(-sqr(x)) * std::sin(2 * m * x);
   }
-  return 3 / (kPi * m * step * sum);
+  return static_cast<float>(3 / (M_PI * m * step * sum));
 }
 
 struct SlopeDistribution {
@@ -72,5 +72,6 @@ struct SlopeDistribution {
 
 template <>
 struct etendue::Options<etendue::SlopeKind> {
-  static constexpr std::array<etendue::Option, 2> kOptions{{{"beckmann", "Beckmann"}, {"gaussian", "Gaussian (Blinn)"}}};
+  static constexpr std::array<etendue::Option, 2> kOptions{
+      {{"beckmann", "Beckmann"}, {"gaussian", "Gaussian (Blinn)"}}};
 };

@@ -67,9 +67,15 @@ inline std::vector<ModelCase> model_cases() {
         if (v != p.default_value) add(name + " " + p.name + " " + to_string(v), with_number(usual, p.name, v));
       };
       switch (p.type) {
-        case ParameterType::toggle: set(!std::get<bool>(p.default_value)); break;
-        case ParameterType::integer: set(static_cast<int64_t>(p.min)), set(static_cast<int64_t>(p.max)); break;
-        case ParameterType::number: set(p.min), set(p.max); break;
+        case ParameterType::toggle:
+          set(!std::get<bool>(p.default_value));
+          break;
+        case ParameterType::integer:
+          set(static_cast<int64_t>(p.min)), set(static_cast<int64_t>(p.max));
+          break;
+        case ParameterType::number:
+          set(p.min), set(p.max);
+          break;
         case ParameterType::choice:
           for (const auto& option : p.options) set(option);
       }

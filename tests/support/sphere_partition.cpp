@@ -6,7 +6,7 @@ namespace etendue::test {
 namespace {
 
 constexpr double kQuarterPi = 0.78539816339744830962;
-constexpr int kDeepest = 24;
+constexpr int kDeepestCell = 24;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ SpherePartition::SpherePartition(std::span<const Vec3> directions, size_t most_i
 }
 
 void SpherePartition::split(size_t box, std::vector<Point> points, size_t most, int depth) {
-  if (points.size() <= most || depth == kDeepest) {
+  if (points.size() <= most || depth == kDeepestCell) {
     boxes_[box].leaf = leaves_.size();
     leaves_.push_back(box);
     return;

@@ -20,18 +20,23 @@ class SpherePartition {
   size_t cell_of(const Vec3& w) const;
 
   // The integral of f(direction) over a cell, per solid angle: Gauss points in quarters of quarters until `enough` says
-  // that a value and a finer one are near.
+  // that a value and a finer one are near, but not before so many levels.
   template <class F, class Enough>
-  double integrate(size_t cell, F&& f, Enough&& enough) const {
+  double integrate(size_t cell, F&& f, Enough&& enough, int levels = 0) const {
     const Box& box = boxes_[leaves_[cell]];
-    return refined(f, box, gauss(f, box), enough, 7);
+    return refined(f, box, gauss(f, box), enough, kDeepest - levels, kDeepest);
   }
-  // All of the sphere, each cell to about this error.
+  // All of the sphere, each cell to about this error; points are nowhere farther apart than cells of this width (of 2)
+  // have them, which is what finds strips where few directions are.
   template <class F>
-  double integrate(F&& f, double error) const {
+  double integrate(F&& f, double error, double widest) const {
+    const auto enough = [&](double coarse, double fine) { return std::abs(fine - coarse) < error; };
     double sum = 0;
-    for (size_t k = 0; k < size(); ++k)
-      sum += integrate(k, f, [&](double coarse, double fine) { return std::abs(fine - coarse) < error; });
+    for (size_t k = 0; k < size(); ++k) {
+      int levels = 0;
+      for (double width = boxes_[leaves_[k]].width; width > widest && levels < kDeepest; width /= 2) ++levels;
+      sum += integrate(k, f, enough, levels);
+    }
     return sum;
   }
 
@@ -42,6 +47,7 @@ class SpherePartition {
     size_t children = 0;  // the first of four; none is 0
     size_t leaf = 0;
   };
+  static constexpr int kDeepest = 8;  // of the quarters in one cell
   struct Point {
     double x, y;
     bool upper;
@@ -64,17 +70,18 @@ class SpherePartition {
     double sum = 0;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        sum += kWeights[i] * kWeights[j] *
-               static_cast<double>(f(to_sphere(box.x + kNodes[i] * box.width, box.y + kNodes[j] * box.width, box.upper)));
+        sum +=
+            kWeights[i] * kWeights[j] *
+            static_cast<double>(f(to_sphere(box.x + kNodes[i] * box.width, box.y + kNodes[j] * box.width, box.upper)));
     return sum * box.width * box.width * 1.57079632679489661923;  // 2 pi over 4
   }
   template <class F, class Enough>
-  static double refined(F&& f, const Box& box, double coarse, Enough&& enough, int depth) {
+  static double refined(F&& f, const Box& box, double coarse, Enough&& enough, int asked_from, int depth) {
     double parts[4], sum = 0;
     for (size_t k = 0; k < 4; ++k) sum += parts[k] = gauss(f, quarter_of(box, k));
-    if (depth == 0 || enough(coarse, sum)) return sum;
+    if (depth == 0 || (depth <= asked_from && enough(coarse, sum))) return sum;
     double fine = 0;
-    for (size_t k = 0; k < 4; ++k) fine += refined(f, quarter_of(box, k), parts[k], enough, depth - 1);
+    for (size_t k = 0; k < 4; ++k) fine += refined(f, quarter_of(box, k), parts[k], enough, asked_from, depth - 1);
     return fine;
   }
 

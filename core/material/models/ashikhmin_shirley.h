@@ -76,13 +76,14 @@ struct AshikhminShirleyModel {
       "ashikhmin-shirley", "Ashikhmin-Shirley", ModelClass::phenomenological,
       "An anisotropic Phong lobe about the half vector with Schlick's Fresnel term, and a diffuse part that gets what "
       "it leaves (2000). Reciprocal; conserves energy.",
-      "normals by their power of the cosine, what leaves below the surface is absorbed; the diffuse part by the cosine"};
+      "normals by their power of the cosine, what leaves below the surface is absorbed; the diffuse part by the "
+      "cosine"};
   template <class Color>
   using Lobes = std::tuple<CoupledDiffuse<Color>, AnisotropicPhong<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "R_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.05f), {0, 1}, "R_s: reflectance at normal incidence"};
-  Number<float> nu{"nu", "Exponent along", 100, {0, 1e5f}, "n along the tangent; higher is narrower",
+  Number<float> nu{"nu", "Exponent along",  100, {0, 1e5f}, "n along the tangent; higher is narrower",
                    "",   Scale::logarithmic};
   Number<float> nv{"nv", "Exponent across", 100, {0, 1e5f}, "n across the tangent; higher is narrower",
                    "",   Scale::logarithmic};

@@ -1,4 +1,5 @@
-// Lafortune's generalised cosine lobes.               Lafortune, Foo, Torrance, Greenberg 1997; thesis item 66 (by name)
+// Lafortune's generalised cosine lobes.               Lafortune, Foo, Torrance, Greenberg 1997; thesis item 66 (by
+// name)
 //
 //   f = rho_d / pi + sum rho_j max(0, Cx o_x i_x + Cy o_y i_y + Cz o_z i_z)^n
 //
@@ -58,7 +59,8 @@ struct GeneralisedCosineKnobs {
 struct LafortuneModel {
   static constexpr ModelDescription kDescription{
       "lafortune", "Lafortune", ModelClass::phenomenological,
-      "f = rho_d/pi + sum rho_j (Cx o_x i_x + Cy o_y i_y + Cz o_z i_z)^n: up to three lobes, mirror-like, off-specular or "
+      "f = rho_d/pi + sum rho_j (Cx o_x i_x + Cy o_y i_y + Cz o_z i_z)^n: up to three lobes, mirror-like, off-specular "
+      "or "
       "retroreflecting (1997). Reciprocal; energy is up to the coefficients.",
       "by cos^n about each lobe's own axis (Cx o_x, Cy o_y, Cz o_z); what falls below the surface is absorbed"};
   template <class Color>

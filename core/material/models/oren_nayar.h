@@ -12,13 +12,15 @@ namespace etendue {
 struct OrenNayarModel {
   static constexpr ModelDescription kDescription{
       "oren-nayar", "Oren-Nayar (qualitative)", ModelClass::physical,
-      "f = rho/pi (A + B max(0, cos dphi) sin a tan b): Lambertian grooves (1994). Reciprocal; its albedo exceeds rho by "
+      "f = rho/pi (A + B max(0, cos dphi) sin a tan b): Lambertian grooves (1994). Reciprocal; its albedo exceeds rho "
+      "by "
       "up to 1.4 % at grazing angles.",
       "by the cosine, which it differs from by the factor A + B sin a tan b alone"};
   template <class Color>
   using Lobes = std::tuple<OrenNayar<Color>>;
 
-  Number<float> diffuse{"diffuse", "Diffuse", 1, {0, 1}, "Reflectance rho of the grooves' sides, times the base colour"};
+  Number<float> diffuse{
+      "diffuse", "Diffuse", 1, {0, 1}, "Reflectance rho of the grooves' sides, times the base colour"};
   Number<float> sigma{"sigma", "Slope", 0.35f, {0, 1.5707963f}, "Standard deviation of the slope angle", "rad"};
   auto parameters() { return std::tie(diffuse, sigma); }
 

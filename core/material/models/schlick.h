@@ -4,7 +4,8 @@
 //   f = S(u) D + (1 - S(u)) S'(u) D'                          two,  S(u) = C + (1 - C)(1 - u)^5
 //   D = a / pi + b B + c delta / cos,                         b = 4 r (1 - r), a = 1 - b above r = 0.5, c below
 //   B = G G' Z A / (4 pi v v') + what self-shadowing took     Z = r / (1 + r t^2 - t^2)^2
-//                                                             A = sqrt(p / (p^2 - p^2 w^2 + w^2)), G = v / (r - r v + v)
+//                                                             A = sqrt(p / (p^2 - p^2 w^2 + w^2)), G = v / (r - r v +
+//                                                             v)
 //
 // with u = <o, h>, t = cos_h, v and v' the cosines of both directions, w the cosine of h's azimuth, r the roughness, p
 // the isotropy. Reciprocal. As printed, what self-shadowing took comes back as (1 - G G') / (4 pi v v'), which grows
@@ -50,8 +51,7 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
     if (!(half.cosine > 0)) return cosine * cosine_hemisphere_pdf(i.z);
     const Vec3& h = half.h;
     const float azimuth = azimuth_part(h, [&](float along2) { return std::sqrt(p) / (p + along2 * (1 - p)); });
-    return cosine * cosine_hemisphere_pdf(i.z) +
-           (1 - cosine) * zenith(h) * kInvPi * h.z * azimuth / (4 * half.cosine);
+    return cosine * cosine_hemisphere_pdf(i.z) + (1 - cosine) * zenith(h) * kInvPi * h.z * azimuth / (4 * half.cosine);
   }
   bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
     if (draw.choice < cosine_share(o)) {
@@ -80,7 +80,8 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
   }
 
   float glossy(const Vec3& o, const Vec3& i, const Vec3& h) const {
-    const float shape = zenith(h) * azimuth_part(h, [&](float w2) { return std::sqrt(p / (p * p + w2 * (1 - p * p))); });
+    const float shape =
+        zenith(h) * azimuth_part(h, [&](float w2) { return std::sqrt(p / (p * p + w2 * (1 - p * p))); });
     const float quarter = 0.25f * kInvPi;
     if (shadow == SchlickShadow::none) return quarter * shape / (o.z * i.z);
     const float lobe = quarter * shape / ((r - r * o.z + o.z) * (r - r * i.z + i.z));

@@ -1,4 +1,5 @@
-// Torrance and Sparrow's facets as they are used today.      Torrance, Sparrow 1967; Heitz 2014; thesis item 66 (by name)
+// Torrance and Sparrow's facets as they are used today.      Torrance, Sparrow 1967; Heitz 2014; thesis item 66 (by
+// name)
 //
 // The formulas are in material/facet_reflection.h and facet_energy.h. Reciprocal. Without the light that is scattered
 // more than once it loses energy with roughness (F = 1, alpha = 1, at normal incidence: GGX keeps 0.45 of it); with it
@@ -15,7 +16,8 @@ namespace etendue {
 struct TorranceSparrowModel {
   static constexpr ModelDescription kDescription{
       "torrance-sparrow", "Torrance-Sparrow (GGX, Beckmann)", ModelClass::physical,
-      "f = rho_d/pi + rho_s F D G2/(4 cos_o cos_i) with Smith's height-correlated masking, and a lobe for light that is "
+      "f = rho_d/pi + rho_s F D G2/(4 cos_o cos_i) with Smith's height-correlated masking, and a lobe for light that "
+      "is "
       "scattered between facets again (Kulla and Conty 2017). Reciprocal.",
       "normals that the viewer sees, F G2/G1 is the weight; what leaves below the surface is absorbed. The lobe of "
       "multiple scattering falls back to the cosine"};
@@ -30,7 +32,8 @@ struct TorranceSparrowModel {
   Number<float> alpha_y{"alpha-y", "Slope across", 0.3f, {0, 1}, "alpha of the facets across the tangent"};
   Number<float> rotation{"rotation", "Rotation", 0, {-180, 180}, "Of the two axes, counter-clockwise from the tangent",
                          "deg"};
-  Toggle multiple{"multiple-scattering", "Multiple scattering", true, "Give back what is scattered between facets again"};
+  Toggle multiple{"multiple-scattering", "Multiple scattering", true,
+                  "Give back what is scattered between facets again"};
   FresnelKnobs fresnel;
   auto parameters() {
     return std::tuple_cat(std::tie(diffuse, specular, distribution, alpha_x, alpha_y, rotation, multiple),
@@ -54,9 +57,8 @@ struct TorranceSparrowModel {
   void add_facets(Mix& lobes) const {
     FacetReflection<Rgb, Facets> lobe;
     lobe.tint = rgb_of(specular), lobe.fresnel = fresnel.term();
-    // A groove without any width across it has no density that floats could hold.
-    lobe.facets.alpha_x = std::max(alpha_x.value, kSmoothAlpha);
-    lobe.facets.alpha_y = std::max(alpha_y.value, kSmoothAlpha);
+    lobe.facets.alpha_x = std::max(alpha_x.value, kLeastGroove);
+    lobe.facets.alpha_y = std::max(alpha_y.value, kLeastGroove);
     const float turn = rotation * (kPi / 180);
     lobe.facets.along = Vec2(std::cos(turn), std::sin(turn));
     lobes.add(lobe);

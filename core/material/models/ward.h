@@ -18,14 +18,16 @@ struct WardModel {
       "ward", "Ward", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s exp(-tan^2 (cos^2 phi/a_x^2 + sin^2 phi/a_y^2))/(4 pi a_x a_y sqrt(cos_i cos_o)), or two "
       "later forms. Reciprocal; only the bounded form conserves energy at grazing angles.",
-      "normals by the Gaussian of their slopes, weight rho_s <o,h> cos_h^3 sqrt(cos_i/cos_o) of the original; what leaves "
+      "normals by the Gaussian of their slopes, weight rho_s <o,h> cos_h^3 sqrt(cos_i/cos_o) of the original; what "
+      "leaves "
       "below the surface is absorbed"};
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, WardReflection<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.4f), {0, 1}, "rho_s"};
-  Number<float> alpha_x{"alpha-x", "Slope along", 0.2f, {0, 1}, "Deviation of the slope along the tangent; 0 is a mirror"};
+  Number<float> alpha_x{
+      "alpha-x", "Slope along", 0.2f, {0, 1}, "Deviation of the slope along the tangent; 0 is a mirror"};
   Number<float> alpha_y{"alpha-y", "Slope across", 0.2f, {0, 1}, "Deviation of the slope across the tangent"};
   Number<float> rotation{"rotation", "Rotation", 0, {-180, 180}, "Of the two axes, counter-clockwise from the tangent",
                          "deg"};
@@ -40,7 +42,7 @@ struct WardModel {
     WardReflection<Rgb> lobe;
     const float turn = rotation * (kPi / 180);
     lobe.tint = tint, lobe.form = form, lobe.along = Vec2(std::cos(turn), std::sin(turn));
-    lobe.alpha_x = std::max(alpha_x.value, kSmoothAlpha), lobe.alpha_y = std::max(alpha_y.value, kSmoothAlpha);
+    lobe.alpha_x = std::max(alpha_x.value, kLeastGroove), lobe.alpha_y = std::max(alpha_y.value, kLeastGroove);
     lobes.add(lobe);
   }
 };
