@@ -222,6 +222,22 @@ void technique_actions(Actions& a, Workbench* w) {
          [w] { ask_for_techniques(*w); },
          [w] { return w->techniques.possible() && w->techniques.shown(); },
          {}});
+  a.add({"surface.keep",
+         "Compare",
+         "Keep this surface",
+         "Keeps the chosen material as it is now, for what is chosen later to be seen beside it",
+         "",
+         [w] { w->surface.keep(), w->view.sheet = "sheet.surface"; },
+         [w] { return w->surface.can_keep(); },
+         {}});
+  a.add({"surface.drop",
+         "Compare",
+         "Drop the kept surface",
+         "Shows the chosen material alone again",
+         "",
+         [w] { w->surface.drop(); },
+         [w] { return w->surface.keeps(); },
+         {}});
   a.add({"techniques.all",
          "Render",
          "All techniques",

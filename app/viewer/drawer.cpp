@@ -77,6 +77,8 @@ const std::vector<SheetInfo>& sheets() {
       {"sheet.sampling", "Sampling",
        "The samples of one pixel: their running mean, their histogram, the points they are made of",
        draw_sampling_sheet},
+      {"sheet.surface", "Surface", "What the chosen material does with light: its lobe, its energy, its samples",
+       draw_surface_sheet},
   };
   return list;
 }

@@ -19,6 +19,7 @@ void draw_health_sheet(Workbench& w);
 void draw_paths_sheet(Workbench& w);
 void draw_techniques_sheet(Workbench& w);
 void draw_sampling_sheet(Workbench& w);
+void draw_surface_sheet(Workbench& w);
 // The settings of the sampling sheet, as scripts see them.
 std::vector<ParameterInfo> sampling_parameters();
 

@@ -20,6 +20,20 @@ bool has_textures(const Material& m) {
   return false;
 }
 
+// Which model, what it is, what was measured of it, and its numbers.
+void model_widgets(Workbench& w, const std::string& section, const ReflectionUse& model) {
+  std::vector<std::string> names{"model"};
+  some_widgets(w, section, names);
+  if (const auto* reading = w.surface.shown(0)) draw_badges(w, *reading);
+  if (!model) return;
+  const ModelDescription& d = model->info().description;
+  note(w, d.doc);
+  const std::string own = std::string(d.name) + ".";
+  names = {own + "preset"};
+  for (const auto& info : model->parameters()) names.push_back(own + info.name);
+  some_widgets(w, section, names);
+}
+
 }  // namespace
 
 void draw_material_panel(Workbench& w) {
@@ -47,13 +61,25 @@ void draw_material_panel(Workbench& w) {
   if (!chosen) return;
   if (has_textures(scene->materials[index])) note(w, "It has textures: the numbers below multiply them.");
   const std::string section = "material." + std::to_string(index), prefix = section + ".";
-  const std::vector<std::string> glass{"transmission",        "thickness",           "attenuation-color.r",
-                                       "attenuation-color.g", "attenuation-color.b", "attenuation-distance"};
+  const std::vector<std::string> inside{"attenuation-color.r", "attenuation-color.g", "attenuation-color.b",
+                                        "attenuation-distance"};
+  std::vector<std::string> glass{"transmission", "thickness"};
+  glass.insert(glass.end(), inside.begin(), inside.end());
+  const std::vector<std::string> shared{"base-color.r", "base-color.g", "base-color.b",
+                                        "emission.r",   "emission.g",   "emission.b"};
   const std::vector<std::string> cover{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
   std::vector<std::string> rest = glass;
   rest.insert(rest.end(), cover.begin(), cover.end());
-  if (group(w, "Surface", prefix)) other_widgets(w, section, rest);
-  if (group(w, "Light through it", prefix)) some_widgets(w, section, glass);
+  const ReflectionUse model = scene->materials[index].reflection;
+  if (group(w, "Model", prefix)) model_widgets(w, section, model);
+  if (model) {
+    some_widgets(w, section, shared);
+    if (model->solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
+  } else {
+    rest.emplace_back("model");
+    if (group(w, "Surface", prefix)) other_widgets(w, section, rest);
+    if (group(w, "Light through it", prefix)) some_widgets(w, section, glass);
+  }
   if (group(w, "Cover and sides", prefix)) some_widgets(w, section, cover);
 }
 

@@ -11,6 +11,8 @@ void draw_render_panel(Workbench& w);
 void draw_advice(Workbench& w);
 void draw_scene_panel(Workbench& w);
 void draw_material_panel(Workbench& w);
+// The verdicts on a surface, one line each.
+void draw_badges(Workbench& w, const SurfaceReading& reading);
 void draw_light_panel(Workbench& w);
 void draw_camera_panel(Workbench& w);
 void draw_display_panel(Workbench& w);

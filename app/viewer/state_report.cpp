@@ -95,6 +95,13 @@ constexpr PlainItem kItems[] = {
     {"compare.chart", "Chart", "Rest the pointer on it to read the curves"},
     {"paths.row.N", "Class", "Has only the paths of row N of the table count; all, if they already do"},
     {"techniques.cell.N.N", "Technique", "Leaves technique (s, t) to the others, or brings it back"},
+    {"surface.badge.NAME", "Verdict", "Rest the pointer on it to read what it rests on"},
+    {"surface.ball", "Ball", "The chosen material in a light of its own"},
+    {"surface.ball-kept", "Ball", "The kept material in the same light"},
+    {"surface.lobe", "Lobe", "Drag it to look from elsewhere"},
+    {"surface.lobe-kept", "Lobe", "Drag it to look from elsewhere"},
+    {"surface.polar", "Slice", "f in the plane of incidence"},
+    {"surface.albedo", "Albedo", "Over the angle of the light"},
     {"advice.use.N", "Use", "Takes method N of the ranking, and its error as the limit to stop at"},
     {"files.name", "Name", "The name field of the file dialog"},
     {"files.accept", "Open or Save", "Accepts the file dialog"},
@@ -171,6 +178,21 @@ json techniques_json(const TechniquesHand& hand) {
   return j;
 }
 
+json surface_json(const SurfaceHand& hand) {
+  json j{{"fresh", hand.fresh()}, {"sides", json::array()}};
+  for (size_t side = 0; side < 2; ++side) {
+    const auto* reading = hand.shown(side);
+    if (!reading) continue;
+    json badges = json::object();
+    for (const auto& badge : reading->audit.badges) badges[badge.name] = badge.holds;
+    j["sides"].push_back({{"model", reading->name},
+                          {"badges", badges},
+                          {"albedo", audit::hemispherical_albedo(reading->audit.albedo)},
+                          {"ball_samples", hand.ball(side).samples}});
+  }
+  return j;
+}
+
 json pixel_json(const PixelStudy& s) {
   json j{{"x", s.pixel.x},
          {"y", s.pixel.y},
@@ -215,6 +237,7 @@ std::string state_report(Workbench& w) {
       {"paths", paths_json(w.paths)},
       {"advice", advice_json(w.advice)},
       {"techniques", techniques_json(w.techniques)},
+      {"surface", surface_json(w.surface)},
       {"misses", nullptr},
       {"points", nullptr},
       {"interface_share", w.pace.share},
@@ -251,6 +274,7 @@ std::string widgets_json() {
   for (const auto& info : advice_parameters()) list.push_back(parameter(info));
   for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
   for (const auto& info : techniques_parameters()) list.push_back(parameter(info));
+  for (const auto& info : surface_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {
     // Objects are numbered; the first stands for all.

@@ -19,10 +19,26 @@ bool ends_with_channel(const std::string& name) {
 
 std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
 
-void group_heading(const Workbench& w, integrator::Group group) {
-  const auto& info = integrator::info_of(group);
-  ImGui::TextColored(w.theme.quiet, "%s", info.label);
-  if (ImGui::IsItemHovered()) tooltip(w, info.doc);
+// The part of a list that an option stands in, and what it is: of methods and reflection models, which are many.
+struct Explained {
+  const char *heading = nullptr, *heading_doc = "", *doc = "";
+};
+Explained explained(const ParameterInfo& info, const std::string& option) {
+  if (info.name.ends_with("integrator"))
+    if (const auto* method = integrator::find_integrator(option)) {
+      const auto& group = integrator::info_of(method->group);
+      return {group.label, group.doc, method->doc.c_str()};
+    }
+  if (info.name.ends_with(".model"))
+    if (const auto* model = find_reflection(option))
+      return {Options<ModelClass>::kOptions[static_cast<size_t>(model->description.kind)].label, "",
+              model->description.doc};
+  return {};
+}
+
+void heading_of(const Workbench& w, const Explained& option) {
+  ImGui::TextColored(w.theme.quiet, "%s", option.heading);
+  if (*option.heading_doc && ImGui::IsItemHovered()) tooltip(w, option.heading_doc);
 }
 
 // What is offered, as a list that opens at a button if `shown` is null.
@@ -188,17 +204,15 @@ void widgets(Workbench& w, const std::string& section, Wanted wanted) {
 
 std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, size_t index) {
   std::optional<Value> chosen;
-  const char* group = nullptr;
+  const char* heading = nullptr;
   for (size_t i = 0; i < info.options.size(); ++i) {
-    const auto* method = info.name.ends_with("integrator") ? integrator::find_integrator(info.options[i]) : nullptr;
-    if (method &&
-        std::exchange(group, integrator::info_of(method->group).name) != integrator::info_of(method->group).name)
-      group_heading(w, method->group);
-    const float inset = method ? ImGui::GetFontSize() * 0.6f : 0;
-    if (method) ImGui::Indent(inset);
+    const Explained option = explained(info, info.options[i]);
+    if (option.heading && std::exchange(heading, option.heading) != option.heading) heading_of(w, option);
+    const float inset = option.heading ? ImGui::GetFontSize() * 0.6f : 0;
+    if (option.heading) ImGui::Indent(inset);
     if (ImGui::Selectable(info.option_labels[i].c_str(), i == index)) chosen = info.options[i];
-    if (method && ImGui::IsItemHovered()) tooltip(w, method->doc);
-    if (method) ImGui::Unindent(inset);
+    if (*option.doc && ImGui::IsItemHovered()) tooltip(w, option.doc);
+    if (option.heading) ImGui::Unindent(inset);
   }
   return chosen;
 }

@@ -39,6 +39,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       techniques(session, editor, [&p] { p.wake(); }),
       points(session, editor, [&p] { p.wake(); }),
       thumbnails(p.gl()),
+      surface(editor, [&p] { p.wake(); }),
+      balls(p.gl()),
       advice(session, editor, o.threads, [&p] { p.wake(); }),
       probe(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
@@ -153,6 +155,7 @@ void Workbench::take_opened(Result<Opened> opened) {
   paths.forget();
   blind_spots.forget();
   techniques.forget();
+  surface.forget();
   advice.forget();
   session.pause(false);
   editor.open(std::move(opened->document));
@@ -201,6 +204,8 @@ bool Workbench::advance(Picture& on_screen) {
   if (points.advance(view.points)) redraw = true;
   techniques.advance(view.sheet == "sheet.techniques" && view.interface && !advice.running() && !contest.running(),
                      notices);
+  const bool surface_sheet = view.interface && view.sheet == "sheet.surface";
+  surface.advance(selection.material, surface_sheet || (view.interface && view.tab == Tab::material), surface_sheet);
   const bool busy = advice.running() || contest.running() || paths.running();
   blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
   if (view.sheet != "sheet.sampling")

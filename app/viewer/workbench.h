@@ -21,6 +21,7 @@
 #include "viewer/pixel_probe.h"
 #include "viewer/points_hand.h"
 #include "viewer/settings.h"
+#include "viewer/surface_hand.h"
 #include "viewer/techniques_hand.h"
 #include "viewer/theme.h"
 #include "viewer/thumbnails.h"
@@ -130,6 +131,8 @@ struct Workbench {
   TechniquesHand techniques;
   PointsHand points;
   Thumbnails thumbnails;  // of the techniques
+  SurfaceHand surface;
+  Thumbnails balls;  // of its materials
   AdviceHand advice;
   PixelProbe probe;
   CameraHand hand;

@@ -120,7 +120,13 @@ struct Dielectric : Boundary {
     if (h.z < 0) h = -h;
     // Facets seen from behind contribute nothing.
     if (glm::dot(wo, h) * wo.z <= 0 || glm::dot(wi, h) * wi.z <= 0) return false;
-    at = incidence(wo, std::abs(glm::dot(wo, h)), e);
+    const float oh = std::abs(glm::dot(wo, h));
+    at = incidence(wo, oh, e);
+    if (reflection) return true;
+    // Near total reflection the refracted cosine is known far better than it follows from the other.
+    at.refracted = std::abs(glm::dot(wi, h));
+    at.f = fresnel_of_cosines(oh, at.refracted, e);
+    if (wo.z < 0) at.outer = at.refracted;
     return true;
   }
 };

@@ -6,7 +6,15 @@
 
 namespace etendue {
 
-// Unpolarised reflectance of a smooth dielectric, exact. `cos_i` is the cosine on the side that the direction lies on,
+// Unpolarised reflectance of a smooth dielectric, exact, from both cosines: of a direction and of the refracted one.
+// Alike from either side.
+inline float fresnel_of_cosines(float cos_i, float cos_t, float eta) {
+  const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+  const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+  return 0.5f * (sqr(parallel) + sqr(perpendicular));
+}
+
+// The same from the direction alone. `cos_i` is the cosine on the side that the direction lies on,
 // in (0, 1]; `eta` = eta_t / eta_i. One under total internal reflection. `cos_t` receives the refracted cosine (0 if
 // none).
 inline float fresnel_dielectric(float cos_i, float eta, float& cos_t) {
@@ -16,9 +24,7 @@ inline float fresnel_dielectric(float cos_i, float eta, float& cos_t) {
     return 1;
   }
   cos_t = safe_sqrt(1 - sin2_t);
-  const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-  const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-  return 0.5f * (sqr(parallel) + sqr(perpendicular));
+  return fresnel_of_cosines(cos_i, cos_t, eta);
 }
 
 // Schlick's weight (1 - cos)^5: F = f0 + (f90 - f0) * weight.

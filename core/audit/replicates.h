@@ -1,0 +1,34 @@
+// Means of independent replicates: well spread numbers say nothing about their error themselves.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace etendue::audit {
+
+inline constexpr uint32_t kReplicates = 16;
+
+class Replicates {
+ public:
+  void add(double value) { values_[count_++] = value; }
+
+  double mean() const {
+    double sum = 0;
+    for (size_t i = 0; i < count_; ++i) sum += values_[i];
+    return sum / static_cast<double>(count_);
+  }
+  double standard_error() const {
+    const double m = mean();
+    double squares = 0;
+    for (size_t i = 0; i < count_; ++i) squares += (values_[i] - m) * (values_[i] - m);
+    const auto n = static_cast<double>(count_);
+    return std::sqrt(squares / (n * (n - 1)));
+  }
+
+ private:
+  std::array<double, kReplicates> values_{};
+  size_t count_ = 0;
+};
+
+}  // namespace etendue::audit
