@@ -120,13 +120,9 @@ struct Dielectric : Boundary {
     if (h.z < 0) h = -h;
     // Facets seen from behind contribute nothing.
     if (glm::dot(wo, h) * wo.z <= 0 || glm::dot(wi, h) * wi.z <= 0) return false;
-    const float oh = std::abs(glm::dot(wo, h));
-    at = incidence(wo, oh, e);
-    if (reflection) return true;
+    const float oh = std::abs(glm::dot(wo, h)), ih = std::abs(glm::dot(wi, h));
     // Near total reflection the refracted cosine is known far better than it follows from the other.
-    at.refracted = std::abs(glm::dot(wi, h));
-    at.f = fresnel_of_cosines(oh, at.refracted, e);
-    if (wo.z < 0) at.outer = at.refracted;
+    at = reflection ? incidence(wo, oh, e) : Incidence{fresnel_of_cosines(oh, ih, e), ih, wo.z > 0 ? oh : ih};
     return true;
   }
 };
