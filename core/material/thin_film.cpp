@@ -47,7 +47,7 @@ Rgb ThinFilm::reflectance(float cosine, const Rgb& base_f0) const {
   for (int c = 0; c < 3; ++c) {
     const float base = ior_of(base_f0[c]);
     const float r23 = schlick(f0_between(ior, base), inner);
-    const float r123 = std::clamp(r12 * r23, 1e-5f, 0.9999f);
+    const float r123 = std::min(r12 * r23, 0.9999f);
     const float rs = sqr(t121) * r23 / (1 - r123);
     // The first boundary turns what comes back from inside by pi, as the film is denser than air; the second what it
     // reflects, if the base is not as dense as the film.

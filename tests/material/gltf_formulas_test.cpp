@@ -6,7 +6,7 @@
 namespace etendue::test {
 namespace {
 
-// Over black, a smooth coat is a mirror of 4 % about its own normal, and takes that from what is below.
+// A smooth coat is a mirror of 4 % about its own normal, foreshortened by the surface's, and takes that from below.
 TEST(Clearcoat, IsAMirrorAboutItsNormal) {
   Material m;
   m.metallic = 0, m.specular = 0, m.base_color = Rgb(1), m.clearcoat = 0.5f;
@@ -16,7 +16,7 @@ TEST(Clearcoat, IsAMirrorAboutItsNormal) {
   lobes.add_deltas(normal, Transport::radiance, deltas);
   ASSERT_EQ(deltas.count, 1);
   EXPECT_LT(glm::length(deltas.lobes[0].wi - normal), 1e-5f);
-  EXPECT_NEAR(deltas.lobes[0].weight.r, 0.02f, 1e-4f) << "along the normal the shading cosine cancels but for m";
+  EXPECT_NEAR(deltas.lobes[0].weight.r, 0.02f * normal.z, 1e-4f);
   const Vec3 wi = direction(15, 2);
   EXPECT_NEAR(lobes.eval(normal, wi, Transport::radiance).r, kInvPi * 0.98f, 1e-4f);
 }
@@ -66,19 +66,17 @@ TEST(Sheen, DistributionIsThatOfTheSpecification) {
   EXPECT_NEAR(sheen_shape(o, i, 0.5f), d / (4 * 0.25f * (1 + 2 * lambda)), 1e-4f);
 }
 
-// A film of the index of air is none, and neither is one without thickness.
-TEST(ThinFilm, OfNothingLeavesTheBase) {
-  for (const Rgb& f0 : {Rgb(0.04f), Rgb(0.2f, 0.1f, 0.5f)})
-    for (const float c : {1.0f, 0.7f, 0.3f}) {
-      const Rgb air = ThinFilm{1, 400}.reflectance(c, f0), none = ThinFilm{1.3f, 0}.reflectance(c, f0);
-      for (int k = 0; k < 3; ++k) {
-        const float base = f0[k] + (1 - f0[k]) * schlick_weight(c);
-        EXPECT_NEAR(air[k], base, 0.03f * base + 0.005f) << c << ' ' << k;
-        if (c == 1) {
-          EXPECT_NEAR(none[k], base, 0.03f * base + 0.003f) << k;
-        }
-      }
-    }
+// A film of the index of air is none, along the normal, where Schlick's term of the boundary is zero.
+TEST(ThinFilm, OfAirLeavesTheBase) {
+  for (const Rgb& f0 : {Rgb(0.04f), Rgb(0.2f, 0.1f, 0.5f)}) {
+    const Rgb f = ThinFilm{1, 400}.reflectance(1, f0);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(f[k], f0[k], 1e-4f) << k;
+  }
+}
+
+// One without thickness leaves the base as bright as it was; its white is that of equal energies, ours is D65.
+TEST(ThinFilm, WithoutThicknessLeavesTheBase) {
+  EXPECT_NEAR(luminance(ThinFilm{1.3f, 0}.reflectance(1, Rgb(0.04f))), 0.04f, 4e-4f);
 }
 
 // Light that has come far further has no phase left: R12 + T^2 R23 / (1 - R12 R23).
@@ -92,9 +90,9 @@ TEST(ThinFilm, OfGreatThicknessAddsUpPowers) {
 TEST(ThinFilm, OfAQuarterWaveExtinguishesGreen) {
   const float n = std::sqrt(1.5f);
   const Rgb f = ThinFilm{n, 550 / (4 * n)}.reflectance(1, Rgb(0.04f));
-  EXPECT_LT(f.g, 0.005f);
-  EXPECT_GT(f.r, f.g);
-  EXPECT_GT(f.b, f.g);
+  EXPECT_LT(f.g, 0.002f);
+  EXPECT_LT(max_component(f), 0.02f) << "of 0.04 without the film";
+  EXPECT_GT(f.b, f.g) << "blue is further from the quarter of its wave";
 }
 
 // Half of the light that the layer lets pass goes to the other side, in a colour of its own.
