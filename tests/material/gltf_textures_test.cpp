@@ -7,20 +7,21 @@ namespace etendue::test {
 namespace {
 
 // One texel with four different bytes.
-Texture texel() {
+std::vector<Texture> texel() {
   auto image = std::make_shared<image::Image>();
   image->width = image->height = 1, image->channels = 4, image->type = image::PixelType::byte8;
   image->bytes = {51, 102, 153, 204};
   Texture texture;
   texture.image = image;
-  return texture;
+  return {texture};
 }
 constexpr float kR = 0.2f, kG = 0.4f, kA = 0.8f;
 Rgb decoded() { return {srgb_to_linear(0.2f), srgb_to_linear(0.4f), srgb_to_linear(0.6f)}; }
 
 // The material with the texture is the one with the numbers.
 void expect_same(const Material& textured, const Material& plain, const std::string& name) {
-  const SurfaceMaterial surface(textured, {texel()});
+  const std::vector<Texture> textures = texel();
+  const SurfaceMaterial surface(textured, textures);
   EXPECT_TRUE(surface.textured) << name;
   WideLobes<Rgb> lobes;
   add_lobes(surface, {}, lobes);
@@ -107,17 +108,18 @@ TEST(GltfTextures, AreTransformedEachByItself) {
 
 // The coat's normal map is its own; the base's does not bend it.
 TEST(GltfTextures, CoatHasANormalOfItsOwn) {
+  const std::vector<Texture> textures = texel();
   Material m;
   m.clearcoat = 1, m.normal_texture.texture = 0;
-  SurfaceMaterial surface(m, {texel()});
+  SurfaceMaterial surface(m, textures);
   EXPECT_TRUE(surface.bent_coat);
   EXPECT_EQ(surface.coat_normal_at({}), Vec3(0, 0, 1));
   m.clearcoat_normal_texture.texture = 0, m.clearcoat_normal_scale = 0.5f;
-  surface = SurfaceMaterial(m, {texel()});
+  surface = SurfaceMaterial(m, textures);
   const Vec3 expected = glm::normalize(Vec3((2 * kR - 1) * 0.5f, (2 * kG - 1) * 0.5f, 0.2f));
   EXPECT_LT(glm::length(surface.coat_normal_at({}) - expected), 1e-3f);
   m.normal_texture.texture = m.clearcoat_normal_texture.texture = -1;
-  EXPECT_FALSE(SurfaceMaterial(m, {texel()}).bent_coat);
+  EXPECT_FALSE(SurfaceMaterial(m, textures).bent_coat);
 }
 
 }  // namespace
