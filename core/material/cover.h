@@ -6,9 +6,11 @@
 // and for KHR_materials_clearcoat in place of the viewer's angle alone, so that f stays reciprocal.
 #pragma once
 #include <array>
+#include <variant>
 
 #include "base/vec.h"
 #include "material/fresnel.h"
+#include "material/sheen.h"
 
 namespace etendue {
 
@@ -20,15 +22,15 @@ struct CoverLayer {
   float kept(const Vec3& w) const {
     return strength * (f0 + (f90 - f0) * schlick_weight(std::abs(glm::dot(normal, w))));
   }
-  float passed(const Vec3& o, const Vec3& i) const { return 1 - std::max(kept(o), kept(i)); }
 };
 
 class Covers {
  public:
   static constexpr bool kAny = true;
+  using Layer = std::variant<CoverLayer, SheenLayer>;
 
   // A layer over the first so many lobes.
-  void add(int lobes, const CoverLayer& layer) {
+  void add(int lobes, const Layer& layer) {
     const auto slot = static_cast<size_t>(count_++);
     layers_[slot] = layer, covered_[slot] = lobes;
   }
@@ -36,14 +38,15 @@ class Covers {
   float passed(int lobe, const Vec3& o, const Vec3& i) const {
     float part = 1;
     for (size_t k = 0; k < static_cast<size_t>(count_); ++k)
-      if (lobe < covered_[k]) part *= layers_[k].passed(o, i);
+      if (lobe < covered_[k])
+        part *= std::visit([&](const auto& l) { return 1 - std::max(l.kept(o), l.kept(i)); }, layers_[k]);
     return part;
   }
 
  private:
   static constexpr int kMost = 2;
 
-  std::array<CoverLayer, kMost> layers_;
+  std::array<Layer, kMost> layers_;
   std::array<int, kMost> covered_{};
   int count_ = 0;
 };

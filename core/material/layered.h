@@ -2,36 +2,34 @@
 //
 //   f = base/pi (1 - max F_d(wo.h)) + F(wo.h) D G2 / (4 cos_o cos_i)               glTF 2.0, appendix B
 //
-// F is Schlick's with f0 and f90 mixed between dielectric and metal, F_d the dielectric's alone, by which the base is
-// attenuated. Reciprocal (h is symmetric in wo and wi). Energy is the specification's: the layer alone loses what is
-// scattered more than once between facets; over a bright base the sum gains at grazing angles (albedo up to 1.5 at 88
-// degrees), because 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is a mirror. Sampling:
-// cosine for the base, visible normals for the layer, chosen by their estimated albedo.
+// F is Schlick's with f0 and f90 mixed between dielectric and metal (or that of a film), F_d the dielectric's alone, by
+// which the base is attenuated. Reciprocal (h is symmetric in wo and wi). Energy is the specification's: the layer
+// alone loses what is scattered more than once between facets; over a bright base the sum gains at grazing angles
+// (albedo up to 1.5 at 88 degrees), because 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is
+// a mirror. Sampling: cosine for the base, visible normals for the layer, chosen by their estimated albedo.
 #pragma once
 #include "base/warp.h"
-#include "material/fresnel.h"
 #include "material/lobe.h"
 #include "material/microfacet.h"
+#include "material/schlick.h"
 
 namespace etendue {
 
 // Facet slopes under this width are treated as none at all: the lobe would be narrower than float directions resolve.
 inline constexpr float kSmoothAlpha = 1e-4f;
 
-template <class Color>
-struct Layered {
-  Color base{0};                                // diffuse albedo under the layer, zero for a metal
-  Color f0{0}, f90{0};                          // of the specular layer
-  float dielectric_f0 = 0, dielectric_f90 = 0;  // what the base does not get
+// Fresnel is SchlickFresnel, or what offers the same: FilmFresnel.
+template <class Color, class Fresnel = SchlickFresnel<Color>>
+struct Layered : Fresnel {
+  Color base{0};  // diffuse albedo under the layer, zero for a metal
   Ggx facets;
+
+  using Fresnel::fresnel, Fresnel::kept;
 
   bool is_delta() const { return false; }
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
 
-  Color fresnel(float cosine) const { return f0 + (f90 - f0) * schlick_weight(cosine); }
-  Color under(float cosine) const {
-    return base * (1 - (dielectric_f0 + (dielectric_f90 - dielectric_f0) * schlick_weight(cosine)));
-  }
+  Color under(float cosine) const { return base * (1 - kept(cosine)); }
 
   float weight(const Vec3& wo) const {
     const float c = std::abs(wo.z);
@@ -54,7 +52,7 @@ struct Layered {
   }
 
   bool scatters(Scatter letter) const {
-    return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && !is_black(f90);
+    return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && this->reflects();
   }
   // The base is D, the layer G.
   Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport) const {

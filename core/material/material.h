@@ -75,7 +75,9 @@ struct Material {
   // linear: glossiness) are the same picture.
   bool specular_glossiness = false;
 
-  bool solid() const { return reflection ? reflection->solid() : transmission > 0 && thickness > 0; }
+  bool solid() const {
+    return reflection ? reflection->solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
+  }
   bool emits() const { return !is_black(emission); }
 
   friend bool operator==(const Material&, const Material&) = default;

@@ -32,6 +32,7 @@ struct SurfaceMaterial {
     }
   };
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
+  bool bends = false;            // has a normal map, of its own or of its coat
   bool diffuse = false;          // never anything but a Lambertian lobe
   bool standard = false;         // never anything but the lobes of LobeMix
   bool specular_deltas = false;  // it can be smooth: a mirror, or clear glass
@@ -43,6 +44,10 @@ struct SurfaceMaterial {
   bool shines = false;       // emits, or is unlit
   bool transparent = false;  // its opacity is not one everywhere
   bool textured = false;     // looks at texture coordinates or vertex colours
+  bool bent_coat = false;    // a clear coat whose normal is not the shading normal
+  // Of what needs WideLobes.
+  Map clearcoat, clearcoat_roughness, clearcoat_normal, sheen_color, sheen_roughness, iridescence,
+      iridescence_thickness, diffuse_transmission, diffuse_transmission_color;
 
   SurfaceMaterial() = default;
   SurfaceMaterial(const Material& material, const std::vector<Texture>& textures);
@@ -54,8 +59,11 @@ struct SurfaceMaterial {
   Rgb emission_at(const TexturePoint& point) const;
   // The shading normal in the tangent frame of the mesh; (0, 0, 1) without a normal map.
   Vec3 normal_at(const TexturePoint& point) const;
+  // The same of the clear coat, which the base's normal map does not bend.
+  Vec3 coat_normal_at(const TexturePoint& point) const;
 
  private:
+  void resolve(const std::vector<Texture>& textures);
   void prepare_model();
   void look_at_gltf();
 };
@@ -71,6 +79,8 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, Diffu
 }
 
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes);
-void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, WideLobes<Rgb>& lobes);
+// `coat_normal` is that of the clear coat in the shading frame.
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, WideLobes<Rgb>& lobes,
+               const Vec3& coat_normal = Vec3(0, 0, 1));
 
 }  // namespace etendue

@@ -4,27 +4,26 @@
 //
 // The transmitted lobe is the reflected one, turned to the other side. Reciprocal; conserves energy as Layered does.
 #pragma once
-#include "material/fresnel.h"
 #include "material/layered.h"
 #include "material/lobe.h"
 #include "material/microfacet.h"
 
 namespace etendue {
 
-template <class Color>
-struct ThinSheet {
+template <class Color, class Fresnel = SchlickFresnel<Color>>
+struct ThinSheet : Fresnel {
   Color tint{1};
-  Color f0{0.04f}, f90{1};
   float share = 1;
   Ggx facets;
+
+  using Fresnel::fresnel, Fresnel::kept;
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth(); }
   float weight(const Vec3&) const { return share; }
 
-  Color fresnel(float cosine) const { return f0 + (f90 - f0) * schlick_weight(cosine); }
   float reflect_share(float cosine) const { return std::clamp(average(fresnel(cosine)), 0.05f, 0.95f); }
-  Color passed(float cosine) const { return tint * (1 - max_component(fresnel(cosine))); }
+  Color passed(float cosine) const { return tint * (1 - kept(cosine)); }
 
   Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
     if (smooth() || wo.z * wi.z == 0) return Color(0);

@@ -244,6 +244,28 @@ std::vector<Binding> material_bindings(const Document& document, size_t index, c
   number("anisotropy", "Anisotropy", &Material::anisotropy, {0, 1}, "Stretches the specular lobe along the tangent");
   number("anisotropy-rotation", "Anisotropy rotation", &Material::anisotropy_rotation, {-6.2831853f, 6.2831853f},
          "Turns the stretched lobe, counter-clockwise from the tangent", "rad");
+  number("clearcoat", "Clear coat", &Material::clearcoat, {0, 1}, "Strength of a clear layer over everything else");
+  number("clearcoat-roughness", "Coat roughness", &Material::clearcoat_roughness, {0, 1},
+         "The width of the coat's reflection");
+  number("clearcoat-normal-scale", "Coat normal map strength", &Material::clearcoat_normal_scale, {-4, 4},
+         "Scales the tangential part of the coat's normal map");
+  add_color(list, section, {"sheen-color.r", "sheen-color.g", "sheen-color.b"}, "Sheen colour", m.sheen_color, 1,
+            "Light that fibres scatter back at grazing angles, as velvet does; black is none",
+            color(&Material::sheen_color));
+  number("sheen-roughness", "Sheen roughness", &Material::sheen_roughness, {0, 1},
+         "How far the fibres lean away from the normal");
+  number("iridescence", "Iridescence", &Material::iridescence, {0, 1}, "Strength of a thin film's colours");
+  number("iridescence-ior", "Film index", &Material::iridescence_ior, {1, 3}, "Index of refraction of the thin film");
+  number("iridescence-thickness-min", "Least film thickness", &Material::iridescence_thickness_min, {0, 3000},
+         "Where the thickness texture is 0", "nm");
+  number("iridescence-thickness-max", "Film thickness", &Material::iridescence_thickness_max, {0, 3000},
+         "Where the thickness texture is 1, and without one everywhere", "nm");
+  number("diffuse-transmission", "Diffuse transmission", &Material::diffuse_transmission, {0, 1},
+         "The share of the diffuse light that leaves on the other side, as through paper");
+  add_color(list, section,
+            {"diffuse-transmission-color.r", "diffuse-transmission-color.g", "diffuse-transmission-color.b"},
+            "Diffuse transmission colour", m.diffuse_transmission_color, 1, "What passes of each colour",
+            color(&Material::diffuse_transmission_color));
   add_color(list, section, {"emission.r", "emission.g", "emission.b"}, "Emission", m.emission, 1e6f,
             "Emitted radiance, W/(m^2 sr)", color(&Material::emission));
   number("alpha", "Opacity", &Material::alpha, {0, 1}, "Counts where the alpha mode is mask or blend");

@@ -110,7 +110,36 @@ ETENDUE_WIDE void shape(Facets& f, size_t count) {
 }
 
 // Whether the shading normal is another than the geometric one.
-bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->normal; }
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->bends; }
+
+// A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
+constexpr float kBarely = 1e-3f;
+float seen(const Vec3& normal, const Vec3& wo, float side) { return glm::dot(normal, wo) * side; }
+Vec3 barely_seen(const Vec3& normal, const Vec3& wo, float side) {
+  return glm::normalize(normal + wo * (side * (kBarely - seen(normal, wo, side))));
+}
+
+void make_seen(const Vec3& wo, SurfacePoint& point) {
+  const float side = point.front ? 1.0f : -1.0f;
+  if (seen(point.shading.z, wo, side) < kBarely)
+    point.shading = Frame(barely_seen(point.shading.z, wo, side), point.shading.x, 1);
+}
+
+// The normal maps of the base and of its coat.
+void bend_by_maps(const Vec3& wo, SurfacePoint& point) {
+  const SurfaceMaterial& material = *point.material;
+  const Frame unbent = point.shading;
+  if (material.normal) {
+    const Vec3 bent = normalize_or(unbent.to_world(material.normal_at(point.texture)), unbent.z);
+    point.shading = Frame(bent, unbent.x, glm::dot(glm::cross(unbent.z, unbent.x), unbent.y));
+  }
+  make_seen(wo, point);
+  if (!material.bent_coat) return;
+  const float side = point.front ? 1.0f : -1.0f;
+  Vec3 coat = normalize_or(unbent.to_world(material.coat_normal_at(point.texture)), unbent.z);
+  if (seen(coat, wo, side) < kBarely) coat = barely_seen(coat, wo, side);
+  point.coat = point.shading.to_local(coat);
+}
 
 }  // namespace
 
@@ -170,18 +199,10 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
   } else {
     point.shading.build(ns);
   }
-  if (point.material->normal) {
-    Vec3 bent = point.shading.to_world(point.material->normal_at(point.texture));
-    bent = normalize_or(bent, ns);
-    point.shading =
-        Frame(bent, point.shading.x, glm::dot(glm::cross(point.shading.z, point.shading.x), point.shading.y));
-  }
-  // A shading normal that looks away from the viewer would make the surface black: bend it until it is barely seen.
-  const float side = point.front ? 1.0f : -1.0f;
-  const float seen = glm::dot(point.shading.z, wo) * side;
-  constexpr float kBarely = 1e-3f;
-  if (seen < kBarely)
-    point.shading = Frame(glm::normalize(point.shading.z + wo * (side * (kBarely - seen))), point.shading.x, 1);
+  if (point.material->bends)
+    bend_by_maps(wo, point);
+  else
+    make_seen(wo, point);
 }
 
 Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {

@@ -48,8 +48,9 @@ struct SurfacePoint {
   const InstanceData* instance = nullptr;
   const SurfaceMaterial* material = nullptr;
   uint32_t triangle = 0;
-  float offset = 0;   // how far rounding may have put `position` off the surface, metres
-  bool front = true;  // the side the ray came from
+  float offset = 0;    // how far rounding may have put `position` off the surface, metres
+  bool front = true;   // the side the ray came from
+  Vec3 coat{0, 0, 1};  // normal of the clear coat in the shading frame, where it is another one
 
   // What a direction gets of the radiance that is emitted along the normal.
   float beam(const Vec3& direction) const {
@@ -107,7 +108,10 @@ class CompiledScene final : public OpacityTest {
   template <class M>
   void bsdf(const SurfacePoint& point, Bsdf<M>& bsdf) const {
     bsdf.build(point.shading, point.ng);
-    add_lobes(*point.material, point.texture, bsdf.lobes);
+    if constexpr (std::is_same_v<typename M::Lobes, WideLobes<typename M::Color>>)
+      add_lobes(*point.material, point.texture, bsdf.lobes, point.material->bent_coat ? point.coat : Vec3(0, 0, 1));
+    else
+      add_lobes(*point.material, point.texture, bsdf.lobes);
   }
 
   // Radiance that the surface sends there, on the side the ray came from; single-sided materials shine from their front

@@ -5,6 +5,8 @@
 //   looks --references DATA OUT.png [SAMPLES]      a table of figures against the linear pictures of files; ours,
 //                                                  theirs, difference
 //   looks --scenes DATA OUT.png [SAMPLES [SIZE]]   the same for the scenes, at SIZE pixels
+//   looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES]]]
+//                                                  ours beside Cycles' of every published file, and a table of FLIP
 //   looks --builtin OUT.png [TILE [SAMPLES]]       the built-in scenes, and the mean luminance of each
 //
 // Exits with 1 if a sample was no finite, non-negative number.
@@ -14,6 +16,7 @@
 #include <span>
 
 #include "looks/assets.h"
+#include "looks/fidelity.h"
 #include "looks/sheet.h"
 #include "measure/heat_map.h"
 #include "measure/metrics.h"
@@ -77,7 +80,7 @@ int make_sheet(const std::string& data, const std::string& out, bool beside, int
       const film::Film film = test::rendered(*document, samples);
       rejected += report_rejected(view.name, film);
       const Picture ours{film.width(), film.height(),
-                         image::display_pixels(pixels_of(film), 0, document->display.curve)};
+                         image::display_pixels(pixels_of(film), document->display.exposure, document->display.curve)};
       sheet.add(&ours, view.name);
     } else {
       std::printf("%s\n", document.error().message.c_str());
@@ -158,7 +161,7 @@ int make_builtin_sheet(const std::string& out, int tile, uint32_t samples) {
 int run(std::vector<std::string> args) {
   const auto take = [&](const char* flag) { return std::erase(args, flag) > 0; };
   const bool beside = take("--beside"), table = take("--references"), of_scenes = take("--scenes"),
-             builtin = take("--builtin");
+             builtin = take("--builtin"), fidelity = take("--fidelity");
   const auto number = [&](size_t i, int usual) {
     return args.size() > i ? std::max(1, std::atoi(args[i].c_str())) : usual;
   };
@@ -170,12 +173,15 @@ int run(std::vector<std::string> args) {
   }
   if (table && args.size() >= 2)
     return make_table(references(args[0]), args[1], 320, static_cast<uint32_t>(number(2, 256)));
+  if (fidelity && args.size() >= 2)
+    return make_fidelity(args[0], args[1], number(2, 96), number(3, 256), static_cast<uint32_t>(number(4, 128)));
   if (of_scenes && args.size() >= 2)
     return make_table(scenes(args[0]), args[1], number(3, 512), static_cast<uint32_t>(number(2, 64)));
   if (args.size() >= 2)
     return make_sheet(args[0], args[1], beside, number(2, 128), static_cast<uint32_t>(number(3, 64)));
   std::fprintf(stderr,
                "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]"
+               " | looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES]]]"
                " | looks --scenes DATA OUT.png [SAMPLES [SIZE]] | looks --builtin OUT.png [TILE [SAMPLES]]\n");
   return 2;
 }

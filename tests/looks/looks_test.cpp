@@ -16,8 +16,6 @@ std::string expected_refusal(const std::string& name) {
   if (name.find("Draco") != std::string::npos || name == "glTF-Transform/DenseSphere.glb")
     return "KHR_draco_mesh_compression";
   if (name == "glTF-Transform/BoxMeshopt.glb") return "EXT_meshopt_compression";
-  if (name == "ClearCoatCarPaint.glb") return "KHR_materials_clearcoat";
-  if (name == "IridescenceSuzanne.glb") return "KHR_materials_iridescence";
   if (name.ends_with("Compatibility_04.gltf")) return "glTF 2.1";
   if (name.ends_with("Compatibility_05.gltf")) return "FAKE_materials_quantumRendering";
   return "";

@@ -36,29 +36,59 @@ double over_black(const image::Image& from, int x, int y, int c) {
   return from.bytes[at + static_cast<size_t>(grey ? 0 : c)] * alpha;
 }
 
-}  // namespace
-
-Result<Picture> thumbnail(const std::filesystem::path& file, int size) {
+Result<image::Image> decoded(const std::filesystem::path& file) {
   const auto bytes = read_file(file);
   if (!bytes) return bytes.error();
-  const auto from = image::decode_image(*bytes, file.string());
-  if (!from) return from.error();
-  if (from->type != image::PixelType::byte8) return input_error(file.string() + ": is not an 8-bit picture");
-  const double scale = std::min(1.0, static_cast<double>(size) / std::max(from->width, from->height));
-  Picture to{
-      std::max(1, static_cast<int>(from->width * scale)), std::max(1, static_cast<int>(from->height * scale)), {}};
-  for (int y = 0; y < to.height; ++y)
-    for (int x = 0; x < to.width; ++x) {
-      const int x0 = x * from->width / to.width, x1 = std::max(x0 + 1, (x + 1) * from->width / to.width);
-      const int y0 = y * from->height / to.height, y1 = std::max(y0 + 1, (y + 1) * from->height / to.height);
+  auto from = image::decode_image(*bytes, file.string());
+  if (from && from->type != image::PixelType::byte8) return input_error(file.string() + ": is not an 8-bit picture");
+  return from;
+}
+
+// The mean of what falls on each pixel; `at(x, y, c)` is the source.
+template <class Source>
+Picture averaged(int from_width, int from_height, int width, int height, Source&& at) {
+  Picture to{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const int x0 = x * from_width / width, x1 = std::max(x0 + 1, (x + 1) * from_width / width);
+      const int y0 = y * from_height / height, y1 = std::max(y0 + 1, (y + 1) * from_height / height);
       for (int c = 0; c < 3; ++c) {
         double sum = 0;
         for (int v = y0; v < y1; ++v)
-          for (int u = x0; u < x1; ++u) sum += over_black(*from, u, v, c);
+          for (int u = x0; u < x1; ++u) sum += at(u, v, c);
         to.rgb.push_back(static_cast<uint8_t>(sum / ((x1 - x0) * (y1 - y0)) + 0.5));
       }
     }
   return to;
+}
+
+// Width and height, scaled so that the larger is at most `size`.
+std::pair<int, int> fitted(int width, int height, int size) {
+  const double scale = std::min(1.0, static_cast<double>(size) / std::max(width, height));
+  return {std::max(1, static_cast<int>(width * scale)), std::max(1, static_cast<int>(height * scale))};
+}
+
+}  // namespace
+
+Result<Picture> thumbnail(const std::filesystem::path& file, int width, int height) {
+  const auto from = decoded(file);
+  if (!from) return from.error();
+  return averaged(from->width, from->height, width, height,
+                  [&](int x, int y, int c) { return over_black(*from, x, y, c); });
+}
+
+Result<Picture> thumbnail(const std::filesystem::path& file, int size) {
+  const auto from = decoded(file);
+  if (!from) return from.error();
+  const auto [width, height] = fitted(from->width, from->height, size);
+  return averaged(from->width, from->height, width, height,
+                  [&](int x, int y, int c) { return over_black(*from, x, y, c); });
+}
+
+Picture shrunk(const Picture& from, int size) {
+  const auto [width, height] = fitted(from.width, from.height, size);
+  return averaged(from.width, from.height, width, height,
+                  [&](int x, int y, int c) { return from.rgb[static_cast<size_t>((y * from.width + x) * 3 + c)]; });
 }
 
 void Sheet::add(const Picture* picture, const std::string& text) {

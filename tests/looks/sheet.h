@@ -16,6 +16,10 @@ struct Picture {
 
 // A picture file over black where it is transparent, averaged down to `size` pixels on its larger side.
 Result<Picture> thumbnail(const std::filesystem::path& file, int size);
+// The same of this size.
+Result<Picture> thumbnail(const std::filesystem::path& file, int width, int height);
+// Averaged down to `size` pixels on its larger side.
+Picture shrunk(const Picture& from, int size);
 
 class Sheet {
  public:

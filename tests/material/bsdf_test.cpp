@@ -117,7 +117,7 @@ TEST(Bsdf, DeltasAreThoseThatAreSampled) {
   Material mirror, glaze, glass, sheet, mix;
   mirror.base_color = {0.9f, 0.7f, 0.4f}, mirror.metallic = 1;
   glaze.base_color = {0.7f, 0.3f, 0.2f}, glaze.metallic = 0;
-  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.specular = 0.8f;
+  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1;
   sheet = glass, sheet.thickness = 0;
   mix = glass, mix.transmission = 0.6f;
   for (Material* m : {&mirror, &glaze, &glass, &sheet, &mix}) m->roughness = 0;
