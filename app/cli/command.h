@@ -24,6 +24,7 @@ Command add_stress(CLI::App& app);
 Command add_advise(CLI::App& app);
 Command add_certify(CLI::App& app);
 Command add_bsdf(CLI::App& app);
+Command add_probe(CLI::App& app);
 
 // Prints "etendue: MESSAGE" on standard error and returns the exit code of the fault.
 int fail(const Error& error);

@@ -222,6 +222,10 @@ void technique_actions(Actions& a, Workbench* w) {
          [w] { ask_for_techniques(*w); },
          [w] { return w->techniques.possible() && w->techniques.shown(); },
          {}});
+  a.add({"meter.pick", "View", "Light meter",
+         "The next click in the picture measures there: radiance, irradiance, luminance, illuminance, flux", "m",
+         [w] { w->meter.picks = !w->meter.picks; }, [w] { return !w->editor.empty(); },
+         [w] { return w->meter.picks; }});
   a.add({"surface.keep",
          "Compare",
          "Keep this surface",

@@ -42,7 +42,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       surface(editor, [&p] { p.wake(); }),
       balls(p.gl()),
       advice(session, editor, o.threads, [&p] { p.wake(); }),
-      probe(session, editor, [&p] { p.wake(); }) {
+      probe(session, editor, [&p] { p.wake(); }),
+      meter(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }
@@ -156,6 +157,7 @@ void Workbench::take_opened(Result<Opened> opened) {
   blind_spots.forget();
   techniques.forget();
   surface.forget();
+  meter.forget();
   advice.forget();
   session.pause(false);
   editor.open(std::move(opened->document));
@@ -206,6 +208,7 @@ bool Workbench::advance(Picture& on_screen) {
                      notices);
   const bool surface_sheet = view.interface && view.sheet == "sheet.surface";
   surface.advance(selection.material, surface_sheet || (view.interface && view.tab == Tab::material), surface_sheet);
+  meter.advance();
   const bool busy = advice.running() || contest.running() || paths.running();
   blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
   if (view.sheet != "sheet.sampling")

@@ -16,6 +16,7 @@
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
 #include "viewer/loader.h"
+#include "viewer/meter_hand.h"
 #include "viewer/notices.h"
 #include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
@@ -135,6 +136,7 @@ struct Workbench {
   Thumbnails balls;  // of its materials
   AdviceHand advice;
   PixelProbe probe;
+  MeterHand meter;
   CameraHand hand;
   FileDialog files;
   Selection selection;
