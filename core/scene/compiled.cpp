@@ -110,7 +110,7 @@ ETENDUE_WIDE void shape(Facets& f, size_t count) {
 }
 
 // Whether the shading normal is another than the geometric one.
-bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->bends; }
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->framed; }
 
 // A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
 constexpr float kBarely = 1e-3f;
@@ -123,6 +123,20 @@ void make_seen(const Vec3& wo, SurfacePoint& point) {
   const float side = point.front ? 1.0f : -1.0f;
   if (seen(point.shading.z, wo, side) < kBarely)
     point.shading = Frame(barely_seen(point.shading.z, wo, side), point.shading.x, 1);
+}
+
+// Where a material asks for a direction and the mesh has no tangents: along its texture coordinates, or else around the
+// object's upright axis. Any length; none where there is no such direction.
+Vec3 direction_along(const InstanceData& instance, const Triangle& t, const Vec3& normal) {
+  const Mesh& mesh = *instance.mesh;
+  const auto& uv = mesh.uvs[0];
+  if (!uv.empty()) {
+    const Vec2 a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
+    const Vec3 e1 = mesh.positions[t[1]] - mesh.positions[t[0]], e2 = mesh.positions[t[2]] - mesh.positions[t[0]];
+    const Vec3 along = (e1 * b.y - e2 * a.y) * (a.x * b.y - a.y * b.x < 0 ? -1.0f : 1.0f);
+    if (length_squared(along) > 0) return instance.identity ? along : Mat3(instance.to_world) * along;
+  }
+  return glm::cross(instance.identity ? Vec3(0, 1, 0) : Vec3(instance.to_world[1]), normal);
 }
 
 // The normal maps of the base and of its coat.
@@ -196,6 +210,8 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     const bool placed = motion || instance.identity;
     const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
+  } else if (point.material->directed) {
+    point.shading.build(ns, direction_along(instance, t, ns), 1);
   } else {
     point.shading.build(ns);
   }
