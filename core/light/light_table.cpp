@@ -30,8 +30,8 @@ float power_of(const PlacedLight& placed, float scene_radius) {
       return 4 * kPi * intensity;
     case LightType::spot:
       if (light.profile == SpotProfile::cosine)
-        return 2 * kPi * (1 - std::pow(std::cos(light.outer_cone), light.exponent + 1)) / (light.exponent + 1) *
-               intensity;
+        return 2 * kPi * (1 - std::pow(std::max(std::cos(light.outer_cone), 0.0f), light.exponent + 1)) /
+               (light.exponent + 1) * intensity;
       return kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone)) * intensity;
     case LightType::directional:
       return kPi * sqr(scene_radius) * intensity;

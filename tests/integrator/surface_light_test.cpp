@@ -27,12 +27,12 @@ Light light_of(LightType type) {
   return light;
 }
 
-// The floor at the origin, through so narrow a view that it is all one point.
+// The floor at the origin, through so narrow a view that it is all one point, and under all lamps.
 Document point_of_floor(const Light& light, const scene::Transform& place, float scale = 1) {
   scene::Scene scene;
   test::add(scene, test::quad(20 * scale), test::diffuse(Rgb(kAlbedo)));
   test::add(scene, light, place);
-  return test::document(std::move(scene), look_at(scale * Vec3(3, 2, 1), Vec3(0), {0, 1, 0}, 1e-4f), 8, 8);
+  return test::document(std::move(scene), look_at(scale * Vec3(3, 0.3f, 1), Vec3(0), {0, 1, 0}, 1e-4f), 8, 8);
 }
 
 // Irradiance there: what a Lambertian floor shows times pi over its albedo.
