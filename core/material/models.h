@@ -8,13 +8,17 @@
 #include "material/models/fresnel_mirror.h"
 #include "material/models/lafortune.h"
 #include "material/models/lambert.h"
+#include "material/models/merl.h"
 #include "material/models/mirror.h"
 #include "material/models/modified_phong.h"
 #include "material/models/oren_nayar.h"
 #include "material/models/phong.h"
 #include "material/models/phong_1975.h"
 #include "material/models/reciprocal_phong.h"
+#include "material/models/rgl.h"
 #include "material/models/schlick.h"
+#include "material/models/spherical_harmonics.h"
+#include "material/models/tabulated.h"
 #include "material/models/thin_sheet.h"
 #include "material/models/torrance_sparrow.h"
 #include "material/models/ward.h"
@@ -41,7 +45,11 @@ using ReflectionModels = TypeList<
     EonModel,
     AshikhminShirleyModel,
     LafortuneModel,
-    SchlickModel>;
+    SchlickModel,
+    RglModel,
+    MerlModel,
+    TabulatedModel,
+    SphericalHarmonicsModel>;
 // clang-format on
 
 }  // namespace etendue
