@@ -49,6 +49,7 @@ class Loader {
     scene_.warnings = document_.warnings;
     report("describing", 0);
     gltf::import_materials(document_, scene_);
+    gltf::import_variants(document_, scene_);
     gltf::import_lights(document_, scene_);
     gltf::import_cameras(document_, scene_);
     gltf::import_nodes(document_, scene_, options_.scene);

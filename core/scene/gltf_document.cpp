@@ -114,6 +114,7 @@ bool is_supported(const std::string& extension) {
                                                 "KHR_materials_iridescence",
                                                 "KHR_materials_diffuse_transmission",
                                                 "KHR_materials_pbrSpecularGlossiness",
+                                                "KHR_materials_variants",
                                                 "EXT_texture_webp"};
   return kSupported.contains(extension);
 }

@@ -19,14 +19,20 @@ void import_nodes(const Document& document, Scene& scene, int wanted_scene);
 void import_skins(const Document& document, Scene& scene);
 void import_animations(const Document& document, Scene& scene);
 
+// The names of the variants, and Primitive::choices where `own` is what the primitive wears without one.
+void import_variants(const Document& document, Scene& scene);
+std::vector<int> material_choices(const Document& document, const Scene& scene, const tinygltf::Primitive& primitive,
+                                  int own, const std::string& where);
+
 // One mesh to read. Primitives that would make the same one share it.
 struct MeshTask {
   struct User {
     size_t mesh, primitive;
     int material;
+    std::vector<int> choices;  // Primitive::choices
   };
   const tinygltf::Primitive* primitive = nullptr;
-  const Material* material = nullptr;  // of the first user
+  const Material* material = nullptr;  // what the first user wears, or could wear, that asks most of the mesh
   std::string where;
   bool shares_vertices = false;  // with primitives that take other triangles
   std::vector<User> users;

@@ -55,6 +55,7 @@ const std::unordered_map<std::string_view, Rule>& rules() {
                                                                  {"children", {Kind::indices}},
                                                                  {"nodes", {Kind::indices}},
                                                                  {"joints", {Kind::indices}},
+                                                                 {"variants", {Kind::indices}},
                                                                  {"attributes", {Kind::attributes}},
                                                                  {"scale", {Kind::scale}},
                                                                  {"rotation", {Kind::rotation}},
