@@ -40,7 +40,8 @@ class Loader {
 
   Scene run() {
     report("reading", 0);
-    gltf::open_document(path_, document_);
+    gltf::open_document(path_, document_,
+                        [&](float done) { return !options_.progress || options_.progress("decompressing", done); });
     gltf::validate(document_);
     scene_.name = path_.stem().string();
     scene_.file = path_.string();
@@ -53,6 +54,7 @@ class Loader {
     gltf::import_lights(document_, scene_);
     gltf::import_cameras(document_, scene_);
     gltf::import_nodes(document_, scene_, options_.scene);
+    gltf::import_instances(document_, scene_);
     gltf::import_skins(document_, scene_);
     gltf::import_animations(document_, scene_);
     read_arrays();

@@ -16,6 +16,8 @@ void import_lights(const Document& document, Scene& scene);
 void import_cameras(const Document& document, Scene& scene);
 // Nodes, and the roots of the wanted scene (-1: of the file's own choice).
 void import_nodes(const Document& document, Scene& scene, int wanted_scene);
+// The nodes of instances, after all others.
+void import_instances(const Document& document, Scene& scene);
 void import_skins(const Document& document, Scene& scene);
 void import_animations(const Document& document, Scene& scene);
 
