@@ -29,6 +29,7 @@ constexpr Subcommand kSubcommands[] = {
     {"advise", "Rank methods by the time to an error", add_advise},
     {"certify", "Say whether the error that an image states stands", add_certify},
     {"inspect", "Say what is in a scene and what model it needs", add_inspect},
+    {"save", "Write a scene as glTF", add_save},
     {"list", "List integrators, samplers and what else there is", add_list},
     {"stress", "Try methods where they are known to fail, and say whether they do", add_stress},
     {"view", "Open the workbench; what etendue does without a subcommand", add_view},

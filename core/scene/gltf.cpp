@@ -58,6 +58,7 @@ class Loader {
     gltf::import_skins(document_, scene_);
     gltf::import_animations(document_, scene_);
     read_arrays();
+    gltf::import_transport(document_, scene_);
     check_skinned_nodes();
     shorten(scene_.warnings);
     for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));

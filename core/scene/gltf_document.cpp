@@ -126,6 +126,8 @@ bool is_supported(const std::string& extension) {
                                                 "KHR_draco_mesh_compression",
                                                 "EXT_meshopt_compression",
                                                 "EXT_mesh_gpu_instancing",
+                                                "KHR_node_visibility",
+                                                kTransport,
                                                 "EXT_texture_webp"};
   return kSupported.contains(extension);
 }

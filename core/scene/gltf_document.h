@@ -64,6 +64,9 @@ void claim(const Document& document, uint64_t bytes, const std::string& where);
 // `i` as an index into an array of `size` objects called `array`; anything else is unusable.
 size_t checked_index(int i, size_t size, const std::string& where, const char* array);
 
+// The extension of our own: what glTF has no words for (docs/ETENDUE_transport.schema.json).
+inline constexpr const char* kTransport = "ETENDUE_transport";
+
 // The names of the extensions that the importer understands.
 bool is_supported(const std::string& extension);
 

@@ -26,6 +26,11 @@ void import_variants(const Document& document, Scene& scene);
 std::vector<int> material_choices(const Document& document, const Scene& scene, const tinygltf::Primitive& primitive,
                                   int own, const std::string& where);
 
+// ETENDUE_transport: the time, the variant and the environment of the whole scene; the lens of a camera.
+void import_transport(const Document& document, Scene& scene);
+void import_lens(const tinygltf::ExtensionMap& extensions, const std::string& where, Camera& camera,
+                 std::vector<std::string>& warnings);
+
 // One mesh to read. Primitives that would make the same one share it.
 struct MeshTask {
   struct User {

@@ -37,6 +37,8 @@ class InstanceReader {
 
   static Vec4 unit(const Vec4& q) {
     const float length = glm::length(q);
+    constexpr float kNearlyOne = 1e-6f;
+    if (std::abs(length - 1) <= kNearlyOne) return q;
     return length > 0 && std::isfinite(length) ? q / length : Vec4(0, 0, 0, 1);
   }
 

@@ -197,7 +197,7 @@ void check_tree(json& value, std::string& where, bool in_sparse) {
   drop_unread(value);
   for (auto it = value.begin(); it != value.end(); ++it) {
     // Its members have names of others and other meanings; who decodes it checks it.
-    if (it.key() == "EXT_meshopt_compression") continue;
+    if (it.key() == "EXT_meshopt_compression" || it.key() == kTransport) continue;
     const auto rule = rules().find(it.key());
     if (rule == rules().end() && !it->is_structured()) continue;
     where += (length ? "." : "") + it.key();
