@@ -19,6 +19,7 @@ Command add_compare(CLI::App& app);
 Command add_bench(CLI::App& app);
 Command add_inspect(CLI::App& app);
 Command add_list(CLI::App& app);
+Command add_save(CLI::App& app);
 Command add_view(CLI::App& app);
 Command add_stress(CLI::App& app);
 Command add_advise(CLI::App& app);

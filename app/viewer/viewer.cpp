@@ -63,7 +63,7 @@ class Application {
   }
 
  private:
-  bool writing() const { return w_.contest.writing() || w_.techniques.writing(); }
+  bool writing() const { return w_.contest.writing() || w_.techniques.writing() || w_.scene_writer.busy(); }
 
   // Seconds to sleep if nothing happens.
   double patience(const Script* script) const {

@@ -31,6 +31,7 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       session({.threads = o.threads, .interactive = true, .publish_interval = 0.1}),
       loader([&p] { p.wake(); }),
       capture(session, editor, [&p] { p.wake(); }),
+      scene_writer([&p] { p.wake(); }),
       aov(session, editor, [&p] { p.wake(); }),
       comparison([&p] { p.wake(); }),
       contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
@@ -173,6 +174,15 @@ bool Workbench::advance(Picture& on_screen) {
       notices.say("Saved " + **saved);
     else
       notices.complain(saved->error().message);
+    redraw = true;
+  }
+  if (auto saved = scene_writer.take()) {
+    if (*saved)
+      notices.say("Saved " + (*saved)->file);
+    else
+      notices.complain(saved->error().message);
+    if (*saved)
+      for (const auto& warning : (*saved)->warnings) notices.say(warning);
     redraw = true;
   }
   if (auto loaded = comparison.take_loaded()) {

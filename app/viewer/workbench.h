@@ -21,6 +21,7 @@
 #include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
 #include "viewer/points_hand.h"
+#include "viewer/scene_writer.h"
 #include "viewer/settings.h"
 #include "viewer/surface_hand.h"
 #include "viewer/techniques_hand.h"
@@ -124,6 +125,7 @@ struct Workbench {
   Notices notices;
   Loader loader;
   Capture capture;
+  SceneWriter scene_writer;
   AovView aov;
   Comparison comparison;
   ContestHand contest;

@@ -1,0 +1,52 @@
+// Writing ETENDUE_transport, which gltf_transport.cpp reads; members only where they are not as usual.
+//
+// A material's reflection model belongs here too: MaterialWriter would put {"model": NAME, "parameters": {...}} under
+// the material's extensions with Output::extend(material, kTransport).
+#include "scene/gltf_output.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+// From the folder where they lie close together, so that both can be moved; else from the root.
+std::string uri_of(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const auto whole = std::filesystem::absolute(file).lexically_normal();
+  const auto relative = whole.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+  return (relative.empty() || relative.string().starts_with("../..") ? whole : relative).generic_string();
+}
+
+Json environment_of(Output& out, const std::filesystem::path& folder) {
+  const Environment& e = out.scene.environment;
+  Json to = Json::object();
+  if (e.map && !e.file.empty())
+    to["file"] = uri_of(e.file, folder);
+  else if (e.map)
+    out.warnings.emplace_back("the environment's map is in no file; its tint alone was saved");
+  if (!to.empty() || e.tint != Rgb(0)) to["tint"] = vector(e.tint);
+  put(to, "rotation", e.rotation, 0);
+  if (!e.visible) to["visible"] = false;
+  if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);
+  return to;
+}
+
+}  // namespace
+
+void write_transport(Output& out, const std::filesystem::path& folder) {
+  Json to = Json::object();
+  put(to, "time", out.scene.time, 0);
+  if (out.scene.variant >= 0) to["variant"] = out.scene.variant;
+  if (Json environment = environment_of(out, folder); !environment.empty()) to["environment"] = std::move(environment);
+  if (!to.empty()) out.extend(out.root, kTransport) = std::move(to);
+}
+
+void write_lens(Output& out, const Camera& camera, Json& object) {
+  const Camera usual;
+  Json to = Json::object();
+  put(to, "lensRadius", camera.lens_radius, usual.lens_radius);
+  put(to, "focusDistance", camera.focus_distance, usual.focus_distance);
+  put(to, "shutter", camera.shutter, usual.shutter);
+  // An orthographic camera of glTF has an aspect.
+  if (camera.projection == Projection::orthographic && !(camera.aspect > 0)) to["anyAspect"] = true;
+  if (!to.empty()) out.extend(object, kTransport) = std::move(to);
+}
+
+}  // namespace etendue::scene::gltf
