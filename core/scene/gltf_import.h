@@ -26,8 +26,14 @@ void import_variants(const Document& document, Scene& scene);
 std::vector<int> material_choices(const Document& document, const Scene& scene, const tinygltf::Primitive& primitive,
                                   int own, const std::string& where);
 
-// ETENDUE_transport: the time, the variant and the environment of the whole scene; the lens of a camera.
+// ETENDUE_transport: the time, the variant and the environment of the whole scene; what belongs to one of its things.
 void import_transport(const Document& document, Scene& scene);
+// The reflection model of a material; none if there is none, or none of that name.
+ReflectionUse import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                                std::vector<std::string>& warnings);
+// What KHR_lights_punctual does not know of a light.
+void import_shape(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
+                  std::vector<std::string>& warnings);
 void import_lens(const tinygltf::ExtensionMap& extensions, const std::string& where, Camera& camera,
                  std::vector<std::string>& warnings);
 

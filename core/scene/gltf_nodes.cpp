@@ -206,8 +206,10 @@ void import_cameras(const Document& document, Scene& scene) {
 }
 
 void import_lights(const Document& document, Scene& scene) {
-  for (size_t i = 0; i < document.model.lights.size(); ++i)
+  for (size_t i = 0; i < document.model.lights.size(); ++i) {
     scene.lights.push_back(import_light(document.model.lights[i], at("lights", i), scene.warnings));
+    import_shape(document.model.lights[i].extensions, at("lights", i), scene.lights.back(), scene.warnings);
+  }
 }
 
 void import_nodes(const Document& document, Scene& scene, int wanted_scene) {

@@ -1,7 +1,6 @@
 // Reading ETENDUE_transport: what glTF has no words for.                     docs/ETENDUE_transport.schema.json
 //
-// Numbers outside their range are repaired with a warning, like those of other extensions. A material's reflection
-// model is an object {"model": NAME, "parameters": {...}} under its extensions; nothing reads it yet.
+// Numbers outside their range are repaired with a warning, like those of other extensions.
 #include "scene/environment.h"
 #include "scene/gltf_import.h"
 #include "scene/gltf_uri.h"
@@ -66,7 +65,68 @@ Environment read_environment(const Document& document, TransportReader reader) {
   return environment;
 }
 
+// The option of an enumeration by its name.
+template <class E>
+E read_choice(TransportReader& reader, const char* member, const char* const* names, size_t count, E usual) {
+  const std::string name = reader.text(member);
+  if (name.empty()) return usual;
+  for (size_t i = 0; i < count; ++i)
+    if (name == names[i]) return static_cast<E>(i);
+  reader.warn(std::string(member) + ": '" + name.substr(0, 40) + "' is none of its values; it is ignored");
+  return usual;
+}
+
+Value value_of(const tinygltf::Value& value) {
+  if (value.IsBool()) return value.Get<bool>();
+  if (value.IsNumber()) return value.GetNumberAsDouble();
+  return value.IsString() ? value.Get<std::string>() : std::string();
+}
+
 }  // namespace
+
+ReflectionUse import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                                std::vector<std::string>& warnings) {
+  const auto* extension = extension_of(extensions, kTransport);
+  if (!extension || !extension->Has("model")) return {};
+  TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
+  const std::string name = reader.text("model");
+  ReflectionUse use{make_reflection(name)};
+  if (!use) {
+    reader.warn("model: there is no reflection model '" + name.substr(0, 40) + "'; the surface is glTF's own");
+    return use;
+  }
+  const auto& parameters = extension->Get("parameters");
+  if (!parameters.IsObject()) return use;
+  const auto known = use->info().parameters;
+  for (const std::string& key : parameters.Keys()) {
+    const ParameterInfo* info = find_parameter(known, key);
+    const auto value = info ? checked_value(*info, value_of(parameters.Get(key)))
+                            : Result<Value>(usage_error("the model '" + name + "' has no such parameter"));
+    if (value)
+      use.model = use->with(key, *value);
+    else
+      reader.warn("parameters." + key.substr(0, 40) + ": " + value.error().message + "; it is ignored");
+  }
+  return use;
+}
+
+void import_shape(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
+                  std::vector<std::string>& warnings) {
+  const auto* extension = extension_of(extensions, kTransport);
+  if (!extension) return;
+  TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
+  light.type = read_choice(reader, "type", kLightTypes, std::size(kLightTypes), light.type);
+  light.profile = read_choice(reader, "profile", kSpotProfiles, std::size(kSpotProfiles), light.profile);
+  light.quantity = read_choice(reader, "quantity", kQuantities, std::size(kQuantities), light.quantity);
+  light.intensity = reader.number("intensity", light.intensity, 0);
+  light.exponent = reader.number("exponent", light.exponent, 0);
+  light.width = reader.number("width", light.width, 0);
+  light.height = reader.number("height", light.height, 0);
+  light.radius = reader.number("radius", light.radius, 0);
+  light.focus = reader.number("focus", light.focus, 0);
+  light.two_sided = reader.flag("twoSided", light.two_sided);
+  light.points = std::clamp(index_of(*extension, "points", 0), 0, 4096);
+}
 
 void import_transport(const Document& document, Scene& scene) {
   const auto* extension = extension_of(document.model.extensions, kTransport);

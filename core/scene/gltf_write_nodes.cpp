@@ -1,6 +1,7 @@
 // Nodes, and the cameras and lights that stand at them.
 #include <limits>
 
+#include "light/light_presets.h"
 #include "scene/gltf_output.h"
 
 namespace etendue::scene::gltf {
@@ -31,15 +32,26 @@ Json camera_of(Output& out, const Camera& camera) {
   return to;
 }
 
-Json light_of(const Light& light) {
-  static constexpr const char* kTypes[] = {"point", "spot", "directional"};
-  Json to{{"type", kTypes[static_cast<size_t>(light.type)]}};
+// For those who do not know ETENDUE_transport, a shape that shines is a point of the same power, and ambient light is
+// nothing.
+float punctual_intensity(const Light& light) {
+  if (light.type <= LightType::directional) return light.intensity;
+  if (light.type == LightType::ambient) return 0;
+  const Rgb flux = flux_of(light);
+  const float color = luminance(light.color);
+  return color > 0 ? luminance(flux) / (4 * kPi * color) : 0;
+}
+
+Json light_of(Output& out, const Light& light) {
+  const bool punctual = light.type <= LightType::directional;
+  Json to{{"type", punctual ? kLightTypes[static_cast<size_t>(light.type)] : "point"}};
   put_name(to, light.name);
   if (light.color != Rgb(1)) to["color"] = vector(light.color);
-  put(to, "intensity", light.intensity, 1);
+  put(to, "intensity", punctual_intensity(light), 1);
   if (std::isfinite(light.range)) to["range"] = number(light.range);
   if (light.type == LightType::spot)
     to["spot"] = {{"innerConeAngle", number(light.inner_cone)}, {"outerConeAngle", number(light.outer_cone)}};
+  write_shape(out, light, to);
   return to;
 }
 
@@ -74,7 +86,7 @@ void write_cameras_and_lights(Output& out) {
   for (const Camera& camera : out.scene.cameras) out.add("cameras", camera_of(out, camera));
   if (out.scene.lights.empty()) return;
   Json& lights = out.extend(out.root, "KHR_lights_punctual")["lights"];
-  for (const Light& light : out.scene.lights) lights.push_back(light_of(light));
+  for (const Light& light : out.scene.lights) lights.push_back(light_of(out, light));
 }
 
 void write_nodes(Output& out) {

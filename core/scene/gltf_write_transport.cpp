@@ -1,7 +1,4 @@
 // Writing ETENDUE_transport, which gltf_transport.cpp reads; members only where they are not as usual.
-//
-// A material's reflection model belongs here too: MaterialWriter would put {"model": NAME, "parameters": {...}} under
-// the material's extensions with Output::extend(material, kTransport).
 #include "scene/gltf_output.h"
 
 namespace etendue::scene::gltf {
@@ -36,6 +33,37 @@ void write_transport(Output& out, const std::filesystem::path& folder) {
   if (out.scene.variant >= 0) to["variant"] = out.scene.variant;
   if (Json environment = environment_of(out, folder); !environment.empty()) to["environment"] = std::move(environment);
   if (!to.empty()) out.extend(out.root, kTransport) = std::move(to);
+}
+
+// With all parameters: what a model takes for usual may become another.
+void write_reflection(Output& out, const ReflectionUse& reflection, Json& object) {
+  if (!reflection) return;
+  Json parameters = Json::object();
+  for (const ParameterInfo& p : reflection->parameters()) {
+    if (p.type == ParameterType::number)
+      parameters[p.name] = number(static_cast<float>(std::get<double>(p.default_value)));
+    else
+      parameters[p.name] = std::visit([](const auto& value) { return Json(value); }, p.default_value);
+  }
+  out.extend(object, kTransport) = {{"model", reflection->info().description.name},
+                                    {"parameters", std::move(parameters)}};
+}
+
+void write_shape(Output& out, const Light& light, Json& object) {
+  const Light usual;
+  Json to = Json::object();
+  if (light.type > LightType::directional) {
+    to["type"] = kLightTypes[static_cast<size_t>(light.type)];
+    to["intensity"] = number(light.intensity);
+  }
+  if (light.profile != usual.profile) to["profile"] = kSpotProfiles[static_cast<size_t>(light.profile)];
+  if (light.quantity != usual.quantity) to["quantity"] = kQuantities[static_cast<size_t>(light.quantity)];
+  put(to, "exponent", light.exponent, usual.exponent);
+  put(to, "width", light.width, usual.width), put(to, "height", light.height, usual.height);
+  put(to, "radius", light.radius, usual.radius), put(to, "focus", light.focus, usual.focus);
+  if (light.two_sided) to["twoSided"] = true;
+  if (light.points > 0) to["points"] = light.points;
+  if (!to.empty()) out.extend(object, kTransport) = std::move(to);
 }
 
 void write_lens(Output& out, const Camera& camera, Json& object) {

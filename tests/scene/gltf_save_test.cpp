@@ -1,10 +1,12 @@
 // What is saved and opened again is what it was.
 #include "image/image.h"
+#include "material/reflection.h"
 #include "render/saving.h"
 #include "scene/builtin.h"
 #include "scene/gltf_builder.h"
 #include "scene/gltf_write.h"
 #include "scene/scene_compare.h"
+#include "scene/shapes.h"
 #include "scene/variants.h"
 #include "support/scenes.h"
 
@@ -294,6 +296,65 @@ TEST_F(Saving, PicturesAreTheSameToTheBit) {
     ASSERT_TRUE(after) << after.error().message;
     EXPECT_TRUE(same_bits(picture(*before), picture(*after))) << name;
   }
+}
+
+// Every reflection model with every preset and both ends of each parameter, as values of their own.
+TEST_F(Saving, ReflectionModels) {
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  const auto add = [&](std::shared_ptr<const Reflection> model) {
+    Material m;
+    m.name = "model " + std::to_string(before.materials.size());
+    m.reflection.model = std::move(model);
+    before.materials.push_back(m);
+  };
+  for (const ReflectionInfo& info : reflection_infos()) {
+    const auto usual = make_reflection(info.description.name);
+    add(usual);
+    for (const ModelPreset& preset : info.presets) add(with_preset(usual, preset.name));
+    for (const ParameterInfo& p : info.parameters)
+      if (p.type == ParameterType::number) add(usual->with(p.name, p.min)), add(usual->with(p.name, p.max));
+  }
+  EXPECT_EQ(difference(before, saved(before)), "");
+}
+
+TEST_F(Saving, ReflectionModelsThatAreNotKnown) {
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  before.materials[0].reflection.model = make_reflection("phong");
+  json file = description(before);
+  auto& extension = file["materials"][0]["extensions"]["ETENDUE_transport"];
+  extension["parameters"]["exponent"] = 1e9;
+  extension["parameters"]["shininess"] = 3;
+  std::ofstream(folder_ / "described.gltf") << file;
+  auto opened = scene::load_gltf(folder_ / "described.gltf");
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_TRUE(opened->materials[0].reflection == before.materials[0].reflection);
+  EXPECT_EQ(opened->warnings.size(), 2u);
+  extension["model"] = "fong";
+  std::ofstream(folder_ / "described.gltf") << file;
+  opened = scene::load_gltf(folder_ / "described.gltf");
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_FALSE(opened->materials[0].reflection);
+  ASSERT_EQ(opened->warnings.size(), 1u);
+  EXPECT_NE(opened->warnings[0].find("fong"), std::string::npos);
+}
+
+// Lights that glTF has no words for; others see points of their power.
+TEST_F(Saving, LightsOfEveryType) {
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  for (int type = 0; type <= static_cast<int>(LightType::ambient); ++type) {
+    Light light;
+    light.name = "light " + std::to_string(type);
+    light.type = static_cast<LightType>(type);
+    light.intensity = 3, light.color = {1, 0.5f, 0.25f};
+    light.width = 2, light.radius = 0.25f, light.focus = 4, light.two_sided = true, light.points = 9;
+    light.profile = SpotProfile::cosine, light.exponent = 7, light.quantity = SurfaceQuantity::power;
+    if (light.type == LightType::spot) light.inner_cone = 0.2f;
+    scene::add(before, light, {});
+  }
+  EXPECT_EQ(difference(before, saved(before)), "");
+  const json file = description(before);
+  for (const auto& light : file["extensions"]["KHR_lights_punctual"]["lights"])
+    EXPECT_TRUE(light["type"] == "point" || light["type"] == "spot" || light["type"] == "directional");
 }
 
 }  // namespace
