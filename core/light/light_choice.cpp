@@ -4,8 +4,11 @@
 namespace etendue {
 namespace {
 
-// From this number of lights on the tree is worth its way down (docs/lights.md).
+// From this number of lights on the tree is worth its way down (docs/lights.md), where they stand apart: together they
+// have less of an area than this part of the squared radius around them. The triangles of one lamp are all as near, and
+// choosing them evenly keeps the strata of the random numbers whole.
 constexpr size_t kMany = 8;
+constexpr float kApart = 0.5f;
 // However strong the sky is, what stands near by may be stronger, and the other way round.
 constexpr float kLeastShare = 0.25f;
 
@@ -88,16 +91,20 @@ LightBounds LightTable::bounds_of(uint32_t light) const {
 void LightTable::plant_tree(std::span<const float> powers) {
   std::vector<LightBounds> local(powers.size());
   std::vector<float> far;
-  float all = 0;
+  float all = 0, area = 0;
+  Bounds around;
   for (uint32_t light = 0; light < powers.size(); ++light) {
     all += powers[light];
-    if (is_infinite(light))
+    if (is_infinite(light)) {
       infinite_.push_back(light), far.push_back(powers[light]);
-    else if (powers[light] > 0)
+    } else if (powers[light] > 0) {
       local[light] = bounds_of(light);
+      around.extend(local[light].box);
+      if (light < triangles_.size()) area += triangles_[light].area;
+    }
   }
   tree_ = LightTree(local);
-  many_ = powers.size() - infinite_.size() >= kMany && !tree_.empty();
+  many_ = powers.size() - infinite_.size() >= kMany && area < kApart * sqr(around.radius());
   float from_far = 0;
   for (const float power : far) from_far += power;
   if (!(from_far > 0)) return;

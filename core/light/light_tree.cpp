@@ -108,6 +108,7 @@ AliasTable::Choice LightTree::choose(const Vec3& from, float u) const {
     const float at = u * all;
     // The first whose sum is beyond it, by halves and without branches, which would be anybody's guess. Rounding may
     // have left something over: it belongs to the last that counts.
+    static_assert(kWidth == 8);
     size_t slot = sums[3] <= at ? 4 : 0;
     slot += sums[slot + 1] <= at ? 2 : 0;
     slot += sums[slot] <= at ? 1 : 0;

@@ -333,6 +333,15 @@ TEST(LightTreeInTable, IsWhatManyLightsAreChosenBy) {
   EXPECT_TRUE(same(few, LightStrategy::one));
   EXPECT_FALSE(same(few, LightStrategy::tree));
   EXPECT_TRUE(same(many, LightStrategy::tree));
+  // A sheet of triangles is one lamp.
+  std::vector<EmissiveTriangle> sheet;
+  for (int i = 0; i < 36; ++i) sheet.push_back(panel(0.2f * Vec3(i % 6, 0, i / 6) + Vec3(0, 3, 0), 0.2f, false, 1));
+  Bounds bounds;
+  bounds.extend(Vec3(-3)), bounds.extend(Vec3(3, 6, 3));
+  Table one(false);
+  one.table = LightTable(std::move(sheet), {}, Environment{}, bounds);
+  EXPECT_TRUE(same(one, LightStrategy::one));
+  EXPECT_FALSE(same(one, LightStrategy::tree));
 }
 
 // A panel that goes up while it turns, and a lamp that goes along: the tree knows all the places they are at.
