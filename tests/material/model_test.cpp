@@ -98,7 +98,7 @@ TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
     }
 }
 
-// Thesis table 2.4 of the digest, and what the models that are there by name say of themselves.
+// The thesis says so of Phong and Blinn; all others claim to be reciprocal, or are by construction.
 const std::set<std::string> kNotReciprocal{"phong-1975", "phong", "blinn-phong"};
 
 // How much rounding of a direction can change f: what no formula could do better than.
