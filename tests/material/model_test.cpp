@@ -98,6 +98,47 @@ TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
     }
 }
 
+// Every delta that is sampled is one of those that are listed, its coefficient over the probability of its choice.
+TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
+  for (const ModelCase& c : test::cases_of(GetParam()))
+    for (const auto mode : {Transport::radiance, Transport::importance})
+      for (const Vec3& wo : {direction(10), direction(75, 2), -direction(30)}) {
+        Deltas<Rgb> deltas;
+        c.lobes.add_deltas(wo, mode, deltas);
+        Draw draw(9);
+        for (int k = 0; k < 200; ++k) {
+          LobeSample<Rgb> s;
+          if (!c.lobes.sample(wo, {draw.one(), draw.two()}, mode, s) || !s.delta) continue;
+          bool listed = false;
+          for (size_t d = 0; d < static_cast<size_t>(deltas.count); ++d) {
+            const auto& delta = deltas.lobes[d];
+            if (glm::length(delta.wi - s.wi) > 1e-5f || delta.transmitted != s.transmitted || delta.eta != s.eta)
+              continue;
+            const Rgb coefficient = s.weight * deltas.probabilities[d];
+            listed = listed || std::abs(coefficient.g - delta.weight.g) <= 1e-4f * delta.weight.g;
+          }
+          ASSERT_TRUE(listed) << c.name << " wo.z " << wo.z;
+        }
+      }
+}
+
+// The parts of all letters are the whole, and a part that is said not to be there is black.
+TEST_P(EveryModel, IsTheSumOfItsLetters) {
+  Draw draw(3);
+  for (const ModelCase& c : test::cases_of(GetParam()))
+    for (int k = 0; k < 100; ++k) {
+      const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
+      const Rgb f = c.lobes.eval(wo, wi, Transport::radiance);
+      Rgb sum(0);
+      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
+        const Rgb part = c.lobes.eval_part(letter, wo, wi, Transport::radiance);
+        ASSERT_TRUE(c.lobes.scatters(letter) || is_black(part)) << c.name;
+        sum += part;
+      }
+      for (int band = 0; band < 3; ++band) ASSERT_NEAR(sum[band], f[band], 1e-5f * f[band]) << c.name;
+    }
+}
+
 // The thesis says so of Phong and Blinn; all others claim to be reciprocal, or are by construction.
 const std::set<std::string> kNotReciprocal{"phong-1975", "phong", "blinn-phong"};
 
