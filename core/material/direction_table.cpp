@@ -15,9 +15,9 @@ Vec3 direction_at(const Vec2& p, float phi_o) { return at_cosine(std::sqrt(p.y),
 
 }  // namespace
 
-DirectionTable::DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths)
+DirectionTable::DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths, bool coarse)
     : azimuths_(azimuths) {
-  if (azimuths > 1) columns_ /= 2, rows_ /= 2;
+  if (coarse) columns_ /= 2, rows_ /= 2;
   std::vector<float> values(static_cast<size_t>(columns_ * rows_));
   for (int c = 0; c < kCosines; ++c)
     for (int a = 0; a < azimuths; ++a) {

@@ -1,6 +1,6 @@
 // Directions drawn by a table of what a reflectance function is, for functions that have no formula.
 //
-// For a number of cosines (and azimuths, if it is not isotropic: then grids are half as fine) of o, f is averaged over
+// For a number of cosines (and azimuths, if it is not isotropic) of o, f is averaged over
 // the cells of a grid that is even in the projected solid angle: its axes are the azimuth from o and cos_i^2. A
 // direction is drawn from one of the grids next to o, by how near each is; a twentieth of all is spread evenly, so that
 // nothing is out of reach. Its density times f cos is then about the albedo.
@@ -17,8 +17,8 @@ namespace etendue {
 class DirectionTable {
  public:
   DirectionTable() = default;
-  // `azimuths` is 1 for an isotropic function.
-  DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths);
+  // `azimuths` is 1 for an isotropic function. A coarse table has half the rows and columns.
+  DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths, bool coarse);
 
   float density(const Vec3& o, const Vec3& i) const;
   bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const;

@@ -4,7 +4,7 @@
 //
 // E is the albedo of the facets with F = 1, <E> and <F> are means over the hemisphere. Reciprocal; with F = 1 the whole
 // surface gives back all light. E comes from a table by cos_o and, for facets of two widths, by the azimuth: made once
-// for each pair of widths (5 ms of one width, 60 of two; Beckmann's 20 and 200), and kept for good (at most 2.3 kB).
+// for each pair of widths (5 ms of one width, 20 of two; Beckmann's 20 and 100), and kept for good (at most 2.3 kB).
 #pragma once
 #include <vector>
 

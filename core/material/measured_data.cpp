@@ -53,7 +53,7 @@ Result<const SampledMerl*> merl(const std::string& path) {
   return kept<SampledMerl>(path, [&]() -> Result<std::unique_ptr<const SampledMerl>> {
     auto brdf = MerlBrdf::read(path);
     if (!brdf) return brdf.error();
-    return std::make_unique<const SampledMerl>(std::move(*brdf), 1);
+    return std::make_unique<const SampledMerl>(std::move(*brdf), 1, false);
   });
 }
 
@@ -115,7 +115,7 @@ bool is_isotropic(const WideLobes<Rgb>& lobes) {
 using SampledTable = SampledBrdf<BrdfTable>;
 std::unique_ptr<const SampledTable> sampled(BrdfTable table) {
   const int azimuths = table.isotropic() ? 1 : std::min(table.azimuths(), 16);
-  return std::make_unique<const SampledTable>(std::move(table), azimuths);
+  return std::make_unique<const SampledTable>(std::move(table), azimuths, azimuths > 1);
 }
 
 Result<const SampledTable*> table(const std::string& source, int polar, int azimuths) {
@@ -145,14 +145,14 @@ Result<const SampledHarmonics*> harmonics(const std::string& source, int bands) 
           if (!read) return read.error();
           const SampledTable& t = **read;
           return std::make_unique<const SampledHarmonics>(
-              HarmonicBrdf([&](const Vec3& o, const Vec3& i) { return t.f(o, i); }, bands), 1);
+              HarmonicBrdf([&](const Vec3& o, const Vec3& i) { return t.f(o, i); }, bands), 1, true);
         }
         const auto model = model_of(source);
         if (!model) return model.error();
         WideLobes<Rgb> lobes;
         (*model)->add_lobes(Rgb(1), lobes);
         const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
-        return std::make_unique<const SampledHarmonics>(HarmonicBrdf(f, bands), 1);
+        return std::make_unique<const SampledHarmonics>(HarmonicBrdf(f, bands), 1, true);
       });
 }
 

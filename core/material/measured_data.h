@@ -25,9 +25,9 @@ namespace etendue {
 template <class Function>
 class SampledBrdf {
  public:
-  SampledBrdf(Function function, int azimuths)
+  SampledBrdf(Function function, int azimuths, bool coarse)
       : function_(std::move(function)),
-        directions_([this](const Vec3& o, const Vec3& i) { return function_.f(o, i); }, azimuths) {}
+        directions_([this](const Vec3& o, const Vec3& i) { return function_.f(o, i); }, azimuths, coarse) {}
 
   const Function& function() const { return function_; }
   Rgb f(const Vec3& o, const Vec3& i) const { return function_.f(o, i); }

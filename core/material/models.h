@@ -1,4 +1,7 @@
 // Every reflection model, in the order of the thesis; one line each.
+//
+// Of those that it names, He and Torrance's is missing: its wave-optical terms could be checked here against neither
+// the paper nor a limit that would tell a wrong factor from a right one.
 #pragma once
 #include "material/models/ashikhmin_shirley.h"
 #include "material/models/blinn_phong.h"

@@ -123,6 +123,23 @@ TEST(Rgl, WhitePaperIsWhiteAndFlat) {
   GTEST_SKIP() << "no paper under ETENDUE_TEST_DATA";
 }
 
+// A measurement is about reciprocal, and not more than that.
+TEST(Rgl, IsReciprocalAsMeasurementsAre) {
+  for (const auto& file : rgl_files()) {
+    const RglBrdf* brdf = rgl_data(file.string());
+    ASSERT_NE(brdf, nullptr);
+    Draw draw(8);
+    double off = 0, all = 0;
+    for (int k = 0; k < 5000; ++k) {
+      const Vec3 a = direction(70 * draw.one(), 6 * draw.one()), b = direction(70 * draw.one(), 6 * draw.one());
+      const double forth = brdf->f(a, b).g, back = brdf->f(b, a).g;
+      off += std::abs(forth - back), all += forth;
+    }
+    EXPECT_LT(off, 0.5 * all) << file;
+    EXPECT_GT(off, 0.005 * all) << file;
+  }
+}
+
 // Cut short anywhere, or with bytes that lie: an error with the file's name, or data that can be asked.
 TEST(Rgl, DamagedFilesAreErrors) {
   const auto files = rgl_files();

@@ -15,8 +15,6 @@ struct ModelCase {
   std::string name;  // the model's and what was set
   ModelPtr model;
   WideLobes<Rgb> lobes;
-
-  std::string_view model_name() const { return model->info().description.name; }
 };
 
 inline const Rgb kModelBase{0.8f, 0.6f, 0.4f};
@@ -51,38 +49,49 @@ inline ModelPtr with_number(ModelPtr model, const std::string& name, const Value
   return model;
 }
 
-// As they are, each knob at both its ends or at each of its options, and the presets.
-inline std::vector<ModelCase> model_cases() {
-  std::vector<ModelCase> cases;
-  const auto add = [&](const std::string& name, const ModelPtr& model) {
-    cases.push_back({name, model, lobes_of(*model)});
-  };
-  for (const auto& info : reflection_infos()) {
-    const std::string name = info.description.name;
-    const ModelPtr usual = make_reflection(name);
-    add(name, usual);
-    for (const auto& p : info.parameters) {
-      if (p.name.ends_with(".g") || p.name.ends_with(".b")) continue;
-      const auto set = [&](const Value& v) {
-        if (v != p.default_value) add(name + " " + p.name + " " + to_string(v), with_number(usual, p.name, v));
-      };
-      switch (p.type) {
-        case ParameterType::toggle:
-          set(!std::get<bool>(p.default_value));
-          break;
-        case ParameterType::integer:
-          set(static_cast<int64_t>(p.min)), set(static_cast<int64_t>(p.max));
-          break;
-        case ParameterType::number:
-          set(p.min), set(p.max);
-          break;
-        case ParameterType::choice:
-          for (const auto& option : p.options) set(option);
-      }
+// Calls use(name, model) for a model as it is, with each knob at both its ends or at each of its options, and with each
+// of its presets.
+template <class Use>
+void for_each_setting(const ReflectionInfo& info, Use&& use) {
+  const std::string name = info.description.name;
+  const ModelPtr usual = make_reflection(name);
+  use(name, usual);
+  for (const auto& p : info.parameters) {
+    if (p.name.ends_with(".g") || p.name.ends_with(".b")) continue;
+    const auto set = [&](const Value& v) {
+      if (v != p.default_value) use(name + " " + p.name + " " + to_string(v), with_number(usual, p.name, v));
+    };
+    switch (p.type) {
+      case ParameterType::toggle:
+        set(!std::get<bool>(p.default_value));
+        break;
+      case ParameterType::integer:
+        set(static_cast<int64_t>(p.min)), set(static_cast<int64_t>(p.max));
+        break;
+      case ParameterType::number:
+        set(p.min), set(p.max);
+        break;
+      case ParameterType::choice:
+        for (const auto& option : p.options) set(option);
     }
-    for (const auto& preset : info.presets) add(name + " preset " + preset.name, with_preset(usual, preset.name));
   }
+  for (const auto& preset : info.presets) use(name + " preset " + preset.name, with_preset(usual, preset.name));
+}
+
+inline std::vector<ModelCase> cases_of(std::string_view model) {
+  std::vector<ModelCase> cases;
+  for_each_setting(*find_reflection(model), [&](const std::string& name, const ModelPtr& set) {
+    cases.push_back({name, set, lobes_of(*set)});
+  });
   return cases;
+}
+
+// Of all models together.
+inline size_t count_cases() {
+  size_t count = 0;
+  for (const auto& info : reflection_infos())
+    for_each_setting(info, [&](const std::string&, const ModelPtr&) { ++count; });
+  return count;
 }
 
 inline Vec3 direction(float theta_degrees, float phi = 0.3f) {

@@ -8,9 +8,11 @@
 //                                                             v)
 //
 // with u = <o, h>, t = cos_h, v and v' the cosines of both directions, w the cosine of h's azimuth, r the roughness, p
-// the isotropy. Reciprocal. As printed, what self-shadowing took comes back as (1 - G G') / (4 pi v v'), which grows
-// without bound at grazing angles; divided by pi instead it does not, nor does it if it is lost. Without shadowing the
-// lobe grows too. The mean of A is 1 for p = 1 and less below (0.74 for p = 0.1), so that brushed surfaces lose light.
+// the isotropy. Reciprocal. Energy is gained at grazing angles, with any choice: a white layer reflects at 89.9 degrees
+// up to 1.17 (r = 0.02) where self-shadowed light is lost, 1.57 (r = 0.3) where it comes back as (1 - G G') / pi, and
+// without bound where it does as printed, as (1 - G G') / (4 pi v v'), or where there is no shadowing. A layer under
+// another gets 1 - S(u) of the half angle, which is more than the upper one leaves. The mean of A is 1 for p = 1 and
+// less below (0.74 for p = 0.1), so that brushed surfaces lose light.
 #pragma once
 #include "material/glossy.h"
 #include "material/half_vector.h"
@@ -101,7 +103,7 @@ struct SchlickModel {
   static constexpr ModelDescription kDescription{
       "schlick", "Schlick", ModelClass::phenomenological,
       "One or two layers of S(u) D: Schlick's Fresnel term times a rational lobe from mirror-like to diffuse (1994). "
-      "Reciprocal; conserves energy where self-shadowed light is lost or comes back diffusely.",
+      "Reciprocal; gains energy at grazing angles, least where self-shadowed light is lost.",
       "normals by Z with azimuths close to A, what leaves below the surface is absorbed; diffuse parts by the cosine"};
   template <class Color>
   using Lobes = std::tuple<SchlickLayer<Color>, Mirror<Color, SchlickSpectrum<Color>>>;
@@ -113,7 +115,7 @@ struct SchlickModel {
   Number<float> under_color{"under-color", "Lower reflectance", 0.6f, {0, 1}, "C', as a factor on the base colour"};
   Number<float> under_r{"under-roughness", "Lower roughness", 0.9f, {0, 1}, "r' of the lower layer"};
   Number<float> under_p{"under-isotropy", "Lower isotropy", 1, {0.01f, 1}, "p' of the lower layer"};
-  Choice<SchlickShadow> shadow{"shadowing", "Self-shadowing", SchlickShadow::diffuse,
+  Choice<SchlickShadow> shadow{"shadowing", "Self-shadowing", SchlickShadow::lost,
                                "What becomes of light that facets keep from each other"};
   Toggle blend{"blend", "Mirror to diffuse", true, "Weights a, b, c by roughness; without them D is the lobe B alone"};
   auto parameters() { return std::tie(color, r, p, two, under_color, under_r, under_p, shadow, blend); }

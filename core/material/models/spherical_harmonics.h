@@ -18,7 +18,7 @@ struct SphericalHarmonicsModel {
       "An isotropic model or table projected on so many bands of spherical harmonics in both directions, times the "
       "base "
       "colour. Reciprocal; what rings below zero is cut off.",
-      "by a table of its own values, 24 x 96 x 64 cells, with a twentieth by the cosine"};
+      "by a table of its own values, 24 x 48 x 32 cells, with a twentieth by the cosine"};
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, MeasuredLobe<Color, SampledBrdf<HarmonicBrdf>>>;
 

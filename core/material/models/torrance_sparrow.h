@@ -2,8 +2,8 @@
 // name)
 //
 // The formulas are in material/facet_reflection.h and facet_energy.h. Reciprocal. Without the light that is scattered
-// more than once it loses energy with roughness (F = 1, alpha = 1, at normal incidence: GGX keeps 0.45 of it); with it
-// F = 1 gives back all light to 1 %.
+// again, F = 1 keeps at normal incidence 0.877, 0.687, 0.307 of all light for GGX with alpha = 0.3, 0.5, 1, and 1.000,
+// 0.943, 0.461 for Beckmann; with it, all to 1 %.
 #pragma once
 #include "material/facet_energy.h"
 #include "material/lambert.h"
