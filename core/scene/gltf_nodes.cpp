@@ -163,9 +163,9 @@ Camera import_camera(const tinygltf::Camera& from, const std::string& where, std
   constexpr double kWidest = 1000;
   if (aspect >= 1 / kWidest && aspect <= kWidest) camera.aspect = static_cast<float>(aspect);
   // The least and the greatest numbers that there are stand for no plane where one has to be given.
-  if (near > std::numeric_limits<float>::min()) camera.near_clip = static_cast<float>(near);
+  if (static_cast<float>(near) > std::numeric_limits<float>::min()) camera.near_clip = static_cast<float>(near);
   // A far plane of 0 is none: the projection is infinite.
-  if (far > 0 && far < std::numeric_limits<float>::max()) camera.far_clip = static_cast<float>(far);
+  if (far > 0 && static_cast<float>(far) < std::numeric_limits<float>::max()) camera.far_clip = static_cast<float>(far);
   if (!(camera.far_clip > camera.near_clip)) {
     warnings.push_back(where + ": its zfar is not beyond its znear; both are ignored");
     camera.near_clip = 0, camera.far_clip = kInfinity;

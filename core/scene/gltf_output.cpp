@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cstring>
+#include <limits>
 
 namespace etendue::scene::gltf {
 
@@ -40,7 +41,9 @@ Json number(float value) {
   const char* end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
   double wide = 0;
   std::from_chars(text.data(), end, wide);
-  return static_cast<float>(wide) == value ? wide : static_cast<double>(value);
+  // Not beyond what readers take for a float.
+  const bool holds = static_cast<float>(wide) == value && std::abs(wide) <= double{std::numeric_limits<float>::max()};
+  return holds ? wide : static_cast<double>(value);
 }
 
 Json numbers(std::span<const float> values) {
