@@ -47,7 +47,7 @@ struct Numbers {
   float solid() const { return (1 - metallic) * (1 - transmission); }
 };
 
-Numbers look(const SurfaceMaterial& material, const TexturePoint& point) {
+[[gnu::always_inline]] inline Numbers look(const SurfaceMaterial& material, const TexturePoint& point) {
   const Material& m = material.description;
   Numbers n;
   n.base = unit(rgb_of(material.base_at(point)));
@@ -78,55 +78,51 @@ Numbers look_at_glossiness(const SurfaceMaterial& material, const TexturePoint& 
   return n;
 }
 
-SchlickFresnel<Rgb> opaque_fresnel(const Numbers& n) {
-  SchlickFresnel<Rgb> fresnel;
+// What follows is written in place: copies of lobes are what putting them together costs.
+
+void set_opaque(const Numbers& n, SchlickFresnel<Rgb>& fresnel) {
   fresnel.f0 = n.f0 * n.solid() + n.base * n.metallic;
   fresnel.f90 = Rgb(n.specular * n.solid() + n.metallic);
   fresnel.dielectric_f0 = max_component(n.f0), fresnel.dielectric_f90 = n.specular;
-  return fresnel;
 }
 
-SchlickFresnel<Rgb> sheet_fresnel(const Numbers& n) {
-  SchlickFresnel<Rgb> fresnel;
+void set_sheet(const Numbers& n, SchlickFresnel<Rgb>& fresnel) {
   fresnel.f0 = n.f0, fresnel.f90 = Rgb(n.specular);
   fresnel.dielectric_f0 = max_component(n.f0), fresnel.dielectric_f90 = n.specular;
-  return fresnel;
 }
 
-template <class Fresnel>
-Layered<Rgb, Fresnel> opaque(const Numbers& n, const Fresnel& fresnel, float diffuse) {
-  Layered<Rgb, Fresnel> layered;
-  static_cast<Fresnel&>(layered) = fresnel;
-  layered.base = n.base * diffuse;
-  layered.facets = n.facets;
-  return layered;
-}
-
-template <class Fresnel>
-ThinSheet<Rgb, Fresnel> sheet(const Numbers& n, const Fresnel& fresnel) {
-  ThinSheet<Rgb, Fresnel> sheet;
-  static_cast<Fresnel&>(sheet) = fresnel;
-  sheet.tint = n.base, sheet.share = n.through(), sheet.facets = n.facets;
-  return sheet;
-}
-
-template <class Boundary>
-Dielectric<Rgb, Boundary> glass(const Material& m, const Numbers& n, const Boundary& boundary) {
-  Dielectric<Rgb, Boundary> glass;
-  static_cast<Boundary&>(glass) = boundary;
+template <class Lobe>
+void set_glass(const Material& m, const Numbers& n, Lobe& glass) {
   glass.tint = n.base, glass.eta = m.ior == 0 ? 1e4f : m.ior;
   glass.share = n.through(), glass.facets = n.facets;
-  return glass;
+}
+
+template <class Lobe>
+void set_sheet_lobe(const Numbers& n, Lobe& sheet) {
+  sheet.tint = n.base, sheet.share = n.through(), sheet.facets = n.facets;
 }
 
 template <class Lobes>
-void add_core(const Material& m, const Numbers& n, Lobes& lobes) {
+void add_opaque(const Numbers& n, float diffuse, Lobes& lobes) {
+  Layered<Rgb> layered;
+  set_opaque(n, layered);
+  layered.base = n.base * diffuse, layered.facets = n.facets;
+  lobes.add(layered);
+}
+
+template <class Lobes>
+[[gnu::always_inline]] inline void add_core(const Material& m, const Numbers& n, Lobes& lobes) {
   const float through = n.through();
-  if (through < 1) lobes.add(opaque(n, opaque_fresnel(n), n.solid()));
-  if (through > 0 && m.thickness > 0)
-    lobes.add(glass(m, n, ClearBoundary<Rgb>{}));
-  else if (through > 0)
-    lobes.add(sheet(n, sheet_fresnel(n)));
+  if (through < 1) add_opaque(n, n.solid(), lobes);
+  if (through > 0 && m.thickness > 0) {
+    Dielectric<Rgb> glass;
+    set_glass(m, n, glass);
+    lobes.add(glass);
+  } else if (through > 0) {
+    ThinSheet<Rgb> sheet;
+    set_sheet(n, sheet), set_sheet_lobe(n, sheet);
+    lobes.add(sheet);
+  }
 }
 
 FilmFresnel<Rgb> film_fresnel(const SurfaceMaterial& material, const TexturePoint& point, const Numbers& n) {
@@ -143,12 +139,17 @@ FilmFresnel<Rgb> film_fresnel(const SurfaceMaterial& material, const TexturePoin
   return fresnel;
 }
 
-TintedBoundary<Rgb> tinted_boundary(const Material& m, const Numbers& n, const FilmFresnel<Rgb>& fresnel) {
-  TintedBoundary<Rgb> boundary;
+void set_boundary(const Material& m, const Numbers& n, const FilmFresnel<Rgb>& fresnel, TintedBoundary<Rgb>& boundary) {
   boundary.clear_f0 = f0_from_ior(m.ior == 0 ? 1e4f : m.ior);
   boundary.f0 = n.f0, boundary.f90 = n.specular;
   boundary.film = fresnel.film, boundary.strength = fresnel.strength;
-  return boundary;
+}
+
+void add_filmed(const Numbers& n, const FilmFresnel<Rgb>& fresnel, float diffuse, WideLobes<Rgb>& lobes) {
+  Layered<Rgb, FilmFresnel<Rgb>> layered;
+  static_cast<FilmFresnel<Rgb>&>(layered) = fresnel;
+  layered.base = n.base * diffuse, layered.facets = n.facets;
+  lobes.add(layered);
 }
 
 // What lies below sheen and coat.
@@ -160,9 +161,9 @@ void add_base(const SurfaceMaterial& material, const TexturePoint& point, const 
   if (through < 1) {
     const float diffuse = n.solid() * (1 - scattered);
     if (fresnel.strength > 0)
-      lobes.add(opaque(n, fresnel, diffuse));
+      add_filmed(n, fresnel, diffuse, lobes);
     else
-      lobes.add(opaque(n, opaque_fresnel(n), diffuse));
+      add_opaque(n, diffuse, lobes);
   }
   if (n.solid() * scattered > 0) {
     DiffuseThrough<Rgb, FilmFresnel<Rgb>> behind;
@@ -172,11 +173,15 @@ void add_base(const SurfaceMaterial& material, const TexturePoint& point, const 
     lobes.add(behind);
   }
   if (through > 0 && m.thickness > 0) {
-    lobes.add(glass(m, n, tinted_boundary(m, n, fresnel)));
+    Dielectric<Rgb, TintedBoundary<Rgb>> glass;
+    set_boundary(m, n, fresnel, glass), set_glass(m, n, glass);
+    lobes.add(glass);
   } else if (through > 0) {
-    FilmFresnel<Rgb> both_sides = fresnel;
-    both_sides.dielectric = 1, both_sides.metal = 0;
-    lobes.add(sheet(n, both_sides));
+    ThinSheet<Rgb, FilmFresnel<Rgb>> sheet;
+    static_cast<FilmFresnel<Rgb>&>(sheet) = fresnel;
+    sheet.dielectric = 1, sheet.metal = 0;
+    set_sheet_lobe(n, sheet);
+    lobes.add(sheet);
   }
 }
 
