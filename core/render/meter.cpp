@@ -16,7 +16,7 @@ constexpr float kNeedle = 1e-3f;     // radians, of the one that looks along the
 
 Mat4 placed(const Vec3& position, const Vec3& normal) {
   // The disk lies in the xz plane and faces +y.
-  const Frame frame(normal);
+  const etendue::Frame frame(normal);
   return {Vec4(frame.x, 0), Vec4(normal, 0), Vec4(glm::cross(frame.x, normal), 0), Vec4(position, 1)};
 }
 
@@ -40,13 +40,13 @@ Document of_irradiance(const Document& document, const Spot& spot, float radius)
   const Vec3 at = spot.position + spot.normal * (kLift * radius);
   scene::add(*scene, scene::disk(radius, 24), card, placed(at, spot.normal));
   const Vec3 eye = at + spot.normal * (2 * radius);
-  const Camera camera = look_at(eye, at, Frame(spot.normal).x, kField);
+  const Camera camera = look_at(eye, at, etendue::Frame(spot.normal).x, kField);
   return bare(document, std::move(scene), camera);
 }
 
 Document of_radiance(const Document& document, const Spot& spot) {
   const Vec3 towards = normalize_or(spot.position - spot.eye, -spot.normal);
-  return bare(document, document.scene, look_at(spot.eye, spot.position, Frame(towards).x, kNeedle));
+  return bare(document, document.scene, look_at(spot.eye, spot.position, etendue::Frame(towards).x, kNeedle));
 }
 
 Reading reading_of(const film::Film& film, float factor) {
