@@ -9,8 +9,9 @@ inline float power(float cosine, float exponent) { return cosine > 0 ? std::pow(
 
 // Density (n + 1) / (2 pi) cos^n per solid angle around +z.
 inline Vec3 square_to_cosine_power(Vec2 u, float exponent) {
-  const float z = std::pow(u.x, 1 / (exponent + 1));
-  const float r = safe_sqrt(1 - z * z);
+  // z = u^(1 / (n + 1)), by its sine: of narrow lobes the cosine has not the digits.
+  const float sin2 = -std::expm1(2 / (exponent + 1) * std::log(u.x));
+  const float r = std::sqrt(sin2), z = safe_sqrt(1 - sin2);
   const float phi = 2 * kPi * u.y;
   return {r * std::cos(phi), r * std::sin(phi), z};
 }
