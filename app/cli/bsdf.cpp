@@ -23,7 +23,7 @@ struct Options {
   std::string model, against, scene, material, out;
   std::vector<std::string> set, set_against;
   double degrees = 45;
-  bool json = false;
+  bool json = false, all = false;
 };
 
 // One side of the comparison.
@@ -161,7 +161,29 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
   return {};
 }
 
+// Every model as it is by default, a line each, for docs/materials.md.
+void print_table() {
+  std::printf(
+      "| model | class | never negative | reciprocal | conserves energy | most albedo | albedo of even light | "
+      "deviation of weights at 0, 45, 80 degrees |\n|---|---|---|---|---|---|---|---|\n");
+  const auto sign = [](const audit::Badge& b) { return b.holds ? "yes" : "**no**"; };
+  for (const ReflectionInfo& info : reflection_infos()) {
+    Material material;
+    material.reflection.model = make_reflection(info.description.name);
+    const audit::Audit a = audit::audit(audit::lobes_of(material));
+    std::printf("| `%s` | %s | %s | %s | %s | %.3f at %.4g | %.3f |", info.description.name,
+                etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.kind)].name,
+                sign(a.badges[0]), sign(a.badges[1]), sign(a.badges[2]),
+                static_cast<double>(max_component(a.plausibility.most.value)), a.plausibility.most.degrees,
+                audit::hemispherical_albedo(a.albedo));
+    for (const auto& q : a.sampling)
+      if (q.degrees == 0 || q.degrees == 45 || q.degrees == 80) std::printf(" %.2f", q.deviation);
+    std::printf(" |\n");
+  }
+}
+
 int run(const Options& o) {
+  if (o.all) return print_table(), 0;
   if (o.model.empty() && o.scene.empty())
     return fail(usage_error("name a model (`etendue list materials`), or a scene and one of its materials"));
   std::vector<Specimen> specimens;
@@ -200,6 +222,7 @@ Command add_bsdf(CLI::App& app) {
   app.add_option("--material", o->material, "Its name or number")->needs("--scene");
   app.add_option("--angle", o->degrees, "Degrees between eye and normal in the drawings")->check(CLI::Range(0.0, 89.9));
   app.add_option("--out", o->out, "Write polar.svg, albedo.svg and lobe.svg into this folder");
+  app.add_flag("--all", o->all, "Every model as it is by default, as a table in Markdown");
   app.add_flag("--json", o->json, "Print JSON");
   return [o] { return run(*o); };
 }

@@ -29,6 +29,7 @@ json description_of(const render::Document& d, const scene::CompiledScene& compi
           {"emissive_triangles", compiled.lights().triangles().size()},
           {"animations", d.scene->animations.size()},
           {"scenes", d.scene->scene_names},
+          {"variants", d.scene->variants},
           {"cameras", cameras},
           {"unsupported", d.scene->unsupported},
           {"warnings", d.scene->warnings},
@@ -48,6 +49,7 @@ void print(const json& j) {
               j["scene"].get<std::string>().c_str(), number("triangles"), number("instances"), number("materials"),
               number("textures"), number("lights"));
   print_list("cameras", j["cameras"]);
+  print_list("variants of the materials (--set scene.variant=NAME)", j["variants"]);
   print_list("extensions that are ignored", j["unsupported"]);
   print_list("warnings", j["warnings"]);
   std::printf("transport model\n");

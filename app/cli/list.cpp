@@ -115,6 +115,16 @@ json lights() {
   add("point", "Point light", "Radiant intensity the same in all directions", LightType::point);
   add("spot", "Spot light", "A point light that shines into a cone", LightType::spot);
   add("directional", "Directional light", "Parallel light from infinity", LightType::directional);
+  add("quad", "Quad light",
+      "A rectangle that shines, black and seen by rays; directions to it are sampled from near by", LightType::quad);
+  add("disk", "Disk light", "A disk that shines, exactly round; its points are sampled", LightType::disk);
+  add("sphere", "Sphere light", "A sphere that shines, exactly round; the cone that it fills is sampled",
+      LightType::sphere);
+  add("ambient", "Ambient light",
+      "Not physical: radiance from everywhere at every place, which casts no shadows; methods that walk from lights "
+      "alone "
+      "do not find it",
+      LightType::ambient);
   list.push_back(entry("environment", "Environment", "Radiance from infinity, constant or from an equirectangular map",
                        bare(render::environment_bindings(with_one_light(LightType::point), "environment"))));
   return list;

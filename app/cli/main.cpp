@@ -30,6 +30,8 @@ constexpr Subcommand kSubcommands[] = {
     {"certify", "Say whether the error that an image states stands", add_certify},
     {"inspect", "Say what is in a scene and what model it needs", add_inspect},
     {"bsdf", "Measure what a reflection model does with light", add_bsdf},
+    {"probe", "Measure light at a point of the picture: radiance, irradiance, flux", add_probe},
+    {"save", "Write a scene as glTF", add_save},
     {"list", "List integrators, samplers and what else there is", add_list},
     {"stress", "Try methods where they are known to fail, and say whether they do", add_stress},
     {"view", "Open the workbench; what etendue does without a subcommand", add_view},

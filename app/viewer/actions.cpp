@@ -36,6 +36,13 @@ void next_aov(Workbench& w) {
   w.view.aov = w.view.aov.empty() ? names.front() : at == names.end() || at + 1 == names.end() ? "" : *(at + 1);
 }
 
+void ask_for_scene(Workbench& w) {
+  const std::string scene = std::filesystem::path(w.editor.document().scene_name).stem().string();
+  w.files.ask("Save the scene (.glb, .gltf)", w.settings.folder, {".glb", ".gltf"}, true,
+              (scene.empty() ? "scene" : scene) + "-saved.glb",
+              [&w](const std::string& file) { w.scene_writer.write(file, w.editor.document()); });
+}
+
 void file_actions(Actions& a, Workbench* w) {
   const auto loaded = [w] { return !w->editor.empty(); };
   a.add({"file.open",
@@ -104,6 +111,14 @@ void file_actions(Actions& a, Workbench* w) {
                         snapshot_name(*w) + ".png", [w](const std::string& file) { w->save_snapshot(file); });
          },
          loaded,
+         {}});
+  a.add({"scene.save",
+         "File",
+         "Save the scene...",
+         "As .glb, or as .gltf with its pictures beside it: all edits, the camera and the light from all around",
+         "ctrl+shift+e",
+         [w] { ask_for_scene(*w); },
+         [w] { return !w->editor.empty() && !w->scene_writer.busy(); },
          {}});
   a.add({"app.quit",
          "File",
@@ -222,6 +237,10 @@ void technique_actions(Actions& a, Workbench* w) {
          [w] { ask_for_techniques(*w); },
          [w] { return w->techniques.possible() && w->techniques.shown(); },
          {}});
+  a.add({"meter.pick", "View", "Light meter",
+         "The next click in the picture measures there: radiance, irradiance, luminance, illuminance, flux", "m",
+         [w] { w->meter.picks = !w->meter.picks; }, [w] { return !w->editor.empty(); },
+         [w] { return w->meter.picks; }});
   a.add({"surface.keep",
          "Compare",
          "Keep this surface",

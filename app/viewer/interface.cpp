@@ -93,6 +93,7 @@ bool reveal(Workbench& w, const std::string& setting) {
   if (first == "compare") return w.view.sheet = "sheet.convergence", true;
   if (first == "files") return w.files.is_open();
   if (first == "techniques") return w.view.sheet = "sheet.techniques", true;
+  if (first == "meter") return w.show_tab(Tab::light), true;
   if (first == "surface") return w.view.sheet = "sheet.surface", true;
   if (first == "sampling") return w.view.sheet = "sheet.sampling", true;
   if (first == "camera") return w.show_tab(Tab::camera), true;

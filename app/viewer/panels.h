@@ -14,6 +14,8 @@ void draw_material_panel(Workbench& w);
 // The verdicts on a surface, one line each.
 void draw_badges(Workbench& w, const SurfaceReading& reading);
 void draw_light_panel(Workbench& w);
+// Its group with the light meter.
+void draw_meter(Workbench& w);
 void draw_camera_panel(Workbench& w);
 void draw_display_panel(Workbench& w);
 
@@ -33,6 +35,9 @@ void draw_health_map(const Workbench& w, const render::Health& health, ImDrawLis
 
 // Which pixel the sampling sheet is about.
 void draw_pixel_marker(Workbench& w, ImDrawList* draw);
+
+// Where the light meter lies.
+void draw_meter_marker(Workbench& w, ImDrawList* draw);
 
 // The same for two pictures that are compared. True while they hold the divider; `over`: they are over the picture.
 bool handle_divider(Workbench& w, bool over);

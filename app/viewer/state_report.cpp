@@ -95,6 +95,7 @@ constexpr PlainItem kItems[] = {
     {"compare.chart", "Chart", "Rest the pointer on it to read the curves"},
     {"paths.row.N", "Class", "Has only the paths of row N of the table count; all, if they already do"},
     {"techniques.cell.N.N", "Technique", "Leaves technique (s, t) to the others, or brings it back"},
+    {"light.preset", "Preset", "Gives the chosen light the colour and amount of a lamp that people know"},
     {"surface.badge.NAME", "Verdict", "Rest the pointer on it to read what it rests on"},
     {"surface.ball", "Ball", "The chosen material in a light of its own"},
     {"surface.ball-kept", "Ball", "The kept material in the same light"},
@@ -193,6 +194,15 @@ json surface_json(const SurfaceHand& hand) {
   return j;
 }
 
+json meter_json(const MeterHand& hand) {
+  const auto* m = hand.shown();
+  if (!m) return nullptr;
+  const auto reading = [](const render::Reading& r) {
+    return json{{"value", {r.value.r, r.value.g, r.value.b}}, {"standard_error", r.standard_error}};
+  };
+  return {{"whole", hand.whole()}, {"radiance", reading(m->radiance)}, {"irradiance", reading(m->irradiance)}};
+}
+
 json pixel_json(const PixelStudy& s) {
   json j{{"x", s.pixel.x},
          {"y", s.pixel.y},
@@ -238,6 +248,7 @@ std::string state_report(Workbench& w) {
       {"advice", advice_json(w.advice)},
       {"techniques", techniques_json(w.techniques)},
       {"surface", surface_json(w.surface)},
+      {"meter", meter_json(w.meter)},
       {"misses", nullptr},
       {"points", nullptr},
       {"interface_share", w.pace.share},
@@ -275,6 +286,7 @@ std::string widgets_json() {
   for (const auto& info : sampling_parameters()) list.push_back(parameter(info));
   for (const auto& info : techniques_parameters()) list.push_back(parameter(info));
   for (const auto& info : surface_parameters()) list.push_back(parameter(info));
+  for (const auto& info : meter_parameters()) list.push_back(parameter(info));
   const auto d = specimen();
   for (const auto& section : render::sections(d)) {
     // Objects are numbered; the first stands for all.

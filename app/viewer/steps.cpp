@@ -136,6 +136,21 @@ class WaitForKnowledge final : public Step {
   Rest begun_{3}, settled_{2};
 };
 
+// Until the light meter has read all it will.
+class WaitForMeter final : public Step {
+ public:
+  Progress advance(Workbench& w, Picture&) override {
+    if (!begun_.over()) return kGoingOn;
+    if (!w.meter.place()) return impossible("nothing is measured; click meter.pick and then the picture first");
+    return {w.meter.whole() && settled_.over(), {}};
+  }
+  bool hurries() const override { return false; }
+  double patience() const override { return 3600; }
+
+ private:
+  Rest begun_{3}, settled_{2};
+};
+
 // Until the chosen material is measured, and its ball has a picture where the sheet is open.
 class WaitForSurface final : public Step {
  public:
@@ -451,11 +466,13 @@ Result<std::unique_ptr<Step>> make_step(const json& j) {
       if (what == "contest") return made(std::make_unique<WaitForContest>());
       if (what == "paths" || what == "advice") return made(std::make_unique<WaitForStudy>(what == "paths"));
       if (what == "techniques") return made(std::make_unique<WaitForTechniques>());
+      if (what == "meter") return made(std::make_unique<WaitForMeter>());
       if (what == "surface") return made(std::make_unique<WaitForSurface>());
       if (what == "misses" || what == "points") return made(std::make_unique<WaitForKnowledge>(what == "points"));
       if (what != "pixel" && what != "comparison")
-        return usage_error("there is no waiting for '" + what +
-                           "'; give pixel, comparison, contest, paths, techniques, surface, misses, points or advice");
+        return usage_error(
+            "there is no waiting for '" + what +
+            "'; give pixel, comparison, contest, paths, techniques, surface, meter, misses, points or advice");
       return made(std::make_unique<WaitForWork>(what == "pixel"));
     }
     if (action == "wait") return made(std::make_unique<Wait>(0, j.at("seconds").get<double>()));

@@ -45,8 +45,18 @@ bool choose_pixel(Workbench& w, Vec2 at) {
   return true;
 }
 
+// Whether the click is for the light meter.
+bool measure(Workbench& w, Vec2 at) {
+  if (!w.meter.picks || !w.view.picture.contains(at)) return false;
+  w.meter.picks = false;
+  const Placement& p = w.view.picture;
+  w.meter.measure((at - p.corner) / p.size * Vec2(w.editor.document().width, w.editor.document().height));
+  w.show_tab(Tab::light);
+  return true;
+}
+
 void click(Workbench& w, Hold& hold, Vec2 at) {
-  if (choose_pixel(w, at)) return;
+  if (choose_pixel(w, at) || measure(w, at)) return;
   const auto picked = picked_at(w, at);
   const bool twice = seconds_since(hold.clicked) < kDoubleClick && glm::length(at - hold.click_at) <= kClickSlack;
   hold.clicked = twice ? Clock::time_point{} : Clock::now();
@@ -222,6 +232,7 @@ void draw_viewport_overlay(Workbench& w) {
   if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
   draw_comparison_overlay(w, draw);
   draw_pixel_marker(w, draw);
+  draw_meter_marker(w, draw);
   if (w.view.interface) obstacle_notice(w, draw);
   if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), layer_label(w));
   draw->PopClipRect();

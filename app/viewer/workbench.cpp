@@ -31,6 +31,7 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       session({.threads = o.threads, .interactive = true, .publish_interval = 0.1}),
       loader([&p] { p.wake(); }),
       capture(session, editor, [&p] { p.wake(); }),
+      scene_writer([&p] { p.wake(); }),
       aov(session, editor, [&p] { p.wake(); }),
       comparison([&p] { p.wake(); }),
       contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
@@ -42,7 +43,8 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       surface(editor, [&p] { p.wake(); }),
       balls(p.gl()),
       advice(session, editor, o.threads, [&p] { p.wake(); }),
-      probe(session, editor, [&p] { p.wake(); }) {
+      probe(session, editor, [&p] { p.wake(); }),
+      meter(session, editor, [&p] { p.wake(); }) {
   session.on_update([&p] { p.wake(); });
   add_actions(actions, this);
 }
@@ -156,6 +158,7 @@ void Workbench::take_opened(Result<Opened> opened) {
   blind_spots.forget();
   techniques.forget();
   surface.forget();
+  meter.forget();
   advice.forget();
   session.pause(false);
   editor.open(std::move(opened->document));
@@ -171,6 +174,15 @@ bool Workbench::advance(Picture& on_screen) {
       notices.say("Saved " + **saved);
     else
       notices.complain(saved->error().message);
+    redraw = true;
+  }
+  if (auto saved = scene_writer.take()) {
+    if (*saved)
+      notices.say("Saved " + (*saved)->file);
+    else
+      notices.complain(saved->error().message);
+    if (*saved)
+      for (const auto& warning : (*saved)->warnings) notices.say(warning);
     redraw = true;
   }
   if (auto loaded = comparison.take_loaded()) {
@@ -206,6 +218,7 @@ bool Workbench::advance(Picture& on_screen) {
                      notices);
   const bool surface_sheet = view.interface && view.sheet == "sheet.surface";
   surface.advance(selection.material, surface_sheet || (view.interface && view.tab == Tab::material), surface_sheet);
+  meter.advance();
   const bool busy = advice.running() || contest.running() || paths.running();
   blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
   if (view.sheet != "sheet.sampling")

@@ -16,10 +16,12 @@
 #include "viewer/file_dialog.h"
 #include "viewer/items.h"
 #include "viewer/loader.h"
+#include "viewer/meter_hand.h"
 #include "viewer/notices.h"
 #include "viewer/paths_hand.h"
 #include "viewer/pixel_probe.h"
 #include "viewer/points_hand.h"
+#include "viewer/scene_writer.h"
 #include "viewer/settings.h"
 #include "viewer/surface_hand.h"
 #include "viewer/techniques_hand.h"
@@ -123,6 +125,7 @@ struct Workbench {
   Notices notices;
   Loader loader;
   Capture capture;
+  SceneWriter scene_writer;
   AovView aov;
   Comparison comparison;
   ContestHand contest;
@@ -135,6 +138,7 @@ struct Workbench {
   Thumbnails balls;  // of its materials
   AdviceHand advice;
   PixelProbe probe;
+  MeterHand meter;
   CameraHand hand;
   FileDialog files;
   Selection selection;

@@ -40,9 +40,10 @@ bool is_smooth(const SurfaceMaterial& m) {
 }
 
 std::string name_of(const Light& light) {
-  const char* kind = light.type == LightType::point  ? "point light"
-                     : light.type == LightType::spot ? "spot light"
-                                                     : "directional light";
+  const char* kind = light.type == LightType::point     ? "point light"
+                     : light.type == LightType::spot    ? "spot light"
+                     : light.type == LightType::ambient ? "ambient light"
+                                                        : "directional light";
   return light.name.empty() ? std::string("a ") + kind : std::string("the ") + kind + " '" + light.name + "'";
 }
 

@@ -75,6 +75,25 @@ RTCGeometry instance_geometry(const AccelInstance& instance) {
   return geometry;
 }
 
+RTCGeometry round_geometry(const AccelInstance& instance) {
+  const RoundShape& shape = *instance.round;
+  const bool disk = shape.kind == RoundShape::Kind::disk;
+  const RTCGeometry geometry =
+      rtcNewGeometry(device(), disk ? RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT : RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  const size_t steps = instance.motion ? instance.motion->steps() : 1;
+  rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(steps));
+  for (unsigned i = 0; i < steps; ++i) {
+    const RoundShape at = instance.motion ? shape.placed(instance.motion->to_world[i]) : shape;
+    const auto store = [&](RTCBufferType type, RTCFormat format, const Vec4& value, size_t size) {
+      std::memcpy(rtcSetNewGeometryBuffer(geometry, type, i, format, size, 1), &value, size);
+    };
+    store(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, Vec4(at.centre, at.radius), sizeof(Vec4));
+    if (disk) store(RTC_BUFFER_TYPE_NORMAL, RTC_FORMAT_FLOAT3, Vec4(at.frame.z, 0), sizeof(Vec3));
+  }
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
 // What a ray carries into Embree: the context must come first.
 struct TraceContext {
   RTCIntersectContext embree;
@@ -151,9 +170,11 @@ Accel::Accel(std::span<const AccelInstance> instances)
     : scene_(new_scene()), kept_(instances.begin(), instances.end()) {
   for (uint32_t i = 0; i < kept_.size(); ++i) {
     const AccelInstance& instance = kept_[i];
-    if (instance.mesh->triangles.empty()) continue;
-    const RTCGeometry geometry =
-        instance.accel ? instance_geometry(instance) : triangle_geometry(*instance.mesh, instance.motion.get());
+    if (!instance.round && instance.mesh->triangles.empty()) continue;
+    any_round_ = any_round_ || instance.round;
+    const RTCGeometry geometry = instance.round   ? round_geometry(instance)
+                                 : instance.accel ? instance_geometry(instance)
+                                                  : triangle_geometry(*instance.mesh, instance.motion.get());
     rtcAttachGeometryByID(scene_, geometry, i);
     rtcReleaseGeometry(geometry);
   }
@@ -173,6 +194,15 @@ void Accel::intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_s
       query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit::kNone : instance_of(query.hit.instID[0], query.hit.geomID);
   hit.triangle = query.hit.primID;
   hit.u = query.hit.u, hit.v = query.hit.v, hit.t = query.ray.tfar;
+  if (any_round_ && is_round(query.hit.instID[0], query.hit.geomID)) {
+    const Vec2 uv = place_on_round(query.hit.geomID, ray.origin + ray.direction * hit.t, time);
+    hit.u = uv.x, hit.v = uv.y;
+  }
+}
+
+Vec2 Accel::place_on_round(uint32_t instance, const Vec3& point, float time) const {
+  const AccelInstance& it = kept_[instance];
+  return it.motion ? it.round->placed(it.motion->matrix_at(time)).uv_of(point) : it.round->uv_of(point);
 }
 
 // What is the same for all rays is written once: Embree leaves it as it is.
@@ -190,6 +220,15 @@ void Accel::intersect(RayPacket& packet, int count, bool coherent, const Opacity
   std::memset(packet.query_.hit.instID, 0xff, sizeof packet.query_.hit.instID);
   TraceContext context = make_context(opacity, seeds, coherent);
   rtcIntersect16(lanes.valid, scene_, &context.embree, &packet.query_);
+  if (!any_round_) return;
+  const RTCRay16& ray = packet.query_.ray;
+  RTCHit16& hit = packet.query_.hit;
+  for (int i = 0; i < count; ++i) {
+    if (!is_round(hit.instID[0][i], hit.geomID[i])) continue;
+    const Vec3 origin(ray.org_x[i], ray.org_y[i], ray.org_z[i]);
+    const Vec2 uv = place_on_round(hit.geomID[i], origin + packet.direction(i) * ray.tfar[i], ray.time[i]);
+    hit.u[i] = uv.x, hit.v[i] = uv.y;
+  }
 }
 
 void Accel::occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const {

@@ -13,13 +13,14 @@
 
 #include "geometry/motion.h"
 #include "geometry/ray.h"
+#include "geometry/round_shape.h"
 
 namespace etendue {
 
 struct Hit {
   static constexpr uint32_t kNone = 0xffffffffU;
   uint32_t instance = kNone, triangle = 0;
-  float u = 0, v = 0;  // barycentric weights of vertices 1 and 2
+  float u = 0, v = 0;  // barycentric weights of vertices 1 and 2; of a round shape its own (round_shape.h)
   float t = kInfinity;
 
   explicit operator bool() const { return instance != kNone; }
@@ -90,6 +91,7 @@ struct AccelInstance {
   std::shared_ptr<const MeshAccel> accel;          // null: the mesh stands in the top level, and is in world space
   Mat4 to_world{1};                                // of an instanced mesh
   std::shared_ptr<const Motion> motion = nullptr;  // null: it stands still; a mesh that deforms stands in the top level
+  std::shared_ptr<const RoundShape> round = nullptr;  // instead of the mesh; placed where it stands still
 };
 
 class Accel {
@@ -112,8 +114,15 @@ class Accel {
   Bounds bounds() const;
 
  private:
+  // Of a hit on a round shape, whose place Embree does not tell: its u and v.
+  Vec2 place_on_round(uint32_t instance, const Vec3& point, float time) const;
+  bool is_round(uint32_t in_instance, uint32_t geometry) const {
+    return in_instance == 0xffffffffU && geometry < kept_.size() && kept_[geometry].round;
+  }
+
   RTCScene scene_;
   std::vector<AccelInstance> kept_;  // what Embree points to
+  bool any_round_ = false;
 };
 
 // Bytes that Embree holds at the moment, all scenes together.

@@ -63,5 +63,7 @@ Result<void> write_png(const std::filesystem::path& path, int width, int height,
                        const std::map<std::string, std::string>& attributes = {});
 // The same into memory, without text.
 Result<std::vector<std::byte>> encode_png(int width, int height, std::span<const uint8_t> rgb);
+// A picture with the channels it has: bytes as they are, floats between 0 and 1 in 16 bits.
+Result<std::vector<std::byte>> encode_png(const Image& image);
 
 }  // namespace etendue::image

@@ -1,8 +1,9 @@
-// Writing 8-bit sRGB PNG with text chunks.
+// Writing PNG: 8-bit sRGB with text chunks, and textures as they are.
 #include <png.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
@@ -54,18 +55,23 @@ bool is_keyword(const std::string& keyword) {
          keyword.find("  ") == std::string::npos && std::ranges::all_of(keyword, printable);
 }
 
-bool write_chunks(Writer& writer, png_uint_32 width, png_uint_32 height, png_bytepp rows, png_const_textp texts,
-                  int text_count) {
+struct Format {
+  png_uint_32 width, height;
+  int depth = 8, color_type = PNG_COLOR_TYPE_RGB;
+  bool srgb = true;  // says so; what a texture's numbers mean, only its use says
+};
+
+bool write_chunks(Writer& writer, const Format& format, png_bytepp rows, png_const_textp texts, int text_count) {
   writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
   if (writer.png) writer.info = png_create_info_struct(writer.png);
   if (!writer.info) return false;
   if (setjmp(png_jmpbuf(writer.png))) return false;
   png_init_io(writer.png, writer.file);
   png_set_user_limits(writer.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  png_set_IHDR(writer.png, writer.info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
-  png_set_text(writer.png, writer.info, texts, text_count);
+  png_set_IHDR(writer.png, writer.info, format.width, format.height, format.depth, format.color_type,
+               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (format.srgb) png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (text_count > 0) png_set_text(writer.png, writer.info, texts, text_count);
   png_write_info(writer.png, writer.info);
   png_write_image(writer.png, rows);
   png_write_end(writer.png, nullptr);
@@ -77,8 +83,8 @@ bool write_picture(Writer& writer, int width, int height, std::span<const uint8_
   std::vector<png_bytep> rows;
   for (size_t y = 0; y < static_cast<size_t>(height); ++y)
     rows.push_back(const_cast<png_bytep>(&rgb[y * static_cast<size_t>(width) * 3]));  // only read from
-  return write_chunks(writer, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), rows.data(),
-                      texts.data(), static_cast<int>(texts.size()));
+  const Format format{static_cast<png_uint_32>(width), static_cast<png_uint_32>(height)};
+  return write_chunks(writer, format, rows.data(), texts.data(), static_cast<int>(texts.size()));
 }
 
 Result<void> check_size(const std::string& name, int width, int height, std::span<const uint8_t> rgb) {
@@ -88,21 +94,54 @@ Result<void> check_size(const std::string& name, int width, int height, std::spa
                       " RGB");
 }
 
-}  // namespace
-
-Result<std::vector<std::byte>> encode_png(int width, int height, std::span<const uint8_t> rgb) {
-  if (auto ok = check_size("PNG", width, height, rgb); !ok) return ok.error();
+// What `write` makes of a writer into memory.
+template <class Write>
+Result<std::vector<std::byte>> in_memory(Write&& write) {
   char* bytes = nullptr;
   size_t size = 0;
   File file(open_memstream(&bytes, &size), std::fclose);
   if (!file) return output_error("PNG: not enough memory");
   Writer writer(file.get());
-  const bool written = write_picture(writer, width, height, rgb, {});
+  const bool written = write(writer);
   file.reset();  // only now are bytes and size those of the whole
   const std::unique_ptr<char, void (*)(void*)> owner(bytes, std::free);
   if (!written) return output_error(std::string("PNG: ") + writer.message);
   const auto* first = reinterpret_cast<const std::byte*>(bytes);
   return std::vector<std::byte>(first, first + size);
+}
+
+// Big-endian, as PNG has them.
+std::vector<uint8_t> sixteen_bits(const std::vector<float>& values) {
+  std::vector<uint8_t> bytes;
+  bytes.reserve(values.size() * 2);
+  for (const float value : values) {
+    const auto v = static_cast<unsigned>(std::lround(std::clamp(value, 0.0f, 1.0f) * 65535.0f));
+    bytes.push_back(static_cast<uint8_t>(v >> 8)), bytes.push_back(static_cast<uint8_t>(v & 0xff));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> encode_png(int width, int height, std::span<const uint8_t> rgb) {
+  if (auto ok = check_size("PNG", width, height, rgb); !ok) return ok.error();
+  return in_memory([&](Writer& writer) { return write_picture(writer, width, height, rgb, {}); });
+}
+
+Result<std::vector<std::byte>> encode_png(const Image& image) {
+  static constexpr int kColorTypes[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA, PNG_COLOR_TYPE_RGB,
+                                        PNG_COLOR_TYPE_RGB_ALPHA};
+  if (image.empty() || image.channels < 1 || image.channels > 4) return output_error("PNG: the picture is empty");
+  const bool wide = image.type == PixelType::float32;
+  const std::vector<uint8_t> converted = wide ? sixteen_bits(image.floats) : std::vector<uint8_t>();
+  const std::vector<uint8_t>& samples = wide ? converted : image.bytes;
+  const size_t row = static_cast<size_t>(image.width) * static_cast<size_t>(image.channels) * (wide ? 2 : 1);
+  std::vector<png_bytep> rows;
+  for (size_t y = 0; y < static_cast<size_t>(image.height); ++y)
+    rows.push_back(const_cast<png_bytep>(&samples[y * row]));  // only read from
+  const Format format{static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), wide ? 16 : 8,
+                      kColorTypes[image.channels - 1], false};
+  return in_memory([&](Writer& writer) { return write_chunks(writer, format, rows.data(), nullptr, 0); });
 }
 
 Result<void> write_png(const std::filesystem::path& path, int width, int height, std::span<const uint8_t> rgb,

@@ -20,8 +20,7 @@ class Appel final : public Gathering<Appel> {
       "1 ray per sample and 1 for each light; no memory",
       "everything indirect, mirrors and glass: black; narrow glossy lobes under large lights: noise"};
 
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every,
-                               "Every light has no noise of choosing; one has the same cost however many there are"};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
   auto knobs() { return std::tie(max_depth, lights); }
 

@@ -29,8 +29,7 @@ class Distribution final : public Gathering<Distribution> {
   Number<int> branches_3{"branches-3", "At the third", 1, {1, 64}, "Later ones have one"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
                      "Direct light from points on lights; without, only what rays meet counts (Example 6.44)"};
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::one,
-                               "Every light has no noise of choosing; one has the same cost however many there are"};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How light samples and BSDF samples share a path"};
   Number<int> roulette_start{

@@ -16,6 +16,11 @@ inline std::string obstacle_to_meeting_lights(const Pass& pass) {
   return "no walk can meet a light without extent, and the scene has no others: take a method that samples lights";
 }
 
+// Of the choice of lights (LightStrategy).
+inline constexpr const char* kLightsDoc =
+    "Every light has no noise of choosing; one has the same cost however many there are, and by the tree those near by "
+    "are asked more often than those far away";
+
 template <class Derived>
 class Gathering : public Method<Derived> {
  public:

@@ -108,7 +108,7 @@ class VirtualLights final : public Work {
         add_emission(front, kHeuristic);
         if (method_.at_limit(front.length())) continue;
         weigh_by_loss(front, departures);
-        add_direct_light(front, kHeuristic);
+        add_direct_light(front, LightStrategy::automatic, kHeuristic);
         lighting.add(front);
         scatter_noted(
             front, method_.roulette_start, Transport::radiance,

@@ -42,10 +42,11 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
   // Whichever side the walk left by, the other one shines as well.
   const float cosine = point.material->description.double_sided ? std::abs(facing) : facing;
   if (!(cosine > 0)) return;
-  const float density = cosine * view->importance;
+  const float density = cosine * view->importance, beam = point.beam(view->wi);
   const auto through = transport::transmittance<M>(point, view->wi, view->distance);
-  splatter.connect(start.path, ray_to(point, view->wi, view->distance), e.time, seed, view->raster,
-                   start.emitted * through * (density / e.density.first * weigh(density, view->wi, view->distance)));
+  splatter.connect(
+      start.path, ray_to(point, view->wi, view->distance), e.time, seed, view->raster,
+      start.emitted * through * (beam * density / e.density.first * weigh(density, view->wi, view->distance)));
 }
 
 // Connects those of the present vertices that are wanted; weigh(arrival, view).

@@ -136,7 +136,8 @@ class LightWalks {
     const Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
     const auto path = static_cast<size_t>(start.path);
-    const Color flux = start.emitted * e.per_density;
+    const float beam = start.point ? start.point->beam(e.direction) : 1;
+    const Color flux = start.emitted * (e.per_density * beam);
     const float most = max_component(flux);
     flux_[path] = most, lights_[path] = e.light;
     if (!(most > 0)) return;

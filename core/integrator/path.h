@@ -25,20 +25,21 @@ class Path final : public Gathering<Path> {
 
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How light samples and BSDF samples share a path"};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() { return std::tie(max_depth, heuristic, roulette_start); }
+  auto knobs() { return std::tie(max_depth, heuristic, lights, roulette_start); }
 
   template <class M>
   void estimate(transport::Front<M>& front) const {
     using namespace transport;
     while (front.advance()) {
-      add_environment(front, heuristic);
+      add_environment(front, heuristic, lights);
       while (front.arrive()) {
-        add_emission(front, heuristic);
+        add_emission(front, heuristic, lights);
         if (at_limit(front.length())) continue;
-        add_direct_light(front, heuristic);
+        add_direct_light(front, lights, heuristic);
         scatter(front, roulette_start);
       }
     }

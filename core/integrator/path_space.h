@@ -58,9 +58,7 @@ class PathSpace {
     Vertex& x = path[0];
     x.delta = false;
     if (e.kind == LightKind::triangle) {
-      const EmissiveTriangle& t = scene_->lights().triangles()[e.light];
-      x.hit = {t.instance, t.triangle, e.barycentric.x, e.barycentric.y};
-      x.found_from = glm::normalize(e.back ? -t.cross : t.cross);
+      scene_->locate(e, x.hit, x.found_from);
       place(x, path.time);
     } else {
       x.point.position = e.position, x.direction = e.direction;
@@ -279,7 +277,7 @@ class PathSpace {
       scene::SurfacePoint& point = path[0].point;
       const float cosine = glm::dot(point.ng, direction);
       point.front = cosine > 0;
-      light.emitted = scene_->emitted(point);
+      light.emitted = scene_->emitted(point, direction);
       density = scene_->lights().density_of_triangle(light.number, cosine, path.time);
       if (cosine == 0 || !seen_as_it_is(path)) return false;
     } else if (light.kind == LightKind::environment) {

@@ -26,8 +26,7 @@ class Raycast final : public Gathering<Raycast> {
   Toggle local{"local", "Local illumination", true,
                "Light from every source, as if nothing stood in between (thesis 8.2)"};
 
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every,
-                               "Every light has no noise of choosing; one has the same cost however many there are"};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
   auto knobs() { return std::tie(max_depth, local, lights); }
 

@@ -35,8 +35,7 @@ class Whitted final : public Gathering<Whitted> {
                           1e-3f,
                           {0, 1},
                           "Branches end when they carry less than this share of what they show: shorter trees, darker"};
-  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every,
-                               "Every light has no noise of choosing; one has the same cost however many there are"};
+  Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
   auto knobs() { return std::tie(max_depth, threshold, lights); }
 

@@ -14,6 +14,14 @@ float pdf_direction(const Light& light) {
   return 1 / (2 * kPi * std::max(1 - std::cos(light.outer_cone), 1e-7f));
 }
 
+// From the density of the cosine to that of a higher power of it, about the same axis.
+Vec3 focused(const Vec3& d, float focus) {
+  const float sin2 = sqr(d.x) + sqr(d.y);
+  const float z = std::pow(std::max(1 - sin2, 0.0f), 1 / (focus + 2));
+  const float scale = sin2 > 0 ? safe_sqrt((1 - z * z) / sin2) : 0;
+  return {d.x * scale, d.y * scale, z};
+}
+
 }  // namespace
 
 void LightTable::emit(const EmissionDraw& draw, Emission& e) const {
@@ -23,18 +31,27 @@ void LightTable::emit(const EmissionDraw& draw, Emission& e) const {
   e.time = draw.time;
   if (choice.index < triangles_.size()) return emit_from_triangle(draw, e);
   const size_t placed = choice.index - triangles_.size();
-  if (placed < placed_.size() && placed_[placed].light.type != LightType::directional)
-    return emit_from_point(choice, draw, e);
+  if (placed < placed_.size()) {
+    const LightType type = placed_[placed].light.type;
+    if (type == LightType::ambient) return;  // comes from nowhere
+    if (type != LightType::directional) return emit_from_point(choice, draw, e);
+  }
   emit_from_infinity(choice, draw, e);
 }
 
 void LightTable::emit_from_triangle(const EmissionDraw& draw, Emission& e) const {
   const EmissiveTriangle& triangle = triangles_[e.light];
-  e.barycentric = square_to_triangle({draw.point.x, draw.point.y});
+  if (triangle.round < 0)
+    e.barycentric = square_to_triangle({draw.point.x, draw.point.y});
+  else if (round_of(triangle).shape.kind == RoundShape::Kind::disk)
+    e.barycentric = square_to_disk(draw.point);
+  else
+    e.barycentric = fold_direction(square_to_sphere(draw.point));
   leave_triangle(draw.direction, draw.cosine_direction, e);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)
-    e.per_density = kPi / (triangle.side_probability() * e.density.first);
+    e.per_density = triangle.focus == 0 ? kPi / (triangle.side_probability() * e.density.first)
+                                        : e.direction.z / (e.density.first * e.density.second);
 }
 
 void LightTable::emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const {
@@ -73,6 +90,7 @@ void LightTable::leave_triangle(const Vec2& u, const Vec3& cosine_direction, Emi
     const float x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
     e.direction = square_to_cosine_hemisphere({x, u.y});
   }
+  if (const float focus = triangles_[e.light].focus; focus != 0) e.direction = focused(e.direction, focus);
   const EmissionDensity density = density_of_triangle(e.light, e.direction.z, e.time);
   e.density.first = density.first, e.density.second = density.second;
   e.density.delta = false, e.density.infinite = false;
@@ -105,13 +123,14 @@ void LightTable::emit_anew(Vec2 u, Emission& e) const {
 }
 
 EmissionDensity LightTable::density_of_escape(const Vec3& direction) const {
-  return {pdf_environment(direction), pdf_across(), false, true};
+  return {pdf_environment(direction, LightStrategy::as_emitted), pdf_across(), false, true};
 }
 
 EmissionDensity LightTable::density_of_other(const LightSample& sample) const {
   if (sample.kind == LightKind::environment) return density_of_escape(sample.wi);
   const float choice = choice_.probability(sample.light);
   const Light& light = placed_[sample.light - triangles_.size()].light;
+  if (light.type == LightType::ambient) return {choice, 0, true, true};
   if (light.type == LightType::directional) return {choice, pdf_across(), true, true};
   return {choice, pdf_direction(light), true, false};
 }

@@ -1,4 +1,4 @@
-// Lights that are no surfaces: what a user edits.                        KHR_lights_punctual; thesis 4.3
+// Lights: what a user edits.                        KHR_lights_punctual; thesis 4.3, (4.366), errata E30, E31
 #pragma once
 #include <memory>
 #include <string>
@@ -9,16 +9,50 @@
 
 namespace etendue {
 
-enum class LightType : uint8_t { point, spot, directional };
+// Quad, disk and sphere are surfaces that shine: black, met by rays, exactly of their shape.
+// Ambient light is no physical one: the same radiance from everywhere at every place, and nothing casts a shadow in it.
+// It stands in for indirect light.
+enum class LightType : uint8_t { point, spot, directional, quad, disk, sphere, ambient };
 
-// Placed by a node: it shines along the node's -z, from its origin.
+// How a spot falls off from its inner cone (t = 1) to its outer one (t = 0), t being linear in the cosine; the last one
+// knows no inner cone, but a power of the cosine to the axis.
+enum class SpotProfile : uint8_t { squared, smoothstep, quartic, cosine };
+
+// What `intensity` says of a surface.
+enum class SurfaceQuantity : uint8_t { radiance, power };
+
+// Placed by a node: it shines along the node's -z, from its origin; a quad's width goes along x. The node's scale does
+// not count.
 struct Light {
   std::string name;
   LightType type = LightType::point;
   Rgb color{1};
-  float intensity = 1;  // point, spot: W/sr; directional: W/m^2 (irradiance on a surface that faces it)
+  // Point, spot: W/sr; directional: W/m^2 (irradiance on a surface that faces it); surfaces: W/(m^2 sr), or W;
+  // ambient: W/(m^2 sr).
+  float intensity = 1;
   float inner_cone = 0, outer_cone = kPi / 4;  // spot: half angles in radians, falling off between them
-  float range = kInfinity;                     // metres; glTF's recommended window, infinite where the file gives none
+  SpotProfile profile = SpotProfile::squared;
+  float exponent = 1;           // of the cosine profile
+  float range = kInfinity;      // metres; glTF's recommended window, infinite where the file gives none
+  float width = 1, height = 1;  // quad, metres
+  float radius = 0.5f;          // disk, sphere, metres
+  bool two_sided = false;       // quad, disk
+  SurfaceQuantity quantity = SurfaceQuantity::radiance;
+  float focus = 0;  // a surface's radiance is `intensity` times this power of the cosine to its normal
+  int points = 0;   // a surface stands for so many lamps without extent; 0 is the surface itself
+
+  bool is_surface() const { return type == LightType::quad || type == LightType::disk || type == LightType::sphere; }
+  // One side of it, square metres.
+  float area() const {
+    return type == LightType::quad ? width * height : (type == LightType::sphere ? 4 : 1) * kPi * radius * radius;
+  }
+  int sides() const { return two_sided && type != LightType::sphere ? 2 : 1; }
+  // Of a surface, along its normal.
+  Rgb radiance() const {
+    const float per_area = 2 * kPi / (focus + 2) * static_cast<float>(sides());
+    const float all = quantity == SurfaceQuantity::power ? per_area * area() : 1;
+    return all > 0 ? color * (intensity / all) : Rgb(0);
+  }
 
   friend bool operator==(const Light&, const Light&) = default;
 };

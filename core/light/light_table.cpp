@@ -5,12 +5,21 @@
 #include "base/warp.h"
 #include "base/wide.h"
 #include "light/punctual.h"
+#include "light/spherical_triangle.h"
 
 namespace etendue {
 namespace {
 
 float power_of(const EmissiveTriangle& t) {
-  return kPi * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
+  return 2 * kPi / (t.focus + 2) * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
+}
+
+// Whether a triangle looks so large from there that directions to it are sampled rather than its points: its area over
+// the square of the distance to its middle. Squares of both sides, since the cross product is twice the area.
+inline bool looks_large(const Vec3& to_p0, const Vec3& e1, const Vec3& e2, const Vec3& cross) {
+  constexpr float kLarge = 1;
+  const Vec3 to_middle = to_p0 + (e1 + e2) * (1 / 3.0f);
+  return sqr(length_squared(to_middle) * (2 * kLarge)) < length_squared(cross);
 }
 
 float power_of(const PlacedLight& placed, float scene_radius) {
@@ -20,9 +29,16 @@ float power_of(const PlacedLight& placed, float scene_radius) {
     case LightType::point:
       return 4 * kPi * intensity;
     case LightType::spot:
+      if (light.profile == SpotProfile::cosine)
+        return 2 * kPi * (1 - std::pow(std::max(std::cos(light.outer_cone), 0.0f), light.exponent + 1)) /
+               (light.exponent + 1) * intensity;
       return kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone)) * intensity;
     case LightType::directional:
       return kPi * sqr(scene_radius) * intensity;
+    case LightType::ambient:
+      return 4 * sqr(kPi * scene_radius) * intensity;
+    default:  // surfaces are triangles or round
+      break;
   }
   return 0;
 }
@@ -45,11 +61,12 @@ struct LightTable::ChosenTriangles {
 
   struct Points;
   void sample(const LightQueries& queries, Points& points) const;
+  void sample_directions(const LightQueries& queries, size_t i, Points& points) const;
 };
 
 struct LightTable::ChosenTriangles::Points {
   WideVec3<kSize> wi;
-  alignas(64) Array<float> distance, pdf, b1, b2;
+  alignas(64) Array<float> distance, pdf, b1, b2, large;
 
   void get(size_t i, LightSample& sample) const {
     sample.wi = wi[i];
@@ -63,7 +80,8 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(queries.count); ++i) {
     const Vec2 b = square_to_triangle({queries.u0[i], queries.u1[i]});
-    const Vec3 to_light = p0[i] + b.x * e1[i] + b.y * e2[i] - queries.from[i];
+    const Vec3 to_p0 = p0[i] - queries.from[i];
+    const Vec3 to_light = to_p0 + b.x * e1[i] + b.y * e2[i];
     const float distance2 = length_squared(to_light);
     const float distance = std::sqrt(distance2), scale = 1 / distance;
     const Vec3 wi = to_light * scale;
@@ -74,14 +92,28 @@ ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& querie
     points.wi.set(i, wi);
     points.distance[i] = distance, points.b1[i] = b.x, points.b2[i] = b.y;
     points.pdf[i] = seen > 0 && pdf < kInfinity ? pdf : 0;
+    points.large[i] = looks_large(to_p0, e1[i], e2[i], cross[i]) ? 1 : 0;
   }
 }
 
+// Of one that looks large. What is not seen is left as it is.
+void LightTable::ChosenTriangles::sample_directions(const LightQueries& queries, size_t i, Points& points) const {
+  const SphericalTriangle seen(p0[i] - queries.from[i], e1[i], e2[i]);
+  if (points.pdf[i] == 0 || !seen.can_be_sampled()) return;
+  const auto point = seen.sample({queries.u0[i], queries.u1[i]});
+  points.wi.set(i, point.direction);
+  points.distance[i] = point.distance;
+  points.b1[i] = point.barycentric.x, points.b2[i] = point.barycentric.y;
+  points.pdf[i] = probability[i] / seen.solid_angle();
+}
+
 LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
-                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers)
+                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers,
+                       std::vector<RoundLight> rounds)
     : triangles_(std::move(triangles)),
       placed_(std::move(placed)),
       movers_(std::move(movers)),
+      rounds_(std::move(rounds)),
       centre_(scene_bounds.empty() ? Vec3(0) : scene_bounds.center()),
       radius_(std::max(scene_bounds.radius(), 1e-6f)),
       environment_(environment) {
@@ -95,6 +127,7 @@ LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<Plac
   if (!any) return;
   choice_ = AliasTable(powers);
   find_sources();
+  plant_tree(powers);
 }
 
 void LightTable::find_sources() {
@@ -125,32 +158,37 @@ AliasTable::Choice LightTable::choose_within(const Source& source, float u) cons
   return {index, choice_.probability(index) / source.probability};
 }
 
-void LightTable::sample(const LightQueries& queries, LightSample* samples) const {
-  sample_chosen(queries, samples, [&](float u) { return choice_.sample(u); });
+void LightTable::sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const {
+  if (uses_tree(strategy))
+    sample_chosen(queries, samples, true, [&](size_t i) { return choose_by_tree(queries.from[i], queries.choice[i]); });
+  else
+    sample_chosen(queries, samples, strategy != LightStrategy::as_emitted,
+                  [&](size_t i) { return choice_.sample(queries.choice[i]); });
 }
 
 void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
-  sample_chosen(queries, samples, [&](float u) { return choose_within(sources_[source], u); });
+  sample_chosen(queries, samples, true, [&](size_t i) { return choose_within(sources_[source], queries.choice[i]); });
 }
 
 template <class Choose>
-void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const {
+void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, bool solid_angles,
+                               Choose&& choose) const {
   ChosenTriangles triangles;
   for (size_t first = 0; first < queries.count; first += ChosenTriangles::kSize)
     sample_batch(
         {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
          std::min(ChosenTriangles::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
-        triangles, samples + first, choose);
+        triangles, samples + first, solid_angles, [&](size_t i) { return choose(first + i); });
 }
 
 template <class Choose>
 void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
-                              Choose&& choose) const {
+                              bool solid_angles, Choose&& choose) const {
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     sample.pdf = 0;
     if (choice_.empty()) continue;
-    const auto choice = choose(queries.choice[i]);
+    const auto choice = choose(i);
     sample.light = choice.index;
     sample.kind = choice.index < triangles_.size() ? LightKind::triangle : LightKind::placed;
     if (sample.kind == LightKind::triangle)
@@ -160,7 +198,8 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
                    sample);
   }
   for (size_t i = 0; queries.times && !choice_.empty() && i < queries.count; ++i)
-    if (const uint32_t light = samples[i].light; light < triangles_.size() && triangles_[light].moving)
+    if (const uint32_t light = samples[i].light;
+        light < triangles_.size() && triangles_[light].moving && triangles_[light].round < 0)
       triangles.set(i, moved(triangles_[light], queries.times[i]), triangles.probability[i]);
   ChosenTriangles::Points points;
   triangles.sample(queries, points);
@@ -168,9 +207,15 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
     LightSample& sample = samples[i];
     if (choice_.empty() || sample.kind != LightKind::triangle) continue;
     const EmissiveTriangle& triangle = triangles_[sample.light];
+    if (points.large[i] != 0 && triangle.round < 0 && solid_angles) triangles.sample_directions(queries, i, points);
     points.get(i, sample);
+    if (points.large[i] != 0 && triangle.round >= 0)
+      sample_round(triangle, triangles.probability[i], queries.from[i], {queries.u0[i], queries.u1[i]},
+                   queries.times ? queries.times[i] : 0, solid_angles, sample);
     sample.delta = false;
     sample.radiance = triangle.radiance, sample.textured = triangle.textured;
+    if (triangle.focus != 0 && sample.pdf > 0)
+      sample.radiance *= triangle.beam(cosine_at(sample, queries.times ? queries.times[i] : 0));
   }
 }
 
@@ -179,7 +224,7 @@ void LightTable::sample_other(const AliasTable::Choice& choice, const Vec3& from
   const size_t placed = choice.index - triangles_.size();
   sample.textured = false;
   const bool reached =
-      placed < placed_.size() ? sample_placed(placed_[placed], from, time, sample) : sample_environment(u, sample);
+      placed < placed_.size() ? sample_placed(placed_[placed], from, u, time, sample) : sample_environment(u, sample);
   sample.pdf = reached ? sample.pdf * choice.probability : 0;
 }
 
@@ -194,13 +239,19 @@ bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
   return sample.pdf > 0;
 }
 
-bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, float time, LightSample& sample) const {
+bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, Vec2 u, float time,
+                               LightSample& sample) const {
   const Light& light = placed.light;
   const LightPlace place = placed.at(time);
   sample.kind = LightKind::placed;
   sample.delta = true;
   sample.pdf = 1;
   sample.radiance = light.color * light.intensity;
+  if (light.type == LightType::ambient) {
+    sample.wi = square_to_sphere(u);
+    sample.distance = 0, sample.pdf = 1 / (4 * kPi);
+    return true;
+  }
   if (light.type == LightType::directional) {
     sample.wi = -place.direction;
     sample.distance = kInfinity;
@@ -223,19 +274,33 @@ EmissiveTriangle LightTable::moved(const EmissiveTriangle& triangle, float time)
   return t;
 }
 
-float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time) const {
+float LightTable::probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
+  if (uses_tree(strategy)) return probability_by_tree(light, from);
+  const float p = choice_.probability(light);
+  return strategy == LightStrategy::every && p > 0 ? p / sources_[source_of(light)].probability : p;
+}
+
+float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time,
+                               LightStrategy strategy) const {
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const float facing =
-      with_triangle(light, time, [&](const EmissiveTriangle& t) { return std::abs(glm::dot(t.cross, to_light)); });
-  if (!(facing > 0)) return 0;
-  return choice_.probability(light) * 2 * distance2 * std::sqrt(distance2) / facing;
+  const bool solid_angles = strategy != LightStrategy::as_emitted;
+  if (const EmissiveTriangle& t = triangles_[light]; t.round >= 0)
+    return probability(light, from, strategy) * pdf_of_point_on_round(t, from, at, time, solid_angles);
+  const float per_solid_angle = with_triangle(light, time, [&](const EmissiveTriangle& t) {
+    const float facing = std::abs(glm::dot(t.cross, to_light));
+    if (!(facing > 0)) return 0.0f;
+    if (solid_angles && looks_large(t.p0 - from, t.e1, t.e2, t.cross))
+      if (const SphericalTriangle seen(t.p0 - from, t.e1, t.e2); seen.can_be_sampled()) return 1 / seen.solid_angle();
+    return 2 * distance2 * std::sqrt(distance2) / facing;
+  });
+  return per_solid_angle > 0 ? probability(light, from, strategy) * per_solid_angle : 0;
 }
 
-float LightTable::pdf_environment(const Vec3& direction) const {
+float LightTable::pdf_environment(const Vec3& direction, LightStrategy strategy) const {
   if (choice_.empty() || environment_.black()) return 0;
-  return choice_.probability(static_cast<uint32_t>(choice_.size() - 1)) * environment_.pdf_solid_angle(direction);
+  return probability(environment_light(), Vec3(0), strategy) * environment_.pdf_solid_angle(direction);
 }
 
 }  // namespace etendue

@@ -1,10 +1,10 @@
-// All lights of a compiled scene, and choosing among them by power.           thesis 6.4, 9.1.2; (9.21)-(9.23)
+// All lights of a compiled scene, and choosing among them.                    thesis 6.4, 9.1.2; (9.21)-(9.23)
 //
 // A light is an emissive triangle, a point, spot or directional light, or the environment. A sample carries its density
 // with its measure: per solid angle at the receiver for what has an extent, discrete for what has none.
 //
 // Lights that move while the shutter is open are sampled where they are at the time that is asked for, and chosen by
-// their power halfway.
+// their power halfway, or by the tree for wherever they may be.
 #pragma once
 #include <memory>
 #include <span>
@@ -15,13 +15,15 @@
 #include "base/warp.h"
 #include "base/wide.h"
 #include "geometry/motion.h"
+#include "geometry/round_shape.h"
 #include "light/light.h"
+#include "light/light_tree.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
 
-// An emissive triangle in world space. Radiance is the emission of its material, the mean of it over a texture: only
-// for choosing; what is shaded comes from the material itself.
+// An emissive triangle in world space, or a whole sphere or disk in the place of one. Radiance is the emission of its
+// material, the mean of it over a texture: only for choosing; what is shaded comes from the material itself.
 struct EmissiveTriangle {
   Vec3 p0, e1, e2;
   uint32_t instance = 0, triangle = 0;
@@ -32,7 +34,11 @@ struct EmissiveTriangle {
   Vec3 cross{0};          // of the edges, pointing to the front: as long as twice the area
   Vec3 normal{0};         // the same, of unit length
   float area = 0;
+  float focus = 0;    // radiance falls off from the normal as this power of the cosine
+  int round = kFlat;  // index into LightTable's round shapes; of the rest only the area counts then
+  static constexpr int kFlat = -1;
 
+  float beam(float cosine) const { return focus == 0 ? 1 : std::pow(std::abs(cosine), focus); }
   // Half of what a double-sided triangle sends goes either way.
   float side_probability() const { return double_sided ? 0.5f : 1.0f; }
   void place(const Facet& facet) {
@@ -41,12 +47,28 @@ struct EmissiveTriangle {
     const float twice = glm::length(cross);
     normal = cross / twice, area = 0.5f * twice;
   }
+  // A sphere or disk: it always looks large, and so is sampled on its own.
+  void place_round(int index, const RoundShape& shape) {
+    round = index, p0 = shape.centre, e1 = e2 = Vec3(0), cross = Vec3(kEndless, 0, 0);
+    normal = shape.frame.z, area = shape.area();
+  }
+
+ private:
+  static constexpr float kEndless = 1e20f;  // its square is no float
 };
 
 // What tells where the moving triangles of an instance are.
 struct MovingEmitter {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Motion> motion;
+};
+
+// A light that is a sphere or a disk, halfway through the shutter.
+struct RoundLight {
+  RoundShape shape;
+  std::shared_ptr<const Motion> motion = nullptr;  // of its node; null if it stands still
+
+  RoundShape at(float time) const { return motion ? shape.placed(motion->matrix_at(time)) : shape; }
 };
 
 struct LightPlace {
@@ -94,14 +116,14 @@ enum class LightKind : uint8_t { triangle, placed, environment };
 // A point on a light as a receiver sees it.
 struct LightSample {
   LightKind kind = LightKind::triangle;
-  Vec3 wi{0};  // towards the light
-  float distance = kInfinity;
-  float pdf = 0;  // of this sample, choice of the light included: per solid angle, or discrete where `delta`
-  bool delta = false;
+  Vec3 wi{0};                  // towards the light
+  float distance = kInfinity;  // 0: nothing can lie in between
+  float pdf = 0;          // of this sample, choice of the light included: per solid angle, or discrete where `delta`
+  bool delta = false;     // nothing else finds it
   bool textured = false;  // `radiance` is only the mean over the triangle: ask the scene for what it is here
   Rgb radiance{0};        // what arrives, without visibility; for a delta light, irradiance on a facing surface
   uint32_t light = 0;
-  Vec2 barycentric{0};  // on a triangle
+  Vec2 barycentric{0};  // on a triangle; u and v on a round shape
 };
 
 // Where a ray that leaves a light comes from, and how densely such rays lie.
@@ -120,7 +142,7 @@ struct EmissionDensity {
 struct Emission {
   LightKind kind = LightKind::triangle;
   uint32_t light = 0;
-  Vec2 barycentric{0};    // on a triangle
+  Vec2 barycentric{0};    // on a triangle; u and v on a round shape
   bool back = false;      // it leaves the back of a triangle
   Vec3 position{0};       // of a point light; a point outside of the scene where the light is infinitely far away
   Vec3 direction{0};      // unit; of a triangle, in the frame of the side that it leaves
@@ -153,15 +175,20 @@ struct LightQueries {
   const float* times = nullptr;  // from 0 at the shutter's opening to 1 at its closing; null where no light moves
 };
 
-// Whether one light is asked at a time, chosen by its power, or every one: the sum over lights (thesis 8.2; E3).
-enum class LightStrategy : uint8_t { one, every };
+// How the lights that are asked are chosen: one at a time by its power, or every one: the sum over lights (thesis 8.2;
+// E3), or one by what it may bring to the receiver's place (light_tree.h), or whichever of the single ones suits the
+// scene.
+//
+// All but `as_emitted` find points on large triangles near by through the solid angle that they subtend; that one
+// finds them as `emit` does, one by its power and any of its points alike, for weights that rely on it.
+enum class LightStrategy : uint8_t { one, every, tree, automatic, as_emitted };
 
 class LightTable {
  public:
   LightTable() = default;
-  // `movers` has an entry for each instance if any of the triangles moves.
+  // `movers` has an entry for each instance if any of the triangles moves; `rounds` is what triangles may refer to.
   LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
-             const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {});
+             const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {}, std::vector<RoundLight> rounds = {});
 
   bool empty() const { return choice_.empty(); }
   size_t size() const { return choice_.size(); }
@@ -176,22 +203,29 @@ class LightTable {
     return t.moving ? use(moved(t, time)) : use(t);
   }
 
-  // One sample each. Its density is 0 if the light cannot send anything there (a triangle seen edge-on, a spot
-  // that looks away) or if there is no light at all.
-  void sample(const LightQueries& queries, LightSample* samples) const;
+  // The normal at a point of it that has these barycentric weights, or these numbers on a round shape.
+  Vec3 normal_at(uint32_t light, Vec2 at, float time) const {
+    const EmissiveTriangle& t = triangles_[light];
+    if (t.round >= 0) return round_of(t).at(time).normal_at(at);
+    return t.moving ? moved(t, time).normal : t.normal;
+  }
+
+  // One sample each, by one of the strategies that take a single light. Its density is 0 if the light cannot send
+  // anything there (a triangle seen edge-on, a spot that looks away) or if there is no light at all.
+  void sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const;
 
   // Lights as a user counts them: the emissive triangles of an instance are one source, so are a placed light and the
   // environment. Those without power are none.
   size_t sources() const { return sources_.size(); }
   // As `sample`, on one source: only the point on it is chosen.
   void sample_source(size_t source, const LightQueries& queries, LightSample* samples) const;
-  // The density of `sample_source` over that of `sample`, for the source that this light belongs to.
-  float density_within_source(uint32_t light) const { return 1 / sources_[source_of(light)].probability; }
-  uint32_t environment_light() const { return static_cast<uint32_t>(choice_.size() - 1); }
 
-  // Densities with which `sample` would have produced a direction that was found otherwise, per solid angle.
-  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time = 0) const;
-  float pdf_environment(const Vec3& direction) const;
+  // Densities with which samples by the strategy would have found, from there, a direction that was found otherwise,
+  // per solid angle. With every light these are densities of its source's own sample.
+  float pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time, LightStrategy strategy) const;
+  float pdf_environment(const Vec3& direction, LightStrategy strategy) const;
+  // The probability of the light itself.
+  float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const;
 
   // A ray that leaves some light; of power zero if there is none. `e` is a new one.
   void emit(const EmissionDraw& draw, Emission& e) const;
@@ -211,7 +245,8 @@ class LightTable {
   EmissionDensity density_of_triangle(uint32_t light, float cosine, float time = 0) const {
     if (choice_.empty() || light >= triangles_.size()) return {};
     return with_triangle(light, time, [&](const EmissiveTriangle& t) {
-      return EmissionDensity{choice_.probability(light) / t.area, t.side_probability() * std::abs(cosine) * kInvPi};
+      return EmissionDensity{choice_.probability(light) / t.area,
+                             t.side_probability() * pdf_of_cosine(t, std::abs(cosine))};
     });
   }
   EmissionDensity density_of_escape(const Vec3& direction) const;
@@ -222,11 +257,11 @@ class LightTable {
   struct ChosenTriangles;
   // `choose` turns a random number into a light and its probability.
   template <class Choose>
-  void sample_chosen(const LightQueries& queries, LightSample* samples, Choose&& choose) const;
+  void sample_chosen(const LightQueries& queries, LightSample* samples, bool solid_angles, Choose&& choose) const;
   template <class Choose>
-  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples,
+  void sample_batch(const LightQueries& queries, ChosenTriangles& triangles, LightSample* samples, bool solid_angles,
                     Choose&& choose) const;
-  bool sample_placed(const PlacedLight& light, const Vec3& from, float time, LightSample& sample) const;
+  bool sample_placed(const PlacedLight& light, const Vec3& from, Vec2 u, float time, LightSample& sample) const;
   void sample_other(const AliasTable::Choice& choice, const Vec3& from, Vec2 u, float time, LightSample& sample) const;
   bool sample_environment(Vec2 u, LightSample& sample) const;
 
@@ -239,8 +274,17 @@ class LightTable {
   EmissiveTriangle moved(const EmissiveTriangle& triangle, float time) const;
   // Of a point on a triangle.
   float cosine_at(const LightSample& sample, float time) const {
-    return with_triangle(sample.light, time, [&](const EmissiveTriangle& t) { return glm::dot(t.normal, sample.wi); });
+    return glm::dot(normal_at(sample.light, sample.barycentric, time), sample.wi);
   }
+  // Of a direction that leaves a side of it, per solid angle: what it sends there, cosine included.
+  static float pdf_of_cosine(const EmissiveTriangle& t, float cosine) {
+    return t.focus == 0 ? cosine * kInvPi : (t.focus + 2) * 0.5f * kInvPi * std::pow(cosine, t.focus + 1);
+  }
+  const RoundLight& round_of(const EmissiveTriangle& t) const { return rounds_[static_cast<size_t>(t.round)]; }
+  void sample_round(const EmissiveTriangle& t, float probability, const Vec3& from, Vec2 u, float time,
+                    bool solid_angles, LightSample& sample) const;
+  float pdf_of_point_on_round(const EmissiveTriangle& t, const Vec3& from, const Vec3& at, float time,
+                              bool solid_angles) const;
   EmissionDensity density_of_other(const LightSample& sample) const;
   float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
   // Neighbours in the order of `choice_`.
@@ -248,6 +292,16 @@ class LightTable {
     uint32_t first, count;
     float probability;  // of `sample` choosing one of them
   };
+  uint32_t environment_light() const { return static_cast<uint32_t>(choice_.size() - 1); }
+  bool is_infinite(uint32_t light) const;
+  void plant_tree(std::span<const float> powers);
+  LightBounds bounds_of(uint32_t light) const;
+  bool uses_tree(LightStrategy strategy) const {
+    return strategy == LightStrategy::tree || (strategy == LightStrategy::automatic && many_);
+  }
+  AliasTable::Choice choose_by_tree(const Vec3& from, float u) const;
+  float probability_by_tree(uint32_t light, const Vec3& from) const;
+  float probability_of_infinite(uint32_t light) const;
   void find_sources();
   size_t source_of(uint32_t light) const;
   AliasTable::Choice choose_within(const Source& source, float u) const;
@@ -255,18 +309,28 @@ class LightTable {
   std::vector<EmissiveTriangle> triangles_;
   std::vector<PlacedLight> placed_;
   std::vector<MovingEmitter> movers_;
+  std::vector<RoundLight> rounds_;
   Vec3 centre_{0};    // of a sphere around
   float radius_ = 1;  // the scene
   EnvironmentMap environment_;
   AliasTable choice_;  // triangles, then placed lights, then the environment if there is one
   std::vector<Source> sources_;
   std::vector<float> mass_;  // probability of a triangle and those of its source before it
+
+  // What is infinitely far away has no place in the tree: a share of all choices goes there, by power.
+  LightTree tree_;
+  std::vector<uint32_t> infinite_;
+  AliasTable infinite_choice_;
+  float infinite_share_ = 0;
+  bool many_ = false;  // lights enough for the tree to pay
 };
 
 }  // namespace etendue
 
 template <>
 struct etendue::Options<etendue::LightStrategy> {
-  static constexpr std::array<etendue::Option, 2> kOptions{
-      {{"one", "One, chosen by its power"}, {"every", "Every light"}}};
+  static constexpr std::array<etendue::Option, 4> kOptions{{{"one", "One, chosen by its power"},
+                                                            {"every", "Every light"},
+                                                            {"tree", "One, chosen by what it may bring"},
+                                                            {"auto", "One, by the tree where there are many"}}};
 };

@@ -26,6 +26,13 @@ struct Ggx {
     return 0.5f * (std::sqrt(1 + slope2) - 1);
   }
 
+  // |cos| lambda, which stays finite at grazing angles.
+  float projected_lambda(const Vec3& any_w) const {
+    const Vec3 w = turned(any_w);
+    const float spread2 = sqr(alpha_x * w.x) + sqr(alpha_y * w.y), z = std::abs(w.z);
+    return 0.5f * spread2 / std::max(std::sqrt(sqr(z) + spread2) + z, 1e-30f);
+  }
+
   float g1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
 
   // Height-correlated masking-shadowing of two directions, on one side of the surface or on both.

@@ -28,7 +28,9 @@ constexpr bool is_solid() {
 template <class Model>
 class Modelled final : public Reflection {
  public:
-  explicit Modelled(const Model& model = {}) : model_(model) {}
+  explicit Modelled(const Model& model = {}) : model_(model) {
+    if constexpr (requires { model_.prepare(); }) model_.prepare();
+  }
 
   const ReflectionInfo& info() const override { return info_of<Model>(); }
   std::vector<ParameterInfo> parameters() const override {
@@ -50,12 +52,13 @@ class Modelled final : public Reflection {
 
 struct Entry {
   const ReflectionInfo* info;
-  std::shared_ptr<const Reflection> usual;
+  std::shared_ptr<const Reflection> (*make)();
 };
 
 template <class... Model>
 std::vector<Entry> entries_of(TypeList<Model...>) {
-  return {{&info_of<Model>(), std::make_shared<Modelled<Model>>()}...};
+  return {{&info_of<Model>(),
+           []() -> std::shared_ptr<const Reflection> { return std::make_shared<Modelled<Model>>(); }}...};
 }
 
 const std::vector<Entry>& entries() {
@@ -82,7 +85,7 @@ const ReflectionInfo* find_reflection(std::string_view name) {
 
 std::shared_ptr<const Reflection> make_reflection(std::string_view name) {
   for (const auto& e : entries())
-    if (e.info->description.name == name) return e.usual;
+    if (e.info->description.name == name) return e.make();
   return nullptr;
 }
 

@@ -10,7 +10,9 @@
 //
 //   template <class Mix> void add_lobes(const Rgb& base, Mix& lobes) const;
 //
-// It is registered by one line of models.h. Models are immutable values: an edit is another one.
+// It is registered by one line of models.h. Models are immutable values: an edit is another one. What takes long to
+// find from the knobs, a table for example, is found by `void prepare()`, which is called once for each of these
+// values: `add_lobes` runs at every vertex where the base colour varies.
 #pragma once
 #include <memory>
 #include <string>

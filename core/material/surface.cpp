@@ -39,6 +39,7 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
     prepare_model();
   else
     look_at_gltf();
+  framed = bends || directed;
 }
 
 void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
@@ -66,6 +67,28 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
   }
 }
 
+namespace {
+
+// Whether f changes when both directions turn about the normal.
+bool is_directed(const WideLobes<Rgb>& lobes) {
+  const Vec3 wo = glm::normalize(Vec3(0.6f, 0.2f, 0.7f));
+  const auto turned = [](const Vec3& w, float angle) {
+    const float c = std::cos(angle), s = std::sin(angle);
+    return Vec3(c * w.x - s * w.y, s * w.x + c * w.y, w.z);
+  };
+  for (const Vec3& other : {Vec3(-0.6f, -0.2f, 0.7f), Vec3(-0.5f, 0.1f, 0.8f), Vec3(0.1f, -0.3f, 0.9f)}) {
+    const Vec3 wi = glm::normalize(other);
+    const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+    for (const float angle : {0.7f, 1.9f}) {
+      const Rgb g = lobes.eval(turned(wo, angle), turned(wi, angle), Transport::radiance);
+      if (std::abs(average(f) - average(g)) > 1e-3f * std::max(average(f), average(g))) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 // What the lobes of the model are, as its base colour makes no others of them.
 void SurfaceMaterial::prepare_model() {
   WideLobes<Rgb> lobes;
@@ -79,6 +102,7 @@ void SurfaceMaterial::prepare_model() {
   Deltas<Rgb> deltas;
   lobes.add_deltas(Vec3(0, 0, 1), Transport::radiance, deltas);
   specular_deltas = deltas.count > 0;
+  directed = is_directed(lobes);
   if (plain) ready = std::make_shared<WideLobes<Rgb>>(lobes);
 }
 
@@ -90,6 +114,7 @@ void SurfaceMaterial::look_at_gltf() {
   diffuse = m.unlit || (standard && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
   specular_deltas = !diffuse && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
                                  (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
+  directed = !diffuse && m.anisotropy > 0;
 }
 
 Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {

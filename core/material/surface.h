@@ -33,6 +33,8 @@ struct SurfaceMaterial {
   };
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
   bool bends = false;            // has a normal map, of its own or of its coat
+  bool directed = false;         // looks different when it is turned about its normal
+  bool framed = false;           // any of the two: not just any frame about the geometric normal will do
   bool diffuse = false;          // never anything but a Lambertian lobe
   bool standard = false;         // never anything but the lobes of LobeMix
   bool specular_deltas = false;  // it can be smooth: a mirror, or clear glass

@@ -6,6 +6,7 @@
 #include "render/bindings.h"
 #include "render/obstacle.h"
 #include "scene/pose.h"
+#include "scene/variants.h"
 #include "transport/model.h"
 
 namespace etendue::render {
@@ -139,14 +140,32 @@ void show_at(Document& document, float time) {
   document.camera.to_world = scene::camera_to_world(world[static_cast<size_t>(node)]);
 }
 
+Binding variant_binding(const Document& d) {
+  Binding b;
+  b.section = "scene";
+  b.info.name = "scene.variant", b.info.label = "Variant";
+  b.info.doc = "Which of the file's sets of materials is worn";
+  b.info.type = ParameterType::choice;
+  b.info.options = b.info.option_labels = scene::variant_choices(*d.scene);
+  b.info.default_value = b.info.options[static_cast<size_t>(d.scene->variant + 1)];
+  b.assign = [options = b.info.options](Document& document, const Value& value) {
+    const auto chosen = std::ranges::find(options, std::get<std::string>(value));
+    edit_scene(document,
+               [&](scene::Scene& s) { scene::show_variant(s, static_cast<int>(chosen - options.begin()) - 1); });
+  };
+  return b;
+}
+
 std::vector<Binding> scene_bindings(const Document& d) {
   float longest = 0;
   for (const auto& animation : d.scene->animations) longest = std::max(longest, animation->duration);
-  return {binding(
+  std::vector<Binding> list{binding(
       "scene",
       Number<float>{
           "time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
       [](Document& doc, float v) { show_at(doc, v); })};
+  if (!d.scene->variants.empty()) list.push_back(variant_binding(d));
+  return list;
 }
 
 enum class Force { automatic, on };

@@ -5,6 +5,7 @@
 #include "integrator/integrator.h"
 #include "render/bindings.h"
 #include "scene/builtin.h"
+#include "scene/environment.h"
 #include "transport/model.h"
 
 namespace etendue::render {
@@ -108,11 +109,12 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   auto chosen = scene::choose_camera(s, camera);
   if (!chosen) return Error{Fault::usage, scene_file_or_name + ": " + chosen.error().message};
 
+  Document document;
   if (!is_lit(s)) {
+    document.lit_by_default = true;
     s.environment.tint = Rgb(1);
     s.warnings.push_back("the scene has no light to be seen by; a neutral environment of radiance 1 was added");
   }
-  Document document;
   document.scene_name = scene_file_or_name;
   document.camera_name = camera;
   document.camera = *chosen;
@@ -124,25 +126,12 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
 }
 
 Result<Document> with_environment(const Document& document, const std::string& file) {
-  auto picture = image::read_linear(file);
-  if (!picture) return picture.error();
-  const image::Layer* beauty = picture->find("");
-  if (!beauty || beauty->channels.size() < 3)
-    return input_error(file + ": has no RGB channels; give an equirectangular .hdr or .exr");
-  auto map = std::make_shared<image::Image>();
-  map->width = picture->width, map->height = picture->height, map->channels = 3;
-  map->type = image::PixelType::float32;
-  const size_t stride = beauty->channels.size();
-  map->floats.reserve(static_cast<size_t>(map->width) * static_cast<size_t>(map->height) * 3);
-  for (size_t i = 0; i + stride <= beauty->pixels.size(); i += stride)
-    for (size_t c = 0; c < 3; ++c) {
-      const float v = beauty->pixels[i + c];
-      map->floats.push_back(std::isfinite(v) && v > 0 ? v : 0.0f);
-    }
+  auto map = scene::load_environment_map(file);
+  if (!map) return map.error();
   Document changed = document;
   auto scene = std::make_shared<scene::Scene>(*document.scene);
   const float rotation = scene->environment.rotation;
-  scene->environment = Environment{std::move(map), file, Rgb(1), rotation, scene->environment.visible};
+  scene->environment = Environment{*map, file, Rgb(1), rotation, scene->environment.visible};
   changed.scene = std::move(scene);
   return changed;
 }

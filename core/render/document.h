@@ -65,6 +65,7 @@ struct Document {
   uint64_t seed = 0;
   Limits limits;
   Display display;
+  bool lit_by_default = false;  // the scene had no light: its environment is the neutral one that new_document added
   std::shared_ptr<const Document> origin;  // as it was when the scene was opened: what a state is told apart from
 };
 

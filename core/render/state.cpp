@@ -35,7 +35,10 @@ std::string state_json(const Document& document, uint32_t samples) {
   }
   json state{{"program", "etendue"},           {"version", 1},       {"scene", document.scene_name},
              {"camera", document.camera_name}, {"samples", samples}, {"settings", settings}};
-  if (!document.scene->environment.file.empty()) state["environment"] = document.scene->environment.file;
+  // A scene may bring its own along.
+  const std::string& file = document.scene->environment.file;
+  if (!file.empty() && !(document.origin && document.origin->scene->environment.file == file))
+    state["environment"] = file;
   return state.dump();
 }
 

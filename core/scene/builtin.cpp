@@ -9,6 +9,7 @@
 #include "scene/builtin/door_ajar.h"
 #include "scene/builtin/glass_caustic.h"
 #include "scene/builtin/glossy_plates.h"
+#include "scene/builtin/many_lights.h"
 #include "scene/builtin/spot_indirect.h"
 #include "scene/gltf.h"
 
@@ -16,7 +17,7 @@ namespace etendue::scene {
 
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
-      kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar,
+      kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
   };
   return all;
 }

@@ -5,6 +5,8 @@
 
 #include "base/hash.h"
 #include "base/wide.h"
+#include "light/light_points.h"
+#include "scene/light_shapes.h"
 #include "scene/pose.h"
 #include "scene/shutter.h"
 
@@ -44,6 +46,10 @@ struct Facets {
     const Triangle& t = mesh.triangles[hit.triangle];
     if (instance.identity) {
       p0.set(i, mesh.positions[t[0]]), p1.set(i, mesh.positions[t[1]]), p2.set(i, mesh.positions[t[2]]);
+    } else if (instance.round) {
+      set_round(i, *instance.round, hit);
+      wo.set(i, back);
+      return;
     } else {
       const Mat4& m = instance.to_world;
       p0.set(i, Vec3(m * Vec4(mesh.positions[t[0]], 1)));
@@ -56,8 +62,16 @@ struct Facets {
     wo.set(i, back);
   }
 
+  // The corner of a facet that touches the shape.
+  void set_round(size_t i, const RoundShape& shape, const Hit& hit) {
+    const Facet f = shape.facet_at({hit.u, hit.v});
+    p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
+    u[i] = v[i] = 0, winding[i] = 1;
+  }
+
   // Where an instance that moves is at that time.
   void move(size_t i, const InstanceData& instance, const Hit& hit, float time) {
+    if (instance.round) return set_round(i, instance.round->placed(instance.motion->matrix_at(time)), hit);
     const Facet f = instance.motion->facet_at(*instance.mesh, instance.mesh->triangles[hit.triangle], time);
     p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
     winding[i] = f.winding;
@@ -96,7 +110,7 @@ ETENDUE_WIDE void shape(Facets& f, size_t count) {
 }
 
 // Whether the shading normal is another than the geometric one.
-bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->bends; }
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->framed; }
 
 // A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
 constexpr float kBarely = 1e-3f;
@@ -109,6 +123,20 @@ void make_seen(const Vec3& wo, SurfacePoint& point) {
   const float side = point.front ? 1.0f : -1.0f;
   if (seen(point.shading.z, wo, side) < kBarely)
     point.shading = Frame(barely_seen(point.shading.z, wo, side), point.shading.x, 1);
+}
+
+// Where a material asks for a direction and the mesh has no tangents: along its texture coordinates, or else around the
+// object's upright axis. Any length; none where there is no such direction.
+Vec3 direction_along(const InstanceData& instance, const Triangle& t, const Vec3& normal) {
+  const Mesh& mesh = *instance.mesh;
+  const auto& uv = mesh.uvs[0];
+  if (!uv.empty()) {
+    const Vec2 a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
+    const Vec3 e1 = mesh.positions[t[1]] - mesh.positions[t[0]], e2 = mesh.positions[t[2]] - mesh.positions[t[0]];
+    const Vec3 along = (e1 * b.y - e2 * a.y) * (a.x * b.y - a.y * b.x < 0 ? -1.0f : 1.0f);
+    if (length_squared(along) > 0) return instance.identity ? along : Mat3(instance.to_world) * along;
+  }
+  return glm::cross(instance.identity ? Vec3(0, 1, 0) : Vec3(instance.to_world[1]), normal);
 }
 
 // The normal maps of the base and of its coat.
@@ -182,6 +210,8 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     const bool placed = motion || instance.identity;
     const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
+  } else if (point.material->directed) {
+    point.shading.build(ns, direction_along(instance, t, ns), 1);
   } else {
     point.shading.build(ns);
   }
@@ -191,9 +221,10 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     make_seen(wo, point);
 }
 
-Rgb CompiledScene::emitted(const SurfacePoint& point) const {
+Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
   if (!point.material->shines || (!point.front && !point.material->description.double_sided)) return Rgb(0);
-  return point.material->emission_at(point.texture);
+  const Rgb along_normal = point.material->emission_at(point.texture);
+  return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
 }
 
 Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
@@ -222,7 +253,7 @@ std::string CompiledScene::moving() const {
 
 void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
   const EmissiveTriangle& t = lights_->triangles()[emission.light];
-  const Vec3 normal = lights_->with_triangle(emission.light, emission.time, [](const auto& at) { return at.normal; });
+  const Vec3 normal = lights_->normal_at(emission.light, emission.barycentric, emission.time);
   side = emission.back ? -normal : normal;
   hit.instance = t.instance, hit.triangle = t.triangle;
   hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
@@ -267,6 +298,8 @@ class Compiler {
     Mat4 to_world{1};
     uint32_t material, node;
     std::shared_ptr<const Motion> motion = nullptr;
+    std::shared_ptr<const RoundShape> round = nullptr;
+    float focus = 0;
   };
 
   bool same_geometry() const {
@@ -281,7 +314,14 @@ class Compiler {
       if (!(scene_->nodes[i] == old.nodes[i])) return false;
     for (size_t i = 0; i < scene_->meshes.size(); ++i)
       if (!(scene_->meshes[i] == old.meshes[i])) return false;
-    return true;
+    return same_surface_lights() && scene_->materials.size() == old.materials.size();
+  }
+
+  // Lights that are surfaces have a shape and a material each, after those of the scene.
+  bool same_surface_lights() const {
+    const std::vector<Light>&a = scene_->lights, &b = previous_->description().lights;
+    const auto surface = [](const Light& light) { return light.is_surface(); };
+    return a == b || (std::ranges::none_of(a, surface) && std::ranges::none_of(b, surface));
   }
 
   void geometry() {
@@ -308,7 +348,10 @@ class Compiler {
     const std::vector<Mat4> world = world_matrices(*scene_);
     for (const uint32_t node : reached_nodes()) {
       const Node& n = scene_->nodes[node];
-      if (n.light >= 0 && shutter_.motion_of(static_cast<int>(node))) note_motion(node);
+      if (n.light >= 0) {
+        if (shutter_.motion_of(static_cast<int>(node))) note_motion(node);
+        place_light(node, world[node], placed);
+      }
       if (n.mesh < 0) continue;
       for (const Primitive& primitive : scene_->meshes[static_cast<size_t>(n.mesh)].primitives) {
         if (primitive.mesh->triangles.empty()) continue;
@@ -326,6 +369,18 @@ class Compiler {
     }
     return placed;
   }
+
+  void place_light(uint32_t node, const Mat4& world, std::vector<Placed>& placed) {
+    const auto number = static_cast<uint32_t>(scene_->nodes[node].light);
+    const Light& light = scene_->lights[number];
+    if (!is_met_by_rays(light)) return;
+    Placed p{stand_in(light), without_scale(world), first_light_material() + number, node};
+    p.focus = light.focus;
+    if (const auto motion = shutter_.motion_of(static_cast<int>(node))) p.motion = without_scale(*motion);
+    if (light.type != LightType::quad) p.round = std::make_shared<const RoundShape>(shape_of(light).placed(p.to_world));
+    placed.push_back(std::move(p));
+  }
+  uint32_t first_light_material() const { return static_cast<uint32_t>(scene_->materials.size()); }
 
   std::vector<uint32_t> reached_nodes() const {
     std::vector<uint32_t> order;
@@ -360,6 +415,10 @@ class Compiler {
     std::vector<AccelInstance> accel_instances;
     size_t budget = kTopLevelBudget;
     for (const auto& p : placed) {
+      if (p.round) {
+        add_round(p, *instances, accel_instances);
+        continue;
+      }
       InstanceData data;
       AccelInstance in_accel;
       const size_t triangles = p.mesh->triangles.size();
@@ -369,7 +428,7 @@ class Compiler {
                                  : uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
       data.mesh = p.mesh, data.motion = p.motion;
       data.mirrored = flat && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
-      data.material = p.material, data.node = p.node;
+      data.material = p.material, data.node = p.node, data.focus = p.focus;
       if (flat) {
         budget -= std::min(budget, triangles);
         data.mesh = in_world(p.mesh, p.to_world);
@@ -399,10 +458,20 @@ class Compiler {
     result_->instances_ = std::move(instances);
   }
 
+  void add_round(const Placed& p, std::vector<InstanceData>& instances, std::vector<AccelInstance>& accels) {
+    InstanceData data;
+    data.mesh = p.mesh, data.motion = p.motion, data.round = p.round;
+    data.to_world = p.to_world, data.identity = false;
+    data.material = p.material, data.node = p.node, data.focus = p.focus;
+    instances.push_back(data);
+    accels.push_back({p.mesh, nullptr, p.to_world, p.motion, p.round});
+    result_->mesh_accels_.push_back(nullptr);
+  }
+
   void materials() {
     CompiledScene& r = *result_;
     if (previous_ && previous_->description().materials == scene_->materials &&
-        previous_->description().textures == scene_->textures) {
+        previous_->description().textures == scene_->textures && same_surface_lights()) {
       r.textures_ = previous_->textures_;
       r.materials_ = previous_->materials_;
       r.transparency_ = previous_->transparency_;
@@ -416,6 +485,8 @@ class Compiler {
       compiled->emplace_back(m, *r.textures_);
       r.transparency_ = r.transparency_ || compiled->back().transparent;
     }
+    if (std::ranges::any_of(scene_->lights, is_met_by_rays))
+      for (const Light& light : scene_->lights) compiled->emplace_back(material_of(light), *r.textures_);
     r.materials_ = std::move(compiled);
     r.report_.materials_built = true;
   }
@@ -444,12 +515,17 @@ class Compiler {
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
     std::vector<EmissiveTriangle> triangles;
     std::vector<MovingEmitter> movers;
+    std::vector<RoundLight> rounds;
     for (uint32_t i = 0; i < instances->size(); ++i) {
       InstanceData& instance = (*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
       instance.first_light = InstanceData::kNotALight;
       if (!material.description.emits() || material.description.unlit) continue;
       instance.first_light = static_cast<uint32_t>(triangles.size());
+      if (instance.round) {
+        triangles.push_back(emissive_round(instance, material, i, rounds));
+        continue;
+      }
       for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
         triangles.push_back(emissive(instance, material, i, t));
       if (!instance.motion) continue;
@@ -458,7 +534,7 @@ class Compiler {
     }
     result_->instances_ = std::move(instances);
     result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
-                                                    result_->bounds_, std::move(movers));
+                                                    result_->bounds_, std::move(movers), std::move(rounds));
     result_->report_.lights_built = true;
   }
 
@@ -468,7 +544,7 @@ class Compiler {
     EmissiveTriangle e;
     e.instance = i, e.triangle = t;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
-    e.moving = instance.motion != nullptr;
+    e.moving = instance.motion != nullptr, e.focus = instance.focus;
     e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
     if (material.emission) {
       Rgb sum(0);
@@ -477,6 +553,18 @@ class Compiler {
       for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
       e.radiance = sum / 7, e.textured = true;
     }
+    return e;
+  }
+
+  static EmissiveTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                         std::vector<RoundLight>& rounds) {
+    RoundLight round{*instance.round, instance.motion};
+    if (round.motion) round.shape = round.at(0.5f);
+    EmissiveTriangle e;
+    e.instance = i, e.focus = instance.focus;
+    e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
+    e.place_round(static_cast<int>(rounds.size()), round.shape);
+    rounds.push_back(std::move(round));
     return e;
   }
 
@@ -494,7 +582,15 @@ class Compiler {
     for (const uint32_t node : reached_nodes()) {
       const Node& n = scene_->nodes[node];
       if (n.light < 0) continue;
-      PlacedLight& light = placed.emplace_back(scene_->lights[static_cast<size_t>(n.light)]);
+      const Light& described = scene_->lights[static_cast<size_t>(n.light)];
+      if (described.is_surface()) {
+        if (described.points > 0) {
+          const auto points = points_of(described, world[node], shutter_.motion_of(static_cast<int>(node)));
+          placed.insert(placed.end(), points.begin(), points.end());
+        }
+        continue;
+      }
+      PlacedLight& light = placed.emplace_back(described);
       light.motion = shutter_.motion_of(static_cast<int>(node));
       light.place = LightPlace(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
     }

@@ -30,9 +30,12 @@ struct InstanceData {
   bool mirrored = false;  // negative determinant: winding is turned, glTF 2.0, 3.7.4
   uint32_t material = 0;
   uint32_t node = 0;                  // the object that a user picks
+  float focus = 0;                    // of what it emits, see Light
   uint32_t first_light = kNotALight;  // light number of its first triangle
   // How it moves, or null; all the rest is as it is at the opening. One that deforms is in world space then.
   std::shared_ptr<const Motion> motion = nullptr;
+  // A light that is a sphere or a disk; the mesh is only as large as it then.
+  std::shared_ptr<const RoundShape> round = nullptr;
   static constexpr uint32_t kNotALight = 0xffffffffU;
 };
 
@@ -48,6 +51,11 @@ struct SurfacePoint {
   float offset = 0;    // how far rounding may have put `position` off the surface, metres
   bool front = true;   // the side the ray came from
   Vec3 coat{0, 0, 1};  // normal of the clear coat in the shading frame, where it is another one
+
+  // What a direction gets of the radiance that is emitted along the normal.
+  float beam(const Vec3& direction) const {
+    return instance->focus == 0 ? 1 : std::pow(std::abs(glm::dot(ng, direction)), instance->focus);
+  }
 
   // A ray that leaves towards `direction` and does not hit the surface it starts on.
   void spawn(const Vec3& direction, Ray& ray) const {
@@ -106,23 +114,24 @@ class CompiledScene final : public OpacityTest {
       add_lobes(*point.material, point.texture, bsdf.lobes);
   }
 
-  // Radiance that the surface sends to the side the ray came from; single-sided materials shine from their front only.
-  Rgb emitted(const SurfacePoint& point) const;
+  // Radiance that the surface sends there, on the side the ray came from; single-sided materials shine from their front
+  // only.
+  Rgb emitted(const SurfacePoint& point, const Vec3& direction) const;
   // What a sampled light sends to its receiver, textures included.
   Rgb radiance_of(const LightSample& sample) const {
     return sample.textured ? textured_radiance_of(sample) : sample.radiance;
   }
   // Where a ray leaves a triangle, for `surfaces`; `side` is the normal of the side that it leaves.
   void locate(const Emission& emission, Hit& hit, Vec3& side) const;
-  // What leaves the light along the ray: radiance, and the other quantities where Emission::radiance names them.
-  // `point` is that of a triangle.
+  // What leaves the light along the ray, before SurfacePoint::beam: radiance, and the other quantities where
+  // Emission::radiance names them. `point` is that of a triangle.
   Rgb emitted(const Emission& emission, const SurfacePoint* point) const {
     return emission.textured ? point->material->emission_at(point->texture) : emission.radiance;
   }
   // The number of the light that this point lies on, or InstanceData::kNotALight.
   uint32_t light_at(const SurfacePoint& point) const {
     const uint32_t first = point.instance->first_light;
-    return first == InstanceData::kNotALight ? first : first + point.triangle;
+    return first == InstanceData::kNotALight ? first : first + point.triangle;  // a round shape is its number 0
   }
 
   // Whether light travels here as it does there: nothing but the camera differs.

@@ -40,7 +40,8 @@ class Loader {
 
   Scene run() {
     report("reading", 0);
-    gltf::open_document(path_, document_);
+    gltf::open_document(path_, document_,
+                        [&](float done) { return !options_.progress || options_.progress("decompressing", done); });
     gltf::validate(document_);
     scene_.name = path_.stem().string();
     scene_.file = path_.string();
@@ -49,12 +50,15 @@ class Loader {
     scene_.warnings = document_.warnings;
     report("describing", 0);
     gltf::import_materials(document_, scene_);
+    gltf::import_variants(document_, scene_);
     gltf::import_lights(document_, scene_);
     gltf::import_cameras(document_, scene_);
     gltf::import_nodes(document_, scene_, options_.scene);
+    gltf::import_instances(document_, scene_);
     gltf::import_skins(document_, scene_);
     gltf::import_animations(document_, scene_);
     read_arrays();
+    gltf::import_transport(document_, scene_);
     check_skinned_nodes();
     shorten(scene_.warnings);
     for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));

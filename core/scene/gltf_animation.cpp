@@ -110,6 +110,9 @@ class AnimationImporter {
     for (size_t k = 0; k < channel.times.size(); ++k) {
       float* q = &channel.values[(cubic ? 3 * k + 1 : k) * 4];
       const float length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+      // What rounding alone keeps from being a unit stays as the file has it.
+      constexpr float kNearlyOne = 1e-6f;
+      if (std::abs(length - 1) <= kNearlyOne) continue;
       for (size_t c = 0; c < 4; ++c) q[c] = length > 0 ? q[c] / length : (c == 3 ? 1.0f : 0.0f);
     }
   }

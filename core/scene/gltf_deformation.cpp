@@ -82,6 +82,9 @@ class DeformationReader {
           sum += w;
         }
       wrong += bad || std::abs(sum - 1) > kRounding;
+      // What rounding alone keeps from being one stays as the file has it.
+      constexpr float kNearlyOne = 1e-6f;
+      if (!bad && std::abs(sum - 1) <= kNearlyOne) continue;
       if (sum > 0 && std::isfinite(sum))
         for (size_t set = 0; set < deformation.joint_sets; ++set) deformation.weights[set * vertices_ + v] /= sum;
       else

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "base/file.h"
+#include "scene/gltf_compressed.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_json.h"
 #include "scene/gltf_uri.h"
@@ -28,25 +29,32 @@ std::string without_path(const std::string& message, const std::filesystem::path
 
 Buffer keep(Document& document, std::vector<std::byte> bytes) {
   document.storage.push_back(std::move(bytes));
-  return {document.storage.back(), ""};
+  return {document.storage.back(), "", false};
+}
+
+bool is_placeholder(const json& buffer) {
+  const json::json_pointer place("/extensions/EXT_meshopt_compression/fallback");
+  return buffer.contains(place) && buffer[place] == true;
 }
 
 Buffer find_buffer(Document& document, const json& description, size_t index, const Container& container) {
   const std::string uri = text_of(description, "uri");
   if (!description.contains("uri")) {
-    if (index == 0 && container.has_binary) return {container.binary, ""};
-    return {{}, "has no uri, and the file has no binary chunk for it"};
+    if (is_placeholder(description)) return {{}, "is a placeholder for what is compressed", true};
+    if (index == 0 && container.has_binary) return {container.binary, "", false};
+    return {{}, "has no uri, and the file has no binary chunk for it", false};
   }
   if (is_data_uri(uri)) {
     auto bytes = decode_data_uri(uri);
-    if (!bytes) return {{}, "its data URI is malformed; base64 is needed"};
+    if (!bytes) return {{}, "its data URI is malformed; base64 is needed", false};
     return keep(document, std::move(*bytes));
   }
   const auto file = file_of_uri(document.folder, uri);
-  if (!file) return {{}, "its uri '" + shown_uri(uri) + "' names no local file"};
+  if (!file) return {{}, "its uri '" + shown_uri(uri) + "' names no local file", false};
   auto bytes = read_file(*file);
   if (!bytes)
-    return {{}, "its file '" + shown_uri(uri) + "' cannot be had: " + without_path(bytes.error().message, *file)};
+    return {
+        {}, "its file '" + shown_uri(uri) + "' cannot be had: " + without_path(bytes.error().message, *file), false};
   return keep(document, std::move(*bytes));
 }
 
@@ -114,11 +122,17 @@ bool is_supported(const std::string& extension) {
                                                 "KHR_materials_iridescence",
                                                 "KHR_materials_diffuse_transmission",
                                                 "KHR_materials_pbrSpecularGlossiness",
+                                                "KHR_materials_variants",
+                                                "KHR_draco_mesh_compression",
+                                                "EXT_meshopt_compression",
+                                                "EXT_mesh_gpu_instancing",
+                                                "KHR_node_visibility",
+                                                kTransport,
                                                 "EXT_texture_webp"};
   return kSupported.contains(extension);
 }
 
-void open_document(const std::filesystem::path& path, Document& document) {
+void open_document(const std::filesystem::path& path, Document& document, const std::function<bool(float)>& progress) {
   auto file = read_file(path);
   if (!file) throw Unusable{without_path(file.error().message, path)};
   if (file->empty()) throw Unusable{"the file is empty; give a .gltf or .glb file"};
@@ -129,6 +143,8 @@ void open_document(const std::filesystem::path& path, Document& document) {
   check_structure(root);
   open_buffers(root, container, document);
   open_images(root, document);
+  decompress(root, document, progress);
+  check_index_accessors(root);
   parse_model(std::move(root), document);
   // Moving keeps the bytes where they are.
   if (container.has_binary) document.storage.push_back(std::move(*file));

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,7 +32,8 @@ inline std::string at(const char* array, size_t i) { return std::string(array) +
 
 struct Buffer {
   Bytes bytes;
-  std::string problem;  // why there are no bytes; empty if there are
+  std::string problem;       // why there are no bytes; empty if there are
+  bool placeholder = false;  // stands for what EXT_meshopt_compression makes; nobody minds its problem
 };
 
 struct ImageSource {
@@ -51,8 +53,9 @@ struct Document {
   mutable std::atomic<uint64_t> claimed{0};    // bytes of arrays made so far, see claim()
 };
 
-// Reads and splits the file, finds its buffers and parses its structure. Throws Unusable.
-void open_document(const std::filesystem::path& path, Document& document);
+// Reads and splits the file, finds its buffers, decompresses what is compressed and parses its structure. Throws
+// Unusable, and Cancelled if `progress` of the decompression says so.
+void open_document(const std::filesystem::path& path, Document& document, const std::function<bool(float)>& progress);
 
 // Notes that an array of this many bytes will be made. A small file that asks for more than its size can justify (many
 // uses of one accessor, accessors without data) is unusable, and is found to be before memory is taken.
@@ -60,6 +63,13 @@ void claim(const Document& document, uint64_t bytes, const std::string& where);
 
 // `i` as an index into an array of `size` objects called `array`; anything else is unusable.
 size_t checked_index(int i, size_t size, const std::string& where, const char* array);
+
+// The extension of our own: what glTF has no words for (docs/ETENDUE_transport.schema.json).
+inline constexpr const char* kTransport = "ETENDUE_transport";
+// Its words for the enumerators of Light, in their order.
+inline constexpr const char* kLightTypes[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
+inline constexpr const char* kSpotProfiles[] = {"squared", "smoothstep", "quartic", "cosine"};
+inline constexpr const char* kQuantities[] = {"radiance", "power"};
 
 // The names of the extensions that the importer understands.
 bool is_supported(const std::string& extension);

@@ -16,17 +16,36 @@ void import_lights(const Document& document, Scene& scene);
 void import_cameras(const Document& document, Scene& scene);
 // Nodes, and the roots of the wanted scene (-1: of the file's own choice).
 void import_nodes(const Document& document, Scene& scene, int wanted_scene);
+// The nodes of instances, after all others.
+void import_instances(const Document& document, Scene& scene);
 void import_skins(const Document& document, Scene& scene);
 void import_animations(const Document& document, Scene& scene);
+
+// The names of the variants, and Primitive::choices where `own` is what the primitive wears without one.
+void import_variants(const Document& document, Scene& scene);
+std::vector<int> material_choices(const Document& document, const Scene& scene, const tinygltf::Primitive& primitive,
+                                  int own, const std::string& where);
+
+// ETENDUE_transport: the time, the variant and the environment of the whole scene; what belongs to one of its things.
+void import_transport(const Document& document, Scene& scene);
+// The reflection model of a material; none if there is none, or none of that name.
+ReflectionUse import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                                std::vector<std::string>& warnings);
+// What KHR_lights_punctual does not know of a light.
+void import_shape(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
+                  std::vector<std::string>& warnings);
+void import_lens(const tinygltf::ExtensionMap& extensions, const std::string& where, Camera& camera,
+                 std::vector<std::string>& warnings);
 
 // One mesh to read. Primitives that would make the same one share it.
 struct MeshTask {
   struct User {
     size_t mesh, primitive;
     int material;
+    std::vector<int> choices;  // Primitive::choices
   };
   const tinygltf::Primitive* primitive = nullptr;
-  const Material* material = nullptr;  // of the first user
+  const Material* material = nullptr;  // what the first user wears, or could wear, that asks most of the mesh
   std::string where;
   bool shares_vertices = false;  // with primitives that take other triangles
   std::vector<User> users;

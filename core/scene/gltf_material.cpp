@@ -150,6 +150,7 @@ class MaterialImporter {
   }
 
   void extensions() {
+    to_.reflection = import_reflection(from_.extensions, where_, scene_.warnings);
     to_.unlit = extension_of(from_.extensions, "KHR_materials_unlit") != nullptr;
     if (const auto* e = extension_of(from_.extensions, "KHR_materials_ior")) {
       to_.ior = number_of(*e, "ior", 1.5f);
@@ -228,6 +229,14 @@ class MaterialImporter {
     to_.diffuse_transmission_color_texture = use_in(e, "diffuseTransmissionColorTexture");
   }
 
+  // In double precision, so that a roughness that was written as glossiness comes back as it was.
+  float roughness_in(const tinygltf::Value& e) {
+    const auto& glossiness = e.Get("glossinessFactor");
+    const float roughness = glossiness.IsNumber() ? static_cast<float>(1 - glossiness.GetNumberAsDouble()) : 0.0f;
+    if (!(roughness >= 0 && roughness <= 1)) return 1 - factor_in(e, "glossinessFactor", 1);
+    return roughness;
+  }
+
   // It stands instead of metal and roughness, and does not go together with the newer extensions of the surface.
   void specular_glossiness(const tinygltf::Value& e) {
     to_.specular_glossiness = true;
@@ -239,7 +248,7 @@ class MaterialImporter {
     to_.alpha = limited(component(3), 0, 1, "diffuseFactor[3]");
     to_.base_color_texture = use_in(e, "diffuseTexture");
     to_.specular_color = color_in(e, "specularFactor", Rgb(1));
-    to_.metallic = 0, to_.roughness = 1 - factor_in(e, "glossinessFactor", 1);
+    to_.metallic = 0, to_.roughness = roughness_in(e);
     to_.specular_color_texture = to_.metallic_roughness_texture = use_in(e, "specularGlossinessTexture");
     to_.specular = 1, to_.specular_texture = {};
   }

@@ -42,6 +42,15 @@ bool finite(const V& v) {
   return true;
 }
 
+// Of all that a primitive can wear, the first that needs tangents; its own if none does.
+const Material& most_demanding(const Scene& scene, int own, const std::vector<int>& choices) {
+  const auto material = [&](int i) -> const Material& { return scene.materials[static_cast<size_t>(i)]; };
+  if (!tangent_need(material(own)).needed)
+    for (const int choice : choices)
+      if (tangent_need(material(choice)).needed) return material(choice);
+  return material(own);
+}
+
 class MeshReader {
  public:
   MeshReader(const Document& document, MeshTask& task) : document_(document), task_(task), from_(*task.primitive) {}
@@ -165,18 +174,20 @@ std::vector<MeshTask> mesh_tasks(const Document& document, const Scene& scene) {
     for (size_t p = 0; p < primitives.size(); ++p) {
       const auto& from = primitives[p];
       const int material = from.material >= 0 ? from.material : static_cast<int>(scene.materials.size()) - 1;
-      const Material& needs = scene.materials[static_cast<size_t>(material)];
+      const std::string where = at("meshes", m) + "." + at("primitives", p);
+      std::vector<int> choices = material_choices(document, scene, from, material, where);
+      const Material& needs = most_demanding(scene, material, choices);
       const auto [place, added] = known.try_emplace(
           Key(from.attributes, from.indices, from.mode, from.targets, tangent_need(needs).key()), tasks.size());
       if (added) {
         MeshTask task;
         task.primitive = &from, task.material = &needs;
-        task.where = at("meshes", m) + "." + at("primitives", p);
+        task.where = where;
         tasks.push_back(std::move(task));
         if (const auto position = from.attributes.find("POSITION"); position != from.attributes.end())
           ++uses_of_position[position->second];
       }
-      tasks[place->second].users.push_back({m, p, material});
+      tasks[place->second].users.push_back({m, p, material, std::move(choices)});
     }
   }
   for (MeshTask& task : tasks)
@@ -201,7 +212,8 @@ void place_meshes(const Document& document, const std::vector<MeshTask>& tasks, 
     scene.meshes.push_back(std::move(group));
   }
   for (const auto& [task, user] : users)
-    if (task->mesh) scene.meshes[user.mesh].primitives.push_back({task->mesh, task->deformation, user.material});
+    if (task->mesh)
+      scene.meshes[user.mesh].primitives.push_back({task->mesh, task->deformation, user.material, user.choices});
 }
 
 }  // namespace etendue::scene::gltf

@@ -1,11 +1,14 @@
 // Nodes, cameras and lights.                                    glTF 2.0, sections 3.5 and 3.10; KHR_lights_punctual
 #include <algorithm>
+#include <limits>
 
 #include "scene/gltf_import.h"
 #include "scene/pose.h"
 
 namespace etendue::scene::gltf {
 namespace {
+
+constexpr double kNearlyOne = 1e-6;
 
 Vec3 vec3_of(const std::vector<double>& v) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
@@ -47,6 +50,8 @@ class NodeImporter {
     if (const auto* extension = extension_of(from.extensions, "KHR_lights_punctual"))
       node.light = static_cast<int>(checked_index(index_of(*extension, "light", -1), document_.model.lights.size(),
                                                   where + ".extensions.KHR_lights_punctual.light", "lights"));
+    if (const auto* extension = extension_of(from.extensions, "KHR_node_visibility"))
+      if (extension->Get("visible").IsBool()) node.visible = extension->Get("visible").Get<bool>();
     const bool shows = node.mesh >= 0 && node.skin < 0;
     if (shows && is_singular(node.transform.to_matrix()))
       warn(where, "its transform is singular (a scale of 0?); its mesh is not shown");
@@ -79,7 +84,8 @@ class NodeImporter {
       return Vec4(0, 0, 0, 1);
     }
     if (std::abs(length - 1) > 1e-2) warn(where + ".rotation", "is no unit quaternion; it was normalised");
-    return Vec4(wide / length);
+    // What rounding alone keeps from being a unit stays as the file has it.
+    return Vec4(std::abs(length - 1) <= kNearlyOne ? wide : wide / length);
   }
 
   void choose_roots(int wanted) {
@@ -156,9 +162,10 @@ Camera import_camera(const tinygltf::Camera& from, const std::string& where, std
   }
   constexpr double kWidest = 1000;
   if (aspect >= 1 / kWidest && aspect <= kWidest) camera.aspect = static_cast<float>(aspect);
-  camera.near_clip = std::max(0.0f, static_cast<float>(near));
+  // The least and the greatest numbers that there are stand for no plane where one has to be given.
+  if (static_cast<float>(near) > std::numeric_limits<float>::min()) camera.near_clip = static_cast<float>(near);
   // A far plane of 0 is none: the projection is infinite.
-  if (far > 0) camera.far_clip = static_cast<float>(far);
+  if (far > 0 && static_cast<float>(far) < std::numeric_limits<float>::max()) camera.far_clip = static_cast<float>(far);
   if (!(camera.far_clip > camera.near_clip)) {
     warnings.push_back(where + ": its zfar is not beyond its znear; both are ignored");
     camera.near_clip = 0, camera.far_clip = kInfinity;
@@ -192,13 +199,17 @@ Light import_light(const tinygltf::Light& from, const std::string& where, std::v
 }  // namespace
 
 void import_cameras(const Document& document, Scene& scene) {
-  for (size_t i = 0; i < document.model.cameras.size(); ++i)
+  for (size_t i = 0; i < document.model.cameras.size(); ++i) {
     scene.cameras.push_back(import_camera(document.model.cameras[i], at("cameras", i), scene.warnings));
+    import_lens(document.model.cameras[i].extensions, at("cameras", i), scene.cameras.back(), scene.warnings);
+  }
 }
 
 void import_lights(const Document& document, Scene& scene) {
-  for (size_t i = 0; i < document.model.lights.size(); ++i)
+  for (size_t i = 0; i < document.model.lights.size(); ++i) {
     scene.lights.push_back(import_light(document.model.lights[i], at("lights", i), scene.warnings));
+    import_shape(document.model.lights[i].extensions, at("lights", i), scene.lights.back(), scene.warnings);
+  }
 }
 
 void import_nodes(const Document& document, Scene& scene, int wanted_scene) {

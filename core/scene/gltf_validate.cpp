@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_import.h"
 
 namespace etendue::scene::gltf {
 namespace {
@@ -98,8 +99,26 @@ class Validator {
                                         std::to_string(parent) + "] already; a node has one parent");
         parent = static_cast<int>(i);
       }
+      instances(node, where + ".extensions.EXT_mesh_gpu_instancing.attributes");
     }
     trees(parents);
+  }
+
+  // One element an instance.
+  void instances(const tinygltf::Node& node, const std::string& where) {
+    const auto* extension = extension_of(node.extensions, "EXT_mesh_gpu_instancing");
+    if (!extension) return;
+    std::optional<size_t> count;
+    for (const auto& [name, use] : {std::pair("TRANSLATION", Use::vectors), std::pair("ROTATION", Use::rotations),
+                                    std::pair("SCALE", Use::vectors)}) {
+      const int index = index_of(extension->Get("attributes"), name, -1);
+      if (index < 0) continue;
+      accessor(index, use, where + "." + name);
+      if (count && *count != count_of(document_, index))
+        fail(where + "." + name, "has " + std::to_string(count_of(document_, index)) + " elements, but there are " +
+                                     std::to_string(*count) + " instances");
+      count = count_of(document_, index);
+    }
   }
 
   // With one parent each, the walk upwards from a node ends at a root or goes round in a circle.
@@ -157,7 +176,8 @@ class Validator {
       if (const ViewBytes view = view_bytes(document_, static_cast<int>(v)); !view.problem.empty())
         document_.warnings.push_back(at("bufferViews", v) + ": " + view.problem);
     for (size_t b = 0; b < document_.buffers.size(); ++b)
-      if (const std::string& problem = document_.buffers[b].problem; !problem.empty())
+      if (const std::string& problem = document_.buffers[b].problem;
+          !problem.empty() && !document_.buffers[b].placeholder)
         document_.warnings.push_back(at("buffers", b) + ": " + problem);
   }
 

@@ -32,7 +32,8 @@ struct Deformation {
 struct Primitive {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Deformation> deformation;  // null for a rigid mesh
-  int material = 0;
+  int material = 0;                                // what it wears now
+  std::vector<int> choices;  // what it wears in the file's own look and in each variant; empty if always the same
 
   friend bool operator==(const Primitive&, const Primitive&) = default;
 };
@@ -107,7 +108,9 @@ struct Scene {
   std::vector<std::shared_ptr<const Skin>> skins;
   std::vector<std::shared_ptr<const Animation>> animations;
   Environment environment;
-  float time = 0;  // seconds at which animations are evaluated
+  float time = 0;                     // seconds at which animations are evaluated
+  std::vector<std::string> variants;  // names
+  int variant = -1;                   // the one that is shown (scene/variants.h), -1 for the file's own look
 
   std::vector<std::string> scene_names;  // of the file's scenes
   std::vector<std::string> unsupported;  // optional extensions that are used and ignored

@@ -31,6 +31,8 @@
 #include "stress/cases/light_through_a_gap.h"
 #include "stress/cases/lossless_glass.h"
 #include "stress/cases/many_lights.h"
+#include "stress/cases/models_at_their_ends.h"
+#include "stress/cases/models_that_make_light.h"
 #include "stress/cases/nan_in_a_sky.h"
 #include "stress/cases/narrow_lobe_and_small_light.h"
 #include "stress/cases/nested_glass.h"
@@ -44,6 +46,7 @@
 #include "stress/cases/point_on_the_light.h"
 #include "stress/cases/reused_seeds.h"
 #include "stress/cases/roughness_at_its_ends.h"
+#include "stress/cases/room_that_makes_light.h"
 #include "stress/cases/roulette_below_the_square.h"
 #include "stress/cases/roulette_of_a_bright_room.h"
 #include "stress/cases/seeds_and_pixels.h"
@@ -120,6 +123,7 @@ const std::vector<Case>& cases() {
       kLosslessGlass,
       kTotalReflection,
       kRoughnessAtItsEnds,
+      kModelsAtTheirEnds,
       kAlbedoOfOne,
       kClosedRoomOfAlbedoOne,
       kOpticalDepth,
@@ -140,6 +144,8 @@ const std::vector<Case>& cases() {
       kGrazingLight,
       kPointOnTheLight,
       kGrazingAlbedo,
+      kModelsThatMakeLight,
+      kRoomThatMakesLight,
       kInfiniteEmission,
       kNanInASky,
       kSettingsThatAreNoNumbers,

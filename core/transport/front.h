@@ -180,9 +180,9 @@ class Front {
   // Which part of what the walks carry belongs to the classes that are asked for; empty in a model without classes.
   ClassShares<M>& shares() { return shares_; }
 
-  // A point on a light for each arrival.
-  std::span<const LightSample> sample_lights() {
-    scene_->lights().sample(draw_lights(), light_samples_.data());
+  // A point on a light for each arrival, by one of the strategies that take a single light.
+  std::span<const LightSample> sample_lights(LightStrategy strategy) {
+    scene_->lights().sample(draw_lights(), light_samples_.data(), strategy);
     return light_samples_;
   }
   // A point on one of the light table's sources for each arrival, from numbers of a twig of its own but for the first.
@@ -242,8 +242,12 @@ class Front {
   LightQueries draw_lights() {
     draw(dimensions(vertex_dimension::kLightPoint, 2) | dimensions(vertex_dimension::kLightChoice, 1));
     const auto numbers = [&](int dimension) { return random_.values[static_cast<size_t>(dimension)].data(); };
-    return {positions_, numbers(vertex_dimension::kLightChoice), numbers(vertex_dimension::kLightPoint),
-            numbers(vertex_dimension::kLightPoint + 1), static_cast<size_t>(arrived_), times_of_arrivals()};
+    return {positions_,
+            numbers(vertex_dimension::kLightChoice),
+            numbers(vertex_dimension::kLightPoint),
+            numbers(vertex_dimension::kLightPoint + 1),
+            static_cast<size_t>(arrived_),
+            times_of_arrivals()};
   }
 
   // Seeds for the rays of these paths, where stochastic opacity asks for them.

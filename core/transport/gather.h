@@ -25,10 +25,8 @@ float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& sc
   if (!shared || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  const LightTable& lights = scene.lights();
-  float pdf = lights.pdf_triangle(light, path.from, point.position, path.time);
-  if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(light);
-  return mis_weight(*shared, path.pdf, pdf);
+  return mis_weight(*shared, path.pdf,
+                    scene.lights().pdf_triangle(light, path.from, point.position, path.time, strategy));
 }
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
@@ -49,14 +47,14 @@ void add_emission_weighed(Front<M>& front, Weigh&& weigh) {
     if (!point.material->shines) continue;
     auto& path = front.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
-    const Rgb emitted = scene.emitted(point);
+    const Rgb emitted = scene.emitted(point, front.wo(i));
     if (is_black(emitted)) continue;
     path.radiance += admitted(front, path, front.path_at(i)) * emitted * weigh(i);
   }
 }
 
 template <class M>
-void add_emission(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::one) {
+void add_emission(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::automatic) {
   add_emission_weighed(
       front, [&](int i) { return weight_of_hit(front.state_at(i), front.scene(), front.point(i), shared, strategy); });
 }
@@ -75,14 +73,12 @@ void add_environment_weighed(Front<M>& front, Weigh&& weigh) {
 }
 
 template <class M>
-void add_environment(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::one) {
+void add_environment(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::automatic) {
   const LightTable& lights = front.scene().lights();
   add_environment_weighed(front, [&](int i) {
     const float own = front.escapee(i).pdf;
     if (!shared || own == 0) return 1.0f;
-    float pdf = lights.pdf_environment(front.escape_direction(i));
-    if (strategy == LightStrategy::every && pdf > 0) pdf *= lights.density_within_source(lights.environment_light());
-    return mis_weight(*shared, own, pdf);
+    return mis_weight(*shared, own, lights.pdf_environment(front.escape_direction(i), strategy));
   });
 }
 
@@ -112,7 +108,8 @@ void add_light_samples_weighed(Front<M>& front, std::span<const LightSample> sam
     const float weight = weigh(i, light, scattered);
     if (weight == 0) continue;
     auto& path = front.state_at(i);
-    auto& gain = shadows == Shadows::cast ? front.connect(i, light.wi, light.distance) : path.radiance;
+    const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
+    auto& gain = can_be_shadowed ? front.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
 }
@@ -126,17 +123,11 @@ void add_light_samples(Front<M>& front, std::span<const LightSample> samples, Co
   });
 }
 
-// Next event estimation: one point on one light for each vertex.
+// Next event estimation: one point on one light for each vertex, as it would be found by walks from the lights.
 template <class M, class Weigh, class Wanted = EveryArrival>
 void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh, const Wanted& wanted = {}) {
   if (front.scene().lights().empty()) return;
-  add_light_samples_weighed(front, front.sample_lights(), shadows, weigh, wanted);
-}
-
-template <class M>
-void add_direct_light(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast, float branches = 1) {
-  if (front.scene().lights().empty()) return;
-  add_light_samples(front, front.sample_lights(), shared, shadows, branches);
+  add_light_samples_weighed(front, front.sample_lights(LightStrategy::as_emitted), shadows, weigh, wanted);
 }
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
@@ -153,10 +144,11 @@ void add_light_of_every_source(Front<M>& front, Combination shared, Shadows shad
 template <class M>
 void add_direct_light(Front<M>& front, LightStrategy strategy, Combination shared, Shadows shadows = Shadows::cast,
                       float branches = 1) {
+  if (front.scene().lights().empty()) return;
   if (strategy == LightStrategy::every)
     add_light_of_every_source(front, shared, shadows, branches);
   else
-    add_direct_light(front, shared, shadows, branches);
+    add_light_samples(front, front.sample_lights(strategy), shared, shadows, branches);
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's

@@ -69,7 +69,7 @@ void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, c
   using Color = typename M::Color;
   const scene::CompiledScene& scene = front.scene();
   if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::narrow)) return;
-  const std::span<const LightSample> samples = front.sample_lights();
+  const std::span<const LightSample> samples = front.sample_lights(LightStrategy::automatic);
   for (int i = 0; i < front.arrived(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = front.bsdf(i);
@@ -95,7 +95,8 @@ void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, c
     const Color reflected = diffuse * alone + glossy * of_gloss;
     if (is_black(reflected)) continue;
     auto& path = front.state_at(i);
-    front.connect(i, light.wi, light.distance) += path.throughput * reflected * scene.radiance_of(light);
+    auto& gain = light.distance > 0 ? front.connect(i, light.wi, light.distance) : path.radiance;
+    gain += path.throughput * reflected * scene.radiance_of(light);
   }
 }
 

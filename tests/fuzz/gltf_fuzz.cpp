@@ -3,8 +3,9 @@
 //
 //   gltf_fuzz SEED ITERATIONS FILE...
 //
-// Bits are flipped, runs are deleted or doubled, numbers in the JSON become absurd ones, lengths lie. The same seed
-// gives the same files.
+// Bits are flipped, runs are deleted or doubled, numbers in the JSON become absurd ones, lengths lie. Where binary
+// files lie beside a file of JSON, every second time they are damaged instead of it. The same seed gives the same
+// files.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -72,28 +73,46 @@ class Mutator {
   std::mt19937 engine_;
 };
 
+std::vector<std::filesystem::path> binaries_beside(const std::filesystem::path& source) {
+  std::vector<std::filesystem::path> binaries;
+  if (source.extension() == ".gltf")
+    for (const auto& entry : std::filesystem::directory_iterator(source.parent_path()))
+      if (entry.path().extension() == ".bin") binaries.push_back(entry.path());
+  return binaries;
+}
+
+// The file, and what it needs, in a folder of their own; damaged.
+bool write_damaged(const std::filesystem::path& source, const std::filesystem::path& folder, Mutator mutator,
+                   bool json) {
+  const auto binaries = binaries_beside(source);
+  for (auto files = binaries; const auto& file : (files.push_back(source), files)) {
+    auto bytes = etendue::read_file(file);
+    if (!bytes) return std::fprintf(stderr, "%s\n", bytes.error().message.c_str()), false;
+    if (json || binaries.empty() ? file == source : file != source) mutator.mutate(*bytes);
+    if (!etendue::write_file(folder / file.filename(), bytes->data(), bytes->size())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 4) return std::fprintf(stderr, "usage: gltf_fuzz SEED ITERATIONS FILE...\n"), 2;
   const auto seed = static_cast<uint32_t>(std::atoi(argv[1]));
   const int iterations = std::atoi(argv[2]);
-  const auto folder = std::filesystem::temp_directory_path();
+  const auto folder = std::filesystem::temp_directory_path() / ("etendue-fuzz-" + std::to_string(seed));
+  std::filesystem::create_directories(folder);
   int opened = 0;
   for (int i = 0; i < iterations; ++i) {
     const std::filesystem::path source = argv[3 + i % (argc - 3)];
-    auto bytes = etendue::read_file(source);
-    if (!bytes) return std::fprintf(stderr, "%s\n", bytes.error().message.c_str()), 2;
-    Mutator(seed + static_cast<uint32_t>(i)).mutate(*bytes);
-    const auto file = folder / ("etendue-fuzz-" + std::to_string(seed) + source.extension().string());
-    if (!etendue::write_file(file, bytes->data(), bytes->size())) return 4;
-    const auto scene = etendue::scene::load_gltf(file);
+    if (!write_damaged(source, folder, Mutator(seed + static_cast<uint32_t>(i)), i / (argc - 3) % 2 == 0)) return 4;
+    const auto scene = etendue::scene::load_gltf(folder / source.filename());
     if (scene) {
       etendue::scene::compile(std::make_shared<const etendue::scene::Scene>(*scene), etendue::Camera{}, nullptr);
       ++opened;
     }
-    std::filesystem::remove(file);
   }
+  std::filesystem::remove_all(folder);
   std::printf("%d files, %d opened, %d refused\n", iterations, opened, iterations - opened);
   return 0;
 }

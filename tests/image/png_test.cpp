@@ -125,5 +125,30 @@ TEST(Png, ClaimsOfHugeSizeAreRefused) {
   }
 }
 
+TEST(Png, PicturesInMemoryKeepTheirChannels) {
+  for (int channels = 1; channels <= 4; ++channels) {
+    image::Image picture;
+    picture.width = 5, picture.height = 3, picture.channels = channels;
+    for (int i = 0; i < 15 * channels; ++i) picture.bytes.push_back(static_cast<uint8_t>(53 * i + 7));
+    const auto png = image::encode_png(picture);
+    ASSERT_TRUE(png) << png.error().message;
+    const auto again = image::decode_image(*png, "picture");
+    ASSERT_TRUE(again) << again.error().message;
+    EXPECT_EQ(again->channels, channels);
+    EXPECT_EQ(again->bytes, picture.bytes);
+  }
+  EXPECT_FALSE(image::encode_png(image::Image{}));
+}
+
+TEST(Png, FloatsInMemoryHaveSixteenBits) {
+  image::Image picture;
+  picture.width = 2, picture.height = 2, picture.channels = 1, picture.type = image::PixelType::float32;
+  picture.floats = {0, 0.5f, 1, 7};
+  const auto png = image::encode_png(picture);
+  ASSERT_TRUE(png) << png.error().message;
+  EXPECT_EQ(static_cast<int>((*png)[24]), 16) << "bits a sample, in the header";
+  EXPECT_EQ(image::decode_image(*png, "picture")->bytes, (std::vector<uint8_t>{0, 128, 255, 255}));
+}
+
 }  // namespace
 }  // namespace etendue::test

@@ -259,6 +259,29 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingLights) {
   expect_mean_of_moments(d, 1024, 48, "lights");
 }
 
+// A quad, a disk, a sphere, and a quad that stands for points pass over a floor with a post, and turn.
+TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingSurfaceLights) {
+  scene::Scene scene;
+  test::add(scene, test::quad(3), test::diffuse(Rgb(0.7f)));
+  Mat4 post(1);
+  post[3] = Vec4(0, 0.5f, 0, 1);
+  test::add(scene, test::cube(0.5f, false), test::diffuse({0.8f, 0.6f, 0.4f}), post);
+  const auto lamp = [&](LightType type, int points, float x) {
+    Light light;
+    light.type = type, light.intensity = 8, light.radius = 0.4f, light.width = 0.8f, light.height = 0.5f;
+    light.points = points;
+    const int node = test::add(scene, light, {});
+    const Vec4 a = test::turn({1, 0, 0}, -kPi / 2 - 0.6f), b = test::turn({1, 0, 0}, -kPi / 2 + 0.6f);
+    animate(scene, node, AnimatedPath::translation, {0, 1}, {x, 2, -1, x + 0.5f, 1.5f, 1});
+    animate(scene, node, AnimatedPath::rotation, {0, 1}, {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w});
+  };
+  lamp(LightType::quad, 0, -2), lamp(LightType::disk, 0, -1);
+  lamp(LightType::sphere, 0, 1), lamp(LightType::quad, 5, 0.3f);
+  auto d = test::document(std::move(scene), look_at({0, 3, 4}, {0, 0, 0}, {0, 1, 0}, 0.9f), test::kSize, test::kSize);
+  d.camera.shutter = 1;
+  expect_mean_of_moments(d, 1024, 48, "surface lights");
+}
+
 TEST(BlurredPicture, IsTheMeanOfStillOnesOfEverything) {
   expect_mean_of_moments(test::lens_and_shutter(), 1024, 48, "everything");
 }

@@ -117,6 +117,9 @@ TEST(Pairwise, GlossyThingsInMirrors) { expect_pairs_agree(test::glossy_things()
 TEST(Pairwise, UnderALamp) { expect_pairs_agree(test::under_a_lamp(), "E[(D|G).*]L", 64); }
 TEST(Pairwise, GlassBallUnderALamp) { expect_pairs_agree(test::under_a_lamp(), "ES.*L", 64); }
 
+// A quad, a disk and a sphere, whose points each method finds in its own way.
+TEST(Pairwise, UnderSurfaceLights) { expect_pairs_agree(test::under_surface_lights(), "E[(D|G).*]L", 64); }
+
 TEST(Pairwise, UnderASky) { expect_pairs_agree(test::under_a_sky(), "E[(D|G).*]L", 64); }
 // Long paths through the ball are tried in the multiplexed form by one technique at a time, of which one finds them:
 // once in a million samples, which then count as much as all others. Twelve pictures have no normal distribution then.

@@ -30,9 +30,9 @@ struct Queries {
     }
   }
 
-  std::vector<LightSample> sample(const LightTable& table) {
+  std::vector<LightSample> sample(const LightTable& table, LightStrategy strategy = LightStrategy::one) {
     std::vector<LightSample> samples(kCount);
-    table.sample({from, choice.data(), u0.data(), u1.data(), kCount}, samples.data());
+    table.sample({from, choice.data(), u0.data(), u1.data(), kCount}, samples.data(), strategy);
     return samples;
   }
 };
@@ -62,7 +62,7 @@ TEST(LightTable, SamplesPointsOnItsTrianglesWithTheDensityItStates) {
     const EmissiveTriangle& t = table.triangles()[s.light];
     const Vec3 expected = t.p0 + s.barycentric.x * t.e1 + s.barycentric.y * t.e2;
     EXPECT_LT(glm::length(point - expected), 1e-5f);
-    EXPECT_NEAR(s.pdf / table.pdf_triangle(s.light, queries.from[i], expected), 1, 1e-4f);
+    EXPECT_NEAR(s.pdf / table.pdf_triangle(s.light, queries.from[i], expected, 0, LightStrategy::one), 1, 1e-4f);
   }
   EXPECT_GT(of_each[0], 0);
   EXPECT_GT(of_each[1], of_each[0]) << "the brighter one is chosen more often";
@@ -125,11 +125,10 @@ TEST(LightTable, SourcesAreInstancesLampsAndTheSky) {
       met.insert(s.light);
       if (s.kind == LightKind::triangle) {
         const Vec3 point = queries.from[i] + s.wi * s.distance;
-        const float expected =
-            table.pdf_triangle(s.light, queries.from[i], point) * table.density_within_source(s.light);
+        const float expected = table.pdf_triangle(s.light, queries.from[i], point, 0, LightStrategy::every);
         EXPECT_NEAR(s.pdf / expected, 1, 1e-3f);
       } else if (s.kind == LightKind::environment) {
-        EXPECT_NEAR(s.pdf, table.pdf_environment(s.wi) * table.density_within_source(s.light), 1e-5f);
+        EXPECT_NEAR(s.pdf, table.pdf_environment(s.wi, LightStrategy::every), 1e-5f);
       } else {
         EXPECT_EQ(s.pdf, 1);
       }
@@ -172,7 +171,7 @@ TEST(LightTable, SamplesMovingLightsWhereTheyAre) {
   std::vector<LightSample> samples(Queries::kCount);
   table.sample(
       {queries.from, queries.choice.data(), queries.u0.data(), queries.u1.data(), samples.size(), times.data()},
-      samples.data());
+      samples.data(), LightStrategy::one);
   int of_each[2] = {0, 0};
   for (size_t i = 0; i < samples.size(); ++i) {
     const LightSample& s = samples[i];
@@ -186,7 +185,8 @@ TEST(LightTable, SamplesMovingLightsWhereTheyAre) {
     const Vec3 expected = f.p0 + s.barycentric.x * (f.p1 - f.p0) + s.barycentric.y * (f.p2 - f.p0);
     EXPECT_LT(glm::distance(point, expected), 1e-4f);
     if (s.pdf == 0) continue;
-    EXPECT_NEAR(table.pdf_triangle(s.light, queries.from[i], point, times[i]), s.pdf, 2e-3f * s.pdf);
+    EXPECT_NEAR(table.pdf_triangle(s.light, queries.from[i], point, times[i], LightStrategy::one), s.pdf,
+                2e-3f * s.pdf);
   }
   EXPECT_GT(of_each[0], 10);
   EXPECT_GT(of_each[1], 10);

@@ -381,5 +381,20 @@ TEST_F(Textures, WebpIsPreferredWhereTheFileOffersIt) {
   EXPECT_EQ(opened(gltf).textures[0].image->bytes, (std::vector<uint8_t>{7, 7, 7}));
 }
 
+// No library here reads KTX2: the extension is named as ignored, and the plain picture beside it is used.
+TEST_F(Textures, BasisUniversalFallsBack) {
+  write("fallback.png", png({9, 9, 9}));
+  Gltf gltf = with({{"emissiveTexture", {{"index", 0}}}});
+  gltf.root["images"] = {{{"uri", "fallback.png"}}, {{"uri", "small.ktx2"}}};
+  gltf.root["textures"] = {{{"source", 0}, {"extensions", {{"KHR_texture_basisu", {{"source", 1}}}}}},
+                           {{"extensions", {{"KHR_texture_basisu", {{"source", 1}}}}}}};
+  gltf.root["extensionsUsed"] = {"KHR_texture_basisu"};
+  const auto scene = opened(gltf);
+  EXPECT_EQ(scene.unsupported, std::vector<std::string>{"KHR_texture_basisu"});
+  EXPECT_EQ(scene.textures[0].image->bytes, (std::vector<uint8_t>{9, 9, 9}));
+  EXPECT_FALSE(scene.textures[1].image);
+  EXPECT_TRUE(warns(scene, "textures[1]: has no picture in a format that can be read; the factors alone are used"));
+}
+
 }  // namespace
 }  // namespace etendue::test

@@ -196,5 +196,52 @@ TEST_F(Nodes, Lights) {
   EXPECT_EQ(error_of(gltf), "extensions.KHR_lights_punctual.lights[1]: has no type");
 }
 
+class Instances : public GltfTest {
+ protected:
+  static Gltf three() {
+    Gltf gltf;
+    gltf.triangle();
+    json& attributes = gltf.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+    attributes["TRANSLATION"] = gltf.vec3({{1, 0, 0}, {2, 0, 0}, {3, 0, 0}});
+    attributes["ROTATION"] = gltf.vec4({{0, 0, 0, 1}, {0, 0, 2, 0}, {0, 0, 0, 0}});
+    attributes["SCALE"] = gltf.vec3({{1, 1, 1}, {1, 1, 1}, {2, 2, 2}});
+    gltf.root["nodes"][0]["translation"] = {0, 10, 0};
+    gltf.root["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
+    return gltf;
+  }
+};
+
+TEST_F(Instances, AreNodesBelowTheirs) {
+  Gltf gltf = three();
+  const auto scene = opened(gltf);
+  EXPECT_EQ(all(scene.warnings) + all(scene.unsupported), "");
+  ASSERT_EQ(scene.nodes.size(), 4U);
+  EXPECT_EQ(scene.nodes[0].mesh, -1) << "the mesh itself is not shown";
+  EXPECT_EQ(scene.nodes[0].children, (std::vector<int>{1, 2, 3}));
+  const auto world = scene::world_matrices(scene);
+  for (size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(scene.nodes[i].mesh, 0);
+    EXPECT_EQ(Vec3(world[i][3]), Vec3(i, 10, 0));
+  }
+  EXPECT_EQ(Vec3(world[2][0]), Vec3(-1, 0, 0)) << "half a turn about z";
+  EXPECT_EQ(Vec3(world[3][0]), Vec3(2, 0, 0)) << "a quaternion of length 0 turns nothing";
+}
+
+TEST_F(Instances, AttributesHaveToAgree) {
+  Gltf gltf = three();
+  json& attributes = gltf.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes["SCALE"] = gltf.vec3({{1, 1, 1}});
+  const std::string where = "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE: ";
+  EXPECT_EQ(error_of(gltf), where + "has 1 elements, but there are 3 instances");
+  attributes["SCALE"] = 99;
+  EXPECT_EQ(error_of(gltf), where + "accessor 99 does not exist; there are 5");
+}
+
+TEST_F(Instances, WithoutAMeshAreIgnored) {
+  Gltf gltf = three();
+  gltf.root["nodes"][0].erase("mesh");
+  EXPECT_TRUE(warns(opened(gltf), "nodes[0].extensions.EXT_mesh_gpu_instancing: only a node with a mesh"));
+}
+
 }  // namespace
 }  // namespace etendue::test

@@ -12,7 +12,8 @@ struct ChiSquare {
 };
 
 // `sample` gives a direction or false (absorbed: counted as a cell of its own, with what the density lacks to one).
-// Cells with an expectation under five are pooled.
+// Cells are small where a fifth as many samples before these say so; those with an expectation under five are pooled.
+// A density that adds to more than one shows in the cell of what is absorbed.
 ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
                                int samples);
 

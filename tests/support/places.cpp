@@ -69,6 +69,23 @@ Document under(LightType type) {
   return seen(std::move(scene));
 }
 
+Document under_surface_lights() {
+  auto scene = balls();
+  const auto lamp = [&](LightType type, const Rgb& color, const Vec3& from, const Vec3& to) {
+    Light light;
+    light.type = type, light.color = color, light.intensity = 9;
+    light.width = 0.9f, light.height = 0.6f, light.radius = 0.5f;
+    light.two_sided = type == LightType::disk, light.focus = type == LightType::quad ? 2.0f : 0;
+    scene::Transform place;
+    place.matrix = look_at(from, to, {0, 0.99f, 0.1f}, 1).to_world;
+    add(scene, light, place);
+  };
+  lamp(LightType::quad, {1, 0.6f, 0.4f}, {-1.5f, 2.2f, 1}, {-0.5f, 0, 0});
+  lamp(LightType::disk, {0.5f, 1, 0.6f}, {0.3f, 2.5f, -0.8f}, {0.2f, 0, 0.1f});
+  lamp(LightType::sphere, {0.5f, 0.7f, 1}, {1.7f, 1.6f, 0.9f}, {0, 0, 0});
+  return seen(std::move(scene));
+}
+
 Document through_a_lens(const Document& d) {
   return with(with(d, "camera.lens-radius", "0.25"), "camera.focus-distance", "4");
 }

@@ -18,6 +18,8 @@ render::Document seen(scene::Scene scene);
 render::Document under_a_lamp();
 render::Document under_a_sky();
 render::Document under(LightType type);
+// A quad, a disk and a sphere that shine.
+render::Document under_surface_lights();
 render::Document through_a_lens(const render::Document& d);
 
 // Expects the methods of both to agree (expect_agreement).

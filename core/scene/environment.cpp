@@ -1,0 +1,26 @@
+#include "scene/environment.h"
+
+#include <cmath>
+
+namespace etendue::scene {
+
+Result<std::shared_ptr<const image::Image>> load_environment_map(const std::filesystem::path& file) {
+  auto picture = image::read_linear(file);
+  if (!picture) return picture.error();
+  const image::Layer* beauty = picture->find("");
+  if (!beauty || beauty->channels.size() < 3)
+    return input_error(file.string() + ": has no RGB channels; give an equirectangular .hdr or .exr");
+  auto map = std::make_shared<image::Image>();
+  map->width = picture->width, map->height = picture->height, map->channels = 3;
+  map->type = image::PixelType::float32;
+  const size_t stride = beauty->channels.size();
+  map->floats.reserve(static_cast<size_t>(map->width) * static_cast<size_t>(map->height) * 3);
+  for (size_t i = 0; i + stride <= beauty->pixels.size(); i += stride)
+    for (size_t c = 0; c < 3; ++c) {
+      const float v = beauty->pixels[i + c];
+      map->floats.push_back(std::isfinite(v) && v > 0 ? v : 0.0f);
+    }
+  return std::shared_ptr<const image::Image>(std::move(map));
+}
+
+}  // namespace etendue::scene

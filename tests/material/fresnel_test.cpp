@@ -1,0 +1,199 @@
+// Fresnel's equations, their approximations and the constants of materials: thesis 4.1.3 and what follows from it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "material/fresnel_term.h"
+#include "material/optical_constants.h"
+#include "support/model_cases.h"
+
+namespace etendue {
+namespace {
+
+using test::direction;
+
+// Dielectrics by angle, and their means on both sides.
+TEST(Fresnel, Dielectrics) {
+  struct Row {
+    double eta, r0, at30, at45, at60, at75, at85, at89, mean_outside, mean_inside;
+  };
+  const Row rows[] = {
+      {1.31, .018009, .018993, .025038, .055323, .204822, .577073, .894395, .062742, .453844},
+      {1.333, .020373, .021436, .027898, .059691, .212378, .583523, .896276, .066406, .474591},
+      {1.46, .034966, .036398, .044694, .082454, .245110, .607860, .902954, .085860, .571148},
+      {1.5, .040000, .041523, .050240, .089187, .253061, .612800, .904185, .091778, .596346},
+      {1.6, .053254, .054953, .064434, .105238, .269554, .621561, .906141, .106246, .650877},
+      {1.77, .077272, .079123, .089137, .130425, .289949, .628793, .907097, .129968, .722292},
+      {2.42, .172395, .173883, .181521, .211598, .330627, .621622, .899693, .212541, .865539},
+  };
+  const auto mean = [](float eta) {
+    constexpr int kSteps = 200'000;
+    double sum = 0;
+    float cos_t;
+    for (int k = 0; k < kSteps; ++k)
+      sum += fresnel_dielectric(std::sqrt((static_cast<float>(k) + 0.5f) / kSteps), eta, cos_t);
+    return sum / kSteps;
+  };
+  for (const Row& row : rows) {
+    const FresnelTerm<Rgb> f{FresnelKind::dielectric, Rgb(static_cast<float>(row.eta)), Rgb(0)};
+    const std::pair<float, double> all[] = {{0.0f, row.r0},    {30.0f, row.at30}, {45.0f, row.at45}, {60.0f, row.at60},
+                                            {75.0f, row.at75}, {85.0f, row.at85}, {89.0f, row.at89}};
+    for (const auto& [theta, expected] : all)
+      EXPECT_NEAR(f(direction(theta).z).r, expected, 2e-6) << row.eta << ' ' << theta;
+    EXPECT_NEAR(mean(static_cast<float>(row.eta)), row.mean_outside, 2e-6);
+    EXPECT_NEAR(mean(static_cast<float>(1 / row.eta)), row.mean_inside, 1e-5);
+    EXPECT_NEAR(row.mean_inside, 1 - (1 - row.mean_outside) / sqr(row.eta), 2e-6);
+  }
+}
+
+// Schlick's approximation is as wrong as it is known to be, and E5 is kept.
+TEST(Fresnel, SchlickErrs) {
+  const std::array<double, 3> rows[] = {{1.31, .0653, 83.6}, {1.333, .0592, 83.8}, {1.46, .0388, 84.8},
+                                        {1.5, .0357, 85.0},  {1.6, .0319, 85.3},   {1.77, .0335, 85.5},
+                                        {2.42, .0757, 84.5}};
+  for (const auto& [eta, error, angle] : rows) {
+    double most = 0, where = 0;
+    for (double theta = 0; theta < 90; theta += 0.05) {
+      float cos_t;
+      const float c = direction(static_cast<float>(theta)).z, n = static_cast<float>(eta);
+      const double off = std::abs(double{fresnel_dielectric(c, n, cos_t)} - fresnel_schlick(c, n, 0));
+      if (off > most) most = off, where = theta;
+    }
+    EXPECT_NEAR(most, error, 6e-5) << eta;
+    EXPECT_NEAR(where, angle, 0.11) << eta;
+  }
+  float cos_t;
+  const float inside = 1 / 1.5f;
+  EXPECT_NEAR(fresnel_dielectric(direction(30).z, inside, cos_t), .055190, 1e-6);
+  EXPECT_NEAR(fresnel_schlick(direction(30).z, inside, 0), .044270, 1e-6);
+  EXPECT_NEAR(fresnel_dielectric(direction(41).z, inside, cos_t), .379751, 2e-5);
+  EXPECT_NEAR(fresnel_schlick(direction(41).z, inside, 0), .400976, 2e-5);
+  EXPECT_EQ(fresnel_schlick(direction(42).z, inside, 0), 1);
+}
+
+// The thesis's approximation and the exact equations; its double square (E3) is neither.
+TEST(Fresnel, Conductors) {
+  struct Row {
+    const char* name;
+    double at0, approximate[5], exact[5], mean;
+  };
+  const Row rows[] = {
+      {"gold",
+       .849430,
+       {.848601, .848447, .866566, .890791, .934816},
+       {.846622, .843883, .861775, .887398, .933158},
+       .850529},
+      {"silver",
+       .951574,
+       {.950390, .947685, .946909, .953338, .970417},
+       {.949768, .946089, .944797, .951726, .969638},
+       .949370},
+      {"copper-printed",
+       .919312,
+       {.919094, .919793, .932110, .945992, .968923},
+       {.917792, .916911, .929407, .944210, .968131},
+       .920506},
+      {"copper",
+       .741072,
+       {.741324, .745142, .781808, .822193, .893013},
+       {.738754, .739305, .775704, .817701, .890578},
+       .747214},
+      {"steel",
+       .584634,
+       {.579654, .568335, .564767, .595319, .700489},
+       {.578516, .565257, .559573, .590023, .695962},
+       .577970},
+  };
+  const float angles[] = {45, 60, 75, 80, 85};
+  for (const Row& row : rows) {
+    const auto* metal = std::find_if(kConductors.begin(), kConductors.end(),
+                                     [&](const auto& c) { return std::string_view(c.name) == row.name; });
+    ASSERT_NE(metal, kConductors.end());
+    const float n = metal->eta.x, k = metal->kappa.x;
+    EXPECT_NEAR(fresnel_conductor(1, n, k), row.at0, 1e-6) << row.name;
+    EXPECT_NEAR(fresnel_conductor_approximate(1, n, k), row.at0, 1e-6) << row.name;
+    EXPECT_NEAR(fresnel_schlick(1, n, k), row.at0, 1e-6) << row.name;
+    EXPECT_NEAR(fresnel_conductor(0, n, k), 1, 1e-6);
+    for (size_t a = 0; a < 5; ++a) {
+      const float c = direction(angles[a]).z;
+      EXPECT_NEAR(fresnel_conductor(c, n, k), row.exact[a], 2e-6) << row.name << ' ' << angles[a];
+      EXPECT_NEAR(fresnel_conductor_approximate(c, n, k), row.approximate[a], 2e-6) << row.name << ' ' << angles[a];
+    }
+    const FresnelTerm<Rgb> f{FresnelKind::conductor, Rgb(n), Rgb(k)};
+    EXPECT_NEAR(f.mean().r, row.mean, 2e-6) << row.name;
+  }
+  double most = 0;
+  for (int k = 0; k < 900; ++k) {
+    const float c = direction(0.1f * static_cast<float>(k)).z;
+    most =
+        std::max(most, double{fresnel_conductor_approximate(c, 0.370f, 2.820f)} - fresnel_conductor(c, 0.370f, 2.820f));
+  }
+  EXPECT_NEAR(most, 0.0054, 5e-5);
+}
+
+// Where the metals' numbers come from.
+TEST(Conductors, AreTheMeasuredOnesSeenByTheObserver) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  using Table = std::vector<std::array<double, 4>>;
+  const auto read = [&](const std::string& name) {
+    Table table;
+    std::ifstream file(std::string(data) + "/spectra/" + name + ".csv");
+    for (std::string line; std::getline(file, line);) {
+      if (line.empty() || !std::isdigit(static_cast<unsigned char>(line[0]))) continue;
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream numbers(line);
+      std::array<double, 4> row{};
+      for (double& x : row) numbers >> x;
+      table.push_back(row);
+    }
+    return table;
+  };
+  const auto at = [](const Table& table, double wavelength, size_t column) {
+    for (size_t k = 1; k < table.size(); ++k)
+      if (wavelength <= table[k][0]) {
+        const double t = (wavelength - table[k - 1][0]) / (table[k][0] - table[k - 1][0]);
+        return table[k - 1][column] * (1 - t) + table[k][column] * t;
+      }
+    return table.back()[column];
+  };
+  const Table observer = read("cie_1931_2deg_cmf");
+  ASSERT_GT(observer.size(), 400U);
+  const double to_srgb[3][3] = {
+      {3.2404542, -1.5371385, -0.4985314}, {-0.9692660, 1.8760108, 0.0415560}, {0.0556434, -0.2040259, 1.0572252}};
+  const std::pair<const char*, const char*> metals[] = {{"silver-measured", "Ag_johnson"},
+                                                        {"aluminium-measured", "Al_rakic"},
+                                                        {"gold-measured", "Au_johnson"},
+                                                        {"copper-measured", "Cu_johnson"}};
+  for (const auto& [name, file] : metals) {
+    const Table metal = read(file);
+    ASSERT_GT(metal.size(), 10U);
+    const auto* constants = std::find_if(kConductors.begin(), kConductors.end(),
+                                         [&](const auto& c) { return std::string_view(c.name) == name; });
+    for (int band = 0; band < 3; ++band) {
+      double weights = 0, n = 0, k = 0;
+      for (const auto& row : observer) {
+        if (row[0] < 380 || row[0] > 780) continue;
+        double w = 0;
+        for (size_t j = 0; j < 3; ++j) w += to_srgb[band][j] * row[1 + j];
+        weights += w, n += w * at(metal, row[0], 1), k += w * at(metal, row[0], 2);
+      }
+      EXPECT_NEAR(constants->eta[band], n / weights, 1e-5) << name;
+      EXPECT_NEAR(constants->kappa[band], k / weights, 1e-5) << name;
+    }
+  }
+  const std::pair<const char*, const char*> glasses[] = {{"n-bk7", "N-BK7_schott"},
+                                                         {"n-sf11", "N-SF11_schott"},
+                                                         {"fused-silica", "fused_silica_malitson"},
+                                                         {"water-measured", "water_daimon_20C"}};
+  for (const auto& [name, file] : glasses) {
+    const auto* constants = std::find_if(kDielectrics.begin(), kDielectrics.end(),
+                                         [&](const auto& c) { return std::string_view(c.name) == name; });
+    EXPECT_NEAR(constants->eta, at(read(file), 587.6, 1), 1e-5) << name;
+  }
+}
+
+}  // namespace
+}  // namespace etendue

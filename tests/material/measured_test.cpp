@@ -1,0 +1,388 @@
+// Reflectance that is data: files of two databases, tables made here, spherical harmonics.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "material/bilinear_density.h"
+#include "material/measured_data.h"
+#include "material/tensor_file.h"
+#include "support/chi_square.h"
+#include "support/model_cases.h"
+#include "support/sphere_partition.h"
+
+namespace etendue {
+namespace {
+
+using test::direction;
+using test::Draw;
+using test::lobes_of;
+using test::model_with;
+
+std::filesystem::path temporary(const std::string& name) {
+  return std::filesystem::path(testing::TempDir()) / ("etendue_measured_" + name);
+}
+
+void write_bytes(const std::filesystem::path& path, const std::vector<char>& bytes) {
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+std::vector<char> read_bytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::filesystem::path> rgl_files() {
+  std::vector<std::filesystem::path> files;
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (data && std::filesystem::exists(std::filesystem::path(data) / "brdf"))
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(data) / "brdf"))
+      if (entry.path().extension() == ".bsdf") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// There and back, and the density adds to one; also between slices, and where parts are empty.
+TEST(BilinearDensity, IsInvertedAndNormalised) {
+  Draw draw(2);
+  constexpr size_t kWidth = 7, kHeight = 5;
+  std::vector<float> values(2 * kWidth * kHeight);
+  for (float& v : values) v = draw.one() < 0.2f ? 0 : 3 * draw.one();
+  const BilinearDensity density(values, kWidth, kHeight);
+  for (const float t : {0.0f, 0.3f, 1.0f}) {
+    double sum = 0;
+    constexpr int kSteps = 240;
+    for (int y = 0; y < kSteps; ++y)
+      for (int x = 0; x < kSteps; ++x)
+        sum +=
+            density
+                .invert(Vec2((static_cast<float>(x) + 0.5f) / kSteps, (static_cast<float>(y) + 0.5f) / kSteps), {0, t})
+                .pdf;
+    EXPECT_NEAR(sum / (kSteps * kSteps), 1, 1e-3);
+    for (int k = 0; k < 1000; ++k) {
+      const Vec2 u = draw.two();
+      const auto sample = density.sample(u, {0, t});
+      const auto back = density.invert(sample.p, {0, t});
+      // A step where the density is near nothing is a long way.
+      if (sample.pdf < 0.05f) continue;
+      ASSERT_NEAR(back.p.x, u.x, 2e-4f);
+      ASSERT_NEAR(back.p.y, u.y, 2e-4f);
+      ASSERT_NEAR(back.pdf, sample.pdf, 2e-3f * sample.pdf);
+    }
+  }
+}
+
+// The paper's density is nearly the measured value: weights hardly vary, which they would if any part of it were read
+// wrongly; and directions follow it.
+TEST(Rgl, IsDrawnNearlyByItself) {
+  const auto files = rgl_files();
+  if (files.empty()) GTEST_SKIP() << "no measurements under ETENDUE_TEST_DATA";
+  unsigned seed = 1;
+  for (const auto& file : files) {
+    ASSERT_TRUE(accepts_rgl_file(file.string())) << accepts_rgl_file(file.string()).error().message;
+    const auto lobes = lobes_of(*model_with("rgl", {{"file", file.string()}}), Rgb(1));
+    for (const float theta : {1.0f, 30.0f, 60.0f, 80.0f}) {
+      const Vec3 wo = direction(theta, 0.5f);
+      Draw draw(++seed);
+      double sum = 0, squares = 0;
+      constexpr int kSamples = 20'000;
+      for (int k = 0; k < kSamples; ++k)
+        if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s)) {
+          const double w = luminance(s.weight);
+          ASSERT_TRUE(std::isfinite(w) && w >= 0);
+          sum += w / kSamples, squares += w * w / kSamples;
+        }
+      EXPECT_GT(sum, 0.02) << file;
+      EXPECT_LT(sum, 1) << file;
+      EXPECT_LT(std::sqrt(squares - sum * sum), 0.15 * sum) << file << ' ' << theta;
+      const auto chi = test::chi_square_on_sphere(
+          [&](Vec3& wi) {
+            LobeSample<Rgb> s;
+            const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s);
+            wi = s.wi;
+            return ok;
+          },
+          [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 20'000);
+      EXPECT_GT(chi.p_value, 1 - std::pow(0.99, 1.0 / (4 * static_cast<double>(files.size())))) << file << ' ' << theta;
+    }
+  }
+}
+
+// Paper is nearly Lambertian: what the file holds has a cosine in it, which is divided out.
+TEST(Rgl, WhitePaperIsWhiteAndFlat) {
+  for (const auto& file : rgl_files()) {
+    if (file.filename() != "paper_white_rgb.bsdf") continue;
+    const RglBrdf* paper = rgl_data(file.string());
+    ASSERT_NE(paper, nullptr);
+    for (const float theta : {10.0f, 40.0f, 60.0f, 75.0f})
+      EXPECT_NEAR(paper->f(direction(5), direction(theta, 2)).g, 0.26, 0.03) << theta;
+    return;
+  }
+  GTEST_SKIP() << "no paper under ETENDUE_TEST_DATA";
+}
+
+// A measurement is about reciprocal, and not more than that.
+TEST(Rgl, IsReciprocalAsMeasurementsAre) {
+  for (const auto& file : rgl_files()) {
+    const RglBrdf* brdf = rgl_data(file.string());
+    ASSERT_NE(brdf, nullptr);
+    Draw draw(8);
+    double off = 0, all = 0;
+    for (int k = 0; k < 5000; ++k) {
+      const Vec3 a = direction(70 * draw.one(), 6 * draw.one()), b = direction(70 * draw.one(), 6 * draw.one());
+      const double forth = brdf->f(a, b).g, back = brdf->f(b, a).g;
+      off += std::abs(forth - back), all += forth;
+    }
+    EXPECT_LT(off, 0.5 * all) << file;
+    EXPECT_GT(off, 0.005 * all) << file;
+  }
+}
+
+// Cut short anywhere, or with bytes that lie: an error with the file's name, or data that can be asked.
+TEST(Rgl, DamagedFilesAreErrors) {
+  const auto files = rgl_files();
+  if (files.empty()) GTEST_SKIP() << "no measurements under ETENDUE_TEST_DATA";
+  const auto whole = read_bytes(files[0]);
+  const auto path = temporary("damaged.bsdf");
+  for (const size_t length :
+       {size_t{0}, size_t{5}, size_t{17}, size_t{40}, size_t{200}, size_t{416}, whole.size() - 2000}) {
+    write_bytes(path, {whole.begin(), whole.begin() + static_cast<ptrdiff_t>(length)});
+    const auto read = RglBrdf::read(path);
+    ASSERT_FALSE(read) << length;
+    EXPECT_NE(read.error().message.find("damaged.bsdf"), std::string::npos) << read.error().message;
+  }
+  EXPECT_FALSE(RglBrdf::read(temporary("not there.bsdf")));
+  EXPECT_FALSE(accepts_rgl_file("/no/such/file_rgb.bsdf"));
+  // The directory of fields, with bytes that are anything.
+  Draw draw(4);
+  for (int k = 0; k < 300; ++k) {
+    auto bytes = whole;
+    for (int hits = 0; hits < 3; ++hits)
+      bytes[static_cast<size_t>(draw.one() * 416)] = static_cast<char>(static_cast<int>(draw.one() * 256) - 128);
+    write_bytes(path, bytes);
+    if (const auto read = RglBrdf::read(path)) {
+      const Rgb f = read->f(direction(30), direction(50, 3));
+      EXPECT_TRUE(is_finite(f));
+    }
+  }
+  std::filesystem::remove(path);
+}
+
+// A MERL file of a function that is known.
+double merl_value(double theta_h, double theta_d, double phi_d) {
+  return 0.2 + 0.3 * std::exp(-4 * theta_h * theta_h) + 0.1 * std::cos(theta_d) +
+         0.05 * std::cos(2 * phi_d) * std::sin(theta_d);
+}
+
+std::vector<char> merl_bytes(int32_t halves, int32_t differences, int32_t azimuths) {
+  std::vector<char> bytes;
+  const auto put = [&](const auto& x) {
+    const char* p = reinterpret_cast<const char*>(&x);
+    bytes.insert(bytes.end(), p, p + sizeof x);
+  };
+  put(halves), put(differences), put(azimuths);
+  for (const double scale : {1500.0, 1500 / 1.15, 1500 / 1.66})
+    for (int h = 0; h < halves; ++h)
+      for (int d = 0; d < differences; ++d)
+        for (int p = 0; p < azimuths; ++p)
+          put(scale * merl_value(sqr((h + 0.5) / halves) * M_PI / 2, (d + 0.5) / differences * M_PI / 2,
+                                 (p + 0.5) / azimuths * M_PI));
+  return bytes;
+}
+
+TEST(Merl, IsReadInItsOwnAngles) {
+  const auto path = temporary("known.binary");
+  write_bytes(path, merl_bytes(60, 60, 90));
+  const auto read = MerlBrdf::read(path);
+  ASSERT_TRUE(read) << read.error().message;
+  Draw draw(3);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 a = direction(85 * draw.one(), 6 * draw.one()), b = direction(85 * draw.one(), 6 * draw.one());
+    // The angles by rotations, as the database's own page has them.
+    const Vec3 h = glm::normalize(a + b);
+    const double theta_h = std::acos(std::min(1.0, double{h.z})), phi_h = std::atan2(h.y, h.x);
+    const double x = std::cos(phi_h) * b.x + std::sin(phi_h) * b.y, y = -std::sin(phi_h) * b.x + std::cos(phi_h) * b.y;
+    const double dx = std::cos(theta_h) * x - std::sin(theta_h) * b.z,
+                 dz = std::sin(theta_h) * x + std::cos(theta_h) * b.z;
+    const double expected = merl_value(theta_h, std::acos(std::min(1.0, dz)), std::atan2(y, dx));
+    const Rgb f = read->f(a, b), back = read->f(b, a);
+    for (int band = 0; band < 3; ++band) {
+      ASSERT_NEAR(f[band], expected, 2e-3) << theta_h * 180 / M_PI;
+      ASSERT_NEAR(f[band], back[band], 1e-6);
+    }
+  }
+  const auto lobes = lobes_of(*model_with("merl", {{"file", path.string()}}));
+  for (const float theta : {5.0f, 45.0f, 80.0f}) {
+    const auto chi = test::chi_square_on_sphere(
+        [&](Vec3& wi) {
+          LobeSample<Rgb> s;
+          const bool ok = lobes.sample(direction(theta), {draw.one(), draw.two()}, Transport::radiance, s);
+          wi = s.wi;
+          return ok;
+        },
+        [&](const Vec3& wi) { return lobes.pdf(direction(theta), wi, Transport::radiance); }, 30'000);
+    EXPECT_GT(chi.p_value, 1 - std::pow(0.99, 1.0 / 3)) << theta;
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(Merl, DamagedFilesAreErrors) {
+  const auto path = temporary("damaged.binary");
+  const auto whole = merl_bytes(6, 6, 9);
+  const auto error_of = [&](std::vector<char> bytes) {
+    write_bytes(path, bytes);
+    const auto read = MerlBrdf::read(path);
+    return read ? std::string() : read.error().message;
+  };
+  EXPECT_EQ(error_of(whole), "");
+  EXPECT_NE(error_of({}).find("too short"), std::string::npos);
+  EXPECT_NE(error_of({whole.begin(), whole.end() - 8}).find("length"), std::string::npos);
+  auto huge = whole;
+  std::memset(huge.data(), 0x7f, 12);
+  EXPECT_NE(error_of(huge).find("sizes"), std::string::npos);
+  auto nan = whole;
+  std::memset(nan.data() + 100, 0xff, 8);
+  EXPECT_NE(error_of(nan).find("finite"), std::string::npos);
+  std::filesystem::remove(path);
+}
+
+std::function<Rgb(const Vec3&, const Vec3&)> function_of(const WideLobes<Rgb>& lobes) {
+  return [&lobes](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
+}
+
+// The root of the mean squared difference of f cos cos, over that of f cos cos itself.
+template <class Table>
+double error_of(const Table& table, const WideLobes<Rgb>& lobes) {
+  Draw draw(9);
+  double off = 0, all = 0;
+  for (int k = 0; k < 20'000; ++k) {
+    const Vec3 o = draw.upper(), i = draw.upper();
+    const double f = lobes.eval(o, i, Transport::radiance).r;
+    off += sqr(table.f(o, i).r - f), all += sqr(f);
+  }
+  return std::sqrt(off / all);
+}
+
+TEST(BrdfTable, LambertIsExactAndGlossyLobesGetBetter) {
+  const auto lambert = lobes_of(*make_reflection("lambert"), Rgb(1));
+  for (const int steps : {2, 7, 24})
+    EXPECT_LT(error_of(BrdfTable::measured(function_of(lambert), steps, 8, true), lambert), 1e-6);
+  const auto glossy = lobes_of(*model_with("modified-phong", {{"exponent", "10"}}), Rgb(1));
+  double last = 1;
+  for (const int steps : {6, 12, 24, 48}) {
+    const double error = error_of(BrdfTable::measured(function_of(glossy), steps, 3 * steps, true), glossy);
+    EXPECT_LT(error, 0.5 * last) << steps;
+    last = error;
+  }
+  EXPECT_LT(last, 0.01);
+  const auto brushed = lobes_of(*model_with("ward", {{"alpha-x", "0.3"}, {"alpha-y", "0.7"}}), Rgb(1));
+  EXPECT_LT(error_of(BrdfTable::measured(function_of(brushed), 20, 40, false), brushed), 0.06);
+}
+
+TEST(BrdfTable, NeverHasMoreEntriesThanItMay) {
+  const auto constant = [](const Vec3&, const Vec3&) { return Rgb(0.3f); };
+  const auto table = BrdfTable::measured(constant, 90, 360, false);
+  EXPECT_LE(table.size(), BrdfTable::kMostEntries);
+  EXPECT_NEAR(table.f(direction(20), direction(70, 2)).g, 0.3f, 1e-6f);
+}
+
+TEST(BrdfTable, SurvivesItsFile) {
+  const auto path = temporary("table.brdf");
+  for (const char* source : {"ward alpha-x=0.3 alpha-y=0.3", "ward alpha-x=0.3 alpha-y=0.6"}) {
+    const auto* made = table_data(source, 6, 12);
+    ASSERT_NE(made, nullptr);
+    ASSERT_TRUE(made->function().write(path));
+    const auto read = BrdfTable::read(path);
+    ASSERT_TRUE(read) << read.error().message;
+    Draw draw(3);
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 o = draw.upper(), i = draw.upper();
+      ASSERT_EQ(read->f(o, i), made->f(o, i));
+    }
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(BrdfTable, DamagedTextsAreErrors) {
+  const std::string good = "etendue-brdf 1\n# by hand\nisotropic 1 2\n0.1 0.2 0.3\n0.1 0.2 0.3\n";
+  ASSERT_TRUE(BrdfTable::parsed(good, "t"));
+  EXPECT_NEAR(BrdfTable::parsed(good, "t")->f(direction(10), direction(20)).b, 0.3f, 1e-6f);
+  const std::pair<const char*, const char*> bad[] = {
+      {"", "starts with"},
+      {"etendue-brdf 2\nisotropic 1 1\n0 0 0\n", "starts with"},
+      {"etendue-brdf 1\nround 1 1\n0 0 0\n", "isotropic"},
+      {"etendue-brdf 1\nisotropic 0 1\n", "polar"},
+      {"etendue-brdf 1\nisotropic 9999999999 1\n", "polar"},
+      {"etendue-brdf 1\nanisotropic 90 360\n0 0 0\n", "entries"},
+      {"etendue-brdf 1\nisotropic 90 360\n0 0 0\n", "entries"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 -1 0\n", "not negative"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 nan 0\n", "finite"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 0 bad\n", "finite"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 0 0\n1 1 1\n", "more"},
+  };
+  for (const auto& [text, expected] : bad) {
+    const auto read = BrdfTable::parsed(text, "t");
+    ASSERT_FALSE(read) << text;
+    EXPECT_NE(read.error().message.find(expected), std::string::npos) << read.error().message;
+  }
+}
+
+TEST(TableSource, IsAModelWithSettingsOrAFile) {
+  EXPECT_TRUE(accepts_table_source("ward alpha-x=0.1 alpha-y=0.2"));
+  EXPECT_TRUE(accepts_harmonic_source("ward alpha-x=0.2 alpha-y=0.2"));
+  const std::pair<const char*, const char*> bad[] = {{"ward alpha-z=0.1", "no setting"},
+                                                     {"ward alpha-x", "no setting"},
+                                                     {"ward alpha-x=7", "alpha-x"},
+                                                     {"mirror", "mirrors"},
+                                                     {"dielectric roughness=0.5", "lets"},
+                                                     {"/no/such/table.brdf", "table"},
+                                                     {"tabulated", "itself"},
+                                                     {"spherical-harmonics", "itself"}};
+  for (const auto& [source, expected] : bad) {
+    const auto accepted = accepts_table_source(source);
+    ASSERT_FALSE(accepted) << source;
+    EXPECT_NE(accepted.error().message.find(expected), std::string::npos) << accepted.error().message;
+  }
+  EXPECT_FALSE(accepts_harmonic_source("ward alpha-x=0.1 alpha-y=0.4"));
+  EXPECT_FALSE(accepts_harmonic_source("spherical-harmonics"));
+}
+
+TEST(Harmonics, OneBandIsEnoughForLambertAndMoreForGloss) {
+  const auto lambert = lobes_of(*make_reflection("lambert"), Rgb(1));
+  const HarmonicBrdf flat(function_of(lambert), 1);
+  EXPECT_LT(error_of(flat, lambert), 1e-5);
+  EXPECT_EQ(flat.clamped(), 0);
+  const auto glossy = lobes_of(*model_with("modified-phong", {{"exponent", "20"}}), Rgb(1));
+  double last = 1;
+  for (const int bands : {2, 4, 8, 16, 24}) {
+    const HarmonicBrdf harmonics(function_of(glossy), bands);
+    const double error = error_of(harmonics, glossy);
+    EXPECT_LT(error, last) << bands;
+    last = error;
+  }
+  EXPECT_LT(last, 0.05);
+}
+
+// Ringing is cut off, and how much of it there is, is known: a narrow lobe alone has it, and a wide one does not.
+TEST(Harmonics, RingingIsReported) {
+  const std::vector<std::pair<std::string, std::string>> narrow{{"diffuse", "0"}, {"exponent", "100"}};
+  const auto lobes = lobes_of(*model_with("modified-phong", narrow), Rgb(1));
+  const std::pair<int, float> all[] = {{6, 0.346f}, {12, 0.390f}, {24, 0.080f}};
+  for (const auto& [bands, cut] : all)
+    EXPECT_NEAR(HarmonicBrdf(function_of(lobes), bands).clamped(), cut, 5e-3f) << bands;
+  const HarmonicBrdf harmonics(function_of(lobes), 6);
+  Draw draw(3);
+  bool negative = false;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 o = draw.upper(), i = draw.upper();
+    negative = negative || harmonics.sum(o, i).r < 0;
+    ASSERT_GE(harmonics.f(o, i).r, 0);
+    ASSERT_NEAR(harmonics.sum(o, i).r, harmonics.sum(i, o).r, 1e-5f * (1 + std::abs(harmonics.sum(o, i).r)));
+  }
+  EXPECT_TRUE(negative);
+}
+
+}  // namespace
+}  // namespace etendue

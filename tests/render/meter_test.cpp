@@ -1,0 +1,111 @@
+// The light meters, where the light is known in closed form.
+#include "render/meter.h"
+
+#include <gtest/gtest.h>
+
+#include "light/light_presets.h"
+#include "scene/shapes.h"
+#include "spectrum/photometry.h"
+
+namespace etendue::render {
+namespace {
+
+// A floor of albedo 1/2 in the xz plane, seen from above at its middle.
+Document over_floor(scene::Scene scene) {
+  scene::add(scene, scene::quad(20), scene::diffuse(Rgb(0.5f)));
+  Document d;
+  d.scene = std::make_shared<scene::Scene>(std::move(scene));
+  d.camera = look_at({1, 0.9f, 1}, {0, 0, 0}, {0, 1, 0}, 0.5f);
+  d.width = d.height = 64;
+  return d;
+}
+
+MeterReadings read(const Document& d, uint32_t samples = 512) {
+  const auto scene = scene::compile(d.scene, d.camera, nullptr);
+  const auto spot = spot_at(d, *scene, Vec2(32));
+  EXPECT_TRUE(spot);
+  MeterReadings last;
+  measure_spot(d, scene, *spot, samples, 1, [&](const MeterReadings& m) { return last = m, true; });
+  return last;
+}
+
+void expect(const Reading& r, double value) {
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(static_cast<double>(r.value[c]), value, 5 * r.standard_error + 2e-4 * value) << r.standard_error;
+}
+
+// Phi = 100 W two metres above: E = Phi / (4 pi r^2), L = rho E / pi.                            thesis, Example 4.2
+TEST(Meter, UnderAPointLight) {
+  scene::Scene scene;
+  Light lamp;
+  lamp.intensity = static_cast<float>(100 / (4 * 3.14159265358979));
+  scene::add(scene, lamp, {.translation = {0, 2, 0}});
+  const auto m = read(over_floor(std::move(scene)));
+  expect(m.irradiance, 1.989437);
+  expect(m.radiance, 0.316629);
+}
+
+// E = pi L R^2 / (R^2 + h^2), and the lamp's flux is pi L times its area.                              thesis, item 80
+TEST(Meter, UnderADisk) {
+  scene::Scene scene;
+  Material lamp = scene::diffuse(Rgb(0), Rgb(3));
+  lamp.double_sided = false;
+  Mat4 down(1);
+  down[1] = Vec4(0, -1, 0, 0), down[2] = Vec4(0, 0, -1, 0), down[3] = Vec4(0, 1, 0, 1);
+  scene::add(scene, scene::disk(1, 256), lamp, down);
+  Document d = over_floor(std::move(scene));
+  const auto m = read(d, 2048);
+  expect(m.irradiance, 3 * 1.570796);
+  d.camera = look_at({1, 0.2f, 1}, {0, 1, 0}, {0, 1, 0}, 0.3f);
+  EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), 3 * 3.14159265 * 3.14159265, 2e-3);
+}
+
+// The sky of one gives pi on a floor that sees nothing else.
+TEST(Meter, UnderASky) {
+  scene::Scene scene;
+  scene.environment.tint = Rgb(1);
+  const auto m = read(over_floor(std::move(scene)));
+  expect(m.irradiance, 3.14159265);
+  expect(m.radiance, 0.5);
+}
+
+// The card is as exact in a scene as small as a coin and as large as a county.
+TEST(Meter, OfAnySize) {
+  for (const float size : {1e-3f, 1e5f}) {
+    scene::Scene scene;
+    scene.environment.tint = Rgb(1);
+    scene::add(scene, scene::quad(size), scene::diffuse(Rgb(0.5f)));
+    Document d;
+    d.scene = std::make_shared<scene::Scene>(std::move(scene));
+    d.camera = look_at(Vec3(0.1f, 0.09f, 0.1f) * size, {0, 0, 0}, {0, 1, 0}, 0.5f);
+    d.width = d.height = 64;
+    expect(read(d, 64).irradiance, 3.14159265);
+  }
+}
+
+TEST(Meter, NothingToMeasureInTheSky) {
+  Document d = over_floor({});
+  d.camera = look_at({0, 1, 0}, {0, 2, 0.1f}, {0, 0, 1}, 0.5f);
+  EXPECT_FALSE(spot_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
+}
+
+// Table 3.2: a constant spectral radiance C over 300 to 800 nm has a luminance of 683 * 107 C.
+TEST(Photometry, Efficacies) {
+  EXPECT_NEAR(lumens_per_watt(Efficacy::equal_energy) * 500, 73081, 0.5);
+  EXPECT_NEAR(photometric(Rgb(2), Efficacy::maximal), 1366, 0.1);
+}
+
+TEST(Photometry, PresetsHaveTheirAmount) {
+  for (const LightPreset& preset : kLightPresets)
+    for (const LightType type : {LightType::point, LightType::spot, LightType::directional, LightType::quad}) {
+      Light light;
+      light.type = type;
+      if (!fits(preset, light)) continue;
+      const Light set = with_preset(light, preset, Efficacy::standard);
+      const Rgb amount = preset.sun ? set.color * set.intensity : flux_of(set);
+      EXPECT_NEAR(photometric(amount, Efficacy::standard), preset.amount, 1e-4 * preset.amount) << preset.name;
+    }
+}
+
+}  // namespace
+}  // namespace etendue::render

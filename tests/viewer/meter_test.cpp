@@ -1,0 +1,36 @@
+// The light meter and lamps that people know, as a user meets them.
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
+json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
+
+class Meter : public Viewer {};
+
+TEST_F(Meter, MeasuresWhereTheHandClicks) {
+  const auto steps = joined(small(1), steps_of({click("meter.pick"),
+                                                {{"do", "pick"}, {"at", {280, 330}}},
+                                                wait_for("meter"),
+                                                file_step("state", path("a.json")),
+                                                file_step("screenshot", path("a.png")),
+                                                set("meter.efficacy", "maximal"),
+                                                click("tab.material"),
+                                                set("material.0.base-color.r", 0.1),
+                                                click("tab.light"),
+                                                wait_for("meter"),
+                                                file_step("state", path("b.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  const auto a = state("a.json")["meter"], b = state("b.json")["meter"];
+  ASSERT_TRUE(a["whole"].get<bool>() && b["whole"].get<bool>());
+  EXPECT_GT(a["irradiance"]["value"][0].get<double>(), 0);
+  // The walls have lost their red: less of it arrives, and the reading says so by itself.
+  EXPECT_LT(b["irradiance"]["value"][0].get<double>(), a["irradiance"]["value"][0].get<double>());
+  EXPECT_EQ(state("a.json")["undo_depth"], state("before.json")["undo_depth"]) << "measuring is no edit";
+}
+
+TEST_F(Meter, NothingToWaitFor) { EXPECT_EQ(run(joined(small(1), steps_of({wait_for("meter")}))), 1); }
+
+}  // namespace
+}  // namespace etendue
