@@ -5,7 +5,7 @@
 // F is Schlick's with f0 and f90 mixed between dielectric and metal (or that of a film), F_d the dielectric's alone, by
 // which the base is attenuated. Reciprocal (h is symmetric in wo and wi). Energy is the specification's: the layer
 // alone loses what is scattered more than once between facets; over a bright base the sum gains at grazing angles
-// (albedo up to 1.5 at 88 degrees), because 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is
+// (albedo up to 1.7 at 88 degrees), because 1 - F(wo.h) is more than the layer leaves. Below kSmoothAlpha the layer is
 // a mirror. Sampling: cosine for the base, visible normals for the layer, chosen by their estimated albedo.
 #pragma once
 #include "base/warp.h"

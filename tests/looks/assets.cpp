@@ -83,11 +83,13 @@ Camera framed(const scene::Scene& scene, const Vec3& from) {
   return look_at(bounds.center() + from * (bounds.radius() / std::sin(kFov / 2)), bounds.center(), Vec3(0, 1, 0), kFov);
 }
 
-// The pictures show files as they stand, not the first moment of their first animation.
-void stop_animations(render::Document& d) {
-  auto still = std::make_shared<scene::Scene>(*d.scene);
-  still->animations.clear();
-  d.scene = still;
+// The pictures show files as they stand, not the first moment of their first animation; and the environment alone is
+// dimmed, for what files emit is as bright as they say.
+void as_published(const View& view, render::Document& d) {
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  scene->animations.clear();
+  scene->environment.tint *= std::exp2(view.exposure);
+  d.scene = scene;
 }
 
 }  // namespace
@@ -155,10 +157,9 @@ Result<render::Document> open(const View& view, int size, bool environment_visib
   if (d && !view.environment.empty()) d = render::with_environment(*d, view.environment.string());
   if (d && !environment_visible) d = render::with(*d, "environment.visible", false);
   if (!d) return d.error();
-  if (!view.pictures.empty()) stop_animations(*d);
+  if (!view.pictures.empty()) as_published(view, *d);
   if (view.from) d->camera = framed(*d->scene, *view.from);
   if (view.camera) d->camera = *view.camera;
-  d->display.exposure = view.exposure;
   d->filter = film::FilterKind::box;
   d->display.curve = image::ToneCurve::aces;
   d->width = std::max(1, static_cast<int>(std::lround(size * std::min(1.0, view.aspect))));

@@ -17,7 +17,7 @@ struct View {
   std::filesystem::path environment;            // none: the file's own light
   std::optional<Camera> camera;                 // the published one; the file's own or a fitting one without it
   std::optional<Vec3> from;                     // where the published camera stands, if only its direction is known
-  float exposure = 0;                           // EV, at which a white surface is as bright as published
+  float exposure = 0;                           // EV of the environment, at which white is as bright as published
   bool background = false;                      // whether the published pictures show the environment
   double aspect = 1;                            // width over height of the published picture
   std::vector<std::filesystem::path> pictures;  // published pictures, display-encoded

@@ -13,9 +13,6 @@ constexpr uint32_t kSamples = 4;
 
 // Files that have to be refused, and what the refusal names.
 std::string expected_refusal(const std::string& name) {
-  if (name.find("Draco") != std::string::npos || name == "glTF-Transform/DenseSphere.glb")
-    return "KHR_draco_mesh_compression";
-  if (name == "glTF-Transform/BoxMeshopt.glb") return "EXT_meshopt_compression";
   if (name.ends_with("Compatibility_04.gltf")) return "glTF 2.1";
   if (name.ends_with("Compatibility_05.gltf")) return "FAKE_materials_quantumRendering";
   return "";
