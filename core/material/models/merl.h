@@ -21,9 +21,12 @@ struct MerlModel {
   Text file{"file", "File", kNoFile, "Path of a .binary file", accepts_merl_file, {{kNoFile, "No file"}}};
   auto parameters() { return std::tie(file); }
 
+  const SampledBrdf<MerlBrdf>* data = nullptr;  // kept for good
+  void prepare() { data = merl_data(file); }
+
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    if (const auto* data = merl_data(file))
+    if (data)
       lobes.add(MeasuredLobe<Rgb, SampledBrdf<MerlBrdf>>::of(*data, base));
     else
       lobes.add(Lambert<Rgb>{base});

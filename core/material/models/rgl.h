@@ -22,9 +22,12 @@ struct RglModel {
   Text file{"file", "File", kNoFile, "Path of a .bsdf file in RGB", accepts_rgl_file, {{kNoFile, "No file"}}};
   auto parameters() { return std::tie(file); }
 
+  const RglBrdf* data = nullptr;  // kept for good
+  void prepare() { data = rgl_data(file); }
+
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    if (const RglBrdf* data = rgl_data(file))
+    if (data)
       lobes.add(MeasuredLobe<Rgb, RglBrdf>::of(*data, base));
     else
       lobes.add(Lambert<Rgb>{base});

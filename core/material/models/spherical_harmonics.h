@@ -35,9 +35,12 @@ struct SphericalHarmonicsModel {
   Number<int> bands{"bands", "Bands", 8, {1, 24}, "Bands of the harmonics: l below this number"};
   auto parameters() { return std::tie(source, bands); }
 
+  const SampledBrdf<HarmonicBrdf>* data = nullptr;  // kept for good
+  void prepare() { data = harmonic_data(source, bands); }
+
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    if (const auto* data = harmonic_data(source, bands))
+    if (data)
       lobes.add(MeasuredLobe<Rgb, SampledBrdf<HarmonicBrdf>>::of(*data, base));
     else
       lobes.add(Lambert<Rgb>{Rgb(0)});

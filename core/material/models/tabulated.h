@@ -35,9 +35,12 @@ struct TabulatedModel {
   Number<int> azimuths{"azimuth-steps", "Azimuth steps", 72, {8, 360}, "Steps of the azimuth over the circle"};
   auto parameters() { return std::tie(source, polar, azimuths); }
 
+  const SampledBrdf<BrdfTable>* data = nullptr;  // kept for good
+  void prepare() { data = table_data(source, polar, azimuths); }
+
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    if (const auto* data = table_data(source, polar, azimuths))
+    if (data)
       lobes.add(MeasuredLobe<Rgb, SampledBrdf<BrdfTable>>::of(*data, base));
     else
       lobes.add(Lambert<Rgb>{Rgb(0)});

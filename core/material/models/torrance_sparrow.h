@@ -41,6 +41,12 @@ struct TorranceSparrowModel {
   }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 
+  const FacetEnergy* energy = nullptr;  // where multiple scattering is given back; kept for good
+  void prepare() {
+    const bool smooth = alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha;
+    energy = multiple && !smooth ? &FacetEnergy::of(distribution, groove(alpha_x), groove(alpha_y)) : nullptr;
+  }
+
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
     if (diffuse > 0) lobes.add(Lambert<Rgb>{base * diffuse});
@@ -53,18 +59,17 @@ struct TorranceSparrowModel {
   }
 
  private:
+  static float groove(float alpha) { return std::max(alpha, kLeastGroove); }
+
   template <class Facets, class Mix>
   void add_facets(Mix& lobes) const {
     FacetReflection<Rgb, Facets> lobe;
     lobe.tint = rgb_of(specular), lobe.fresnel = fresnel.term();
-    lobe.facets.alpha_x = std::max(alpha_x.value, kLeastGroove);
-    lobe.facets.alpha_y = std::max(alpha_y.value, kLeastGroove);
+    lobe.facets.alpha_x = groove(alpha_x), lobe.facets.alpha_y = groove(alpha_y);
     const float turn = rotation * (kPi / 180);
     lobe.facets.along = Vec2(std::cos(turn), std::sin(turn));
     lobes.add(lobe);
-    if (!multiple) return;
-    const FacetEnergy& energy = FacetEnergy::of(distribution, lobe.facets.alpha_x, lobe.facets.alpha_y);
-    lobes.add(FacetCompensation<Rgb>::of(energy, lobe.facets.along, lobe.tint, lobe.fresnel));
+    if (energy) lobes.add(FacetCompensation<Rgb>::of(*energy, lobe.facets.along, lobe.tint, lobe.fresnel));
   }
 };
 
