@@ -1,0 +1,358 @@
+// From a scene to what threads read of it, keeping whatever an edit did not touch.
+#include <chrono>
+#include <unordered_map>
+
+#include "light/light_points.h"
+#include "scene/compiled.h"
+#include "scene/light_shapes.h"
+#include "scene/pose.h"
+#include "scene/shutter.h"
+#include "scene/texture_point.h"
+
+namespace etendue::scene {
+namespace {
+
+// Meshes that are used once stand in the top level while there is room: this many triangles are rebuilt within a frame.
+constexpr size_t kTopLevelBudget = 200'000;
+
+}  // namespace
+
+// One compilation: what stays, what is built.
+class Compiler {
+ public:
+  Compiler(std::shared_ptr<const Scene> scene, const Camera& camera, const CompiledScene* previous)
+      : scene_(std::move(scene)),
+        previous_(previous),
+        shutter_(*scene_, camera.shutter),
+        result_(std::make_shared<CompiledScene>()) {
+    result_->description_ = scene_;
+    result_->camera_ = camera;
+  }
+
+  std::shared_ptr<const CompiledScene> run() {
+    const auto start = std::chrono::steady_clock::now();
+    geometry();
+    materials();
+    lights();
+    result_->camera_motion_ = shutter_.motion_of(result_->camera_);
+    result_->report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result_;
+  }
+
+ private:
+  struct Placed {  // one primitive of one node
+    std::shared_ptr<const Mesh> mesh;
+    Mat4 to_world{1};
+    uint32_t material, node;
+    std::shared_ptr<const Motion> motion = nullptr;
+    std::shared_ptr<const RoundShape> round = nullptr;
+    float focus = 0;
+  };
+
+  bool same_geometry() const {
+    if (!previous_) return false;
+    const Scene& old = previous_->description();
+    if (!scene_->animations.empty() && previous_->camera().shutter != result_->camera_.shutter) return false;
+    if (scene_->time != old.time || scene_->roots != old.roots || scene_->skins != old.skins ||
+        scene_->animations != old.animations || scene_->meshes.size() != old.meshes.size() ||
+        scene_->nodes.size() != old.nodes.size())
+      return false;
+    for (size_t i = 0; i < scene_->nodes.size(); ++i)
+      if (!(scene_->nodes[i] == old.nodes[i])) return false;
+    for (size_t i = 0; i < scene_->meshes.size(); ++i)
+      if (!(scene_->meshes[i] == old.meshes[i])) return false;
+    return same_surface_lights() && scene_->materials.size() == old.materials.size();
+  }
+
+  // Lights that are surfaces have a shape and a material each, after those of the scene.
+  bool same_surface_lights() const {
+    const std::vector<Light>&a = scene_->lights, &b = previous_->description().lights;
+    const auto surface = [](const Light& light) { return light.is_surface(); };
+    return a == b || (std::ranges::none_of(a, surface) && std::ranges::none_of(b, surface));
+  }
+
+  void geometry() {
+    if (same_geometry()) {
+      result_->accel_ = previous_->accel_;
+      result_->instances_ = previous_->instances_;
+      result_->mesh_accels_ = previous_->mesh_accels_;
+      result_->bounds_ = previous_->bounds_;
+      result_->moving_node_ = previous_->moving_node_;
+      result_->triangles_ = previous_->triangles_;
+      return;
+    }
+    const std::vector<Placed> placed = place();
+    build(placed);
+    result_->report_.top_level_built = true;
+  }
+
+  void note_motion(uint32_t node) {
+    if (result_->moving_node_ < 0) result_->moving_node_ = static_cast<int>(node);
+  }
+
+  std::vector<Placed> place() {
+    std::vector<Placed> placed;
+    const std::vector<Mat4> world = world_matrices(*scene_);
+    for (const uint32_t node : reached_nodes()) {
+      const Node& n = scene_->nodes[node];
+      if (n.light >= 0) {
+        if (shutter_.motion_of(static_cast<int>(node))) note_motion(node);
+        place_light(node, world[node], placed);
+      }
+      if (n.mesh < 0) continue;
+      for (const Primitive& primitive : scene_->meshes[static_cast<size_t>(n.mesh)].primitives) {
+        if (primitive.mesh->triangles.empty()) continue;
+        const auto material = static_cast<uint32_t>(primitive.material);
+        if (const auto moving = shutter_.moving(static_cast<int>(node), primitive)) {
+          const Mat4 to_world = moving->motion->deforms() ? Mat4(1) : world[node];
+          placed.push_back({moving->mesh, to_world, material, node, moving->motion});
+          note_motion(node);
+          continue;
+        }
+        const PosedMesh posed = posed_mesh(*scene_, static_cast<int>(node), primitive, world);
+        if (posed.mesh->triangles.empty()) continue;
+        placed.push_back({posed.mesh, posed.in_world ? Mat4(1) : world[node], material, node});
+      }
+    }
+    return placed;
+  }
+
+  void place_light(uint32_t node, const Mat4& world, std::vector<Placed>& placed) {
+    const auto number = static_cast<uint32_t>(scene_->nodes[node].light);
+    const Light& light = scene_->lights[number];
+    if (!is_met_by_rays(light)) return;
+    Placed p{stand_in(light), without_scale(world), first_light_material() + number, node};
+    p.focus = light.focus;
+    if (const auto motion = shutter_.motion_of(static_cast<int>(node))) p.motion = without_scale(*motion);
+    if (light.type != LightType::quad) p.round = std::make_shared<const RoundShape>(shape_of(light).placed(p.to_world));
+    placed.push_back(std::move(p));
+  }
+  uint32_t first_light_material() const { return static_cast<uint32_t>(scene_->materials.size()); }
+
+  std::vector<uint32_t> reached_nodes() const {
+    std::vector<uint32_t> order;
+    std::vector<int> stack(scene_->roots.rbegin(), scene_->roots.rend());
+    while (!stack.empty()) {
+      const int node = stack.back();
+      stack.pop_back();
+      const Node& n = scene_->nodes[static_cast<size_t>(node)];
+      if (!n.visible) continue;
+      order.push_back(static_cast<uint32_t>(node));
+      stack.insert(stack.end(), n.children.rbegin(), n.children.rend());
+    }
+    return order;
+  }
+
+  // The bottom levels that the previous scene built for the same meshes.
+  std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> previous_accels() const {
+    std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> accels;
+    if (previous_)
+      for (const auto& accel : previous_->mesh_accels_)
+        if (accel) accels[accel->mesh().get()] = accel;
+    return accels;
+  }
+
+  void build(const std::vector<Placed>& placed) {
+    std::unordered_map<const Mesh*, int> uses;
+    for (const auto& p : placed) ++uses[p.mesh.get()];
+    auto accels = previous_accels();
+    const auto kept = accels;
+
+    auto instances = std::make_shared<std::vector<InstanceData>>();
+    std::vector<AccelInstance> accel_instances;
+    size_t budget = kTopLevelBudget;
+    for (const auto& p : placed) {
+      if (p.round) {
+        add_round(p, *instances, accel_instances);
+        continue;
+      }
+      InstanceData data;
+      AccelInstance in_accel;
+      const size_t triangles = p.mesh->triangles.size();
+      result_->triangles_ += triangles;
+      // What deforms is in world space at all times; what moves as it is has a matrix for each.
+      const bool flat = p.motion ? p.motion->deforms()
+                                 : uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
+      data.mesh = p.mesh, data.motion = p.motion;
+      data.mirrored = flat && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
+      data.material = p.material, data.node = p.node, data.focus = p.focus;
+      if (flat) {
+        budget -= std::min(budget, triangles);
+        data.mesh = in_world(p.mesh, p.to_world);
+      } else {
+        data.identity = p.to_world == Mat4(1);
+        data.to_world = p.to_world;
+        data.normal_to_world = glm::transpose(glm::inverse(Mat3(p.to_world)));
+        auto& accel = accels[p.mesh.get()];
+        if (accel && kept.contains(p.mesh.get())) {
+          ++result_->report_.meshes_reused;
+        } else if (!accel) {
+          accel = std::make_shared<MeshAccel>(p.mesh);
+          ++result_->report_.meshes_built;
+        }
+        in_accel.accel = accel;
+        in_accel.to_world = p.to_world;
+      }
+      data.smooth = !data.mesh->normals.empty();
+      data.textured = !data.mesh->uvs[0].empty() || !data.mesh->uvs[1].empty() || !data.mesh->colors.empty();
+      in_accel.mesh = data.mesh, in_accel.motion = p.motion;
+      result_->mesh_accels_.push_back(in_accel.accel);
+      instances->push_back(std::move(data));
+      accel_instances.push_back(std::move(in_accel));
+    }
+    result_->accel_ = std::make_shared<Accel>(accel_instances);
+    result_->bounds_ = result_->accel_->bounds();
+    result_->instances_ = std::move(instances);
+  }
+
+  void add_round(const Placed& p, std::vector<InstanceData>& instances, std::vector<AccelInstance>& accels) {
+    InstanceData data;
+    data.mesh = p.mesh, data.motion = p.motion, data.round = p.round;
+    data.to_world = p.to_world, data.identity = false;
+    data.material = p.material, data.node = p.node, data.focus = p.focus;
+    instances.push_back(data);
+    accels.push_back({p.mesh, nullptr, p.to_world, p.motion, p.round});
+    result_->mesh_accels_.push_back(nullptr);
+  }
+
+  void materials() {
+    CompiledScene& r = *result_;
+    if (previous_ && previous_->description().materials == scene_->materials &&
+        previous_->description().textures == scene_->textures && same_surface_lights()) {
+      r.textures_ = previous_->textures_;
+      r.materials_ = previous_->materials_;
+      r.transparency_ = previous_->transparency_;
+      return;
+    }
+    r.textures_ = previous_ && previous_->description().textures == scene_->textures
+                      ? previous_->textures_
+                      : std::make_shared<const std::vector<Texture>>(scene_->textures);
+    auto compiled = std::make_shared<std::vector<SurfaceMaterial>>();
+    for (const Material& m : scene_->materials) {
+      compiled->emplace_back(m, *r.textures_);
+      r.transparency_ = r.transparency_ || compiled->back().transparent;
+    }
+    if (std::ranges::any_of(scene_->lights, is_met_by_rays))
+      for (const Light& light : scene_->lights) compiled->emplace_back(material_of(light), *r.textures_);
+    r.materials_ = std::move(compiled);
+    r.report_.materials_built = true;
+  }
+
+  // The light tables depend on where emitters are, on what they emit, and on the lights and the environment.
+  bool same_lights() const {
+    if (!previous_ || result_->report_.top_level_built) return false;
+    const Scene& old = previous_->description();
+    if (!(scene_->lights == old.lights) || !(scene_->environment == old.environment)) return false;
+    if (!result_->report_.materials_built) return true;
+    if (scene_->materials.size() != old.materials.size()) return false;
+    for (size_t i = 0; i < scene_->materials.size(); ++i) {
+      const Material &a = scene_->materials[i], &b = old.materials[i];
+      if (!(a.emission == b.emission) || !(a.emission_texture == b.emission_texture) || a.unlit != b.unlit ||
+          a.double_sided != b.double_sided)
+        return false;
+    }
+    return true;
+  }
+
+  void lights() {
+    if (same_lights()) {
+      result_->lights_ = previous_->lights_;
+      return;
+    }
+    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    std::vector<EmissiveTriangle> triangles;
+    std::vector<MovingEmitter> movers;
+    std::vector<RoundLight> rounds;
+    for (uint32_t i = 0; i < instances->size(); ++i) {
+      InstanceData& instance = (*instances)[i];
+      const SurfaceMaterial& material = (*result_->materials_)[instance.material];
+      instance.first_light = InstanceData::kNotALight;
+      if (!material.description.emits() || material.description.unlit) continue;
+      instance.first_light = static_cast<uint32_t>(triangles.size());
+      if (instance.round) {
+        triangles.push_back(emissive_round(instance, material, i, rounds));
+        continue;
+      }
+      for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
+        triangles.push_back(emissive(instance, material, i, t));
+      if (!instance.motion) continue;
+      movers.resize(instances->size());
+      movers[i] = {instance.mesh, instance.motion};
+    }
+    result_->instances_ = std::move(instances);
+    result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
+                                                    result_->bounds_, std::move(movers), std::move(rounds));
+    result_->report_.lights_built = true;
+  }
+
+  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                   uint32_t t) {
+    const Mesh& mesh = *instance.mesh;
+    EmissiveTriangle e;
+    e.instance = i, e.triangle = t;
+    e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
+    e.moving = instance.motion != nullptr, e.focus = instance.focus;
+    e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
+    if (material.emission) {
+      Rgb sum(0);
+      constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
+                                       {.45f, .45f},       {.45f, .1f}, {.1f, .45f}};
+      for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
+      e.radiance = sum / 7, e.textured = true;
+    }
+    return e;
+  }
+
+  static EmissiveTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                         std::vector<RoundLight>& rounds) {
+    RoundLight round{*instance.round, instance.motion};
+    if (round.motion) round.shape = round.at(0.5f);
+    EmissiveTriangle e;
+    e.instance = i, e.focus = instance.focus;
+    e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
+    e.place_round(static_cast<int>(rounds.size()), round.shape);
+    rounds.push_back(std::move(round));
+    return e;
+  }
+
+  static Facet facet(const InstanceData& instance, const Triangle& t) {
+    const auto corner = [&](size_t k) {
+      const Vec3& p = instance.mesh->positions[t[k]];
+      return instance.identity ? p : Vec3(instance.to_world * Vec4(p, 1));
+    };
+    return {corner(0), corner(1), corner(2), instance.mirrored ? -1.0f : 1.0f};
+  }
+
+  std::vector<PlacedLight> placed_lights() {
+    std::vector<PlacedLight> placed;
+    const std::vector<Mat4> world = world_matrices(*scene_);
+    for (const uint32_t node : reached_nodes()) {
+      const Node& n = scene_->nodes[node];
+      if (n.light < 0) continue;
+      const Light& described = scene_->lights[static_cast<size_t>(n.light)];
+      if (described.is_surface()) {
+        if (described.points > 0) {
+          const auto points = points_of(described, world[node], shutter_.motion_of(static_cast<int>(node)));
+          placed.insert(placed.end(), points.begin(), points.end());
+        }
+        continue;
+      }
+      PlacedLight& light = placed.emplace_back(described);
+      light.motion = shutter_.motion_of(static_cast<int>(node));
+      light.place = LightPlace(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
+    }
+    return placed;
+  }
+
+  std::shared_ptr<const Scene> scene_;
+  const CompiledScene* previous_;
+  Shutter shutter_;
+  std::shared_ptr<CompiledScene> result_;
+};
+
+std::shared_ptr<const CompiledScene> compile(std::shared_ptr<const Scene> scene, const Camera& camera,
+                                             const std::shared_ptr<const CompiledScene>& previous) {
+  return Compiler(std::move(scene), camera, previous.get()).run();
+}
+
+}  // namespace etendue::scene
