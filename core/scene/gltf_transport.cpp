@@ -78,7 +78,9 @@ E read_choice(TransportReader& reader, const char* member, const char* const* na
 
 Value value_of(const tinygltf::Value& value) {
   if (value.IsBool()) return value.Get<bool>();
-  if (value.IsNumber()) return value.GetNumberAsDouble();
+  if (value.IsInt()) return int64_t{value.GetNumberAsInt()};
+  // Parameters are floats, and so are the ends of their ranges.
+  if (value.IsNumber()) return double{static_cast<float>(value.GetNumberAsDouble())};
   return value.IsString() ? value.Get<std::string>() : std::string();
 }
 

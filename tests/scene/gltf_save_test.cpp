@@ -310,8 +310,10 @@ TEST_F(Saving, ReflectionModels) {
     const auto usual = make_reflection(info.description.name);
     add(usual);
     for (const ModelPreset& preset : info.presets) add(with_preset(usual, preset.name));
-    for (const ParameterInfo& p : info.parameters)
+    for (const ParameterInfo& p : info.parameters) {
       if (p.type == ParameterType::number) add(usual->with(p.name, p.min)), add(usual->with(p.name, p.max));
+      if (p.type == ParameterType::integer) add(usual->with(p.name, static_cast<int64_t>(p.min)));
+    }
   }
   EXPECT_EQ(difference(before, saved(before)), "");
 }
