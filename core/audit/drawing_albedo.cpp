@@ -85,7 +85,7 @@ class Chart {
       drawing_.shapes.emplace_back(measure::Dot{
           at(a.degrees, v), 2, ink, measure::short_number(a.degrees) + "\u00b0: " + measure::short_number(v)});
     }
-    if (index < names_.size())
+    if (index < names_.size() && look_.width >= kRoomForNames)
       words({kLeft + 8, look_.height - kBottom - 8 - 17.0 * static_cast<double>(names_.size() - 1 - index)},
             names_[index], ink, Anchor::left);
   }

@@ -88,7 +88,7 @@ class Polar {
     faded.opacity = 0.12;
     drawing_.shapes.emplace_back(measure::Area{points, faded});
     stroke(points, ink, 2);
-    if (index < names_.size())
+    if (index < names_.size() && look_.width >= kRoomForNames)
       drawing_.shapes.emplace_back(
           measure::Words{{6, 16 + 17.0 * static_cast<double>(index)}, names_[index], kText, ink, Anchor::left});
   }

@@ -9,6 +9,9 @@
 
 namespace etendue::audit {
 
+// Where there is less room than this, names are left to what stands beside the drawing.
+inline constexpr int kRoomForNames = 300;
+
 // The length that values are drawn with: as they are, or their fourth root, which shows what lies beneath a peak.
 enum class Length { linear, root };
 

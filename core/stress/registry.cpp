@@ -56,6 +56,7 @@
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
 #include "stress/cases/starts_of_chains.h"
+#include "stress/cases/table_of_a_model.h"
 #include "stress/cases/thirty_stops.h"
 #include "stress/cases/total_reflection.h"
 #include "stress/cases/triangles_without_area.h"
@@ -146,6 +147,7 @@ const std::vector<Case>& cases() {
       kGrazingAlbedo,
       kModelsThatMakeLight,
       kRoomThatMakesLight,
+      kTableOfAModel,
       kInfiniteEmission,
       kNanInASky,
       kSettingsThatAreNoNumbers,

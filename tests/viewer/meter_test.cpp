@@ -10,17 +10,18 @@ json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); 
 class Meter : public Viewer {};
 
 TEST_F(Meter, MeasuresWhereTheHandClicks) {
-  const auto steps = joined(small(1), steps_of({click("meter.pick"),
-                                                {{"do", "pick"}, {"at", {280, 330}}},
-                                                wait_for("meter"),
-                                                file_step("state", path("a.json")),
-                                                file_step("screenshot", path("a.png")),
-                                                set("meter.efficacy", "maximal"),
-                                                click("tab.material"),
-                                                set("material.0.base-color.r", 0.1),
-                                                click("tab.light"),
-                                                wait_for("meter"),
-                                                file_step("state", path("b.json"))}));
+  const auto steps =
+      joined(small(1), steps_of({click("meter.pick"),
+                                 {{"do", "drag"}, {"from", {280, 330}}, {"to", {280, 330}}, {"button", "left"}},
+                                 wait_for("meter"),
+                                 file_step("state", path("a.json")),
+                                 file_step("screenshot", path("a.png")),
+                                 set("meter.efficacy", "maximal"),
+                                 click("tab.material"),
+                                 set("material.0.base-color.r", 0.1),
+                                 click("tab.light"),
+                                 wait_for("meter"),
+                                 file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto a = state("a.json")["meter"], b = state("b.json")["meter"];
   ASSERT_TRUE(a["whole"].get<bool>() && b["whole"].get<bool>());
