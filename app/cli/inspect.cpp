@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "audit/plausibility.h"
 #include "command.h"
 #include "render/document.h"
 #include "scene/builtin.h"
@@ -14,6 +16,24 @@ namespace etendue::cli {
 namespace {
 
 using nlohmann::json;
+
+// Surfaces that send back more light than they get from some direction.
+json makers_of_light(const scene::CompiledScene& compiled) {
+  std::set<uint32_t> used;
+  for (const auto& instance : compiled.instances()) used.insert(instance.material);
+  json makers = json::array();
+  for (const uint32_t index : used) {
+    const Material& material = compiled.materials()[index].description;
+    const auto curve = audit::albedo_curve(audit::lobes_of(material), false, {20, 512});
+    const audit::Plausibility p = audit::plausibility({}, curve);
+    if (!p.conserves_energy())
+      makers.push_back({{"material", material.name},
+                        {"albedo", max_component(p.most.value)},
+                        {"degrees", p.most.degrees},
+                        {"hemispherical", audit::hemispherical_albedo(curve)}});
+  }
+  return makers;
+}
 
 json description_of(const render::Document& d, const scene::CompiledScene& compiled, const transport::Model& model) {
   json cameras = json::array(), flags = json::object();
@@ -33,6 +53,7 @@ json description_of(const render::Document& d, const scene::CompiledScene& compi
           {"cameras", cameras},
           {"unsupported", d.scene->unsupported},
           {"warnings", d.scene->warnings},
+          {"makes_light", makers_of_light(compiled)},
           {"memory_bytes", compiled.memory()},
           {"model", flags}};
 }
@@ -52,6 +73,11 @@ void print(const json& j) {
   print_list("variants of the materials (--set scene.variant=NAME)", j["variants"]);
   print_list("extensions that are ignored", j["unsupported"]);
   print_list("warnings", j["warnings"]);
+  if (!j["makes_light"].empty()) std::printf("surfaces that make light\n");
+  for (const auto& m : j["makes_light"])
+    std::printf("  %-22s up to %.3g times what comes, at %.4g degrees; %.3g of light from everywhere\n",
+                m["material"].get<std::string>().c_str(), m["albedo"].get<double>(), m["degrees"].get<double>(),
+                m["hemispherical"].get<double>());
   std::printf("transport model\n");
   for (const auto& [flag, decision] : j["model"].items())
     std::printf("  %-13s %-11s %s\n", flag.c_str(), decision["value"].get<std::string>().c_str(),

@@ -15,7 +15,10 @@ std::string name_of(const scene::Scene& scene, size_t index) {
 bool has_textures(const Material& m) {
   for (const TextureUse* use :
        {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
-        &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.anisotropy_texture})
+        &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.anisotropy_texture,
+        &m.clearcoat_texture, &m.clearcoat_roughness_texture, &m.clearcoat_normal_texture, &m.sheen_color_texture,
+        &m.sheen_roughness_texture, &m.iridescence_texture, &m.iridescence_thickness_texture,
+        &m.diffuse_transmission_texture, &m.diffuse_transmission_color_texture})
     if (use->texture >= 0) return true;
   return false;
 }
@@ -32,6 +35,42 @@ void model_widgets(Workbench& w, const std::string& section, const ReflectionUse
   names = {own + "preset"};
   for (const auto& info : model->parameters()) names.push_back(own + info.name);
   some_widgets(w, section, names);
+}
+
+// The settings of a section whose names, without it, begin so.
+std::vector<std::string> names_that_begin(const Workbench& w, const std::string& section, const std::string& start) {
+  std::vector<std::string> names;
+  for (const auto& binding : render::bindings(w.editor.document(), section))
+    if (binding.info.name.starts_with(section + "." + start))
+      names.push_back(binding.info.name.substr(section.size() + 1));
+  return names;
+}
+
+// What glTF's extensions lay over the surface; a group is open where there is something of it.
+struct Layer {
+  const char *label, *start;
+  bool (*there)(const Material&);
+};
+constexpr Layer kLayers[] = {
+    {"Clear coat", "clearcoat", [](const Material& m) { return m.clearcoat > 0; }},
+    {"Sheen", "sheen-", [](const Material& m) { return !is_black(m.sheen_color); }},
+    {"Thin film", "iridescence", [](const Material& m) { return m.iridescence > 0; }},
+    {"Diffuse transmission", "diffuse-transmission", [](const Material& m) { return m.diffuse_transmission > 0; }},
+};
+
+void gltf_widgets(Workbench& w, const std::string& section, const Material& material,
+                  const std::vector<std::string>& glass, std::vector<std::string> elsewhere) {
+  elsewhere.insert(elsewhere.end(), glass.begin(), glass.end());
+  elsewhere.emplace_back("model");
+  for (const Layer& layer : kLayers) {
+    const auto names = names_that_begin(w, section, layer.start);
+    elsewhere.insert(elsewhere.end(), names.begin(), names.end());
+  }
+  if (group(w, "Surface", section + ".")) other_widgets(w, section, elsewhere);
+  if (group(w, "Light through it", section + ".")) some_widgets(w, section, glass);
+  for (const Layer& layer : kLayers)
+    if (group(w, layer.label, section + "." + layer.start, layer.there(material)))
+      some_widgets(w, section, names_that_begin(w, section, layer.start));
 }
 
 }  // namespace
@@ -68,17 +107,13 @@ void draw_material_panel(Workbench& w) {
   const std::vector<std::string> shared{"base-color.r", "base-color.g", "base-color.b",
                                         "emission.r",   "emission.g",   "emission.b"};
   const std::vector<std::string> cover{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
-  std::vector<std::string> rest = glass;
-  rest.insert(rest.end(), cover.begin(), cover.end());
   const ReflectionUse model = scene->materials[index].reflection;
   if (group(w, "Model", prefix)) model_widgets(w, section, model);
   if (model) {
     some_widgets(w, section, shared);
     if (model->solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
   } else {
-    rest.emplace_back("model");
-    if (group(w, "Surface", prefix)) other_widgets(w, section, rest);
-    if (group(w, "Light through it", prefix)) some_widgets(w, section, glass);
+    gltf_widgets(w, section, scene->materials[index], glass, cover);
   }
   if (group(w, "Cover and sides", prefix)) some_widgets(w, section, cover);
 }

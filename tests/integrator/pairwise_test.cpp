@@ -29,7 +29,7 @@ double effort(std::string_view form) {
     double samples;
   };
   for (const Effort& e : {Effort{"path-pure", 4}, Effort{"light-pure", 16}, Effort{"light", 4},
-                          Effort{"bdpt:reuse=false", 8}, Effort{"pssmlt:form=multiplexed", 12}, Effort{"mlt", 2}})
+                          Effort{"bdpt:reuse=false", 8}, Effort{"pssmlt:form=multiplexed", 32}, Effort{"mlt", 2}})
     if (form.starts_with(e.form)) return e.samples;
   return 1;
 }
