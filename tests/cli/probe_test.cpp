@@ -9,7 +9,7 @@ namespace {
 using nlohmann::json;
 
 TEST_F(Cli, ProbeMeasuresInBothUnits) {
-  const Outcome r = run("probe cornell --size 64x64 --at 32 56 --spp 64 --efficacy maximal --json");
+  const Outcome r = run("probe cornell --size 64x64 --at 32 61 --spp 64 --efficacy maximal --json");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = json::parse(r.out);
   EXPECT_GT(j["irradiance"]["value"][0].get<double>(), 0);

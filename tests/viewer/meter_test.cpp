@@ -11,7 +11,8 @@ class Meter : public Viewer {};
 
 TEST_F(Meter, MeasuresWhereTheHandClicks) {
   const auto steps =
-      joined(small(1), steps_of({click("meter.pick"),
+      joined(small(1), steps_of({file_step("state", path("before.json")),
+                                 click("meter.pick"),
                                  {{"do", "drag"}, {"from", {280, 330}}, {"to", {280, 330}}, {"button", "left"}},
                                  wait_for("meter"),
                                  file_step("state", path("a.json")),
