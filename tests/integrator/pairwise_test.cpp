@@ -114,6 +114,9 @@ TEST(Pairwise, GlossyPlates) { expect_pairs_agree(builtin("glossy-plates"), "E(D
 TEST(Pairwise, GlossyThings) { expect_pairs_agree(test::glossy_things(), "E[(D|G).*]L", 64); }
 TEST(Pairwise, GlossyThingsInMirrors) { expect_pairs_agree(test::glossy_things(), "ES.*L", 64); }
 
+// Not reciprocal, brushed, rough, tabulated, coated: both ways through every kind of lobe.
+TEST(Pairwise, ModelledThings) { expect_pairs_agree(test::modelled_things(), "E[(D|G).*]L", 64); }
+
 TEST(Pairwise, UnderALamp) { expect_pairs_agree(test::under_a_lamp(), "E[(D|G).*]L", 64); }
 TEST(Pairwise, GlassBallUnderALamp) { expect_pairs_agree(test::under_a_lamp(), "ES.*L", 64); }
 

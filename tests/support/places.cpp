@@ -95,4 +95,44 @@ void expect_same(const Document& a, uint32_t samples_a, const Document& b, uint3
   expect_agreement(replicated(a, samples_a), replicated(b, samples_b), what, comparisons);
 }
 
+namespace {
+
+Material modelled(const char* model, std::initializer_list<std::pair<const char*, Value>> settings) {
+  Material m;
+  m.base_color = {0.7f, 0.5f, 0.4f};
+  m.reflection.model = make_reflection(model);
+  for (const auto& [name, value] : settings) m.reflection.model = m.reflection->with(name, value);
+  return m;
+}
+
+}  // namespace
+
+Document modelled_things() {
+  scene::Scene scene;
+  // The floor's lobe is not reciprocal: light from the lamp and importance from the eye scatter differently.
+  add(scene, scene::quad(4), modelled("phong", {{"diffuse", 0.4}, {"exponent", 6.0}}));
+  Material coated;
+  coated.metallic = 0, coated.base_color = {0.6f, 0.2f, 0.2f}, coated.roughness = 0.6f;
+  coated.clearcoat = 0.8f, coated.clearcoat_roughness = 0.35f, coated.sheen_color = Rgb(0.3f),
+  coated.sheen_roughness = 0.5f;
+  const Material materials[] = {
+      modelled("ward", {{"alpha-x", 0.2}, {"alpha-y", 0.5}}),
+      modelled("torrance-sparrow", {{"alpha-x", 0.5}, {"alpha-y", 0.5}}),
+      modelled("dielectric", {{"roughness", 0.3}}),
+      modelled("tabulated", {{"polar-steps", int64_t{12}}, {"azimuth-steps", int64_t{48}}}),
+      coated,
+  };
+  for (int i = 0; i < 5; ++i) {
+    Mat4 place(1);
+    place[3] = Vec4(-2.2f + 1.1f * static_cast<float>(i), 0.55f, 0, 1);
+    add(scene, scene::sphere(0.5f, 16, false), materials[i], place);
+  }
+  Mat4 above(1);
+  above[1][1] = -1, above[2][2] = -1;
+  above[3] = Vec4(0, 3, 1, 1);
+  add(scene, scene::quad(1), scene::diffuse(Rgb(0), Rgb(6)), above);
+  scene.environment.tint = {0.2f, 0.25f, 0.3f};
+  return document(scene, look_at({0, 2, 5}, {0, 0.4f, 0}, {0, 1, 0}, 0.8f), kSize, kSize);
+}
+
 }  // namespace etendue::test

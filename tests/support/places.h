@@ -20,6 +20,8 @@ render::Document under_a_sky();
 render::Document under(LightType type);
 // A quad, a disk and a sphere that shine.
 render::Document under_surface_lights();
+// Reflection models, reciprocal and not, brushed, layered, measured, rough glass, in a room with a lamp.
+render::Document modelled_things();
 render::Document through_a_lens(const render::Document& d);
 
 // Expects the methods of both to agree (expect_agreement).
