@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "command.h"
 #include "interrupt.h"
+#include "material/brdf_table.h"
 #include "render/document.h"
 #include "scene/builtin.h"
 
@@ -20,8 +21,9 @@ namespace {
 using nlohmann::json;
 
 struct Options {
-  std::string model, against, scene, material, out;
+  std::string model, against, scene, material, out, table;
   std::vector<std::string> set, set_against;
+  std::vector<int> steps{24, 72};  // of a table: polar, azimuth
   double degrees = 45;
   bool json = false, all = false;
 };
@@ -161,6 +163,13 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
   return {};
 }
 
+// The virtual gonioreflectometer: what reflects, as a file that the model `tabulated` reads.
+Result<void> write_table(const Specimen& s, const Options& o) {
+  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, Transport::radiance); };
+  const bool isotropic = !SurfaceMaterial(s.material, {}).directed;
+  return BrdfTable::measured(f, o.steps[0], o.steps[1], isotropic).write(o.table);
+}
+
 // Every model as it is by default, a line each, for docs/materials.md.
 void print_table() {
   std::printf(
@@ -195,6 +204,8 @@ int run(const Options& o) {
     if (!second) return fail(second.error());
     specimens.push_back(*second);
   }
+  if (!o.table.empty())
+    if (const auto written = write_table(specimens.front(), o); !written) return fail(written.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
   for (auto& s : specimens) s.audit = audit::audit(s.lobes, [&] { return !interrupted; });
   if (interrupted) return static_cast<int>(Fault::interrupted);
@@ -222,6 +233,8 @@ Command add_bsdf(CLI::App& app) {
   app.add_option("--material", o->material, "Its name or number")->needs("--scene");
   app.add_option("--angle", o->degrees, "Degrees between eye and normal in the drawings")->check(CLI::Range(0.0, 89.9));
   app.add_option("--out", o->out, "Write polar.svg, albedo.svg and lobe.svg into this folder");
+  app.add_option("--table", o->table, "Measure it into a table, which the model tabulated reads back");
+  app.add_option("--steps", o->steps, "Polar and azimuth steps of the table")->expected(2)->check(CLI::Range(2, 360));
   app.add_flag("--all", o->all, "Every model as it is by default, as a table in Markdown");
   app.add_flag("--json", o->json, "Print JSON");
   return [o] { return run(*o); };

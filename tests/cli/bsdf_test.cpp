@@ -45,6 +45,15 @@ TEST_F(Cli, BsdfSaysWhatIsWrong) {
   expect_error("bsdf lambert --out /proc/nothing/here", 4, "/proc");
 }
 
+// What the virtual gonioreflectometer wrote is read back as a model.
+TEST_F(Cli, BsdfWritesATableThatIsAModel) {
+  ASSERT_EQ(run("bsdf lambert --set diffuse=0.5 --table t.brdf --steps 8 16").code, 0);
+  const Outcome r = run("bsdf tabulated --set source=t.brdf --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NEAR(json::parse(r.out)["hemispherical_albedo"].get<double>(), 0.5, 1e-3);
+  expect_error("bsdf lambert --table nowhere/t.brdf", 4, "nowhere");
+}
+
 // A snapshot of a scene with a model carries it: rendered again like it, the picture is the same.
 TEST_F(Cli, AModelIsPartOfTheSettings) {
   ASSERT_EQ(

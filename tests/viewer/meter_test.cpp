@@ -1,4 +1,6 @@
 // The light meter and lamps that people know, as a user meets them.
+#include <cmath>
+
 #include "scripted.h"
 
 namespace etendue {
@@ -30,6 +32,23 @@ TEST_F(Meter, MeasuresWhereTheHandClicks) {
   // The walls have lost their red: less of it arrives, and the reading says so by itself.
   EXPECT_LT(b["irradiance"]["value"][0].get<double>(), a["irradiance"]["value"][0].get<double>());
   EXPECT_EQ(state("a.json")["undo_depth"], state("before.json")["undo_depth"]) << "measuring is no edit";
+}
+
+// A lamp that people know, as one step.
+TEST_F(Meter, PresetsSetAmountAndColour) {
+  const auto steps =
+      joined(small(1), steps_of({click("tab.light"), click("light.choose.0"), file_step("state", path("before.json")),
+                                 set("light.preset", "bulb-60"), file_step("state", path("bulb.json")), key("ctrl+z"),
+                                 file_step("state", path("after.json"))}));
+  ASSERT_EQ(run(steps, "spot-indirect"), 0);
+  const auto bulb = state("bulb.json")["parameters"];
+  const auto number = [&](const char* name) { return bulb[std::string("light.0.") + name].get<double>(); };
+  const double cones = 1 - 0.5 * (std::cos(number("inner-cone")) + std::cos(number("outer-cone")));
+  const double y = 0.212671 * number("color.r") + 0.71516 * number("color.g") + 0.072169 * number("color.b");
+  EXPECT_NEAR(683.0 * 107 / 500 * y * number("intensity") * 2 * 3.14159265 * cones, 710, 0.5);
+  EXPECT_EQ(state("bulb.json")["undo_depth"].get<int>(), state("before.json")["undo_depth"].get<int>() + 1);
+  EXPECT_EQ(state("after.json")["parameters"]["light.0.intensity"],
+            state("before.json")["parameters"]["light.0.intensity"]);
 }
 
 TEST_F(Meter, NothingToWaitFor) { EXPECT_EQ(run(joined(small(1), steps_of({wait_for("meter")}))), 1); }
