@@ -28,9 +28,7 @@ constexpr bool is_solid() {
 template <class Model>
 class Modelled final : public Reflection {
  public:
-  explicit Modelled(const Model& model = {}) : model_(model) {
-    if constexpr (requires { model_.prepare(); }) model_.prepare();
-  }
+  explicit Modelled(const Model& model = {}, bool ready = !kPrepares) : model_(model), ready_(ready) {}
 
   const ReflectionInfo& info() const override { return info_of<Model>(); }
   std::vector<ParameterInfo> parameters() const override {
@@ -43,11 +41,28 @@ class Modelled final : public Reflection {
     assert(known);
     return std::make_shared<Modelled>(changed);
   }
-  void add_lobes(const Rgb& base, WideLobes<Rgb>& lobes) const override { model_.add_lobes(base, lobes); }
+  std::shared_ptr<const Reflection> prepared() const override {
+    return ready_ ? nullptr : std::make_shared<Modelled>(ready_model(), true);
+  }
+  void add_lobes(const Rgb& base, WideLobes<Rgb>& lobes) const override {
+    if (ready_)
+      model_.add_lobes(base, lobes);
+    else
+      ready_model().add_lobes(base, lobes);
+  }
   bool solid() const override { return is_solid<Model>(); }
 
  private:
+  static constexpr bool kPrepares = requires(Model model) { model.prepare(); };
+
+  Model ready_model() const {
+    Model copy = model_;
+    if constexpr (kPrepares) copy.prepare();
+    return copy;
+  }
+
   Model model_;
+  bool ready_;
 };
 
 struct Entry {

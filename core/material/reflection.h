@@ -11,8 +11,8 @@
 //   template <class Mix> void add_lobes(const Rgb& base, Mix& lobes) const;
 //
 // It is registered by one line of models.h. Models are immutable values: an edit is another one. What takes long to
-// find from the knobs, a table for example, is found by `void prepare()`, which is called once for each of these
-// values: `add_lobes` runs at every vertex where the base colour varies.
+// find from the knobs, a table for example, is found by `void prepare()`: not while a hand turns them, but once before
+// `add_lobes` runs at every vertex.
 #pragma once
 #include <memory>
 #include <string>
@@ -43,6 +43,9 @@ class Reflection {
   virtual std::vector<ParameterInfo> parameters() const = 0;
   // Another one; the name must be a parameter's, and the value have been checked against its description.
   virtual std::shared_ptr<const Reflection> with(std::string_view name, const Value& value) const = 0;
+  // The same model, for whose `add_lobes` everything is ready; that may take a second. Null if it is so already.
+  virtual std::shared_ptr<const Reflection> prepared() const = 0;
+  // Of a model that was not prepared, in a copy that is.
   virtual void add_lobes(const Rgb& base, WideLobes<Rgb>& lobes) const = 0;
   // Light passes through it into a solid body, whose colour is the material's attenuation.
   virtual bool solid() const = 0;

@@ -91,6 +91,7 @@ bool is_directed(const WideLobes<Rgb>& lobes) {
 
 // What the lobes of the model are, as its base colour makes no others of them.
 void SurfaceMaterial::prepare_model() {
+  if (auto prepared = description.reflection->prepared()) description.reflection.model = std::move(prepared);
   WideLobes<Rgb> lobes;
   description.reflection->add_lobes(reflectance(factor), lobes);
   if (const auto* lambert = lobes.only<Lambert<Rgb>>()) {
