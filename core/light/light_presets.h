@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "light/light.h"
+#include "light/flux.h"
 #include "spectrum/photometry.h"
 
 namespace etendue {
@@ -30,25 +30,6 @@ inline constexpr std::array<LightPreset, 10> kLightPresets{{
 
 inline bool fits(const LightPreset& preset, const Light& light) {
   return light.type != LightType::ambient && preset.sun == (light.type == LightType::directional);
-}
-
-// What the light sends out altogether, W; of a spot, between its cones by the mean of both. Nothing for light without a
-// place.
-inline Rgb flux_of(const Light& light) {
-  switch (light.type) {
-    case LightType::point:
-      return light.color * (4 * kPi * light.intensity);
-    case LightType::spot: {
-      const float inner = std::cos(light.inner_cone), outer = std::cos(light.outer_cone);
-      return light.color * (2 * kPi * light.intensity * (1 - 0.5f * (inner + outer)));
-    }
-    case LightType::quad:
-    case LightType::disk:
-    case LightType::sphere:
-      return light.radiance() * (2 * kPi / (light.focus + 2) * light.area() * static_cast<float>(light.sides()));
-    default:
-      return Rgb(0);
-  }
 }
 
 // The light with the preset's colour and amount.

@@ -4,15 +4,14 @@
 
 #include "base/warp.h"
 #include "base/wide.h"
+#include "light/flux.h"
 #include "light/punctual.h"
 #include "light/spherical_triangle.h"
 
 namespace etendue {
 namespace {
 
-float power_of(const EmissiveTriangle& t) {
-  return 2 * kPi / (t.focus + 2) * t.area * luminance(t.radiance) * (t.double_sided ? 2.0f : 1.0f);
-}
+float power_of(const EmissiveTriangle& t) { return luminance(flux_of(t)); }
 
 // Whether a triangle looks so large from there that directions to it are sampled rather than its points: its area over
 // the square of the distance to its middle. Squares of both sides, since the cross product is twice the area.
@@ -26,21 +25,13 @@ float power_of(const PlacedLight& placed, float scene_radius) {
   const Light& light = placed.light;
   const float intensity = luminance(light.color) * light.intensity;
   switch (light.type) {
-    case LightType::point:
-      return 4 * kPi * intensity;
-    case LightType::spot:
-      if (light.profile == SpotProfile::cosine)
-        return 2 * kPi * (1 - std::pow(std::max(std::cos(light.outer_cone), 0.0f), light.exponent + 1)) /
-               (light.exponent + 1) * intensity;
-      return kPi * (2 - std::cos(light.inner_cone) - std::cos(light.outer_cone)) * intensity;
     case LightType::directional:
       return kPi * sqr(scene_radius) * intensity;
     case LightType::ambient:
       return 4 * sqr(kPi * scene_radius) * intensity;
-    default:  // surfaces are triangles or round
-      break;
+    default:
+      return luminance(flux_of(light));
   }
-  return 0;
 }
 
 }  // namespace

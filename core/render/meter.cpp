@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/flux.h"
 #include "scene/shapes.h"
 
 namespace etendue::render {
@@ -94,7 +95,7 @@ class Instrument {
 Rgb flux_of(const scene::CompiledScene& scene, uint32_t instance) {
   Rgb flux(0);
   for (const EmissiveTriangle& t : scene.lights().triangles())
-    if (t.instance == instance) flux += t.radiance * (kPi * t.area * (t.double_sided ? 2.0f : 1.0f));
+    if (t.instance == instance) flux += etendue::flux_of(t);
   return flux;
 }
 

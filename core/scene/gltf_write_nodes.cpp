@@ -1,7 +1,7 @@
 // Nodes, and the cameras and lights that stand at them.
 #include <limits>
 
-#include "light/light_presets.h"
+#include "light/flux.h"
 #include "scene/gltf_output.h"
 
 namespace etendue::scene::gltf {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "light/light_presets.h"
+#include "light/punctual.h"
 #include "scene/shapes.h"
 #include "spectrum/photometry.h"
 
@@ -87,6 +88,39 @@ TEST(Meter, NothingToMeasureInTheSky) {
   Document d = over_floor({});
   d.camera = look_at({0, 1, 0}, {0, 2, 0.1f}, {0, 0, 1}, 0.5f);
   EXPECT_FALSE(spot_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
+}
+
+// The flux of every profile is the integral of its falloff over the sphere.
+TEST(Photometry, FluxOfSpots) {
+  for (const auto profile : {SpotProfile::squared, SpotProfile::smoothstep, SpotProfile::quartic, SpotProfile::cosine})
+    for (const float outer : {0.3f, 1.0f, 1.5f}) {
+      Light spot;
+      spot.type = LightType::spot, spot.profile = profile, spot.exponent = 5;
+      spot.inner_cone = 0.4f * outer, spot.outer_cone = outer, spot.intensity = 3;
+      constexpr int kSteps = 200'000;
+      double sum = 0;
+      for (int i = 0; i < kSteps; ++i)
+        sum += static_cast<double>(spot_falloff(spot, -1 + 2 * (static_cast<float>(i) + 0.5f) / kSteps));
+      const double expected = 3 * 2 * 3.14159265358979 * sum * 2 / kSteps;
+      EXPECT_NEAR(static_cast<double>(flux_of(spot).g), expected, 2e-3 * expected)
+          << static_cast<int>(profile) << ' ' << outer;
+    }
+}
+
+// A lamp whose light keeps to its axis sends less: 2 pi A L / (k + 2). The meter reads it off any kind of lamp.
+TEST(Meter, FluxOfLampsWithAFocus) {
+  for (const LightType type : {LightType::quad, LightType::disk, LightType::sphere}) {
+    scene::Scene scene;
+    Light lamp;
+    lamp.type = type, lamp.intensity = 2, lamp.focus = 6, lamp.width = lamp.height = 0.8f, lamp.radius = 0.4f;
+    // Facing up at the camera, above the floor.
+    scene::add(scene, lamp, {.translation = {0, 1, 0}, .rotation = {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}});
+    Document d = over_floor(std::move(scene));
+    d.camera = look_at({0.3f, 4, 0.3f}, {0, 1, 0}, {0, 0, 1}, 0.1f);
+    const double area = type == LightType::quad ? 0.64 : (type == LightType::disk ? 1 : 4) * 3.14159265358979 * 0.16;
+    const double expected = 2 * 3.14159265358979 / 8 * area * 2;
+    EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), expected, 1e-3 * expected) << static_cast<int>(type);
+  }
 }
 
 // Table 3.2: a constant spectral radiance C over 300 to 800 nm has a luminance of 683 * 107 C.

@@ -43,7 +43,9 @@ TEST_F(Meter, PresetsSetAmountAndColour) {
   ASSERT_EQ(run(steps, "spot-indirect"), 0);
   const auto bulb = state("bulb.json")["parameters"];
   const auto number = [&](const char* name) { return bulb[std::string("light.0.") + name].get<double>(); };
-  const double cones = 1 - 0.5 * (std::cos(number("inner-cone")) + std::cos(number("outer-cone")));
+  // Full within the inner cone; a third of what is between them, as the falloff is the square of t.
+  const double inner = std::cos(number("inner-cone")), outer = std::cos(number("outer-cone"));
+  const double cones = 1 - inner + (inner - outer) / 3;
   const double y = 0.212671 * number("color.r") + 0.71516 * number("color.g") + 0.072169 * number("color.b");
   EXPECT_NEAR(683.0 * 107 / 500 * y * number("intensity") * 2 * 3.14159265 * cones, 710, 0.5);
   EXPECT_EQ(state("bulb.json")["undo_depth"].get<int>(), state("before.json")["undo_depth"].get<int>() + 1);
