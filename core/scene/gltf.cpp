@@ -130,6 +130,9 @@ Result<Scene> load_gltf(const std::filesystem::path& path, const LoadOptions& op
     return Error{Fault::interrupted, message("loading was cancelled")};
   } catch (const std::bad_alloc&) {
     return input_error(message("needs more memory than there is"));
+  } catch (const std::exception& error) {
+    // A library rejected something that the checks let through.
+    return input_error(message(std::string("the structure cannot be read: ") + error.what()));
   }
 }
 

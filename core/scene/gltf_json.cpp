@@ -183,6 +183,17 @@ void drop_unread(json& object) {
     it = is_supported(it.key()) && it->is_object() ? std::next(it) : extensions->erase(it);
 }
 
+void need(const json& object, const std::string& where, std::initializer_list<const char*> members) {
+  if (!object.is_object()) fail(where, "has to be an object");
+  for (const char* member : members)
+    if (!object.contains(member)) fail(where, std::string("has no ") + member);
+}
+
+// Two names of index lists are also names of arrays of objects.
+bool lists_objects(bool at_root, const std::string& key, const std::string& where) {
+  return (at_root && key == "nodes") || where == "extensions.KHR_materials_variants.variants";
+}
+
 void check_tree(json& value, std::string& where, bool in_sparse) {
   const size_t length = where.size();
   if (value.is_array()) {
@@ -201,22 +212,16 @@ void check_tree(json& value, std::string& where, bool in_sparse) {
     const auto rule = rules().find(it.key());
     if (rule == rules().end() && !it->is_structured()) continue;
     where += (length ? "." : "") + it.key();
-    // `nodes`, `scale` and the like of the root are arrays of objects.
-    const bool objects = it->is_array() && !it->empty() && it->front().is_object();
     // The indices of a primitive are an accessor, those of sparse values an object.
-    if (it.key() == "indices" && !it->is_object()) check_integer(*it, kMostIndex, where);
-    if (rule != rules().end() && !objects && !(it->is_object() && rule->second.kind == Kind::index))
+    if (it.key() == "indices" && !in_sparse) check_integer(*it, kMostIndex, where);
+    if (in_sparse && (it.key() == "indices" || it.key() == "values")) need(*it, where, {"bufferView"});
+    if (it.key() == "sparse") need(*it, where, {"count", "indices", "values"});
+    if (rule != rules().end() && !lists_objects(length == 0, it.key(), where))
       check_member(*it, rule->second, in_sparse, where);
     else if (it->is_structured())
       check_tree(*it, where, in_sparse || it.key() == "sparse");
     where.resize(length);
   }
-}
-
-void need(const json& object, const std::string& where, std::initializer_list<const char*> members) {
-  if (!object.is_object()) fail(where, "has to be an object");
-  for (const char* member : members)
-    if (!object.contains(member)) fail(where, std::string("has no ") + member);
 }
 
 void need_everywhere(const json& root, const char* array, std::initializer_list<const char*> members) {
