@@ -1,6 +1,7 @@
 #include "viewer/number_widget.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,18 +44,15 @@ std::string format_of(const ParameterInfo& info, double value) {
   return format;
 }
 
-// ImGui types on Ctrl+click. Here a double click types and Ctrl+click resets, so the control key is told accordingly
-// for as long as the widget looks.
-class ControlKey {
- public:
-  explicit ControlKey(bool down) : before_(ImGui::GetIO().KeyCtrl) { ImGui::GetIO().KeyCtrl = down; }
-  ~ControlKey() { ImGui::GetIO().KeyCtrl = before_; }
-  ControlKey(const ControlKey&) = delete;
-  ControlKey& operator=(const ControlKey&) = delete;
-
- private:
-  bool before_;
-};
+// Shows the value as text to edit, in the place of the slider or drag field with this ID, which then keeps showing text
+// until editing ends.
+bool text_input(ImGuiID id, ImGuiDataType type, void* value, const char* format, const void* least, const void* most) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImRect box(corner, {corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()});
+  ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
+  return ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable) &&
+         ImGui::TempInputScalar(box, id, "##", type, value, format, least, most);
+}
 
 // Angles are radians everywhere but on screen.
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -101,12 +99,11 @@ std::string range_text(const ParameterInfo& info) {
 NumberEdit number_widget(const ParameterInfo& info, float drag) {
   if (info.unit == "rad") return angle_widget(info);
   NumberEdit edit;
-  ImGuiIO& io = ImGui::GetIO();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 opposite{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
   const bool over = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, opposite);
   const bool typing = over && ImGui::IsMouseDoubleClicked(0);
-  edit.reset = over && io.KeyCtrl && ImGui::IsMouseClicked(0) && !typing;
+  edit.reset = over && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && !typing;
   edit.starts_typing = typing;
 
   const bool whole = info.type == ParameterType::integer;
@@ -122,23 +119,21 @@ NumberEdit number_widget(const ParameterInfo& info, float drag) {
   const void* least = whole ? static_cast<const void*>(&i_min) : &info.min;
   const void* most = whole ? static_cast<const void*>(&i_max) : &info.max;
 
-  // The click that resets is not seen by the slider.
-  const bool clicked = io.MouseClicked[0];
-  if (edit.reset) io.MouseClicked[0] = false;
+  // ImGui opens text input on Ctrl+click. Here a double click does, and Ctrl+click resets: the widget ignores that click.
+  ImGui::PushItemFlag(ImGuiItemFlags_Disabled, edit.reset);
   bool changed = false;
-  {
-    const ControlKey control(typing);
-    if (drag <= 0 && wants_slider(info)) {
-      changed = ImGui::SliderScalar("##", type, value, least, most, format.c_str(), flags);
-    } else {
-      // Dragging changes a number by its own size, so that it can be small or large.
-      const float speed = drag > 0 ? drag
-                          : whole  ? std::max(0.1f, 0.01f * std::abs(static_cast<float>(i)))
-                                   : std::max(0.002f, 0.005f * std::abs(static_cast<float>(d)));
-      changed = ImGui::DragScalar("##", type, value, speed, least, most, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-    }
+  if (typing) {
+    changed = text_input(ImGui::GetID("##"), type, value, format.c_str(), least, most);
+  } else if (drag <= 0 && wants_slider(info)) {
+    changed = ImGui::SliderScalar("##", type, value, least, most, format.c_str(), flags);
+  } else {
+    // Dragging changes a number by its own size, so that it can be small or large.
+    const float speed = drag > 0 ? drag
+                        : whole  ? std::max(0.1f, 0.01f * std::abs(static_cast<float>(i)))
+                                 : std::max(0.002f, 0.005f * std::abs(static_cast<float>(d)));
+    changed = ImGui::DragScalar("##", type, value, speed, least, most, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
   }
-  io.MouseClicked[0] = clicked;
+  ImGui::PopItemFlag();
   edit.ended = ImGui::IsItemDeactivated();
   if (changed && !edit.reset)
     edit.value = whole ? Value(std::clamp(i, i_min, i_max)) : Value(std::clamp(d, info.min, info.max));
