@@ -83,6 +83,21 @@ const std::vector<SheetInfo>& sheets() {
   return list;
 }
 
+void with_controls(Workbench& w, float width, const std::function<void()>& shown, void (*controls)(Workbench&)) {
+  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetFontSize();
+  const bool wide = room > 3 * width;
+  if (wide) ImGui::BeginChild("##shown", {std::floor(room - width - gap), 0});
+  ImGui::PushFont(w.faces.small);
+  shown();
+  ImGui::PopFont();
+  if (!wide) return controls(w);
+  ImGui::EndChild();
+  ImGui::SameLine(0, gap);
+  ImGui::BeginChild("##controls");
+  controls(w);
+  ImGui::EndChild();
+}
+
 float draw_drawer(Workbench& w, float top, float right, float bottom) {
   const float scale = w.platform.scale(), strip = strip_height(), room = bottom - top;
   const auto open =

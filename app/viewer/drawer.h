@@ -1,6 +1,8 @@
 // The drawer under the picture: sheets of figures about it, one open at a time, pulled out by its tab and pushed back
 // by the same.
 #pragma once
+#include <functional>
+
 #include "viewer/workbench.h"
 
 namespace etendue::viewer {
@@ -22,6 +24,10 @@ void draw_sampling_sheet(Workbench& w);
 void draw_surface_sheet(Workbench& w);
 // The settings of the sampling sheet, as scripts see them.
 std::vector<ParameterInfo> sampling_parameters();
+
+// What a sheet shows with its controls on the right, this wide; below it where that would leave less than twice as
+// much.
+void with_controls(Workbench& w, float width, const std::function<void()>& shown, void (*controls)(Workbench&));
 
 // Draws it on the lower edge of a region from the window's left side to `right`; returns its height.
 float draw_drawer(Workbench& w, float top, float right, float bottom);

@@ -62,15 +62,16 @@ void gltf_widgets(Workbench& w, const std::string& section, const Material& mate
                   const std::vector<std::string>& glass, std::vector<std::string> elsewhere) {
   elsewhere.insert(elsewhere.end(), glass.begin(), glass.end());
   elsewhere.emplace_back("model");
+  std::vector<std::vector<std::string>> layers;
   for (const Layer& layer : kLayers) {
-    const auto names = names_that_begin(w, section, layer.start);
-    elsewhere.insert(elsewhere.end(), names.begin(), names.end());
+    layers.push_back(names_that_begin(w, section, layer.start));
+    elsewhere.insert(elsewhere.end(), layers.back().begin(), layers.back().end());
   }
   if (group(w, "Surface", section + ".")) other_widgets(w, section, elsewhere);
   if (group(w, "Light through it", section + ".")) some_widgets(w, section, glass);
-  for (const Layer& layer : kLayers)
-    if (group(w, layer.label, section + "." + layer.start, layer.there(material)))
-      some_widgets(w, section, names_that_begin(w, section, layer.start));
+  for (size_t i = 0; i < layers.size(); ++i)
+    if (group(w, kLayers[i].label, section + "." + kLayers[i].start, kLayers[i].there(material)))
+      some_widgets(w, section, layers[i]);
 }
 
 }  // namespace

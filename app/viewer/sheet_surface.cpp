@@ -120,46 +120,44 @@ void draw_badges(Workbench& w, const SurfaceReading& reading) {
   }
 }
 
-void draw_surface_sheet(Workbench& w) {
-  if (w.selection.material < 0) return note(w, "Click something in the picture: its surface is measured here.");
-  const auto list = readings(w);
-  if (list.empty()) return note(w, "The surface is being measured.");
+namespace {
+
+// Balls, lobes, slices and albedo side by side; with a second material balls and lobes are half as high.
+void instruments(Workbench& w, const std::vector<const SurfaceReading*>& list) {
   const auto names = names_of(list);
-  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(0.5f * em);
-  const float height = std::max(ImGui::GetContentRegionAvail().y, 9 * em), column = 20 * em;
-  const bool wide = room > 3 * column;
-  const float drawings = wide ? room - column - em : room;
-  if (wide) ImGui::BeginChild("##instruments", {std::floor(drawings), 0});
-  ImGui::PushFont(w.faces.small);
-  // With a second material both halves are as high as they can be.
+  const float em = ImGui::GetFontSize(), gap = std::floor(0.5f * em), room = ImGui::GetContentRegionAvail().x;
+  const float height = std::max(ImGui::GetContentRegionAvail().y, 9 * em);
   const float edge = std::floor(list.size() > 1 ? 0.5f * (height - gap) : height);
   ImGui::BeginGroup();
-  for (size_t side = 0; side < list.size(); ++side) ball_pane(w, side, std::min(edge, 0.25f * drawings));
+  for (size_t side = 0; side < list.size(); ++side) ball_pane(w, side, std::min(edge, 0.25f * room));
   ImGui::EndGroup();
   ImGui::SameLine(0, gap);
-  const float rest = ImGui::GetContentRegionAvail().x;
-  const Vec2 third(std::floor((rest - 2 * gap) / 3), height);
+  const Vec2 third(std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3), height);
   ImGui::BeginGroup();
   for (size_t side = 0; side < list.size(); ++side) lobe_pane(w, side, {third.x, edge});
   ImGui::EndGroup();
-  ImGui::SameLine(0, gap);
   std::vector<audit::Slice> slices;
   std::vector<std::vector<audit::Albedo>> curves;
   for (const auto* reading : list) slices.push_back(reading->slice), curves.push_back(reading->audit.albedo);
   const auto look = look_of(w, third);
+  ImGui::SameLine(0, gap);
   pane(w, "surface.polar", third, audit::polar_drawing(slices, names, look));
   if (ImGui::IsItemHovered()) tooltip(w, "f in the plane of incidence, for light to the eye on the left");
   ImGui::SameLine(0, gap);
   pane(w, "surface.albedo", third, audit::albedo_drawing(curves, names, look));
   if (ImGui::IsItemHovered())
     tooltip(w, "How much of the light leaves again, over the angle that it comes from; above 1 light is made");
-  ImGui::PopFont();
-  if (!wide) return controls(w);
-  ImGui::EndChild();
-  ImGui::SameLine(0, em);
-  ImGui::BeginChild("##controls");
-  controls(w);
-  ImGui::EndChild();
+}
+
+}  // namespace
+
+void draw_surface_sheet(Workbench& w) {
+  if (w.selection.material < 0) return note(w, "Click something in the picture: its surface is measured here.");
+  const auto list = readings(w);
+  if (list.empty()) return note(w, "The surface is being measured.");
+  constexpr float kControls = 20;  // letters wide
+  with_controls(
+      w, kControls * ImGui::GetFontSize(), [&] { instruments(w, list); }, controls);
 }
 
 }  // namespace etendue::viewer

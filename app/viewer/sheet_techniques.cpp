@@ -140,22 +140,16 @@ void draw_techniques_sheet(Workbench& w) {
   if (!w.techniques.possible())
     return note(w, w.editor.document().method.integrator +
                        " has no techniques that can be shown. These have: " + names_of_methods() + ".");
-  const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
-  // Side by side where that leaves the pyramid most of the room, else what is set below it.
-  const bool wide = room > 50 * em;
-  if (wide) ImGui::BeginChild("##pyramid", {std::floor(room - 21 * em), 0});
-  ImGui::PushFont(w.faces.small);
-  if (const auto* shown = w.techniques.shown())
-    pyramid_of(w, *shown);
-  else
-    note(w, "The first pictures are being made.");
-  ImGui::PopFont();
-  if (!wide) return controls(w);
-  ImGui::EndChild();
-  ImGui::SameLine(0, em);
-  ImGui::BeginChild("##controls");
-  controls(w);
-  ImGui::EndChild();
+  constexpr float kControls = 20;  // letters wide
+  with_controls(
+      w, kControls * ImGui::GetFontSize(),
+      [&] {
+        if (const auto* shown = w.techniques.shown())
+          pyramid_of(w, *shown);
+        else
+          note(w, "The first pictures are being made.");
+      },
+      controls);
 }
 
 }  // namespace etendue::viewer

@@ -43,7 +43,6 @@ void SurfaceHand::forget() {
   job_.abandon();
   wanted_.reset(), kept_.reset();
   readings_ = {};
-  for (Ball& ball : balls_) ball = {};
 }
 
 void SurfaceHand::keep() {
@@ -97,18 +96,23 @@ void SurfaceHand::show_balls(bool sheet) {
     Ball& ball = balls_[side];
     const auto& material = side == 0 ? wanted_ : kept_;
     if (!sheet || !material) {
-      // Nobody looks: no thread of it stays.
-      ball = {};
+      // Nobody looks. Its threads rest; to end them would wait for what they compile.
+      if (ball.session) ball.session->pause(true);
+      if (!material) ball.picture = {}, ball.material.reset();
       continue;
     }
     const auto& scene = *editor_.document().scene;
     const bool same_sky = setup.light != scene::PreviewLight::scene || ball.sky == scene.environment;
     if (ball.session) take_picture(ball);
-    if (ball.session && ball.material == material && ball.light == setup.light && same_sky) continue;
+    if (ball.session && ball.material == material && ball.light == setup.light && same_sky) {
+      ball.session->pause(false);
+      continue;
+    }
     if (!ball.session) {
       ball.session = std::make_unique<render::Session>(render::SessionOptions{.threads = 1, .interactive = true});
       ball.session->on_update(wake_);
     }
+    ball.session->pause(false);
     ball.material = material, ball.light = setup.light, ball.sky = scene.environment;
     ball.session->submit(document_of(scene, *material, setup.light));
   }

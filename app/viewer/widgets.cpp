@@ -62,7 +62,9 @@ void text_field(Workbench& w, const ParameterInfo& info, size_t index, Change& c
   ImGui::PopFont();
   const bool active = ImGui::IsItemActive();
   describe_field(w, info);
-  const auto accepted = typed == now ? Result<void>() : info.accepts_text(typed);
+  if (w.checked.field != info.name || w.checked.text != typed)
+    w.checked = {info.name, typed, typed == now ? Result<void>() : info.accepts_text(typed)};
+  const Result<void> accepted = typed == now ? Result<void>() : w.checked.answer;
   if (entered && accepted) change.value = typed;
   if (entered && !accepted) w.notices.complain(info.label + ": " + accepted.error().message);
   ImGui::SameLine(0, 0);

@@ -79,6 +79,12 @@ struct Turned {
   Vec3 degrees{0};
 };
 
+// The text that a field was last asked about, and the answer: a file is not read again for every frame.
+struct CheckedText {
+  std::string field, text;
+  Result<void> answer;
+};
+
 struct Workbench {
   Workbench(Platform& p, const ViewOptions& o);
 
@@ -143,6 +149,7 @@ struct Workbench {
   FileDialog files;
   Selection selection;
   Turned turned;
+  CheckedText checked;
   View view;
   Theme theme;
   Faces faces;

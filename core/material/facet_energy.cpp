@@ -80,18 +80,12 @@ float FacetEnergy::lost(const Vec3& w) const {
 
 const FacetEnergy& FacetEnergy::of(FacetKind kind, float alpha_x, float alpha_y) {
   using Key = std::tuple<FacetKind, float, float>;
-  const Key key{kind, alpha_x, alpha_y};
-  // Surfaces ask once a hit where their base colour is a picture.
-  thread_local Key last_key{};
-  thread_local const FacetEnergy* last = nullptr;
-  if (last && last_key == key) return *last;
   static std::mutex mutex;
   static std::map<Key, std::unique_ptr<const FacetEnergy>> tables;
   const std::scoped_lock lock(mutex);
-  auto& table = tables[key];
+  auto& table = tables[Key{kind, alpha_x, alpha_y}];
   if (!table) table = std::make_unique<const FacetEnergy>(kind, alpha_x, alpha_y);
-  last = table.get(), last_key = key;
-  return *last;
+  return *table;
 }
 
 }  // namespace etendue

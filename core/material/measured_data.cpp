@@ -12,10 +12,6 @@ namespace {
 // One value of a kind for each key, made by whoever asks first; null where it could not be made.
 template <class Value, class Make>
 Result<const Value*> kept(const std::string& key, Make&& make) {
-  // Surfaces ask once a hit where their base colour is a picture.
-  thread_local std::string last_key;
-  thread_local const Value* last = nullptr;
-  if (last && last_key == key) return last;
   static std::mutex mutex;
   static std::map<std::string, std::unique_ptr<const Value>, std::less<>> values;
   const std::scoped_lock lock(mutex);
@@ -25,8 +21,7 @@ Result<const Value*> kept(const std::string& key, Make&& make) {
     if (!made) return made.error();
     value = std::move(*made);
   }
-  last_key = key, last = value.get();
-  return last;
+  return value.get();
 }
 
 template <class Value>
@@ -89,27 +84,11 @@ Result<std::shared_ptr<const Reflection>> model_of(std::string_view source) {
     model = model->with(knob, *value);
   }
   WideLobes<Rgb> lobes;
-  model->add_lobes(Rgb(1), lobes);
+  model->sketch(lobes);
   if (model->solid() || !lobes.has_non_delta())
     return usage_error(words[0] +
                        " has no reflection that a table could hold: it is all mirrors or lets light through");
   return model;
-}
-
-Vec3 turned(const Vec3& w, float phi) {
-  return {std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z};
-}
-
-bool is_isotropic(const WideLobes<Rgb>& lobes) {
-  const Vec3 o = glm::normalize(Vec3(0.5f, 0.1f, 0.7f));
-  for (const Vec3& to : {Vec3(-0.5f, -0.1f, 0.7f), Vec3(-0.3f, -0.3f, 0.7f), Vec3(0.4f, 0.3f, 0.5f)})
-    for (const float phi : {0.7f, 1.6f, 3.5f}) {
-      const Vec3 i = glm::normalize(to);
-      const float straight = average(lobes.eval(o, i, Transport::radiance));
-      const float after = average(lobes.eval(turned(o, phi), turned(i, phi), Transport::radiance));
-      if (std::abs(straight - after) > 1e-2f * std::max(straight, after) + 1e-4f) return false;
-    }
-  return true;
 }
 
 using SampledTable = SampledBrdf<BrdfTable>;
@@ -132,7 +111,7 @@ Result<const SampledTable*> table(const std::string& source, int polar, int azim
     WideLobes<Rgb> lobes;
     (*model)->add_lobes(Rgb(1), lobes);
     const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
-    return sampled(BrdfTable::measured(f, polar, azimuths, is_isotropic(lobes)));
+    return sampled(BrdfTable::measured(f, polar, azimuths, !is_directed(lobes)));
   });
 }
 
@@ -191,8 +170,8 @@ Result<void> accepts_harmonic_source(std::string_view source) {
   const auto model = model_of(source);
   if (!model) return model.error();
   WideLobes<Rgb> lobes;
-  (*model)->add_lobes(Rgb(1), lobes);
-  if (!is_isotropic(lobes))
+  (*model)->sketch(lobes);
+  if (is_directed(lobes))
     return usage_error("'" + std::string(source) + "' is anisotropic; spherical harmonics hold isotropic models only");
   return {};
 }

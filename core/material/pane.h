@@ -9,23 +9,16 @@
 #pragma once
 #include <cmath>
 
-#include "material/lobe.h"
+#include "material/delta.h"
 
 namespace etendue {
 
 template <class Color>
-struct Pane {
+struct Pane : DeltaLobe<Color> {
   Color tint{1};
   float eta = 1.5f;
 
-  bool is_delta() const { return true; }
   float weight(const Vec3&) const { return 1; }
-  float slope() const { return 0; }
-
-  Color eval(const Vec3&, const Vec3&, Transport) const { return Color(0); }
-  float pdf(const Vec3&, const Vec3&, Transport) const { return 0; }
-  bool scatters(Scatter) const { return false; }
-  Color eval_part(Scatter, const Vec3&, const Vec3&, Transport) const { return Color(0); }
 
   struct Parts {
     Color reflected{0}, passed{0};
@@ -57,7 +50,7 @@ struct Pane {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
     s.transmitted = draw.choice >= share;
-    s.wi = s.transmitted ? -wo : Vec3(-wo.x, -wo.y, wo.z);
+    s.wi = s.transmitted ? -wo : this->mirrored(wo);
     s.weight = s.transmitted ? both.passed / (1 - share) : both.reflected / share;
     s.scatter = Scatter::specular;
     s.delta = true;
@@ -66,7 +59,7 @@ struct Pane {
   void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
-    deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), both.reflected, share);
+    deltas.reflect(this->mirrored(wo), both.reflected, share);
     if (share < 1) deltas.transmit(-wo, both.passed, 1, 1 - share);
   }
 };

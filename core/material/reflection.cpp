@@ -50,6 +50,7 @@ class Modelled final : public Reflection {
     else
       ready_model().add_lobes(base, lobes);
   }
+  void sketch(WideLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobes); }
   bool solid() const override { return is_solid<Model>(); }
 
  private:

@@ -47,6 +47,8 @@ class Reflection {
   virtual std::shared_ptr<const Reflection> prepared() const = 0;
   // Of a model that was not prepared, in a copy that is.
   virtual void add_lobes(const Rgb& base, WideLobes<Rgb>& lobes) const = 0;
+  // At once, without what takes long to find: enough to tell mirrors and directed surfaces from others.
+  virtual void sketch(WideLobes<Rgb>& lobes) const = 0;
   // Light passes through it into a solid body, whose colour is the material's attenuation.
   virtual bool solid() const = 0;
 

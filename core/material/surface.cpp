@@ -67,28 +67,6 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
   }
 }
 
-namespace {
-
-// Whether f changes when both directions turn about the normal.
-bool is_directed(const WideLobes<Rgb>& lobes) {
-  const Vec3 wo = glm::normalize(Vec3(0.6f, 0.2f, 0.7f));
-  const auto turned = [](const Vec3& w, float angle) {
-    const float c = std::cos(angle), s = std::sin(angle);
-    return Vec3(c * w.x - s * w.y, s * w.x + c * w.y, w.z);
-  };
-  for (const Vec3& other : {Vec3(-0.6f, -0.2f, 0.7f), Vec3(-0.5f, 0.1f, 0.8f), Vec3(0.1f, -0.3f, 0.9f)}) {
-    const Vec3 wi = glm::normalize(other);
-    const Rgb f = lobes.eval(wo, wi, Transport::radiance);
-    for (const float angle : {0.7f, 1.9f}) {
-      const Rgb g = lobes.eval(turned(wo, angle), turned(wi, angle), Transport::radiance);
-      if (std::abs(average(f) - average(g)) > 1e-3f * std::max(average(f), average(g))) return true;
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
 // What the lobes of the model are, as its base colour makes no others of them.
 void SurfaceMaterial::prepare_model() {
   if (auto prepared = description.reflection->prepared()) description.reflection.model = std::move(prepared);

@@ -29,4 +29,7 @@ using AnyLobe = decltype(every_lobe<Color>(ReflectionModels{}));
 template <class Color>
 using WideLobes = Mix<Color, AnyLobe<Color>, 5, Covers>;
 
+// Whether f changes when both directions turn about the normal by the same angle.
+bool is_directed(const WideLobes<Rgb>& lobes);
+
 }  // namespace etendue

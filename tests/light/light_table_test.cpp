@@ -6,6 +6,8 @@
 #include <random>
 #include <set>
 
+#include "support/moving_lights.h"
+
 namespace etendue {
 namespace {
 
@@ -149,21 +151,10 @@ TEST(LightTable, WithoutLightsHasNoSamples) {
 
 // A triangle that turns and goes up, and a lamp that goes along: found where they are at the time that is asked for.
 TEST(LightTable, SamplesMovingLightsWhereTheyAre) {
-  auto mesh = std::make_shared<Mesh>();
-  mesh->positions.reserve(4);
-  mesh->positions = {{0, 3, 0}, {1, 3, 0}, {0, 3, 1}};
-  mesh->triangles = {{0, 1, 2}};
-  auto motion = std::make_shared<Motion>();
   Mat4 end(1);
   end[0] = Vec4(0.8f, 0.6f, 0, 0), end[1] = Vec4(-0.6f, 0.8f, 0, 0), end[3] = Vec4(0, 2, 0, 1);
-  motion->to_world = {Mat4(1), end};
-  EmissiveTriangle moving;
-  moving.radiance = Rgb(1), moving.moving = true;
-  moving.place(motion->facet_at(*mesh, mesh->triangles[0], 0.5f));
-  PlacedLight lamp;
-  lamp.motion = motion;
-  lamp.place = LightPlace(motion->matrix_at(0.5f));
-  const LightTable table({moving}, {lamp}, Environment{}, bounds(), {{mesh, motion}});
+  const test::MovingLights moving(end);
+  const LightTable table = moving.table(bounds());
 
   Queries queries(Vec3(0));
   std::array<float, 160> times{};
@@ -178,10 +169,10 @@ TEST(LightTable, SamplesMovingLightsWhereTheyAre) {
     const Vec3 point = queries.from[i] + s.wi * s.distance;
     ++of_each[s.light];
     if (s.kind == LightKind::placed) {
-      EXPECT_LT(glm::distance(point, Vec3(motion->matrix_at(times[i])[3])), 1e-4f);
+      EXPECT_LT(glm::distance(point, Vec3(moving.motion->matrix_at(times[i])[3])), 1e-4f);
       continue;
     }
-    const Facet f = motion->facet_at(*mesh, mesh->triangles[0], times[i]);
+    const Facet f = moving.motion->facet_at(*moving.mesh, moving.mesh->triangles[0], times[i]);
     const Vec3 expected = f.p0 + s.barycentric.x * (f.p1 - f.p0) + s.barycentric.y * (f.p2 - f.p0);
     EXPECT_LT(glm::distance(point, expected), 1e-4f);
     if (s.pdf == 0) continue;

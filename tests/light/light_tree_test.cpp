@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "light/light_table.h"
 #include "support/chi_square.h"
+#include "support/moving_lights.h"
 
 namespace etendue {
 namespace {
@@ -346,23 +346,12 @@ TEST(LightTreeInTable, IsWhatManyLightsAreChosenBy) {
 
 // A panel that goes up while it turns, and a lamp that goes along: the tree knows all the places they are at.
 TEST(LightTreeInTable, BoundsMovingLightsOverTheShutter) {
-  auto mesh = std::make_shared<Mesh>();
-  mesh->positions.reserve(4);
-  mesh->positions = {{0, 3, 0}, {1, 3, 0}, {0, 3, 1}};
-  mesh->triangles = {{0, 1, 2}};
-  auto motion = std::make_shared<Motion>();
   Mat4 end(1);
   end[0] = Vec4(0, 1, 0, 0), end[1] = Vec4(-1, 0, 0, 0), end[3] = Vec4(0, 8, 0, 1);
-  motion->to_world = {Mat4(1), end};
-  EmissiveTriangle moving;
-  moving.radiance = Rgb(1), moving.moving = true;
-  moving.place(motion->facet_at(*mesh, mesh->triangles[0], 0.5f));
-  PlacedLight lamp;
-  lamp.motion = motion;
-  lamp.place = LightPlace(motion->matrix_at(0.5f));
+  const test::MovingLights moving(end);
   Bounds bounds;
   bounds.extend(Vec3(-5)), bounds.extend(Vec3(15));
-  const LightTable table({moving}, {lamp}, Environment{}, bounds, {{mesh, motion}});
+  const LightTable table = moving.table(bounds);
   Numbers random(17);
   for (int k = 0; k < 200; ++k) {
     const Vec3 from = random.in_cube(12);

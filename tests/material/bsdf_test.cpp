@@ -6,9 +6,12 @@
 #include "base/hash.h"
 #include "material/surface.h"
 #include "support/chi_square.h"
+#include "support/directions.h"
 
 namespace etendue {
 namespace {
+
+using test::direction, test::Draw;
 
 struct Case {
   std::string name;
@@ -46,18 +49,6 @@ LobeMix<Rgb> lobes_of(const Material& material) {
   add_lobes(SurfaceMaterial(material, {}), {}, lobes);
   return lobes;
 }
-
-Vec3 direction(float theta_degrees, float phi = 0.3f) {
-  const float t = theta_degrees * kPi / 180;
-  return {std::sin(t) * std::cos(phi), std::sin(t) * std::sin(phi), std::cos(t)};
-}
-
-struct Draw {
-  std::mt19937 engine;
-  explicit Draw(unsigned seed) : engine(seed) {}
-  float one() { return to_unit_float(static_cast<uint32_t>(engine())); }
-  Vec2 two() { return {one(), one()}; }
-};
 
 bool has_delta(const LobeMix<Rgb>& lobes, const Vec3& wo) {
   Draw draw(1);

@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "material/reflection.h"
+#include "support/directions.h"
 
 namespace etendue::test {
 
@@ -93,18 +94,5 @@ inline size_t count_cases() {
     for_each_setting(info, [&](const std::string&, const ModelPtr&) { ++count; });
   return count;
 }
-
-inline Vec3 direction(float theta_degrees, float phi = 0.3f) {
-  const float t = theta_degrees * kPi / 180;
-  return {std::sin(t) * std::cos(phi), std::sin(t) * std::sin(phi), std::cos(t)};
-}
-
-struct Draw {
-  std::mt19937 engine;
-  explicit Draw(unsigned seed) : engine(seed) {}
-  float one() { return to_unit_float(static_cast<uint32_t>(engine())); }
-  Vec2 two() { return {one(), one()}; }
-  Vec3 upper() { return square_to_cosine_hemisphere(two()); }
-};
 
 }  // namespace etendue::test

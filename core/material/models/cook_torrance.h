@@ -55,7 +55,7 @@ struct CookTorranceModel {
         grooves.add(SlopeDistribution::of(distribution, slope, weight / total));
     }
     if (grooves.count > 0) lobes.add(grooves);
-    if (smooth > 0) lobes.add(Mirror<Rgb>{grooves.tint * smooth, grooves.fresnel});
+    if (smooth > 0) lobes.add(Mirror<Rgb>{{}, grooves.tint * smooth, grooves.fresnel});
   }
 };
 

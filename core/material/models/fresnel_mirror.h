@@ -23,7 +23,7 @@ struct FresnelMirrorModel {
 
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Mirror<Rgb>{base, fresnel.term()});
+    lobes.add(Mirror<Rgb>{{}, base, fresnel.term()});
   }
 };
 

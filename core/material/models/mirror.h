@@ -20,7 +20,7 @@ struct MirrorModel {
 
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Mirror<Rgb>{base * reflectance, {}});
+    lobes.add(Mirror<Rgb>{{}, base * reflectance, {}});
   }
 };
 

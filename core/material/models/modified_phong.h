@@ -6,12 +6,10 @@
 // darkening towards grazing angles is a property of it.
 #pragma once
 #include "material/cosine_power.h"
-#include "material/lambert.h"
-#include "material/model_description.h"
 
 namespace etendue {
 
-struct ModifiedPhongModel {
+struct ModifiedPhongModel : PhongKnobs {
   static constexpr ModelDescription kDescription{
       "modified-phong", "Phong, modified (Lafortune and Willems)", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s (n + 2)/(2 pi) cos^n about the mirrored direction. Reciprocal; conserves energy for rho_d "
@@ -21,19 +19,11 @@ struct ModifiedPhongModel {
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 
-  Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
-  Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the albedo of the lobe at normal incidence"};
-  Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
-                         "",         Scale::logarithmic};
-  auto parameters() { return std::tie(diffuse, specular, exponent); }
+  ModifiedPhongModel() : PhongKnobs("rho_s: the albedo of the lobe at normal incidence") {}
 
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Lambert<Rgb>{base * diffuse});
-    CosinePower<Rgb> lobe;
-    lobe.scale = rgb_of(specular) * ((exponent + 2) / (2 * kPi)), lobe.exponent = exponent;
-    lobe.albedo = average(rgb_of(specular));
-    lobes.add(lobe);
+    PhongKnobs::add_lobes(base, (exponent + 2) / (2 * kPi), false, lobes);
   }
 };
 

@@ -7,12 +7,10 @@
 // mirror, as n grows.
 #pragma once
 #include "material/cosine_power.h"
-#include "material/lambert.h"
-#include "material/model_description.h"
 
 namespace etendue {
 
-struct PhongModel {
+struct PhongModel : PhongKnobs {
   static constexpr ModelDescription kDescription{
       "phong", "Phong (BRDF)", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s cos^n / cos_i about the mirrored direction. Not reciprocal, and its albedo exceeds any "
@@ -22,19 +20,11 @@ struct PhongModel {
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 
-  Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
-  Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the height of the lobe, in 1/sr"};
-  Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
-                         "",         Scale::logarithmic};
-  auto parameters() { return std::tie(diffuse, specular, exponent); }
+  PhongModel() : PhongKnobs("rho_s: the height of the lobe, in 1/sr") {}
 
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Lambert<Rgb>{base * diffuse});
-    CosinePower<Rgb> lobe;
-    lobe.scale = rgb_of(specular), lobe.exponent = exponent, lobe.over_cosine = true;
-    lobe.albedo = average(lobe.scale) * 2 * kPi / (exponent + 2);
-    lobes.add(lobe);
+    PhongKnobs::add_lobes(base, 1, true, lobes);
   }
 };
 

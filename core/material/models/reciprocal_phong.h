@@ -5,12 +5,10 @@
 // Reciprocal. Not normalised: its albedo exceeds one where rho_d + 2 pi rho_s / (n + 2) does (2.09 for rho_s = n = 1).
 #pragma once
 #include "material/cosine_power.h"
-#include "material/lambert.h"
-#include "material/model_description.h"
 
 namespace etendue {
 
-struct ReciprocalPhongModel {
+struct ReciprocalPhongModel : PhongKnobs {
   static constexpr ModelDescription kDescription{
       "reciprocal-phong", "Phong, reciprocal", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s cos^n about the mirrored direction. Reciprocal; conserves energy only where rho_d + 2 pi "
@@ -19,19 +17,11 @@ struct ReciprocalPhongModel {
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 
-  Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
-  Triple specular{"specular", "Specular", Vec3(0.3f), {0, 1}, "rho_s: the height of the lobe, in 1/sr"};
-  Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
-                         "",         Scale::logarithmic};
-  auto parameters() { return std::tie(diffuse, specular, exponent); }
+  ReciprocalPhongModel() : PhongKnobs("rho_s: the height of the lobe, in 1/sr") {}
 
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Lambert<Rgb>{base * diffuse});
-    CosinePower<Rgb> lobe;
-    lobe.scale = rgb_of(specular), lobe.exponent = exponent;
-    lobe.albedo = average(lobe.scale) * 2 * kPi / (exponent + 2);
-    lobes.add(lobe);
+    PhongKnobs::add_lobes(base, 1, false, lobes);
   }
 };
 

@@ -137,7 +137,7 @@ struct SchlickModel {
     if (rough < kLeast) layer.b = 0;
     layer.a = rough > 0.5f ? 1 - layer.b : 0;
     if (const float mirror = rough > 0.5f ? 0 : 1 - layer.b; mirror > 0)
-      lobes.add(Mirror<Rgb, SchlickSpectrum<Rgb>>{Rgb(mirror), spectrum});
+      lobes.add(Mirror<Rgb, SchlickSpectrum<Rgb>>{{}, Rgb(mirror), spectrum});
     if (layer.a + layer.b > 0) lobes.add(layer);
   }
 };

@@ -23,7 +23,7 @@ struct ThinSheetModel {
 
   template <class Mix>
   void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Pane<Rgb>{base, eta});
+    lobes.add(Pane<Rgb>{{}, base, eta});
   }
 };
 

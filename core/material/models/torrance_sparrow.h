@@ -51,7 +51,7 @@ struct TorranceSparrowModel {
   void add_lobes(const Rgb& base, Mix& lobes) const {
     if (diffuse > 0) lobes.add(Lambert<Rgb>{base * diffuse});
     if (alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha)
-      lobes.add(Mirror<Rgb>{rgb_of(specular), fresnel.term()});
+      lobes.add(Mirror<Rgb>{{}, rgb_of(specular), fresnel.term()});
     else if (distribution == FacetKind::ggx)
       add_facets<Ggx>(lobes);
     else

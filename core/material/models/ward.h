@@ -38,7 +38,7 @@ struct WardModel {
   void add_lobes(const Rgb& base, Mix& lobes) const {
     if (diffuse > 0) lobes.add(Lambert<Rgb>{base * diffuse});
     const Rgb tint = rgb_of(specular);
-    if (alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha) return lobes.add(Mirror<Rgb>{tint, {}});
+    if (alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha) return lobes.add(Mirror<Rgb>{{}, tint, {}});
     WardReflection<Rgb> lobe;
     const float turn = rotation * (kPi / 180);
     lobe.tint = tint, lobe.form = form, lobe.along = Vec2(std::cos(turn), std::sin(turn));
