@@ -3,11 +3,12 @@
 #include <cstdio>
 #include <memory>
 
-#include "advice/report.h"
+#include "advisor/report.h"
 #include "command.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "settings.h"
 
 namespace etendue::cli {

@@ -9,11 +9,12 @@
 #include <optional>
 #include <thread>
 
-#include "bench/run.h"
+#include "bench/benchmark.h"
 #include "command.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "settings.h"
 
 namespace etendue::cli {

@@ -6,14 +6,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "audit/badges.h"
-#include "audit/drawings.h"
+#include "bsdf_analysis/checks.h"
+#include "bsdf_analysis/drawings.h"
 #include "base/file.h"
 #include "command.h"
 #include "interrupt.h"
-#include "material/brdf_table.h"
+#include "bsdf/measured/brdf_table.h"
 #include "render/document.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::cli {
 namespace {

@@ -1,5 +1,5 @@
 // etendue certify: whether the error that a picture states stands.
-#include "advice/certify.h"
+#include "advisor/certify.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>

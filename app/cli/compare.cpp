@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
-#include "measure/flip.h"
-#include "measure/heat_map.h"
-#include "measure/metrics.h"
-#include "render/output.h"
+#include "metrics/flip.h"
+#include "metrics/heat_map.h"
+#include "metrics/metrics.h"
+#include "render/image_output.h"
 
 namespace etendue::cli {
 namespace {

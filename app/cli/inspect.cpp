@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "audit/plausibility.h"
+#include "bsdf_analysis/plausibility.h"
 #include "command.h"
 #include "render/document.h"
-#include "scene/builtin.h"
-#include "scene/compiled.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "transport/model.h"
 
 namespace etendue::cli {

@@ -6,9 +6,10 @@
 
 #include "command.h"
 #include "integrator/integrator.h"
-#include "render/bindings.h"
+#include "render/document_parameters.h"
 #include "sampling/sampler.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
@@ -44,10 +45,10 @@ json entry(const std::string& name, const std::string& label, const std::string&
 json integrators() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
-    json j = entry(info.name, info.label, info.doc, info.parameters);
-    j["group"] = integrator::info_of(info.group).name, j["key"] = info.key ? json(std::string(1, info.key)) : json();
+    json j = entry(info.name, info.label, info.summary, info.parameters);
+    j["group"] = integrator::info_of(info.group).name, j["key"] = info.shortcut ? json(std::string(1, info.shortcut)) : json();
     j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias),
-    j["cost"] = info.cost, j["fails"] = info.fails;
+    j["cost"] = info.cost, j["fails"] = info.limitations;
     list.push_back(j);
   }
   return list;

@@ -6,7 +6,8 @@
 
 #include "command.h"
 #include "interrupt.h"
-#include "render/meter.h"
+#include "render/light_meter.h"
+#include "scene/compiled_scene.h"
 #include "settings.h"
 #include "spectrum/photometry.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "advice/certificate.h"
+#include "advisor/certificate.h"
 #include "base/file.h"
 #include "command.h"
 #include "integrator/integrator.h"
@@ -15,10 +15,11 @@
 #include "progress.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
-#include "render/obstacle.h"
-#include "render/output.h"
+#include "render/incompatibility.h"
+#include "render/image_output.h"
 #include "render/session.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "settings.h"
 
 namespace etendue::cli {

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "command.h"
-#include "render/saving.h"
-#include "scene/builtin.h"
-#include "scene/gltf_write.h"
+#include "render/scene_saving.h"
+#include "scene/builtin/builtin.h"
+#include "scene/gltf/write.h"
 #include "scene/variants.h"
 #include "settings.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "command.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "size.h"
 #include "viewer/viewer.h"
 

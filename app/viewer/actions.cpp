@@ -5,7 +5,7 @@
 
 #include "integrator/integrator.h"
 #include "render/aov.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "viewer/drawer.h"
 
 namespace etendue::viewer {
@@ -187,8 +187,8 @@ void integrator_actions(Actions& a, Workbench* w) {
   for (const auto& group : integrator::kGroups)
     for (const auto& info : integrator::integrator_infos()) {
       if (integrator::info_of(info.group).name != group.name) continue;
-      const std::string key = info.key ? std::string(1, info.key) : "";
-      a.add({"integrator." + info.name, "Integrator", info.label, info.doc, key,
+      const std::string key = info.shortcut ? std::string(1, info.shortcut) : "";
+      a.add({"integrator." + info.name, "Integrator", info.label, info.summary, key,
              [w, name = info.name] { w->choose_integrator(name); }, loaded,
              [w, name = info.name] { return w->editor.document().method.integrator == name; }, group.label, group.doc});
     }

@@ -4,7 +4,7 @@
 #pragma once
 #include <optional>
 
-#include "advice/advisor.h"
+#include "advisor/advisor.h"
 #include "viewer/editor.h"
 #include "viewer/study.h"
 

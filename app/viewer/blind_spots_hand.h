@@ -6,7 +6,7 @@
 #include <chrono>
 #include <deque>
 
-#include "advice/blind_spots.h"
+#include "advisor/missing_paths.h"
 #include "viewer/editor.h"
 #include "viewer/study.h"
 

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "camera/camera_ray.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 #include "render/document.h"
-#include "scene/compiled.h"
+#include "scene/forward.h"
 #include "viewer/picture.h"
 
 namespace etendue::viewer {

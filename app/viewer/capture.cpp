@@ -1,7 +1,8 @@
 #include "viewer/capture.h"
 
-#include "advice/certificate.h"
-#include "render/output.h"
+#include "advisor/certificate.h"
+#include "render/image_output.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "image/image.h"
-#include "measure/flip.h"
+#include "metrics/flip.h"
 #include "spectrum/colormap.h"
 #include "viewer/words.h"
 

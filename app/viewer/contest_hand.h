@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/parameter.h"
-#include "bench/contest.h"
-#include "measure/svg_chart.h"
+#include "bench/live_benchmark.h"
+#include "metrics/svg_chart.h"
 #include "viewer/editor.h"
 #include "viewer/job.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <imgui.h>
 
-#include "measure/drawing.h"
+#include "metrics/drawing.h"
 
 namespace etendue::viewer {
 

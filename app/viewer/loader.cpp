@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "image/image.h"
-#include "render/output.h"
+#include "render/image_output.h"
 
 namespace etendue::viewer {
 namespace {

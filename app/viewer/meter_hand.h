@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "render/meter.h"
+#include "render/light_meter.h"
 #include "spectrum/photometry.h"
 #include "viewer/editor.h"
 #include "viewer/study.h"

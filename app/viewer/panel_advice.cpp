@@ -1,7 +1,7 @@
 // Which method should be used here? The question and the ranking, in the Render panel.
 #include <imgui.h>
 
-#include "advice/words.h"
+#include "advisor/number_text.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "light/light_presets.h"
+#include "scene/compiled_scene.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "advice/blind_spots.h"
+#include "advisor/missing_paths.h"
 #include "integrator/integrator.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
@@ -14,7 +14,7 @@ namespace etendue::viewer {
 namespace {
 
 void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
-  note(w, info.doc);
+  note(w, info.summary);
   if (!info.paths.empty()) {
     ImGui::PushFont(w.faces.figures);
     note(w, info.paths + "  " + std::string(integrator::bias_name(info.bias)));
@@ -26,7 +26,7 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
   }
   ImGui::PushFont(w.faces.small);
   note(w, "Cost: " + info.cost + ".");
-  note(w, "Hard for it: " + info.fails + ".");
+  note(w, "Hard for it: " + info.limitations + ".");
   ImGui::PopFont();
   // What was measured of this very view says more than what holds for all.
   if (const std::string obstacle = w.obstacle(); !obstacle.empty())

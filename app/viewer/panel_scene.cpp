@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene/rotation.h"
+#include "scene/compiled_scene.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/compiled_scene.h"
 #include "viewer/contest_hand.h"
 
 namespace etendue::viewer {

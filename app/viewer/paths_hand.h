@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "advice/blind_spots.h"
+#include "advisor/missing_paths.h"
 #include "viewer/editor.h"
 #include "viewer/study.h"
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "render/pass.h"
+#include "render/renderer.h"
 
 namespace etendue::viewer {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "measure/tail.h"
+#include "film/tail.h"
 #include "render/pixel_samples.h"
 #include "render/session.h"
 #include "viewer/editor.h"

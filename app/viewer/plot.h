@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "measure/log_axis.h"
+#include "metrics/log_axis.h"
 #include "viewer/workbench.h"
 
 namespace etendue::viewer {

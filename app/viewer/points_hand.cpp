@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "camera/camera_ray.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {

@@ -1,7 +1,7 @@
 #include "viewer/scene_writer.h"
 
-#include "render/saving.h"
-#include "scene/gltf_write.h"
+#include "render/scene_saving.h"
+#include "scene/gltf/write.h"
 
 namespace etendue::viewer {
 

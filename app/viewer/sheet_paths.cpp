@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "advice/words.h"
+#include "advisor/number_text.h"
 #include "viewer/drawer.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"

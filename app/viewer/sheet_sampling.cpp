@@ -197,7 +197,7 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
 std::string names_of_pixel_methods() {
   std::string names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.sampling == integrator::Sampling::pixels) names += (names.empty() ? "" : ", ") + info.name;
+    if (info.accumulation == integrator::Sampling::pixels) names += (names.empty() ? "" : ", ") + info.name;
   return names;
 }
 

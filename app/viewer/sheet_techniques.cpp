@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advice/words.h"
+#include "advisor/number_text.h"
 #include "integrator/integrator.h"
-#include "integrator/techniques.h"
+#include "integrator/bdpt/techniques.h"
 #include "viewer/drawer.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"

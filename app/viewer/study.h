@@ -3,7 +3,7 @@
 #pragma once
 #include <atomic>
 
-#include "bench/watch.h"
+#include "bench/progress.h"
 #include "viewer/job.h"
 
 namespace etendue::viewer {

@@ -1,5 +1,7 @@
 #include "viewer/surface_hand.h"
 
+#include "scene/compiled_scene.h"
+
 #include <algorithm>
 
 namespace etendue::viewer {

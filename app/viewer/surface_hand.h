@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "audit/badges.h"
-#include "audit/drawings.h"
+#include "bsdf_analysis/checks.h"
+#include "bsdf_analysis/drawings.h"
 #include "scene/preview.h"
 #include "viewer/editor.h"
 #include "viewer/job.h"

@@ -1,14 +1,16 @@
 #include "viewer/techniques_hand.h"
 
+#include "camera/camera_ray.h"
+
 #include <cctype>
 #include <cmath>
 #include <sstream>
 
-#include "advice/class_energy.h"
-#include "film/picture.h"
+#include "advisor/class_energy.h"
+#include "film/film_image.h"
 #include "image/image.h"
-#include "integrator/techniques.h"
-#include "render/obstacle.h"
+#include "integrator/bdpt/techniques.h"
+#include "render/incompatibility.h"
 #include "viewer/contest_hand.h"
 #include "viewer/notices.h"
 

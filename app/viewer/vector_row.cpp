@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include "scene/rotation.h"
+#include "scene/compiled_scene.h"
 #include "viewer/fields.h"
 
 namespace etendue::viewer {

@@ -27,7 +27,7 @@ Explained explained(const ParameterInfo& info, const std::string& option) {
   if (info.name.ends_with("integrator"))
     if (const auto* method = integrator::find_integrator(option)) {
       const auto& group = integrator::info_of(method->group);
-      return {group.label, group.doc, method->doc.c_str()};
+      return {group.label, group.doc, method->summary.c_str()};
     }
   if (info.name.ends_with(".model"))
     if (const auto* model = find_reflection(option))

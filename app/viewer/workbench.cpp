@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "integrator/integrator.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {

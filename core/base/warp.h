@@ -1,6 +1,6 @@
 // Maps from the unit square to directions and areas, each with its density.               thesis 6.3, 6.4
 #pragma once
-#include "base/wide.h"
+#include "base/vectorize.h"
 
 namespace etendue {
 

@@ -14,8 +14,8 @@
 
 #include "base/vec.h"
 #include "film/error.h"
-#include "film/rejected.h"
-#include "film/spread.h"
+#include "film/invalid_samples.h"
+#include "film/tile_variance.h"
 #include "spectrum/rgb.h"
 
 namespace etendue::film {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "base/wide.h"
+#include "base/vectorize.h"
 
 namespace etendue::film {
 namespace {

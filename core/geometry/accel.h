@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
+#include "geometry/analytic_shape.h"
 #include "geometry/motion.h"
 #include "geometry/ray.h"
-#include "geometry/round_shape.h"
 
 namespace etendue {
 

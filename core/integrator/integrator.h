@@ -6,7 +6,6 @@
 // is chosen through virtual calls of tasks that trace thousands of rays; inside, the hot loops are templates over the
 // transport model.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -16,64 +15,17 @@
 #include <string_view>
 #include <vector>
 
-#include "base/parameter.h"
 #include "base/stopwatch.h"
 #include "camera/camera_ray.h"
 #include "film/filter.h"
 #include "film/splats.h"
+#include "integrator/integrator_info.h"
+#include "integrator/pixel_block.h"
 #include "sampling/sampler.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "transport/model.h"
 
 namespace etendue::integrator {
-
-enum class Bias { unbiased, consistent, biased };
-std::string_view bias_name(Bias bias);
-
-// How samples come to the pixels.
-enum class Sampling {
-  pixels,    // block by block, each by itself: a pixel may have more of them than another
-  pictures,  // block by block, but all pixels of the picture have the same number at a time
-  splats,    // and what is found in a block, or before it, may belong to pixels anywhere
-  only_splats
-};
-
-// The families of methods, as the thesis has them.
-enum class Group { gathering, shooting, bidirectional, markov_chain, two_pass };
-
-struct GroupInfo {
-  const char *name, *label, *doc;
-};
-inline constexpr std::array<GroupInfo, 5> kGroups{
-    {{"gathering", "Gathering", "Rays and walks from the camera, which collect light"},
-     {"shooting", "Shooting", "Walks from the lights, which bring light to the picture"},
-     {"bidirectional", "Bidirectional", "Walks from both ends, connected"},
-     {"markov-chain", "Markov chain", "Paths that are changes of paths, most of them where the light is"},
-     {"two-pass", "Two-pass", "Light is laid down in the scene first, and looked up from the camera then"}}};
-inline const GroupInfo& info_of(Group group) { return kGroups[static_cast<size_t>(group)]; }
-
-// The parameters of a method that finds each path by several techniques (s, t), s vertices from the light and t from
-// the camera: two that take sets of them (integrator/techniques.h), those left to the others and those shown alone, and
-// the switch of their weights. Empty for all other methods.
-struct TechniqueKnobs {
-  std::string_view without, only, weighted;
-
-  bool empty() const { return only.empty(); }
-};
-
-struct IntegratorInfo {
-  std::string name, label, doc;
-  Group group = Group::gathering;
-  std::string paths;  // the light paths it finds, in Heckbert's notation as the thesis extends it (8.1)
-  // Those among them that it finds even if the light has no extent (point, spot, directional); empty if none.
-  std::string point_paths;
-  Bias bias = Bias::unbiased;
-  Sampling sampling = Sampling::pixels;
-  std::string cost, fails;
-  char key = 0;  // that chooses it in the viewer, '1' to '9'; the most used have one
-  TechniqueKnobs techniques;
-  std::vector<ParameterInfo> parameters;
-};
 
 // Everything of a picture that does not change from pixel to pixel.
 struct Pass {
@@ -95,14 +47,6 @@ struct Pass {
 // second does. Moments of the samples of a half lie evenly over the time that the shutter is open.
 Pass at_one_moment(Pass pass, uint32_t sample);
 
-// One sample of each pixel of a rectangle, kWidth x kHeight pixels at most.
-struct PixelBlock {
-  static constexpr int kWidth = 32, kHeight = 16;
-  static constexpr size_t kMostPixels = size_t{kWidth} * kHeight;
-  int x, y, width, height;
-  uint32_t sample;  // counts all samples of a pixel: it alternates between the film's halves
-};
-
 // What a task is given besides its name.
 struct Turn {
   const std::function<bool()>* wanted = nullptr;  // asked now and then: a task is given up if nobody wants it any more
@@ -116,19 +60,6 @@ struct Turn {
 struct Phase {
   const char* name;  // for people: "tracing photons"
   int tasks;
-};
-
-// Something that a method keeps in space: a photon, a virtual light.
-struct PointOfLight {
-  Vec3 position;
-  Rgb power;  // watts
-};
-
-// A number that a method knows about its own work.
-struct Statistic {
-  std::string name;  // "accepted-large-steps"
-  double value;
-  std::string unit, doc;
 };
 
 // One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
@@ -172,13 +103,6 @@ class Integrator {
   // Why it finds no light at all in this picture, and what to do about it; empty if nothing stands in its way.
   virtual std::string obstacle(const Pass& pass) const { return (void)pass, std::string(); }
 };
-
-const std::vector<IntegratorInfo>& integrator_infos();
-const IntegratorInfo* find_integrator(std::string_view name);
-
-// Whether an integrator finds any of the paths that an expression (PathExpression::parse_paths takes it, or it is
-// empty) stands for. What it does not find is missing from its image, or black.
-bool finds_any(const IntegratorInfo& info, std::string_view paths);
 
 // `settings` must have been checked; names the integrator does not have are ignored.
 std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::vector<Setting>& settings = {});

@@ -1,57 +1,39 @@
 // Every integrator, in the order of the thesis; one line each.
 #include <cassert>
-#include <functional>
 
 #include "base/hash.h"
 #include "film/film.h"
-#include "integrator/appel.h"
-#include "integrator/bdpt.h"
-#include "integrator/distribution.h"
-#include "integrator/igi.h"
-#include "integrator/light.h"
-#include "integrator/light_pure.h"
-#include "integrator/mlt.h"
-#include "integrator/path.h"
-#include "integrator/path_pure.h"
-#include "integrator/photonmap.h"
-#include "integrator/pssmlt.h"
-#include "integrator/raycast.h"
-#include "integrator/sppm.h"
-#include "integrator/whitted.h"
+#include "integrator/registration.h"
+#include "transport/path_expression/path_expression.h"
+
+// clang-format off
+#define ETENDUE_INTEGRATORS(ENTRY) \
+  ENTRY(ray_casting)               \
+  ENTRY(appel)                     \
+  ENTRY(whitted)                   \
+  ENTRY(distribution_ray_tracing)  \
+  ENTRY(pure_path_tracing)         \
+  ENTRY(path_tracing)              \
+  ENTRY(pure_light_tracing)        \
+  ENTRY(light_tracing)             \
+  ENTRY(bdpt)                      \
+  ENTRY(mlt)                       \
+  ENTRY(pssmlt)                    \
+  ENTRY(photon_mapping)            \
+  ENTRY(progressive_photon_mapping)\
+  ENTRY(instant_global_illumination)
+// clang-format on
 
 namespace etendue::integrator {
+
+#define ETENDUE_DECLARE(NAME) Registration NAME();
+ETENDUE_INTEGRATORS(ETENDUE_DECLARE)
+
 namespace {
 
-struct Entry {
-  IntegratorInfo info;
-  std::function<std::unique_ptr<Integrator>()> make;
-};
-
-template <class T>
-Entry entry() {
-  const Description& d = T::kDescription;
-  IntegratorInfo info{d.name,     d.label, d.doc,   d.group, d.paths,      d.point_paths,   d.bias,
-                      d.sampling, d.cost,  d.fails, d.key,   d.techniques, T().parameters()};
-  return {std::move(info), [] { return std::make_unique<T>(); }};
-}
-
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{
-      entry<Raycast>(),
-      entry<Appel>(),
-      entry<Whitted>(),
-      entry<Distribution>(),
-      entry<PathPure>(),
-      entry<Path>(),
-      entry<LightPure>(),
-      entry<Light>(),
-      entry<Bdpt>(),
-      entry<Mlt>(),
-      entry<Pssmlt>(),
-      entry<PhotonMapping>(),
-      entry<ProgressivePhotonMapping>(),
-      entry<InstantGlobalIllumination>(),
-  };
+#define ETENDUE_CALL(NAME) NAME(),
+const std::vector<Registration>& entries() {
+  static const std::vector<Registration> all{ETENDUE_INTEGRATORS(ETENDUE_CALL)};
   return all;
 }
 

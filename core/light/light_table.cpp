@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/vectorize.h"
 #include "base/warp.h"
-#include "base/wide.h"
 #include "light/flux.h"
 #include "light/punctual.h"
 #include "light/spherical_triangle.h"

@@ -10,12 +10,12 @@
 #include <span>
 #include <vector>
 
-#include "base/distribution.h"
 #include "base/parameter.h"
+#include "base/piecewise_constant.h"
+#include "base/vectorize.h"
 #include "base/warp.h"
-#include "base/wide.h"
+#include "geometry/analytic_shape.h"
 #include "geometry/motion.h"
-#include "geometry/round_shape.h"
 #include "light/light.h"
 #include "light/light_tree.h"
 #include "spectrum/rgb.h"

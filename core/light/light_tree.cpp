@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/wide.h"
+#include "base/vectorize.h"
 
 namespace etendue {
 namespace {

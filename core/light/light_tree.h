@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "base/distribution.h"
+#include "base/piecewise_constant.h"
 #include "geometry/mesh.h"
 
 namespace etendue {

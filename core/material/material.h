@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/vec.h"
-#include "material/reflection.h"
+#include "bsdf/bsdf_model.h"
 #include "material/texture.h"
 #include "spectrum/rgb.h"
 

@@ -5,8 +5,9 @@
 #include "base/hash.h"
 #include "film/film.h"
 #include "film/filter.h"
-#include "integrator/gathering.h"
-#include "render/workers.h"
+#include "integrator/shared/camera_path_integrator.h"
+#include "render/thread_pool.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "image/image.h"
 #include "render/document.h"
-#include "scene/compiled.h"
+#include "scene/forward.h"
 
 namespace etendue::render {
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "integrator/integrator.h"
-#include "render/bindings.h"
-#include "scene/builtin.h"
+#include "render/document_parameters.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "scene/environment.h"
 #include "transport/model.h"
 

@@ -14,8 +14,8 @@
 
 #include "base/parameter.h"
 #include "camera/camera.h"
-#include "film/cascades.h"
 #include "film/filter.h"
+#include "film/firefly_reweighting.h"
 #include "image/display.h"
 #include "sampling/sampler.h"
 #include "scene/scene.h"

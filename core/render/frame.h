@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "film/cascades.h"
 #include "film/film.h"
-#include "render/workers.h"
+#include "film/firefly_reweighting.h"
+#include "render/thread_pool.h"
 
 namespace etendue::render {
 

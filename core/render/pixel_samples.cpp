@@ -1,7 +1,8 @@
 #include "render/pixel_samples.h"
 
-#include "integrator/gathering.h"
-#include "render/pass.h"
+#include "integrator/shared/camera_path_integrator.h"
+#include "render/renderer.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {
@@ -19,7 +20,7 @@ uint64_t seed_of(uint64_t seed, uint32_t replicate) {
 }  // namespace
 
 bool PixelSamples::possible(const Document& document) {
-  return integrator::find_integrator(document.method.integrator)->sampling == integrator::Sampling::pixels;
+  return integrator::find_integrator(document.method.integrator)->accumulation == integrator::Sampling::pixels;
 }
 
 PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel)

@@ -8,9 +8,10 @@
 #include <type_traits>
 
 #include "base/hash.h"
-#include "render/coarse_pace.h"
-#include "render/obstacle.h"
-#include "render/pass.h"
+#include "render/incompatibility.h"
+#include "render/preview_resolution.h"
+#include "render/renderer.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {

@@ -17,12 +17,13 @@
 #include <vector>
 
 #include "film/film.h"
-#include "integrator/integrator.h"
+#include "integrator/integrator_info.h"
 #include "render/document.h"
-#include "render/forecast.h"
 #include "render/frame.h"
-#include "render/health.h"
-#include "scene/compiled.h"
+#include "render/reliability.h"
+#include "render/time_estimate.h"
+#include "scene/build_report.h"
+#include "scene/forward.h"
 #include "transport/model.h"
 
 namespace etendue::render {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/wide.h"
+#include "base/vectorize.h"
 #include "sampling/owen.h"
 #include "sampling/sobol_numbers.h"
 

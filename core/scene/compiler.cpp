@@ -3,7 +3,7 @@
 #include <unordered_map>
 
 #include "light/light_points.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
 #include "scene/shutter.h"

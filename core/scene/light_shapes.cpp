@@ -1,6 +1,6 @@
 #include "scene/light_shapes.h"
 
-#include "scene/shapes.h"
+#include "scene/builtin/shapes.h"
 
 namespace etendue::scene {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "geometry/round_shape.h"
+#include "geometry/analytic_shape.h"
 #include "light/light.h"
 #include "material/material.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "scene/shapes.h"
-#include "scene/stage.h"
+#include "scene/builtin/shapes.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 namespace {

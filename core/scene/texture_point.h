@@ -1,7 +1,7 @@
 // Where on a mesh a material is looked at.
 #pragma once
 #include "geometry/mesh.h"
-#include "material/surface.h"
+#include "material/surface_material.h"
 
 namespace etendue::scene {
 

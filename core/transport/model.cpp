@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "scene/compiled_scene.h"
+#include "transport/path_expression/path_expression.h"
+
 namespace etendue::transport {
 namespace {
 

@@ -1,12 +1,12 @@
 // The advisor: who is taken out and why, who is fast, and what it says on the way.
-#include "advice/advisor.h"
+#include "advisor/advisor.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "advice/report.h"
+#include "advisor/report.h"
 #include "advice/things.h"
 
 namespace etendue::test {

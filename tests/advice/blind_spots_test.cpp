@@ -1,5 +1,5 @@
 // What integrators declare against what they produce, for every one in the registry: a false declaration is found.
-#include "advice/blind_spots.h"
+#include "advisor/missing_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,10 @@
 #include <cmath>
 
 #include "advice/things.h"
-#include "advice/trusted.h"
-#include "render/obstacle.h"
-#include "transport/path_expression.h"
+#include "advisor/reference_method.h"
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
+#include "transport/path_expression/path_expression.h"
 
 namespace etendue::test {
 namespace {

@@ -1,15 +1,15 @@
 // Statements that pictures make of themselves: they hold for honest pictures, and changed ones are found out.
-#include "advice/certificate.h"
+#include "advisor/certificate.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "advice/certify.h"
+#include "advisor/certify.h"
 #include "advice/things.h"
-#include "film/picture.h"
-#include "measure/metrics.h"
+#include "film/film_image.h"
+#include "metrics/metrics.h"
 
 namespace etendue::test {
 namespace {

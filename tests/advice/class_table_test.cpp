@@ -1,15 +1,15 @@
 // The energy table: its rows part the paths, add up to the picture, and come apart where it is worth it.
-#include "advice/class_table.h"
+#include "advisor/class_table.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "advice/declared.h"
+#include "advisor/declared_paths.h"
 #include "advice/things.h"
-#include "advice/trusted.h"
-#include "transport/path_expression.h"
+#include "advisor/reference_method.h"
+#include "transport/path_expression/path_expression.h"
 
 namespace etendue::test {
 namespace {

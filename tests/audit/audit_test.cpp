@@ -1,9 +1,9 @@
 // The instruments, on surfaces whose readings are known.
 #include <gtest/gtest.h>
 
-#include "audit/badges.h"
-#include "audit/drawings.h"
-#include "scene/shapes.h"
+#include "bsdf_analysis/checks.h"
+#include "bsdf_analysis/drawings.h"
+#include "scene/builtin/shapes.h"
 
 namespace etendue::audit {
 namespace {

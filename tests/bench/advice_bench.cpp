@@ -11,12 +11,12 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "advice/advisor.h"
-#include "advice/true_error.h"
-#include "advice/trusted.h"
-#include "bench/run.h"
+#include "advisor/advisor.h"
+#include "advisor/true_error.h"
+#include "advisor/reference_method.h"
+#include "bench/benchmark.h"
 #include "bench/summary.h"
-#include "film/picture.h"
+#include "film/film_image.h"
 #include "support/scenes.h"
 
 namespace etendue {

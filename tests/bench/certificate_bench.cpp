@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "advice/tampering.h"
-#include "advice/true_error.h"
-#include "film/picture.h"
+#include "advisor/block_test.h"
+#include "advisor/true_error.h"
+#include "film/film_image.h"
 #include "film/relative_error.h"
 #include "render/session.h"
 #include "support/scenes.h"

@@ -1,5 +1,5 @@
 // Contests on small pictures: who gets which turn, what is measured, what is left behind.
-#include "bench/contest.h"
+#include "bench/live_benchmark.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-#include "bench/run.h"
+#include "bench/benchmark.h"
 #include "support/scenes.h"
 
 namespace etendue::test {

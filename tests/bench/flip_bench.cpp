@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/hash.h"
-#include "measure/flip.h"
+#include "metrics/flip.h"
 
 namespace {
 

@@ -11,11 +11,11 @@
 #include <cstring>
 #include <random>
 
-#include "bench/lane.h"
-#include "bench/method.h"
-#include "measure/convergence.h"
+#include "bench/timed_render.h"
+#include "bench/method_spec.h"
+#include "metrics/convergence.h"
 #include "scene/builtin/many_lights.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue {
 namespace {

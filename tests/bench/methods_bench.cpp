@@ -10,9 +10,10 @@
 #include <cstdio>
 #include <deque>
 
-#include "bench/lane.h"
-#include "bench/method.h"
+#include "bench/timed_render.h"
+#include "bench/method_spec.h"
 #include "bench/work_rig.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue {
 namespace {

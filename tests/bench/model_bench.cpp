@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "bench/instructions.h"
-#include "measure/convergence.h"
+#include "metrics/convergence.h"
 #include "render/session.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
 #include "transport/model.h"

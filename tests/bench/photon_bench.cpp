@@ -6,7 +6,8 @@
 #include <cstdio>
 
 #include "integrator/integrator.h"
-#include "integrator/photon_emission.h"
+#include "integrator/photon/photon_emission.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -8,10 +8,11 @@
 #include <chrono>
 #include <cstdio>
 
-#include "bench/method.h"
+#include "bench/method_spec.h"
 #include "bench/ray_log.h"
 #include "bench/work_rig.h"
 #include "scene/builtin/cornell.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

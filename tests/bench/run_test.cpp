@@ -1,5 +1,5 @@
 // A bench from end to end on small pictures, at equal samples: curves are the same each time, but for their seconds.
-#include "bench/run.h"
+#include "bench/benchmark.h"
 #include "base/base64.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +9,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bench/key.h"
+#include "bench/reference_key.h"
 #include "bench/report.h"
 #include "bench/summary.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue::test {

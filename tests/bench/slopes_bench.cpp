@@ -13,9 +13,9 @@
 #include <cstdio>
 
 #include "base/file.h"
-#include "bench/run.h"
+#include "bench/benchmark.h"
 #include "bench/summary.h"
-#include "measure/svg_chart.h"
+#include "metrics/svg_chart.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "film/picture.h"
+#include "film/film_image.h"
 #include "image/display.h"
 #include "image/image.h"
 #include "render/session.h"

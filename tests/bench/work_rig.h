@@ -10,6 +10,7 @@
 #include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/document.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue {
 
@@ -32,7 +33,7 @@ class WorkRig {
                                                 document.method.settings_of(document.method.integrator))),
         camera_(document.camera, width_, height_, scene_->camera_motion()),
         filter_(document.filter),
-        splats_only_(integrator::find_integrator(document.method.integrator)->sampling ==
+        splats_only_(integrator::find_integrator(document.method.integrator)->accumulation ==
                      integrator::Sampling::only_splats),
         picture_(static_cast<size_t>(width_) * static_cast<size_t>(height_)) {
     work_ = integrator_->begin(

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "base/wide.h"
+#include "base/vectorize.h"
 
 namespace etendue {
 namespace {

@@ -1,5 +1,5 @@
 // Re-weighting: what is seen often stays, what is seen once goes, and in the end it is the mean.
-#include "film/cascades.h"
+#include "film/firefly_reweighting.h"
 
 #include <gtest/gtest.h>
 

@@ -13,8 +13,8 @@
 #include <random>
 
 #include "base/file.h"
-#include "scene/compiled.h"
-#include "scene/gltf.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf/gltf.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // extent, path classes, subsets of techniques. z-tests over blocks of pixels, 1 % false alarms for each test.
 #include <gtest/gtest.h>
 
-#include "integrator/techniques.h"
+#include "integrator/bdpt/techniques.h"
 #include "support/places.h"
 
 namespace etendue {

@@ -8,7 +8,7 @@
 #include "integrator/integrator.h"
 #include "render/session.h"
 #include "support/replicates.h"
-#include "transport/path_expression.h"
+#include "transport/path_expression/path_expression.h"
 
 namespace etendue {
 namespace {

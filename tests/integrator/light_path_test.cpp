@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include "integrator/mutation_chain.h"
-#include "integrator/path_candidates.h"
+#include "integrator/mlt/mutation_chain.h"
+#include "integrator/mlt/bootstrap_paths.h"
+#include "scene/compiled_scene.h"
 #include "support/places.h"
 
 namespace etendue {

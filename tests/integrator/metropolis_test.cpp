@@ -1,5 +1,5 @@
 // The core of all methods of Markov chains on targets whose means are known. Digest: oracles O15, O16.
-#include "integrator/metropolis.h"
+#include "integrator/markov_chain/metropolis.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <numeric>
 #include <random>
 
-#include "integrator/chain_starts.h"
-#include "integrator/chain_state.h"
+#include "integrator/markov_chain/seed_selection.h"
+#include "integrator/markov_chain/chain_state.h"
 
 namespace etendue::integrator {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
+#include "scene/compiled_scene.h"
 #include "support/motion.h"
 #include "support/replicates.h"
 

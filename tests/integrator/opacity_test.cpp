@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "render/session.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -2,9 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
-#include "render/obstacle.h"
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
-#include "transport/path_expression.h"
+#include "transport/path_expression/path_expression.h"
 
 namespace etendue {
 namespace {

@@ -5,8 +5,9 @@
 // compared block by block: z-tests, 1 % false alarms for the family, which is all blocks of all pairs of a test.
 #include <gtest/gtest.h>
 
-#include "advice/declared.h"
+#include "advisor/declared_paths.h"
 #include "integrator/integrator.h"
+#include "scene/compiled_scene.h"
 #include "support/motion.h"
 #include "support/places.h"
 

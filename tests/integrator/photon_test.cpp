@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include "integrator/photon_emission.h"
+#include "integrator/photon/photon_emission.h"
 #include "sampling/random.h"
+#include "scene/compiled_scene.h"
 #include "support/places.h"
 
 namespace etendue {

@@ -5,8 +5,9 @@
 #include <set>
 
 #include "integrator/integrator.h"
-#include "integrator/techniques.h"
-#include "render/obstacle.h"
+#include "integrator/bdpt/techniques.h"
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -1,5 +1,7 @@
 #include "looks/assets.h"
 
+#include "scene/compiled_scene.h"
+
 #include <algorithm>
 #include <fstream>
 #include <map>

@@ -5,7 +5,7 @@
 
 #include "looks/assets.h"
 #include "looks/sheet.h"
-#include "measure/flip.h"
+#include "metrics/flip.h"
 #include "support/scenes.h"
 
 namespace etendue::looks {

@@ -18,9 +18,9 @@
 #include "looks/assets.h"
 #include "looks/fidelity.h"
 #include "looks/sheet.h"
-#include "measure/heat_map.h"
-#include "measure/metrics.h"
-#include "scene/builtin.h"
+#include "metrics/heat_map.h"
+#include "metrics/metrics.h"
+#include "scene/builtin/builtin.h"
 #include "support/scenes.h"
 
 namespace etendue::looks {

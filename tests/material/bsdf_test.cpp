@@ -4,7 +4,7 @@
 #include <random>
 
 #include "base/hash.h"
-#include "material/surface.h"
+#include "material/gltf_surface.h"
 #include "support/chi_square.h"
 #include "support/directions.h"
 

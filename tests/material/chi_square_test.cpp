@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/frame.h"
-#include "material/power.h"
+#include "bsdf/microfacet/cosine_exponent.h"
 #include "support/model_cases.h"
 
 namespace etendue {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "material/fresnel_term.h"
-#include "material/optical_constants.h"
+#include "bsdf/fresnel/fresnel_term.h"
+#include "bsdf/fresnel/optical_constants.h"
 #include "support/model_cases.h"
 
 namespace etendue {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "material/surface.h"
+#include "material/gltf_surface.h"
 #include "support/directions.h"
 
 namespace etendue::test {
@@ -21,11 +21,11 @@ std::vector<GltfCase> gltf_cases();
 // The same without anything smooth, so that all of it has a density.
 std::vector<GltfCase> rough_gltf_cases();
 
-inline WideLobes<Rgb> lobes_of(const Material& material, const Vec3& coat_normal = Vec3(0, 0, 1)) {
-  WideLobes<Rgb> lobes;
+inline AllLobes<Rgb> lobes_of(const Material& material, const Vec3& coat_normal = Vec3(0, 0, 1)) {
+  AllLobes<Rgb> lobes;
   add_lobes(SurfaceMaterial(material, {}), {}, lobes, coat_normal);
   return lobes;
 }
-inline WideLobes<Rgb> lobes_of(const GltfCase& c) { return lobes_of(c.material, c.coat_normal); }
+inline AllLobes<Rgb> lobes_of(const GltfCase& c) { return lobes_of(c.material, c.coat_normal); }
 
 }  // namespace etendue::test

@@ -71,7 +71,7 @@ TEST(GltfLayers, AreReciprocal) {
   }
 }
 
-double albedo(const WideLobes<Rgb>& lobes, const Vec3& wo, double& error) {
+double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo, double& error) {
   Draw draw(11);
   double sum = 0, squares = 0;
   constexpr int kN = 20'000;

@@ -23,7 +23,7 @@ void expect_same(const Material& textured, const Material& plain, const std::str
   const std::vector<Texture> textures = texel();
   const SurfaceMaterial surface(textured, textures);
   EXPECT_TRUE(surface.textured) << name;
-  WideLobes<Rgb> lobes;
+  AllLobes<Rgb> lobes;
   add_lobes(surface, {}, lobes);
   const auto expected = lobes_of(plain);
   Draw draw(7);
@@ -97,7 +97,7 @@ TEST(GltfTextures, AreTransformedEachByItself) {
   m.clearcoat_texture.texture = 0, m.clearcoat_texture.uv_set = 1, m.clearcoat_texture.offset = {0.5f, 0};
   TexturePoint point;
   point.uv[0] = {0.75f, 0.5f}, point.uv[1] = {0.25f, 0.5f};
-  WideLobes<Rgb> lobes;
+  AllLobes<Rgb> lobes;
   add_lobes(SurfaceMaterial(m, {texture}), point, lobes);
   EXPECT_EQ(lobes.size(), 2) << "moved by half a picture, the second set sees the coat";
   m.clearcoat_texture.offset = {0, 0};

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "material/bilinear_density.h"
-#include "material/measured_data.h"
-#include "material/tensor_file.h"
+#include "bsdf/measured/bilinear_density.h"
+#include "bsdf/measured/measured_data.h"
+#include "bsdf/measured/tensor_file.h"
 #include "support/chi_square.h"
 #include "support/model_cases.h"
 #include "support/sphere_partition.h"
@@ -248,13 +248,13 @@ TEST(Merl, DamagedFilesAreErrors) {
   std::filesystem::remove(path);
 }
 
-std::function<Rgb(const Vec3&, const Vec3&)> function_of(const WideLobes<Rgb>& lobes) {
+std::function<Rgb(const Vec3&, const Vec3&)> function_of(const AllLobes<Rgb>& lobes) {
   return [&lobes](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
 }
 
 // The root of the mean squared difference of f cos cos, over that of f cos cos itself.
 template <class Table>
-double error_of(const Table& table, const WideLobes<Rgb>& lobes) {
+double error_of(const Table& table, const AllLobes<Rgb>& lobes) {
   Draw draw(9);
   double off = 0, all = 0;
   for (int k = 0; k < 20'000; ++k) {

@@ -143,7 +143,7 @@ TEST_P(EveryModel, IsTheSumOfItsLetters) {
 const std::set<std::string> kNotReciprocal{"phong-1975", "phong", "blinn-phong"};
 
 // How much rounding of a direction can change f: what no formula could do better than.
-double rounding_of(const WideLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
+double rounding_of(const AllLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
   const double f = average(lobes.eval(a, b, Transport::radiance));
   double most = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -216,7 +216,7 @@ TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
 }
 
 // The share of a beam's power that leaves the surface: deltas and an integral that is refined where samples are dense.
-double albedo(const WideLobes<Rgb>& lobes, const Vec3& wo) {
+double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo) {
   Deltas<Rgb> deltas;
   lobes.add_deltas(wo, Transport::importance, deltas);
   double sum = 0;

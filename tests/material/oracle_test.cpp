@@ -1,9 +1,9 @@
 // The numbers of the thesis's chapter 4, and those that follow from its formulas, as the models here give them.
 #include <gtest/gtest.h>
 
-#include "material/facet_energy.h"
-#include "material/groove_reflection.h"
-#include "material/pane.h"
+#include "bsdf/microfacet/energy_compensation.h"
+#include "bsdf/lobes/vgroove_microfacet.h"
+#include "bsdf/lobes/thin_dielectric.h"
 #include "support/model_cases.h"
 #include "support/sphere_partition.h"
 
@@ -24,7 +24,7 @@ Settings specular_only(Settings settings, const char* scale = "1") {
 }
 
 // By quadrature that is fine where samples are dense: to the digits that are given.
-double albedo(const WideLobes<Rgb>& lobes, const Vec3& wi) {
+double albedo(const AllLobes<Rgb>& lobes, const Vec3& wi) {
   Draw draw(3);
   std::vector<Vec3> scouts;
   for (int k = 0; k < 4000; ++k)

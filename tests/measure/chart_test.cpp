@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/log_axis.h"
-#include "measure/svg_chart.h"
+#include "metrics/log_axis.h"
+#include "metrics/svg_chart.h"
 
 namespace etendue::test {
 namespace {

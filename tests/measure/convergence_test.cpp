@@ -1,6 +1,6 @@
 // False alarms: every test has a seed of its own, so that it passes always or never; the rates stated are those of a
 // new seed.
-#include "measure/convergence.h"
+#include "metrics/convergence.h"
 
 #include <gtest/gtest.h>
 

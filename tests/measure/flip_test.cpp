@@ -1,4 +1,4 @@
-#include "measure/flip.h"
+#include "metrics/flip.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "measure/heat_map.h"
+#include "metrics/heat_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The tail index on samples whose index is known, with error rates; moments against the samples themselves; merging.
-#include "measure/tail.h"
+#include "film/tail.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The tree of photons against brute force, and what estimates of density from it are known to be.   digest 8-10: S34,
 // O18
-#include "photon/photon_map.h"
+#include "integrator/photon/photon_map.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 
 #include "base/warp.h"
-#include "photon/kernel.h"
+#include "integrator/photon/kernel.h"
 
 namespace etendue::photon {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <filesystem>
 
-#include "render/allocation.h"
+#include "render/adaptive_sampling.h"
 #include "render/checkpoint.h"
 #include "support/scenes.h"
 

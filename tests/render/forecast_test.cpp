@@ -1,5 +1,5 @@
 // When a target error will be reached: exact curves, and renderings that are waited for.
-#include "render/forecast.h"
+#include "render/time_estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What tiles gather, which of them are heavy, and what a session says of it.
-#include "render/health.h"
+#include "render/reliability.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
 // The light meters, where the light is known in closed form.
-#include "render/meter.h"
+#include "render/light_meter.h"
 
 #include <gtest/gtest.h>
 
 #include "light/light_presets.h"
 #include "light/punctual.h"
-#include "scene/shapes.h"
+#include "scene/builtin/shapes.h"
+#include "scene/compiled_scene.h"
 #include "spectrum/photometry.h"
 
 namespace etendue::render {

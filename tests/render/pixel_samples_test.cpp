@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -7,7 +7,7 @@
 
 #include "render/checkpoint.h"
 #include "render/session.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "support/replicates.h"
 #include "support/scenes.h"
 

@@ -1,6 +1,6 @@
 // The Cornell box stands as it was published. Every built-in scene is whole, closed where it is glass, lit, made the
 // same each time, and has light on the paths that it is there for.
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "scene/builtin/cornell.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "scene/compiled.h"
-#include "scene/gltf.h"
+#include "scene/compiled_scene.h"
+#include "scene/gltf/gltf.h"
 #include "support/scenes.h"
 
 namespace etendue {

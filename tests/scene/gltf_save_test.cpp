@@ -1,12 +1,13 @@
 // What is saved and opened again is what it was.
 #include "image/image.h"
-#include "material/reflection.h"
-#include "render/saving.h"
-#include "scene/builtin.h"
+#include "bsdf/bsdf_model.h"
+#include "render/scene_saving.h"
+#include "scene/builtin/builtin.h"
+#include "scene/compiled_scene.h"
 #include "scene/gltf_builder.h"
-#include "scene/gltf_write.h"
+#include "scene/gltf/write.h"
 #include "scene/scene_compare.h"
-#include "scene/shapes.h"
+#include "scene/builtin/shapes.h"
 #include "scene/variants.h"
 #include "support/scenes.h"
 

@@ -1,6 +1,6 @@
 // KHR_materials_variants: read, and switched while the scene is shown.
 #include "render/document.h"
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "scene/gltf_builder.h"
 #include "scene/variants.h"
 

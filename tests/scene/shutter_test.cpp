@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/compiled.h"
+#include "scene/compiled_scene.h"
 #include "scene/pose.h"
 #include "support/motion.h"
 

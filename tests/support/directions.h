@@ -3,7 +3,7 @@
 #include <random>
 
 #include "base/hash.h"
-#include "material/lobe.h"
+#include "bsdf/lobe.h"
 
 namespace etendue::test {
 

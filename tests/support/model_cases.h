@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "base/hash.h"
-#include "material/reflection.h"
+#include "bsdf/all_lobes.h"
+#include "bsdf/bsdf_model.h"
 #include "support/directions.h"
 
 namespace etendue::test {
@@ -15,13 +16,13 @@ using ModelPtr = std::shared_ptr<const Reflection>;
 struct ModelCase {
   std::string name;  // the model's and what was set
   ModelPtr model;
-  WideLobes<Rgb> lobes;
+  AllLobes<Rgb> lobes;
 };
 
 inline const Rgb kModelBase{0.8f, 0.6f, 0.4f};
 
-inline WideLobes<Rgb> lobes_of(const Reflection& model, const Rgb& base = kModelBase) {
-  WideLobes<Rgb> lobes;
+inline AllLobes<Rgb> lobes_of(const Reflection& model, const Rgb& base = kModelBase) {
+  AllLobes<Rgb> lobes;
   model.add_lobes(base, lobes);
   return lobes;
 }

@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "film/mean.h"
+#include "film/film_mean.h"
 #include "render/session.h"
-#include "scene/golden_sphere.h"
-#include "scene/shapes.h"
+#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/shapes.h"
 
 namespace etendue::test {
 

@@ -1,12 +1,12 @@
 // Names of classes are expressions that part the paths.
-#include "transport/path_classes.h"
+#include "transport/path_expression/path_classes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
-#include "transport/path_expression.h"
+#include "transport/path_expression/path_expression.h"
 
 namespace etendue::transport {
 namespace {

@@ -1,5 +1,5 @@
 // The notation against a matcher that follows the definition, word by word; its errors; what the automaton promises.
-#include "transport/path_expression.h"
+#include "transport/path_expression/path_expression.h"
 
 #include <gtest/gtest.h>
 

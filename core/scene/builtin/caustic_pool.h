@@ -1,9 +1,9 @@
 // A pool of water with waves over a tiled floor, seen from above under a small lamp. All light on the floor comes
 // through the water, and all that is seen of it goes back through the water: paths E S D S L.
 #pragma once
-#include "scene/builtin.h"
-#include "scene/lathe.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/lathe.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 namespace pool {

@@ -1,8 +1,8 @@
 // The Cornell box: corners in millimetres and reflectances as published by the Cornell University Program of Computer
 // Graphics, 1998.
 #pragma once
-#include "scene/builtin.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 namespace cornell {

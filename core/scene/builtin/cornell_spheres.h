@@ -2,7 +2,7 @@
 // (thesis, figure 9.38).
 #pragma once
 #include "scene/builtin/cornell.h"
-#include "scene/lathe.h"
+#include "scene/builtin/lathe.h"
 
 namespace etendue::scene {
 

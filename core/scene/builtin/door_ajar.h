@@ -1,9 +1,9 @@
 // A room whose only light comes through the gap of a door from a lamp in the next room, which stands behind the open
 // leaf: nothing on this side is lit directly. After the room of Veach and Guibas 1997, with dimensions of its own.
 #pragma once
-#include "scene/builtin.h"
-#include "scene/lathe.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/lathe.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 namespace ajar {

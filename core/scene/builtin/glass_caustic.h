@@ -1,8 +1,8 @@
 // A glass ball on a diffuse floor under a small lamp; no glass between the caustic and the camera.
 #pragma once
-#include "scene/builtin.h"
-#include "scene/lathe.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/lathe.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 

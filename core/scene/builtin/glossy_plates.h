@@ -2,9 +2,9 @@
 // with the same power: what Veach and Guibas 1995 made to show multiple importance sampling, with dimensions of its
 // own.
 #pragma once
-#include "scene/builtin.h"
-#include "scene/lathe.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/lathe.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 

@@ -2,8 +2,8 @@
 // choosing lamps by their power alone asks the wrong ones.
 #pragma once
 #include "base/hash.h"
-#include "scene/builtin.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 namespace many {

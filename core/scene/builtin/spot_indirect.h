@@ -1,9 +1,9 @@
 // A room lit by one spot light that shines upwards out of a floor lamp: a bright patch on the ceiling lights the rest
 // (thesis, figure 9.17: floor lamp, table, glass egg).
 #pragma once
-#include "scene/builtin.h"
-#include "scene/lathe.h"
-#include "scene/stage.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/lathe.h"
+#include "scene/builtin/stage.h"
 
 namespace etendue::scene {
 namespace spot {

@@ -1,0 +1,37 @@
+// The types behind AllLobes (all_lobes.h): every lobe of glTF's extensions and of the registered BSDF models.
+//
+// Only files that put lobes together or implement AllLobes include this header.
+#pragma once
+#include "bsdf/all_lobes.h"
+#include "bsdf/coating_layers.h"
+#include "bsdf/fresnel/thin_film.h"
+#include "bsdf/lobe_set.h"
+#include "bsdf/lobes/clearcoat.h"
+#include "bsdf/lobes/diffuse_transmission.h"
+#include "bsdf/lobes/sheen.h"
+#include "bsdf/model_registry.h"
+#include "bsdf/type_list.h"
+
+namespace etendue {
+
+// Layers of glTF's extensions.
+template <class Color>
+using LayerLobes =
+    std::tuple<Coat<Color>, Sheen<Color>, DiffuseThrough<Color, FilmFresnel<Color>>, Layered<Color, FilmFresnel<Color>>,
+               ThinSheet<Color, FilmFresnel<Color>>, Dielectric<Color, TintedBoundary<Color>>>;
+
+template <class Color, class... Model>
+auto every_lobe(TypeList<Model...>) ->
+    typename UniqueVariant<StandardLobe<Color>, LayerLobes<Color>, typename Model::template Lobes<Color>...>::type;
+
+template <class Color>
+using AnyLobe = decltype(every_lobe<Color>(ReflectionModels{}));
+
+template <class Color>
+using AnyLobeSet = Mix<Color, AnyLobe<Color>, 5, Covers>;
+
+// The set inside an AllLobes.
+AnyLobeSet<Rgb>& lobe_set(AllLobes<Rgb>& lobes);
+const AnyLobeSet<Rgb>& lobe_set(const AllLobes<Rgb>& lobes);
+
+}  // namespace etendue

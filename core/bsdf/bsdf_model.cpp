@@ -1,0 +1,137 @@
+#include "bsdf/bsdf_model.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "bsdf/all_lobe_types.h"
+
+namespace etendue {
+namespace {
+
+template <class Model>
+std::vector<ModelPreset> presets_of() {
+  if constexpr (requires { Model::presets(); })
+    return Model::presets();
+  else
+    return {};
+}
+
+template <class Model>
+const ReflectionInfo& info_of() {
+  static const ReflectionInfo info{Model::kDescription, describe_all(Model().parameters()), presets_of<Model>()};
+  return info;
+}
+
+template <class Model>
+constexpr bool is_solid() {
+  return requires { Model::kSolid; };
+}
+
+template <class Model>
+class Modelled final : public Reflection {
+ public:
+  explicit Modelled(const Model& model = {}, bool ready = !kPrepares) : model_(model), ready_(ready) {}
+
+  const ReflectionInfo& info() const override { return info_of<Model>(); }
+  std::vector<ParameterInfo> parameters() const override {
+    Model copy = model_;
+    return describe_all(copy.parameters());
+  }
+  std::shared_ptr<const Reflection> with(std::string_view name, const Value& value) const override {
+    Model changed = model_;
+    [[maybe_unused]] const bool known = assign_by_name(changed.parameters(), name, value);
+    assert(known);
+    return std::make_shared<Modelled>(changed);
+  }
+  std::shared_ptr<const Reflection> prepared() const override {
+    return ready_ ? nullptr : std::make_shared<Modelled>(ready_model(), true);
+  }
+  void add_lobes(const Rgb& base, AllLobes<Rgb>& lobes) const override {
+    if (ready_)
+      model_.add_lobes(base, lobe_set(lobes));
+    else
+      ready_model().add_lobes(base, lobe_set(lobes));
+  }
+  void sketch(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
+  bool solid() const override { return is_solid<Model>(); }
+
+ private:
+  static constexpr bool kPrepares = requires(Model model) { model.prepare(); };
+
+  Model ready_model() const {
+    Model copy = model_;
+    if constexpr (kPrepares) copy.prepare();
+    return copy;
+  }
+
+  Model model_;
+  bool ready_;
+};
+
+struct Entry {
+  const ReflectionInfo* info;
+  std::shared_ptr<const Reflection> (*make)();
+};
+
+template <class... Model>
+std::vector<Entry> entries_of(TypeList<Model...>) {
+  return {{&info_of<Model>(),
+           []() -> std::shared_ptr<const Reflection> { return std::make_shared<Modelled<Model>>(); }}...};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = entries_of(ReflectionModels{});
+  return all;
+}
+
+}  // namespace
+
+const std::vector<ReflectionInfo>& reflection_infos() {
+  static const auto infos = [] {
+    std::vector<ReflectionInfo> list;
+    for (const auto& e : entries()) list.push_back(*e.info);
+    return list;
+  }();
+  return infos;
+}
+
+const ReflectionInfo* find_reflection(std::string_view name) {
+  for (const auto& info : reflection_infos())
+    if (info.description.name == name) return &info;
+  return nullptr;
+}
+
+std::shared_ptr<const Reflection> make_reflection(std::string_view name) {
+  for (const auto& e : entries())
+    if (e.info->description.name == name) return e.make();
+  return nullptr;
+}
+
+std::string_view preset_of(const Reflection& model) {
+  const auto parameters = model.parameters();
+  const auto has = [&](const std::pair<std::string, Value>& setting) {
+    const ParameterInfo* p = find_parameter(parameters, setting.first);
+    return p && p->default_value == setting.second;
+  };
+  for (const ModelPreset& preset : model.info().presets)
+    if (std::all_of(preset.values.begin(), preset.values.end(), has)) return preset.name;
+  return kNoPreset;
+}
+
+std::shared_ptr<const Reflection> with_preset(std::shared_ptr<const Reflection> model, std::string_view name) {
+  for (const ModelPreset& preset : model->info().presets)
+    if (preset.name == name)
+      for (const auto& [parameter, value] : preset.values) model = model->with(parameter, value);
+  return model;
+}
+
+bool operator==(const ReflectionUse& a, const ReflectionUse& b) {
+  if (a.model == b.model) return true;
+  if (!a.model || !b.model || &a->info() != &b->info()) return false;
+  const auto of_a = a->parameters(), of_b = b->parameters();
+  for (size_t i = 0; i < of_a.size(); ++i)
+    if (of_a[i].default_value != of_b[i].default_value) return false;
+  return true;
+}
+
+}  // namespace etendue

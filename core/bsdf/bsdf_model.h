@@ -1,0 +1,82 @@
+// Reflection models: what a surface does with light where glTF's own description is not asked.     thesis 4.2.2.5
+//
+// A model is a struct of knobs (base/parameter.h) in a file of its own under models/. It has a `kDescription`, names
+// the types of its lobes,
+//
+//   template <class Color> using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
+//
+// and puts them into a mix for a base colour, which is that of the material with its texture and the colour of
+// vertices:
+//
+//   template <class Mix> void add_lobes(const Rgb& base, Mix& lobes) const;
+//
+// It is registered by one line of models.h. Models are immutable values: an edit is another one. What takes long to
+// find from the knobs, a table for example, is found by `void prepare()`: not while a hand turns them, but once before
+// `add_lobes` runs at every vertex.
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/parameter.h"
+#include "bsdf/bsdf_model_info.h"
+
+namespace etendue {
+
+template <class Color>
+class AllLobes;
+
+struct ReflectionInfo {
+  ModelDescription description;
+  std::vector<ParameterInfo> parameters;
+  std::vector<ModelPreset> presets;
+};
+
+// All models, in the order of the thesis.
+const std::vector<ReflectionInfo>& reflection_infos();
+const ReflectionInfo* find_reflection(std::string_view name);
+
+class Reflection {
+ public:
+  virtual ~Reflection() = default;
+
+  virtual const ReflectionInfo& info() const = 0;
+  // Those of `info` with the values they have here as defaults.
+  virtual std::vector<ParameterInfo> parameters() const = 0;
+  // Another one; the name must be a parameter's, and the value have been checked against its description.
+  virtual std::shared_ptr<const Reflection> with(std::string_view name, const Value& value) const = 0;
+  // The same model, for whose `add_lobes` everything is ready; that may take a second. Null if it is so already.
+  virtual std::shared_ptr<const Reflection> prepared() const = 0;
+  // Of a model that was not prepared, in a copy that is.
+  virtual void add_lobes(const Rgb& base, AllLobes<Rgb>& lobes) const = 0;
+  // At once, without what takes long to find: enough to tell mirrors and directed surfaces from others.
+  virtual void sketch(AllLobes<Rgb>& lobes) const = 0;
+  // Light passes through it into a solid body, whose colour is the material's attenuation.
+  virtual bool solid() const = 0;
+
+ protected:
+  Reflection() = default;
+  Reflection(const Reflection&) = default;
+  Reflection& operator=(const Reflection&) = default;
+};
+
+// A model with its default parameters; null if there is none of this name.
+std::shared_ptr<const Reflection> make_reflection(std::string_view name);
+
+// The name of the preset that the model's parameters are, or kNoPreset.
+inline constexpr const char* kNoPreset = "none";
+std::string_view preset_of(const Reflection& model);
+// The model with the values of a preset; an unknown name leaves it as it is.
+std::shared_ptr<const Reflection> with_preset(std::shared_ptr<const Reflection> model, std::string_view preset);
+
+// A material's model: none is glTF's own surface. Equal if name and parameters are.
+struct ReflectionUse {
+  std::shared_ptr<const Reflection> model = nullptr;
+
+  explicit operator bool() const { return model != nullptr; }
+  const Reflection* operator->() const { return model.get(); }
+  friend bool operator==(const ReflectionUse& a, const ReflectionUse& b);
+};
+
+}  // namespace etendue

@@ -1,0 +1,43 @@
+// Reflection by facets that are mirrors, masked after Smith.                Torrance and Sparrow 1967; Heitz 2014
+//
+//   f = tint F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i),     G2 = 1 / (1 + lambda(o) + lambda(i))
+//
+// drawn by the normals that o sees; the weight of a sample is tint F G2 / G1. Reciprocal. What is scattered between
+// facets more than once is lost, or given back by FacetCompensation (facet_energy.h).
+#pragma once
+#include "bsdf/fresnel/fresnel_term.h"
+#include "bsdf/lobes/opaque_lobe.h"
+#include "bsdf/microfacet/beckmann.h"
+#include "bsdf/microfacet/half_vector.h"
+
+namespace etendue {
+
+// G2 / (4 cos_o cos_i), finite at grazing angles.
+template <class Facets>
+float facet_visibility(const Facets& facets, const Vec3& o, const Vec3& i) {
+  const float crossed = i.z * facets.projected_lambda(o) + o.z * facets.projected_lambda(i);
+  return 0.25f / (o.z * i.z + crossed);
+}
+
+template <class ColorType, class FacetsType>
+struct FacetReflection : OpaqueLobe<ColorType, FacetReflection<ColorType, FacetsType>> {
+  ColorType tint{1};
+  FresnelTerm<ColorType> fresnel;
+  FacetsType facets;
+
+  ColorType f(const Vec3& o, const Vec3& i) const {
+    const HalfWay half(o, i);
+    return tint * fresnel(half.cosine) * (facets.d(half.h) * facet_visibility(facets, o, i));
+  }
+  float density(const Vec3& o, const Vec3& i) const {
+    return facets.d(HalfWay(o, i).h) / (4 * (o.z + facets.projected_lambda(o)));
+  }
+  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+    i = reflect(o, facets.sample_visible(o, draw.u));
+    return true;
+  }
+  float weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))); }
+  float slope() const { return std::max(facets.alpha_x, facets.alpha_y); }
+};
+
+}  // namespace etendue

@@ -1,0 +1,36 @@
+// The qualitative model of Oren and Nayar: Lambertian grooves.                                 Oren and Nayar 1994
+//
+//   f = rho / pi (A + B max(0, cos dphi) sin a tan b),  a = max(theta_o, theta_i), b = min(theta_o, theta_i)
+//
+// sin a tan b cos dphi is <o_t, i_t> / max(cos_o, cos_i) of the tangential parts.
+#pragma once
+#include "bsdf/lobes/opaque_lobe.h"
+
+namespace etendue {
+
+template <class ColorType>
+struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, Scatter::diffuse> {
+  ColorType albedo{0};
+  float a = 1, b = 0;
+
+  static OrenNayar of_slope(const ColorType& albedo, float sigma) {
+    OrenNayar lobe;
+    const float s2 = sqr(sigma);
+    lobe.albedo = albedo, lobe.a = 1 - 0.5f * s2 / (s2 + 0.33f), lobe.b = 0.45f * s2 / (s2 + 0.09f);
+    return lobe;
+  }
+
+  ColorType f(const Vec3& o, const Vec3& i) const {
+    const float grooves = std::max(0.0f, o.x * i.x + o.y * i.y) / std::max(o.z, i.z);
+    return albedo * (kInvPi * (a + b * grooves));
+  }
+  float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
+  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
+    i = draw.cosine_direction;
+    return true;
+  }
+  float weight(const Vec3&) const { return average(albedo) * a; }
+  float slope() const { return 1; }
+};
+
+}  // namespace etendue

@@ -1,0 +1,26 @@
+// A reflectance function that is data, as a lobe: it points at data that stays for good (measured_data.h).
+#pragma once
+#include "bsdf/lobes/opaque_lobe.h"
+
+namespace etendue {
+
+// Data offers f(o, i), density(o, i), draw(o, LobeDraw, i), albedo(o) and slope(), as a lobe does.
+template <class ColorType, class Data>
+struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
+  const Data* data = nullptr;
+  ColorType tint{1};
+
+  static MeasuredLobe of(const Data& data, const ColorType& tint) {
+    MeasuredLobe lobe;
+    lobe.data = &data, lobe.tint = tint;
+    return lobe;
+  }
+
+  ColorType f(const Vec3& o, const Vec3& i) const { return tint * data->f(o, i); }
+  float density(const Vec3& o, const Vec3& i) const { return data->density(o, i); }
+  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const { return data->draw(o, draw, i); }
+  float weight(const Vec3& wo) const { return average(tint) * data->albedo(wo); }
+  float slope() const { return data->slope(); }
+};
+
+}  // namespace etendue

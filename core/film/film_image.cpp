@@ -1,0 +1,33 @@
+#include "film/film_image.h"
+
+namespace etendue::film {
+namespace {
+
+template <class F>
+std::vector<float> each_pixel(const Film& film, F&& color_of) {
+  std::vector<float> rgb;
+  rgb.reserve(film.pixels().size() * 3);
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) {
+      const Rgb c = color_of(x, y);
+      rgb.insert(rgb.end(), {c.r, c.g, c.b});
+    }
+  return rgb;
+}
+
+}  // namespace
+
+std::vector<float> radiance_of(const Film& film) {
+  return each_pixel(film, [&](int x, int y) { return film.mean(x, y); });
+}
+
+image::LayeredImage picture_of(const Film& film) {
+  image::LayeredImage picture;
+  picture.width = film.width(), picture.height = film.height();
+  picture.layers.push_back({"", {"R", "G", "B"}, radiance_of(film)});
+  picture.layers.push_back(
+      {"variance", {"R", "G", "B"}, each_pixel(film, [&](int x, int y) { return film.variance_of_mean(x, y); })});
+  return picture;
+}
+
+}  // namespace etendue::film

@@ -1,0 +1,47 @@
+#include "film/invalid_samples.h"
+
+#include <algorithm>
+
+namespace etendue::film {
+namespace {
+
+uint64_t place(const Rejection& r) {
+  return uint64_t{r.sample} << 32 | static_cast<uint64_t>(r.y) << 16 | static_cast<uint64_t>(r.x);
+}
+
+Flaw flaw_of(const Rgb& c) {
+  if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return Flaw::nan;
+  return is_finite(c) ? Flaw::negative : Flaw::infinite;
+}
+
+}  // namespace
+
+std::string_view flaw_name(Flaw flaw) {
+  return flaw == Flaw::nan ? "nan" : flaw == Flaw::infinite ? "infinite" : "negative";
+}
+
+void RejectionCounter::count(int x, int y, uint32_t sample, const Rgb& radiance) {
+  const Rejection rejection{x, y, sample, flaw_of(radiance)};
+  auto& counter = rejection.flaw == Flaw::nan ? nan_ : rejection.flaw == Flaw::infinite ? infinite_ : negative_;
+  counter.fetch_add(1, std::memory_order_relaxed);
+  // Where every sample is refused, nobody waits for the list.
+  if (place(rejection) >= last_.load(std::memory_order_relaxed)) return;
+  const std::scoped_lock lock(mutex_);
+  first_.insert(std::ranges::upper_bound(first_, place(rejection), {}, place), rejection);
+  if (first_.size() > kFirstRejections) first_.pop_back();
+  if (first_.size() == kFirstRejections) last_ = place(first_.back());
+}
+
+Rejected RejectionCounter::get() const {
+  const std::scoped_lock lock(mutex_);
+  return {nan_.load(), infinite_.load(), negative_.load(), first_};
+}
+
+void RejectionCounter::set(const Rejected& rejected) {
+  const std::scoped_lock lock(mutex_);
+  nan_ = rejected.nan, infinite_ = rejected.infinite, negative_ = rejected.negative;
+  first_ = rejected.first;
+  last_ = first_.size() < kFirstRejections ? kNone : place(first_.back());
+}
+
+}  // namespace etendue::film

@@ -1,0 +1,211 @@
+#include "film/tail.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "base/vectorize.h"
+
+namespace etendue::measure {
+namespace {
+
+constexpr size_t kFewestExceedances = 5;
+constexpr double kBrightest = 1e-4;
+// Of an upper end that many samples share.
+constexpr double kShapeOfAnEdge = -1;
+
+// Samples that count as the tail: a fifth of all, but no more than grows with the root.
+size_t tail_length(uint64_t samples) {
+  const auto n = static_cast<double>(samples);
+  return static_cast<size_t>(std::min(0.2 * n, std::ceil(3 * std::sqrt(n))));
+}
+
+// What lies above the largest value that is no tail any more, ascending; values that equal it are left out.
+std::vector<double> exceedances_of(std::span<const float> descending, size_t length, double threshold) {
+  std::vector<double> x;
+  for (size_t i = length; i-- > 0;)
+    if (descending[i] > threshold) x.push_back(descending[i] - threshold);
+  return x;
+}
+
+// More than a compiler would write out one by one.
+constexpr size_t kLanes = 32;
+constexpr size_t kRun = 512;
+
+// What a run of deviations adds to the sums, in lanes: the same bits on every machine.
+struct Powers {
+  double squares = 0, fourths = 0;
+};
+
+// Also says which lengths of kLanes have something above the threshold.
+ETENDUE_WIDE Powers look_at(const float* d, size_t count, float threshold, int* above) {
+  std::array<double, kLanes> squares{}, fourths{};
+  for (size_t i = 0; i < count; i += kLanes) {
+    int any = 0;
+    for (size_t j = 0; j < kLanes; ++j) any |= d[i + j] > threshold ? 1 : 0;
+    above[i / kLanes] = any;
+    for (size_t j = 0; j < kLanes; ++j) {
+      const auto x = static_cast<double>(d[i + j]);
+      const double square = x * x;
+      squares[j] += square, fourths[j] += square * square;
+    }
+  }
+  Powers sum;
+  for (size_t j = 0; j < kLanes; ++j) sum.squares += squares[j], sum.fourths += fourths[j];
+  return sum;
+}
+
+// Products of 1 + a x over all x, for many a side by side, their exponents counted apart.
+struct Products {
+  std::vector<double> mantissa;
+  std::vector<int64_t> exponent;
+
+  double log(size_t j) const { return std::log(mantissa[j]) + static_cast<double>(exponent[j]) * std::numbers::ln2; }
+};
+
+ETENDUE_WIDE void multiply(const double* a, size_t count, std::span<const double> x, double* mantissa,
+                           int64_t* exponent) {
+  constexpr uint64_t kMantissa = (uint64_t{1} << 52) - 1, kOne = uint64_t{1023} << 52;
+  for (const double v : x)
+    for (size_t j = 0; j < count; ++j) {
+      const auto bits = std::bit_cast<uint64_t>(mantissa[j] * (1 + a[j] * v));
+      exponent[j] += static_cast<int64_t>(bits >> 52) - 1023;
+      mantissa[j] = std::bit_cast<double>((bits & kMantissa) | kOne);
+    }
+}
+
+Products products_of(std::span<const double> a, std::span<const double> x) {
+  Products p{std::vector<double>(a.size(), 1), std::vector<int64_t>(a.size())};
+  multiply(a.data(), a.size(), x, p.mantissa.data(), p.exponent.data());
+  return p;
+}
+
+}  // namespace
+
+double khat_limit(uint64_t samples) {
+  return samples < 10 ? 0 : std::min(1 - 1 / std::log10(static_cast<double>(samples)), 0.7);
+}
+
+// Zhang & Stephens: the likelihood with k profiled out is a function of a = k / sigma alone; a is its mean over a grid
+// of candidates, which reaches to the largest exceedance.
+double fit_pareto(std::span<const double> x) {
+  assert(x.size() >= kFewestExceedances && x.front() > 0);
+  const auto n = static_cast<double>(x.size());
+  const size_t candidates = 30 + static_cast<size_t>(std::sqrt(n));
+  const double quartile = x[static_cast<size_t>(n / 4 + 0.5) - 1];
+  std::vector<double> a(candidates), likelihood(candidates);
+  for (size_t j = 0; j < candidates; ++j) {
+    const double spread = 1 - std::sqrt(static_cast<double>(candidates) / (static_cast<double>(j) + 0.5));
+    a[j] = -(1 / x.back() + spread / (3 * quartile));
+  }
+  const Products products = products_of(a, x);
+  for (size_t j = 0; j < candidates; ++j) {
+    const double k = products.log(j) / n;
+    const double l = n * (std::log(a[j] / k) - k - 1);
+    // Rounding can put the largest exceedance on the very end of a candidate's support.
+    likelihood[j] = std::isfinite(l) && 1 + a[j] * x.back() > 0 ? l : std::numeric_limits<double>::lowest();
+  }
+  const double best = *std::max_element(likelihood.begin(), likelihood.end());
+  double weights = 0, weighted = 0;
+  for (size_t j = 0; j < candidates; ++j) {
+    const double w = std::exp(likelihood[j] - best);
+    weights += w, weighted += w * a[j];
+  }
+  constexpr double kPrior = 10;
+  const std::array<double, 1> mean{weighted / weights};
+  return (products_of(mean, x).log(0) + 0.5 * kPrior) / (n + kPrior);
+}
+
+double Tail::chance() const {
+  if (!khat || khat_error <= 0) return 1;
+  // Under k = 1/2 the error is the one that belongs there, not that of the khat found.
+  const double error = khat_error * 1.5 / (1 + *khat);
+  return 0.5 * std::erfc((*khat - 0.5) / (error * std::numbers::sqrt2));
+}
+
+void TailAccumulator::add(std::span<const float> deviations, double sum) {
+  samples_ += deviations.size(), sum_ += sum;
+  while (!deviations.empty()) {
+    const auto run = deviations.first(std::min(kRun, deviations.size()));
+    const size_t whole = run.size() / kLanes * kLanes;
+    add_run(run.first(whole));
+    std::array<float, kLanes> rest{};
+    std::ranges::copy(run.subspan(whole), rest.begin());
+    if (whole < run.size()) add_run(rest);
+    deviations = deviations.subspan(run.size());
+  }
+}
+
+void TailAccumulator::add_run(std::span<const float> run) {
+  std::array<int, kRun / kLanes> above;
+  const Powers powers = look_at(run.data(), run.size(), threshold_, above.data());
+  squares_ += powers.squares, fourths_ += powers.fourths;
+  for (size_t i = 0; i < run.size(); i += kLanes) {
+    if (above[i / kLanes] == 0) continue;
+    for (const float x : run.subspan(i, kLanes))
+      if (x > threshold_) keep(x);
+  }
+}
+
+void TailAccumulator::keep(float x) {
+  if (kept_.capacity() < capacity_) kept_.reserve(capacity_);
+  kept_.push_back(x);
+  if (kept_.size() < capacity_) return;
+  const size_t half = capacity_ / 2;
+  const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(kept_.begin(), end, kept_.end(), std::greater<>());
+  threshold_ = *end;
+  kept_.resize(half);
+}
+
+void TailAccumulator::merge(const TailAccumulator& other) {
+  samples_ += other.samples_, sum_ += other.sum_;
+  squares_ += other.squares_, fourths_ += other.fourths_;
+  if (other.threshold_ > threshold_) {
+    threshold_ = other.threshold_;
+    std::erase_if(kept_, [&](float x) { return x <= threshold_; });
+  }
+  for (const float x : other.kept_)
+    if (x > threshold_) keep(x);
+}
+
+void TailAccumulator::clear() {
+  samples_ = 0, sum_ = 0, squares_ = 0, fourths_ = 0, threshold_ = 0;
+  kept_.clear();
+}
+
+double TailAccumulator::vov() const {
+  if (samples_ < 2 || squares_ <= 0) return 0;
+  return std::max(0.0, fourths_ / (squares_ * squares_) - 1 / static_cast<double>(samples_));
+}
+
+Tail TailAccumulator::report() const {
+  Tail tail;
+  tail.samples = samples_;
+  tail.vov = vov();
+  std::vector<float> descending = kept_;
+  std::sort(descending.begin(), descending.end(), std::greater<>());
+
+  const auto brightest = static_cast<size_t>(std::ceil(kBrightest * static_cast<double>(samples_)));
+  const auto end = descending.begin() + static_cast<std::ptrdiff_t>(std::min(brightest, descending.size()));
+  if (sum_ > 0) tail.brightest = std::accumulate(descending.begin(), end, 0.0) / sum_;
+  // With nothing thrown away, what is missing is no brighter than expected.
+  tail.brightest_is_bound = threshold_ > 0 && brightest > descending.size();
+
+  if (tail_length(samples_) < kFewestExceedances) return tail;
+  const size_t length = std::min(tail_length(samples_), descending.size());
+  const double threshold = length < descending.size() ? descending[length] : threshold_;
+  const auto x = exceedances_of(descending, length, threshold);
+  if (x.empty()) tail.khat = kShapeOfAnEdge;
+  if (x.size() < kFewestExceedances) return tail;
+  tail.khat = fit_pareto(x);
+  tail.khat_error = std::max(0.0, 1 + *tail.khat) / std::sqrt(static_cast<double>(x.size()));
+  return tail;
+}
+
+}  // namespace etendue::measure

@@ -1,0 +1,38 @@
+// Sets of bidirectional techniques, as people write them: (s, t) is the one that takes s vertices from the light and t
+// from the camera.
+//
+//   "0,3"  one    "1,*"  all with s = 1    "0,* 2,2"  several    ""  none
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace etendue::integrator {
+
+// A bidirectional technique: s vertices from the light, t from the camera.
+struct Technique {
+  int s, t;
+};
+
+class Techniques {
+ public:
+  // What is no list of pairs is a usage error that says what would be right.
+  static Result<Techniques> parse(std::string_view text);
+
+  bool empty() const { return pairs_.empty(); }
+  bool contains(int s, int t) const {
+    for (const Pair& p : pairs_)
+      if ((p.s == kAny || p.s == s) && (p.t == kAny || p.t == t)) return true;
+    return false;
+  }
+
+ private:
+  static constexpr int kAny = -1;
+  struct Pair {
+    int s, t;
+  };
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace etendue::integrator

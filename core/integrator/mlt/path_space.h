@@ -1,0 +1,393 @@
+// Finding light paths (light_path.h) vertex by vertex, and evaluating them.    thesis 8.3.4, 9.4.4; Veach 1997, 11.2
+//
+// A path is laid out for its number of edges first; then its vertices are found, by walks from either end, a connection
+// joins them, and `settle` computes what belongs to the edges that are new. All of these return false if the path has
+// no contribution. Stochastic opacity is decided anew for each edge, and stays decided for as long as the edge is kept.
+//
+// Shading normals that would look away from the ray that finds a vertex are bent (CompiledScene): a vertex keeps what
+// it was found with.
+#pragma once
+#include "film/film.h"
+#include "integrator/integrator.h"
+#include "integrator/markov_chain/chain_random.h"
+#include "integrator/mlt/light_path.h"
+#include "light/punctual.h"
+#include "transport/path_expression/path_expression.h"
+#include "transport/surface_bsdf.h"
+#include "transport/wavefront/absorption.h"
+
+namespace etendue::integrator {
+
+template <class M>
+class PathSpace {
+ public:
+  using Path = LightPath<M>;
+  using Vertex = PathVertex<M>;
+  using Color = typename M::Color;
+
+  explicit PathSpace(const Pass& pass)
+      : pass_(&pass),
+        scene_(pass.scene),
+        margin_(pass.filter->radius()),
+        size_(Vec2(static_cast<float>(pass.width), static_cast<float>(pass.height)) + 2 * margin_) {
+    if constexpr (M::kClasses) shares_.resize(automaton().size()), moved_.resize(automaton().size());
+  }
+
+  // The points of the picture that a path may go through: those that a filter reaches.
+  float picture_area() const { return size_.x * size_.y; }
+  Vec2 point_of_picture(Vec2 u) const { return u * size_ - margin_; }
+  bool in_picture(Vec2 raster) const {
+    return raster.x >= -margin_ && raster.y >= -margin_ && raster.x < size_.x - margin_ && raster.y < size_.y - margin_;
+  }
+
+  const scene::CompiledScene& scene() const { return *scene_; }
+  const CameraRays& camera() const { return *pass_->camera; }
+  uint64_t take_rays() { return std::exchange(rays_, 0); }
+
+  // When the path is: light is at all of its vertices at once.
+  float choose_time(ChainRandom& random) const { return pass_->model->moving ? random.next() : 0; }
+
+  // ---- Walks from the light.
+
+  // Chooses x_0; of a light of infinity its direction.
+  bool choose_light(ChainRandom& random, Path& path) {
+    const float choice = random.next();
+    const Vec2 point = random.next_2d(), direction = random.next_2d();
+    const Emission e = scene_->lights().emit({choice, point, direction, path.time});
+    if (!(e.density.first > 0)) return false;
+    path.light.kind = e.kind, path.light.number = e.light;
+    path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
+    Vertex& x = path[0];
+    x.delta = false;
+    if (e.kind == LightKind::triangle) {
+      scene_->locate(e, x.hit, x.found_from);
+      place(x, path.time);
+    } else {
+      x.point.position = e.position, x.direction = e.direction;
+    }
+    return true;
+  }
+
+  // Finds x_1 from x_0 by chance.
+  bool leave_light(ChainRandom& random, Path& path) {
+    if (path.light.kind == LightKind::triangle && path.light.number == Path::Light::kUnlisted) return false;
+    Emission e;
+    e.kind = path.light.kind, e.light = path.light.number;
+    e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
+    scene_->lights().emit_anew(random.next_2d(), e);
+    if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
+    const Vec3& ng = path[0].point.ng;
+    return leave_light(e.position, Frame(e.back ? -ng : ng).to_world(e.direction), random, path);
+  }
+
+  // The same along a known ray.
+  bool leave_light(const Vec3& origin, const Vec3& direction, ChainRandom& random, Path& path) {
+    Ray ray;
+    ray.origin = origin, ray.direction = direction;
+    if (path.light.kind == LightKind::triangle) path[0].point.spawn(direction, ray);
+    return find_next(ray, 0, random, path);
+  }
+
+  // Finds x_{i+1} from x_i, i > 0.
+  bool scatter_to_camera(int i, ChainRandom& random, Path& path) {
+    LobeSample<Color> s;
+    Vertex& x = path[i];
+    if (!sample(x, path.direction_to_light(i), Transport::importance, random, s)) return false;
+    return step_to_camera(i, s.wi, random, path);
+  }
+  bool step_to_camera(int i, const Vec3& direction, ChainRandom& random, Path& path) {
+    Ray ray;
+    path[i].point.spawn(direction, ray);
+    return find_next(ray, i, random, path);
+  }
+
+  // ---- Walks from the camera.
+
+  // Finds x_{k-1} through this point of the picture and of the lens.
+  bool leave_camera(Vec2 raster, Vec2 lens, ChainRandom& random, Path& path) {
+    path.raster = raster, path.lens = lens;
+    return find_before(camera().ray(raster, lens, path.time), path.edges(), random, path);
+  }
+  // Finds x_{i-1} from x_i, 0 < i < k.
+  bool scatter_to_light(int i, ChainRandom& random, Path& path) {
+    LobeSample<Color> s;
+    Vertex& x = path[i];
+    if (!sample(x, path.direction_to_camera(i), Transport::radiance, random, s)) return false;
+    return step_to_light(i, s.wi, random, path);
+  }
+  bool step_to_light(int i, const Vec3& direction, ChainRandom& random, Path& path) {
+    Ray ray;
+    path[i].point.spawn(direction, ray);
+    return find_before(ray, i, random, path);
+  }
+
+  // Makes x_0, which a walk from the camera has found, the light; false if it is none.
+  bool meet_light(Path& path) const { return take_light(path), settle_light(path); }
+
+  // ---- Connecting.
+
+  // x_i with x_{i+1}; the last of them is the lens, which is seen at some point of the picture.
+  bool connect(int i, Path& path) {
+    const int last = path.edges() - 1;
+    Vertex& x = path[i];
+    x.delta = false;
+    if (i == last) return connect_to_lens(path);
+    path[i + 1].delta = false;
+    if (i == 0 && path.light.infinite) return x.length = kInfinity, true;
+    const Vec3 edge = path[i + 1].point.position - x.point.position;
+    x.length = std::sqrt(length_squared(edge));
+    if (!(x.length > 0)) return false;
+    x.direction = edge / x.length;
+    return true;
+  }
+
+  // Whether nothing lies between x_i and x_{i+1}.
+  bool visible(int i, ChainRandom& random, const Path& path) {
+    Ray ray;
+    if (i < path.edges() - 1) {
+      path[i + 1].point.spawn_segment(-path[i].direction, path[i].length, ray);
+    } else if (i == 0 && path.light.infinite) {
+      const auto view = camera().view_of_infinity(-path[0].direction, path.lens, path.time);
+      if (!view) return false;
+      ray = view->ray;
+    } else {
+      const auto view = camera().view(path[i].point.position, path.lens, path.time);
+      if (!view) return false;
+      path[i].point.spawn_segment(view->wi, view->distance, ray);
+    }
+    ++rays_;
+    return !scene_->intersect(ray, random.bits(), path.time);
+  }
+
+  // ---- Evaluating.
+
+  // Makes all that follows from the ends, edges and hits of a path.
+  bool rebuild(Path& path) {
+    for (int i = 0; i < path.edges(); ++i)
+      if (path.is_surface(i)) place(path[i], path.time);
+    return settle(0, path.edges(), path);
+  }
+
+  // Computes what vertices first .. last (surfaces; the ends are always done) and the path as a whole are worth.
+  bool settle(int first, int last, Path& path) {
+    const int k = path.edges();
+    for (int i = std::max(first, 1); i <= std::min(last, k - 1); ++i)
+      if (!settle_vertex(i, path)) return false;
+    return settle_light(path) && settle_camera(path) && settle_color(path);
+  }
+
+ private:
+  const transport::Automaton& automaton() const { return pass_->model->paths->automaton(); }
+
+  static bool sample(Vertex& x, const Vec3& wo, Transport mode, ChainRandom& random, LobeSample<Color>& s) {
+    const float choice = random.next();
+    if (!x.bsdf.sample(wo, {choice, random.next_2d()}, mode, s)) return false;
+    x.delta = s.delta, x.transmitted = s.transmitted;
+    return true;
+  }
+
+  // The surface that a ray meets.
+  bool find(const Ray& ray, float time, ChainRandom& random, Vertex& x) {
+    ++rays_;
+    const Hit hit = scene_->intersect(ray, random.bits(), time);
+    if (!hit) return false;
+    x.hit = hit, x.found_from = -ray.direction;
+    place(x, time);
+    x.delta = false;
+    return true;
+  }
+
+  void place(Vertex& x, float time) const {
+    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point, pass_->model->moving ? &time : nullptr);
+    transport::build_bsdf<M>(x.point, x.bsdf);
+  }
+
+  bool find_next(const Ray& ray, int i, ChainRandom& random, Path& path) {
+    if (!find(ray, path.time, random, path[i + 1])) return false;
+    path[i].direction = ray.direction;
+    path[i].length =
+        i == 0 && path.light.infinite ? kInfinity : glm::distance(path[i].point.position, path[i + 1].point.position);
+    return path[i].length > 0;
+  }
+
+  bool find_before(const Ray& ray, int i, ChainRandom& random, Path& path) {
+    Vertex& x = path[i - 1];
+    x.direction = -ray.direction;
+    if (find(ray, path.time, random, x)) {
+      x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
+      if (i == 1) take_light(path);
+      return x.length > 0;
+    }
+    if (scene_->lights().environment().black()) return false;
+    x.length = kInfinity, x.delta = false;
+    if (i == 1) take_light(path);
+    return i == 1;
+  }
+
+  // x_0 is where a walk from the camera ended.
+  void take_light(Path& path) const {
+    if (std::isinf(path[0].length))
+      path.light = {LightKind::environment, Path::Light::kUnlisted, true, true};
+    else
+      path.light = {LightKind::triangle, scene_->light_at(path[0].point), false, true};
+  }
+
+  bool connect_to_lens(Path& path) {
+    const int last = path.edges() - 1;
+    Vertex& x = path[last];
+    if (last == 0 && path.light.infinite) {
+      const auto view = camera().view_of_infinity(-x.direction, path.lens, path.time);
+      if (!view) return false;
+      path.raster = view->raster, x.length = kInfinity;
+      return in_picture(path.raster);
+    }
+    const auto view = camera().view(x.point.position, path.lens, path.time);
+    if (!view || !in_picture(view->raster)) return false;
+    path.raster = view->raster;
+    x.direction = view->wi;
+    x.length = glm::distance(camera().ray(path.raster, path.lens, path.time).origin, x.point.position);
+    return x.length > 0;
+  }
+
+  bool settle_vertex(int i, Path& path) const {
+    Vertex& x = path[i];
+    const Vec3 wo = path.direction_to_camera(i), wi = path.direction_to_light(i);
+    Color f(0);
+    if (x.delta) {
+      SingleDirection<Color> seen, sent;
+      if (!x.bsdf.follow(wo, x.transmitted, Transport::radiance, seen)) return false;
+      if (!x.bsdf.follow(wi, x.transmitted, Transport::importance, sent)) return false;
+      f = seen.value;
+      x.stretch = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
+      x.to_light = seen.probability, x.to_camera = sent.probability * x.stretch;
+    } else {
+      const auto seen = x.bsdf.evaluate(wo, wi, Transport::radiance);
+      f = seen.f_cos;
+      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, Transport::importance);
+    }
+    x.value = max_component(f);
+    if (!(x.value > 0) || !std::isfinite(x.value) || !is_finite(f)) return false;
+    x.tint = f / x.value;
+    return path.cosine_to_camera(i) > 0 && path.cosine_to_light(i) > 0;
+  }
+
+  bool settle_light(Path& path) const {
+    auto& light = path.light;
+    const Vec3& direction = path[0].direction;
+    EmissionDensity density;
+    if (light.kind == LightKind::triangle) {
+      scene::SurfacePoint& point = path[0].point;
+      const float cosine = glm::dot(point.ng, direction);
+      point.front = cosine > 0;
+      light.emitted = scene_->emitted(point, direction);
+      density = scene_->lights().density_of_triangle(light.number, cosine, path.time);
+      if (cosine == 0 || !seen_as_it_is(path)) return false;
+    } else if (light.kind == LightKind::environment) {
+      const EnvironmentMap& map = scene_->lights().environment();
+      light.emitted = map.radiance(-direction);
+      density = scene_->lights().density_of_escape(-direction);
+      if (path.edges() == 1 && !map.visible()) return false;
+    } else {
+      // What has no extent is not seen.
+      if (path.edges() == 1) return false;
+      light.emitted = emitted_by_placed(path);
+      LightSample sample;
+      sample.kind = LightKind::placed, sample.light = light.number;
+      density = scene_->lights().density_of(sample, path.time);
+    }
+    light.first = density.first, light.second = density.second;
+    return !is_black(light.emitted);
+  }
+
+  Color emitted_by_placed(const Path& path) const {
+    const LightTable& table = scene_->lights();
+    const PlacedLight& placed = table.placed()[path.light.number - table.triangles().size()];
+    const Rgb emitted = placed.light.color * placed.light.intensity;
+    if (path.light.infinite) return emitted;
+    const float cone = placed.light.type == LightType::spot
+                           ? spot_falloff(placed.light, glm::dot(path[0].direction, placed.at(path.time).direction))
+                           : 1;
+    return emitted * (cone * table.window(path.light.number, path[0].length));
+  }
+
+  // An unlit surface shows itself and lights nothing.
+  static bool seen_as_it_is(const Path& path) {
+    if (!path[0].point.material->description.unlit) return true;
+    for (int i = 1; i < path.edges(); ++i)
+      if (!path[i].delta) return false;
+    return true;
+  }
+
+  bool settle_camera(Path& path) const {
+    const Vertex& x = path[path.edges() - 1];
+    const bool far = std::isinf(x.length);
+    path.importance =
+        far && !camera().can_see_infinity() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length, path.time);
+    return far || path.importance > 0;
+  }
+
+  bool settle_color(Path& path) {
+    Color color = path.light.emitted;
+    double scale = 1;
+    const auto tint = [&](const Color& by) {
+      color *= by;
+      const float most = max_component(color);
+      if (most > 0) color /= most;
+      scale *= double{most};
+    };
+    for (int i = 1; i < path.edges(); ++i) tint(path[i].tint);
+    if constexpr (M::kAbsorbing)
+      for (int i = 0; i < path.edges(); ++i) tint(transmittance(i, path));
+    if constexpr (M::kClasses) tint(share(path));
+    const double y = luminance(color);
+    path.brightness = y * scale;
+    if (!(path.brightness > 0) || !std::isfinite(path.brightness)) return false;
+    path.color = color / static_cast<float>(y);
+    return true;
+  }
+
+  // Of edge i.
+  Color transmittance(int i, const Path& path) const {
+    const Vertex& x = path[i];
+    if (std::isinf(x.length)) return Color(1);
+    if (path.is_surface(i)) return transport::transmittance<M>(x.point, x.direction, x.length);
+    return transport::transmittance<M>(path[i + 1].point, -x.direction, x.length);
+  }
+
+  // What belongs to the classes of paths that are asked for.
+  Color share(const Path& path) {
+    using Shares = transport::ClassShares<M>;
+    using transport::Event;
+    using State = transport::Automaton::State;
+    const transport::Automaton& words = automaton();
+    shares_.assign(words.size(), Color(0));
+    shares_[words.next(words.start(), Event::camera)] = Color(1);
+    for (int i = path.edges() - 1; i > 0; --i) {
+      const Vertex& x = path[i];
+      const auto parts =
+          x.delta ? typename Shares::Parts{Color(0), Color(0), Color(1)}
+                  : Shares::parts_of(x.bsdf, path.direction_to_camera(i), path.direction_to_light(i), Event::diffuse);
+      moved_.assign(words.size(), Color(0));
+      for (size_t q = 0; q < words.size(); ++q) {
+        const auto state = static_cast<State>(q);
+        moved_[words.next(state, Event::diffuse)] += shares_[q] * parts.diffuse;
+        moved_[words.next(state, Event::glossy)] += shares_[q] * parts.glossy;
+        moved_[words.next(state, Event::specular)] += shares_[q] * parts.specular;
+      }
+      std::swap(shares_, moved_);
+    }
+    Color sum(0);
+    for (size_t q = 0; q < words.size(); ++q)
+      if (words.accepts(words.next(static_cast<State>(q), Event::light))) sum += shares_[q];
+    return sum;
+  }
+
+  const Pass* pass_;
+  const scene::CompiledScene* scene_;
+  float margin_;
+  Vec2 size_;
+  uint64_t rays_ = 0;
+  std::vector<Color> shares_, moved_;  // by state
+};
+
+}  // namespace etendue::integrator

@@ -1,0 +1,93 @@
+// One emission of photons and the tree of them, in the making: two phases of tasks.
+//
+// It may be shared by several works. What one of them has traced the others find done: a map that an edit of the camera
+// cuts short goes on from there.
+#pragma once
+#include "integrator/photon/photon_map.h"
+#include "integrator/photon/photon_paths.h"
+
+namespace etendue::integrator {
+
+class PhotonEmission {
+ public:
+  // Everything that is stored depends on these, and on the scene, the model and the seed. The sample number decides
+  // about random numbers: where they are the sampler's they must be drawn while it has tables for that sample.
+  PhotonEmission(const PhotonPlan& plan, uint32_t sample) { begin(plan, sample); }
+
+  // Another emission in the place of this one.
+  void begin(const PhotonPlan& plan, uint32_t sample) {
+    plan_ = plan, sample_ = sample;
+    found_.resize(static_cast<size_t>(plan.tasks()));
+    traced_.assign(found_.size(), 0);
+    ordered_.fill(0);
+    collected_ = ready_ = false;
+  }
+
+  bool ready() const { return ready_; }
+  const photon::PhotonMap& map() const { return map_; }
+  const PhotonPlan& plan() const { return plan_; }
+
+  enum Step : size_t { kTrace, kOrder };
+  void add_phases(std::vector<Phase>& phases) const {
+    phases.push_back({plan_.caustics ? "tracing caustic photons" : "tracing photons", plan_.tasks()});
+    phases.push_back({"ordering photons", photon::PhotonMap::kPieces});
+  }
+
+  std::optional<uint64_t> run(const Pass& pass, Step step, int task, const Turn& turn) {
+    char& done = step == kTrace ? traced_[static_cast<size_t>(task)] : ordered_[static_cast<size_t>(task)];
+    if (done) return 0;
+    std::optional<uint64_t> rays = 0;
+    if (step == kOrder)
+      map_.build_piece(task);
+    else
+      rays = transport::with_model(*pass.model, [&]<class M>(M) {
+        return trace_photons<M>(pass, sample_, plan_, task, turn, found_[static_cast<size_t>(task)]);
+      });
+    done = rays.has_value();
+    return rays;
+  }
+
+  // Called alone, after the last task of a step.
+  void finish(Step step) {
+    if (step == kOrder)
+      map_.end(), ready_ = true;
+    else if (!collected_)
+      collect();
+  }
+
+  size_t memory() const {
+    size_t photons = 0;
+    for (const auto& list : found_) photons += list.capacity();
+    return photons * sizeof(photon::Photon) + map_.memory();
+  }
+
+ private:
+  void collect() {
+    std::vector<photon::Photon> all = map_.take_memory();
+    size_t count = 0;
+    for (const auto& list : found_) count += list.size();
+    all.reserve(count);
+    for (auto& list : found_) {
+      all.insert(all.end(), list.begin(), list.end());
+      std::vector<photon::Photon>().swap(list);
+    }
+    map_.begin(std::move(all));
+    collected_ = true;
+  }
+
+  PhotonPlan plan_;
+  uint32_t sample_ = 0;
+  std::vector<std::vector<photon::Photon>> found_;  // by task
+  std::vector<char> traced_;
+  std::array<char, photon::PhotonMap::kPieces> ordered_{};
+  bool collected_ = false, ready_ = false;
+  photon::PhotonMap map_;
+};
+
+// A look at some photons, thinned out evenly.
+inline void add_points(const photon::PhotonMap& map, size_t most, std::vector<PointOfLight>& points) {
+  const size_t apart = std::max<size_t>(1, (map.size() + most - 1) / std::max<size_t>(1, most));
+  for (size_t i = 0; i < map.size(); i += apart) points.push_back({map[i].position(), map[i].power()});
+}
+
+}  // namespace etendue::integrator

@@ -1,0 +1,138 @@
+#include "material/surface_material.h"
+
+#include "bsdf/all_lobe_types.h"
+#include "material/gltf_surface.h"
+
+namespace etendue {
+namespace {
+
+SurfaceMaterial::Map resolved(const TextureUse& use, const std::vector<Texture>& textures) {
+  SurfaceMaterial::Map map;
+  if (use.texture < 0 || static_cast<size_t>(use.texture) >= textures.size()) return map;
+  const Texture& texture = textures[static_cast<size_t>(use.texture)];
+  if (!texture.image || texture.image->empty()) return map;
+  map.texture = &texture;
+  map.use = use;
+  map.identity = use.offset == Vec2(0) && use.scale == Vec2(1) && use.rotation == 0;
+  return map;
+}
+
+float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
+
+Vec3 mapped_normal(const SurfaceMaterial::Map& map, float scale, const TexturePoint& point) {
+  if (!map) return Vec3(0, 0, 1);
+  const Vec4 t = map.at(point, Encoding::linear);
+  return normalize_or(Vec3((2 * t.x - 1) * scale, (2 * t.y - 1) * scale, 2 * t.z - 1), Vec3(0, 0, 1));
+}
+
+Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
+
+}  // namespace
+
+SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
+  resolve(textures);
+  bends = normal || (clearcoat_normal && m.clearcoat > 0);
+  bent_coat = bends && m.clearcoat > 0;
+  plain = !base_color && !m.unlit;
+  factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
+  shines = m.emits() || m.unlit;
+  transparent = m.alpha_mode != AlphaMode::opaque;
+  absorbs = m.solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
+  if (m.reflection && !m.unlit)
+    prepare_model();
+  else
+    look_at_gltf();
+  framed = bends || directed;
+}
+
+void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
+  const Material& m = description;
+  for (const auto& [map, use] : std::initializer_list<std::pair<Map&, const TextureUse&>>{
+           {base_color, m.base_color_texture},
+           {metallic_roughness, m.metallic_roughness_texture},
+           {normal, m.normal_texture},
+           {emission, m.emission_texture},
+           {specular, m.specular_texture},
+           {specular_color, m.specular_color_texture},
+           {transmission, m.transmission_texture},
+           {anisotropy, m.anisotropy_texture},
+           {clearcoat, m.clearcoat_texture},
+           {clearcoat_roughness, m.clearcoat_roughness_texture},
+           {clearcoat_normal, m.clearcoat_normal_texture},
+           {sheen_color, m.sheen_color_texture},
+           {sheen_roughness, m.sheen_roughness_texture},
+           {iridescence, m.iridescence_texture},
+           {iridescence_thickness, m.iridescence_thickness_texture},
+           {diffuse_transmission, m.diffuse_transmission_texture},
+           {diffuse_transmission_color, m.diffuse_transmission_color_texture}}) {
+    map = resolved(use, textures);
+    textured = textured || map;
+  }
+}
+
+// What the lobes of the model are, as its base colour makes no others of them.
+void SurfaceMaterial::prepare_model() {
+  if (auto prepared = description.reflection->prepared()) description.reflection.model = std::move(prepared);
+  AllLobes<Rgb> lobes;
+  description.reflection->add_lobes(reflectance(factor), lobes);
+  if (const auto* lambert = lobe_set(lobes).only<Lambert<Rgb>>()) {
+    diffuse = standard = true;
+    // Base colour and model are one factor.
+    const Rgb share = ratio(lambert->albedo, reflectance(factor));
+    factor *= Vec4(share.r, share.g, share.b, 1);
+  }
+  Deltas<Rgb> deltas;
+  lobes.add_deltas(Vec3(0, 0, 1), Transport::radiance, deltas);
+  specular_deltas = deltas.count > 0;
+  directed = is_directed(lobes);
+  if (plain) ready = std::make_shared<AllLobes<Rgb>>(lobes);
+}
+
+void SurfaceMaterial::look_at_gltf() {
+  const Material& m = description;
+  const bool tinted_glass = m.transmission > 0 && m.thickness > 0 && (m.specular != 1 || !(m.specular_color == Rgb(1)));
+  standard = m.unlit || !(m.clearcoat > 0 || !is_black(m.sheen_color) || m.iridescence > 0 ||
+                          m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
+  diffuse = m.unlit || (standard && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
+  specular_deltas = !diffuse && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
+                                 (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
+  directed = !diffuse && m.anisotropy > 0;
+}
+
+Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
+  if (description.unlit) return Vec4(0, 0, 0, 1);
+  Vec4 base = factor * point.color;
+  if (base_color) base *= base_color.at(point, Encoding::srgb);
+  return clamped(base);
+}
+
+float SurfaceMaterial::opacity_at(const TexturePoint& point) const {
+  const Material& m = description;
+  if (m.alpha_mode == AlphaMode::opaque) return 1;
+  float alpha = m.alpha * point.color.w;
+  if (base_color) alpha *= base_color.at(point, Encoding::srgb).w;
+  if (m.alpha_mode == AlphaMode::mask) return alpha >= m.alpha_cutoff ? 1.0f : 0.0f;
+  return unit(alpha);
+}
+
+Rgb SurfaceMaterial::emission_at(const TexturePoint& point) const {
+  const Material& m = description;
+  if (m.unlit) {
+    Vec4 shown = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, 1) * point.color;
+    if (base_color) shown *= base_color.at(point, Encoding::srgb);
+    return {shown.x, shown.y, shown.z};
+  }
+  if (!emission) return m.emission;
+  const Vec4 e = emission.at(point, Encoding::srgb);
+  return m.emission * Rgb(e.x, e.y, e.z);
+}
+
+Vec3 SurfaceMaterial::normal_at(const TexturePoint& point) const {
+  return mapped_normal(normal, description.normal_scale, point);
+}
+
+Vec3 SurfaceMaterial::coat_normal_at(const TexturePoint& point) const {
+  return mapped_normal(clearcoat_normal, description.clearcoat_normal_scale, point);
+}
+
+}  // namespace etendue

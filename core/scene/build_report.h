@@ -1,0 +1,12 @@
+// What compiling a scene had to build again.
+#pragma once
+
+namespace etendue::scene {
+
+struct BuildReport {
+  int meshes_built = 0, meshes_reused = 0;
+  bool top_level_built = false, lights_built = false, materials_built = false;
+  double seconds = 0;
+};
+
+}  // namespace etendue::scene

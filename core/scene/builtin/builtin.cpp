@@ -1,0 +1,47 @@
+// Every built-in scene, the simplest first; one line each.
+#include "scene/builtin/builtin.h"
+
+#include <filesystem>
+
+#include "scene/builtin/caustic_pool.h"
+#include "scene/builtin/cornell.h"
+#include "scene/builtin/cornell_spheres.h"
+#include "scene/builtin/door_ajar.h"
+#include "scene/builtin/glass_caustic.h"
+#include "scene/builtin/glossy_plates.h"
+#include "scene/builtin/many_lights.h"
+#include "scene/builtin/spot_indirect.h"
+#include "scene/gltf/gltf.h"
+
+namespace etendue::scene {
+
+const std::vector<Builtin>& builtins() {
+  static const std::vector<Builtin> all{
+      kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
+  };
+  return all;
+}
+
+const Builtin* find_builtin(std::string_view name) {
+  for (const Builtin& b : builtins())
+    if (b.name == name) return &b;
+  return nullptr;
+}
+
+std::string builtin_names() {
+  std::string names;
+  for (const Builtin& b : builtins()) names += (names.empty() ? "" : ", ") + std::string(b.name);
+  return names;
+}
+
+Result<Scene> load(const std::string& file_or_name) {
+  if (const Builtin* builtin = find_builtin(file_or_name)) return builtin->make();
+  const std::filesystem::path file(file_or_name);
+  std::error_code ignored;
+  if (!file.has_extension() && !file.has_parent_path() && !std::filesystem::exists(file, ignored))
+    return input_error("there is no scene '" + file_or_name + "'; give a .gltf or .glb file, or one of " +
+                       builtin_names());
+  return load_gltf(file_or_name);
+}
+
+}  // namespace etendue::scene

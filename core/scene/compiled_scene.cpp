@@ -1,0 +1,256 @@
+#include "scene/compiled_scene.h"
+
+#include <unordered_map>
+
+#include "base/hash.h"
+#include "base/vectorize.h"
+#include "scene/texture_point.h"
+
+namespace etendue::scene {
+namespace {
+
+Vec3 barycentric(const std::vector<Vec3>& values, const Triangle& t, float u, float v) {
+  return values[t[0]] * (1 - u - v) + values[t[1]] * u + values[t[2]] * v;
+}
+
+// Flat triangles that rays have met, many at once.
+struct Facets {
+  static constexpr size_t kSize = 64;
+  template <class T>
+  using Array = std::array<T, kSize>;
+
+  WideVec3<kSize> p0, p1, p2, wo;
+  alignas(64) Array<float> u, v, winding;
+  WideVec3<kSize> position, ng, x, y;
+  alignas(64) Array<float> offset, facing;  // facing: the cosine between wo and the front
+
+  void set(size_t i, const InstanceData& instance, const Hit& hit, const Vec3& back) {
+    const Mesh& mesh = *instance.mesh;
+    const Triangle& t = mesh.triangles[hit.triangle];
+    if (instance.identity) {
+      p0.set(i, mesh.positions[t[0]]), p1.set(i, mesh.positions[t[1]]), p2.set(i, mesh.positions[t[2]]);
+    } else if (instance.round) {
+      set_round(i, *instance.round, hit);
+      wo.set(i, back);
+      return;
+    } else {
+      const Mat4& m = instance.to_world;
+      p0.set(i, Vec3(m * Vec4(mesh.positions[t[0]], 1)));
+      p1.set(i, Vec3(m * Vec4(mesh.positions[t[1]], 1)));
+      p2.set(i, Vec3(m * Vec4(mesh.positions[t[2]], 1)));
+    }
+    u[i] = hit.u, v[i] = hit.v;
+    // World-space triangles of a mirrored instance are turned; glTF wants the winding as it was.
+    winding[i] = instance.mirrored ? -1.0f : 1.0f;
+    wo.set(i, back);
+  }
+
+  // The corner of a facet that touches the shape.
+  void set_round(size_t i, const RoundShape& shape, const Hit& hit) {
+    const Facet f = shape.facet_at({hit.u, hit.v});
+    p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
+    u[i] = v[i] = 0, winding[i] = 1;
+  }
+
+  // Where an instance that moves is at that time.
+  void move(size_t i, const InstanceData& instance, const Hit& hit, float time) {
+    if (instance.round) return set_round(i, instance.round->placed(instance.motion->matrix_at(time)), hit);
+    const Facet f = instance.motion->facet_at(*instance.mesh, instance.mesh->triangles[hit.triangle], time);
+    p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
+    winding[i] = f.winding;
+  }
+
+  void get(size_t i, SurfacePoint& point) const {
+    point.position = position[i];
+    point.ng = ng[i];
+    point.shading.x = x[i], point.shading.y = y[i], point.shading.z = ng[i];
+    point.offset = offset[i];
+    point.front = facing[i] > 0;
+  }
+};
+
+// How far float arithmetic may move a point off its triangle: intersection works with coordinates relative to the
+// vertices, so the error grows with where the triangle is and with how large it is.
+[[gnu::always_inline]] inline float offset_bound(const Vec3& position, const Vec3& e1, const Vec3& e2) {
+  const float far = max_component(glm::abs(position));
+  const float size = max_component(glm::abs(e1)) + max_component(glm::abs(e2));
+  return 16 * 0x1p-24f * (far + 2 * size);
+}
+
+ETENDUE_WIDE void shape(Facets& f, size_t count) {
+#pragma GCC ivdep
+  for (size_t i = 0; i < whole_registers(count); ++i) {
+    const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
+    const Vec3 position = p0 + e1 * f.u[i] + e2 * f.v[i];
+    const Vec3 cross = glm::cross(e1, e2);
+    const Vec3 ng = cross * (f.winding[i] / std::sqrt(length_squared(cross)));
+    Frame frame;
+    frame.build(ng);
+    f.position.set(i, position), f.ng.set(i, ng), f.x.set(i, frame.x), f.y.set(i, frame.y);
+    f.offset[i] = offset_bound(position, e1, e2);
+    f.facing[i] = glm::dot(ng, f.wo[i]);
+  }
+}
+
+// Whether the shading normal is another than the geometric one.
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->framed; }
+
+// A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
+constexpr float kBarely = 1e-3f;
+float seen(const Vec3& normal, const Vec3& wo, float side) { return glm::dot(normal, wo) * side; }
+Vec3 barely_seen(const Vec3& normal, const Vec3& wo, float side) {
+  return glm::normalize(normal + wo * (side * (kBarely - seen(normal, wo, side))));
+}
+
+void make_seen(const Vec3& wo, SurfacePoint& point) {
+  const float side = point.front ? 1.0f : -1.0f;
+  if (seen(point.shading.z, wo, side) < kBarely)
+    point.shading = Frame(barely_seen(point.shading.z, wo, side), point.shading.x, 1);
+}
+
+// Where a material asks for a direction and the mesh has no tangents: along its texture coordinates, or else around the
+// object's upright axis. Any length; none where there is no such direction.
+Vec3 direction_along(const InstanceData& instance, const Triangle& t, const Vec3& normal) {
+  const Mesh& mesh = *instance.mesh;
+  const auto& uv = mesh.uvs[0];
+  if (!uv.empty()) {
+    const Vec2 a = uv[t[1]] - uv[t[0]], b = uv[t[2]] - uv[t[0]];
+    const Vec3 e1 = mesh.positions[t[1]] - mesh.positions[t[0]], e2 = mesh.positions[t[2]] - mesh.positions[t[0]];
+    const Vec3 along = (e1 * b.y - e2 * a.y) * (a.x * b.y - a.y * b.x < 0 ? -1.0f : 1.0f);
+    if (length_squared(along) > 0) return instance.identity ? along : Mat3(instance.to_world) * along;
+  }
+  return glm::cross(instance.identity ? Vec3(0, 1, 0) : Vec3(instance.to_world[1]), normal);
+}
+
+// The normal maps of the base and of its coat.
+void bend_by_maps(const Vec3& wo, SurfacePoint& point) {
+  const SurfaceMaterial& material = *point.material;
+  const Frame unbent = point.shading;
+  if (material.normal) {
+    const Vec3 bent = normalize_or(unbent.to_world(material.normal_at(point.texture)), unbent.z);
+    point.shading = Frame(bent, unbent.x, glm::dot(glm::cross(unbent.z, unbent.x), unbent.y));
+  }
+  make_seen(wo, point);
+  if (!material.bent_coat) return;
+  const float side = point.front ? 1.0f : -1.0f;
+  Vec3 coat = normalize_or(unbent.to_world(material.coat_normal_at(point.texture)), unbent.z);
+  if (seen(coat, wo, side) < kBarely) coat = barely_seen(coat, wo, side);
+  point.coat = point.shading.to_local(coat);
+}
+
+}  // namespace
+
+void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
+                             const float* times) const {
+  for (size_t first = 0; first < hits.size(); first += Facets::kSize) {
+    const size_t count = std::min(Facets::kSize, hits.size() - first);
+    Facets facets;
+    for (size_t i = 0; i < count; ++i)
+      facets.set(i, (*instances_)[hits[first + i].instance], hits[first + i], wo[first + i]);
+    for (size_t i = 0; times && i < count; ++i)
+      if (const InstanceData& instance = (*instances_)[hits[first + i].instance]; instance.motion)
+        facets.move(i, instance, hits[first + i], times[first + i]);
+    shape(facets, count);
+    for (size_t i = 0; i < count; ++i) {
+      facets.get(i, points[first + i]);
+      finish(wo[first + i], hits[first + i], points[first + i]);
+    }
+    // Normals of what moves, once more: of what stands still nobody asks for a time.
+    for (size_t i = 0; times && i < count; ++i)
+      if (SurfacePoint& point = points[first + i]; point.instance->motion && is_bent(point))
+        bend(wo[first + i], hits[first + i], times + first + i, point);
+  }
+}
+
+// What is not the same for every flat triangle: textures, interpolated normals, normal maps.
+void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
+  const InstanceData& instance = (*instances_)[hit.instance];
+  point.instance = &instance;
+  point.material = &(*materials_)[instance.material];
+  point.triangle = hit.triangle;
+  if (instance.textured)
+    point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
+  else
+    point.texture.color = Vec4(1);
+  if (is_bent(point)) bend(wo, hit, nullptr, point);
+}
+
+void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {
+  const InstanceData& instance = *point.instance;
+  const Mesh& mesh = *instance.mesh;
+  const Triangle& t = mesh.triangles[hit.triangle];
+  const Motion* motion = time ? instance.motion.get() : nullptr;
+  Vec3 ns = point.ng;
+  if (!mesh.normals.empty())
+    ns = normalize_or(motion ? motion->normal_at(mesh, t, hit.u, hit.v, *time)
+                             : instance.normal_to_world * barycentric(mesh.normals, t, hit.u, hit.v),
+                      point.ng);
+  if (glm::dot(ns, point.ng) < 0) ns = -ns;
+  if (!mesh.tangents.empty()) {
+    const Vec4 tangent =
+        motion ? motion->tangent_at(mesh, t, hit.u, hit.v, *time)
+               : mesh.tangents[t[0]] * (1 - hit.u - hit.v) + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
+    const bool placed = motion || instance.identity;
+    const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
+    point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
+  } else if (point.material->directed) {
+    point.shading.build(ns, direction_along(instance, t, ns), 1);
+  } else {
+    point.shading.build(ns);
+  }
+  if (point.material->bends)
+    bend_by_maps(wo, point);
+  else
+    make_seen(wo, point);
+}
+
+Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
+  if (!point.material->shines || (!point.front && !point.material->description.double_sided)) return Rgb(0);
+  const Rgb along_normal = point.material->emission_at(point.texture);
+  return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
+}
+
+Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
+  const EmissiveTriangle& t = lights_->triangles()[sample.light];
+  const InstanceData& instance = (*instances_)[t.instance];
+  const SurfaceMaterial& material = (*materials_)[instance.material];
+  return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
+}
+
+bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
+  const InstanceData& data = (*instances_)[instance];
+  const SurfaceMaterial& material = (*materials_)[data.material];
+  if (!material.transparent) return true;
+  const float opacity = material.opacity_at(texture_point(*data.mesh, triangle, u, v));
+  if (opacity >= 1) return true;
+  return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
+}
+
+std::string CompiledScene::moving() const {
+  if (moving_node_ >= 0) {
+    const std::string& name = description_->nodes[static_cast<size_t>(moving_node_)].name;
+    return name.empty() ? "node " + std::to_string(moving_node_) : "node '" + name + "'";
+  }
+  return camera_motion_ ? "the camera" : "";
+}
+
+void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
+  const EmissiveTriangle& t = lights_->triangles()[emission.light];
+  const Vec3 normal = lights_->normal_at(emission.light, emission.barycentric, emission.time);
+  side = emission.back ? -normal : normal;
+  hit.instance = t.instance, hit.triangle = t.triangle;
+  hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
+}
+
+size_t CompiledScene::memory() const {
+  size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
+                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 16);
+  std::unordered_map<const void*, size_t> seen;
+  for (const auto& instance : *instances_) seen[instance.mesh.get()] = instance.mesh->memory();
+  for (const auto& texture : *textures_)
+    if (texture.image) seen[texture.image.get()] = texture.image->memory();
+  for (const auto& [_, size] : seen) bytes += size;
+  return bytes;
+}
+
+}  // namespace etendue::scene

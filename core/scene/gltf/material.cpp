@@ -1,0 +1,296 @@
+// Materials, with the extensions that the surface model knows, and the textures they use.     glTF 2.0,
+// sections 3.8, 3.9
+#include <charconv>
+
+#include "scene/gltf/import.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+Wrap wrap_of(int mode) {
+  switch (mode) {
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      return Wrap::clamp;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      return Wrap::mirror;
+    default:
+      return Wrap::repeat;
+  }
+}
+
+Texture import_texture(const Document& document, size_t index) {
+  const auto& from = document.model.textures[index];
+  Texture texture;
+  texture.name = from.name;
+  if (from.sampler < 0) return texture;
+  const auto& sampler = document.model.samplers[checked_index(from.sampler, document.model.samplers.size(),
+                                                              at("textures", index) + ".sampler", "samplers")];
+  texture.wrap_u = wrap_of(sampler.wrapS), texture.wrap_v = wrap_of(sampler.wrapT);
+  texture.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  return texture;
+}
+
+// As few digits as tell it from its neighbours.
+std::string shortest(float x) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
+
+class MaterialImporter {
+ public:
+  MaterialImporter(const tinygltf::Material& from, Scene& scene, std::string where)
+      : from_(from), scene_(scene), where_(std::move(where)) {}
+
+  Material run() {
+    to_.name = from_.name;
+    surface();
+    emission();
+    extensions();
+    return to_;
+  }
+
+ private:
+  void warn(const std::string& what) { scene_.warnings.push_back(where_ + ": " + what); }
+
+  float limited(double x, float low, float high, const std::string& member) {
+    const auto value = static_cast<float>(x);
+    const float kept = std::clamp(value, low, high);
+    if (kept != value)
+      warn(member + " is " + shortest(value) + "; it has to be " +
+           (high < kInfinity ? "between " + shortest(low) + " and " + shortest(high) : "at least " + shortest(low)) +
+           ", and " + shortest(kept) + " is used");
+    return kept;
+  }
+  Rgb limited(const Rgb& color, float high, const std::string& member) {
+    Rgb kept;
+    for (int c = 0; c < 3; ++c) kept[c] = limited(color[c], 0, high, member + "[" + std::to_string(c) + "]");
+    return kept;
+  }
+  // A factor between 0 and 1.
+  float factor_in(const tinygltf::Value& extension, const char* member, float usual) {
+    return limited(number_of(extension, member, usual), 0, 1, member);
+  }
+  Rgb color_in(const tinygltf::Value& extension, const char* member, const Rgb& usual, float high = 1) {
+    return limited(color_of(extension, member, usual), high, member);
+  }
+
+  TextureUse use(int texture, int set, const tinygltf::Value* transform, const std::string& member) {
+    TextureUse use;
+    if (texture < 0) return use;
+    use.texture =
+        static_cast<int>(checked_index(texture, scene_.textures.size(), where_ + "." + member + ".index", "textures"));
+    use.uv_set = set;
+    if (transform) {
+      use.offset = pair_of(*transform, "offset", use.offset), use.scale = pair_of(*transform, "scale", use.scale);
+      use.rotation = number_of(*transform, "rotation", 0);
+      use.uv_set = index_of(*transform, "texCoord", set);
+    }
+    if (use.uv_set > 1) {
+      warn(member + " uses TEXCOORD_" + std::to_string(use.uv_set) + "; two sets are read, and set 0 stands in");
+      use.uv_set = 0;
+    }
+    return use;
+  }
+
+  // The parser's structs for texture references all have these members.
+  template <class Info>
+  TextureUse use_of(const Info& info, const char* member) {
+    return use(info.index, info.texCoord, extension_of(info.extensions, "KHR_texture_transform"), member);
+  }
+
+  // A texture reference inside an extension.
+  TextureUse use_in(const tinygltf::Value& extension, const char* member) {
+    const auto& info = extension.Get(member);
+    if (!info.IsObject()) return {};
+    const auto& extensions = info.Get("extensions");
+    const bool moved = extensions.IsObject() && extensions.Get("KHR_texture_transform").IsObject();
+    return use(index_of(info, "index", -1), index_of(info, "texCoord", 0),
+               moved ? &extensions.Get("KHR_texture_transform") : nullptr, member);
+  }
+
+  static Vec2 pair_of(const tinygltf::Value& object, const char* member, const Vec2& usual) {
+    const auto& pair = object.Get(member);
+    if (pair.ArrayLen() != 2) return usual;
+    return Vec2(static_cast<float>(pair.Get(0).GetNumberAsDouble()),
+                static_cast<float>(pair.Get(1).GetNumberAsDouble()));
+  }
+
+  void surface() {
+    const auto& pbr = from_.pbrMetallicRoughness;
+    const auto& base = pbr.baseColorFactor;
+    to_.base_color = limited(Rgb(base[0], base[1], base[2]), 1, "pbrMetallicRoughness.baseColorFactor");
+    to_.alpha = limited(base[3], 0, 1, "pbrMetallicRoughness.baseColorFactor[3]");
+    to_.metallic = limited(pbr.metallicFactor, 0, 1, "pbrMetallicRoughness.metallicFactor");
+    to_.roughness = limited(pbr.roughnessFactor, 0, 1, "pbrMetallicRoughness.roughnessFactor");
+    to_.base_color_texture = use_of(pbr.baseColorTexture, "pbrMetallicRoughness.baseColorTexture");
+    to_.metallic_roughness_texture =
+        use_of(pbr.metallicRoughnessTexture, "pbrMetallicRoughness.metallicRoughnessTexture");
+    to_.normal_texture = use_of(from_.normalTexture, "normalTexture");
+    to_.normal_scale = static_cast<float>(from_.normalTexture.scale);
+    if (from_.alphaMode == "MASK")
+      to_.alpha_mode = AlphaMode::mask;
+    else if (from_.alphaMode == "BLEND")
+      to_.alpha_mode = AlphaMode::blend;
+    else if (from_.alphaMode != "OPAQUE")
+      warn("alphaMode is none of OPAQUE, MASK and BLEND; OPAQUE is used");
+    to_.alpha_cutoff = limited(from_.alphaCutoff, 0, kInfinity, "alphaCutoff");
+    to_.double_sided = from_.doubleSided;
+  }
+
+  void emission() {
+    const auto& factor = from_.emissiveFactor;
+    to_.emission = limited(Rgb(factor[0], factor[1], factor[2]), kInfinity, "emissiveFactor");
+    to_.emission_texture = use_of(from_.emissiveTexture, "emissiveTexture");
+    const auto* strength = extension_of(from_.extensions, "KHR_materials_emissive_strength");
+    if (strength)
+      to_.emission *= limited(number_of(*strength, "emissiveStrength", 1), 0, kInfinity, "emissiveStrength");
+    if (is_finite(to_.emission)) return;
+    warn("its emission is beyond what single precision holds; it emits nothing");
+    to_.emission = Rgb(0);
+  }
+
+  void extensions() {
+    to_.reflection = import_reflection(from_.extensions, where_, scene_.warnings);
+    to_.unlit = extension_of(from_.extensions, "KHR_materials_unlit") != nullptr;
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_ior")) {
+      to_.ior = number_of(*e, "ior", 1.5f);
+      if (to_.ior != 0 && to_.ior < 1) {
+        warn("an index of refraction below 1 is taken as 1");
+        to_.ior = 1;
+      }
+    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_specular")) specular(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_transmission")) {
+      to_.transmission = factor_in(*e, "transmissionFactor", 0);
+      to_.transmission_texture = use_in(*e, "transmissionTexture");
+    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_volume")) volume(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_anisotropy")) {
+      to_.anisotropy = factor_in(*e, "anisotropyStrength", 0);
+      to_.anisotropy_rotation = number_of(*e, "anisotropyRotation", 0);
+      to_.anisotropy_texture = use_in(*e, "anisotropyTexture");
+    }
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_clearcoat")) clearcoat(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_sheen")) sheen(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_iridescence")) iridescence(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_diffuse_transmission")) diffuse_transmission(*e);
+    if (const auto* e = extension_of(from_.extensions, "KHR_materials_pbrSpecularGlossiness")) specular_glossiness(*e);
+  }
+
+  void specular(const tinygltf::Value& e) {
+    to_.specular = factor_in(e, "specularFactor", 1);
+    to_.specular_color = color_in(e, "specularColorFactor", Rgb(1), kInfinity);
+    to_.specular_texture = use_in(e, "specularTexture");
+    to_.specular_color_texture = use_in(e, "specularColorTexture");
+  }
+
+  void volume(const tinygltf::Value& e) {
+    to_.thickness = limited(number_of(e, "thicknessFactor", 0), 0, kInfinity, "thicknessFactor");
+    to_.attenuation_color = color_in(e, "attenuationColor", Rgb(1));
+    const float distance = number_of(e, "attenuationDistance", kInfinity);
+    to_.attenuation_distance = distance > 0 ? distance : kInfinity;
+    if (!(distance > 0)) warn("attenuationDistance has to be above 0; it is taken as infinite");
+  }
+
+  void clearcoat(const tinygltf::Value& e) {
+    to_.clearcoat = factor_in(e, "clearcoatFactor", 0);
+    to_.clearcoat_texture = use_in(e, "clearcoatTexture");
+    to_.clearcoat_roughness = factor_in(e, "clearcoatRoughnessFactor", 0);
+    to_.clearcoat_roughness_texture = use_in(e, "clearcoatRoughnessTexture");
+    to_.clearcoat_normal_texture = use_in(e, "clearcoatNormalTexture");
+    if (to_.clearcoat_normal_texture.texture >= 0)
+      to_.clearcoat_normal_scale = number_of(e.Get("clearcoatNormalTexture"), "scale", 1);
+  }
+
+  void sheen(const tinygltf::Value& e) {
+    to_.sheen_color = color_in(e, "sheenColorFactor", Rgb(0));
+    to_.sheen_color_texture = use_in(e, "sheenColorTexture");
+    to_.sheen_roughness = factor_in(e, "sheenRoughnessFactor", 0);
+    to_.sheen_roughness_texture = use_in(e, "sheenRoughnessTexture");
+  }
+
+  // The minimal thickness may be the greater one: it belongs to the texture's 0.
+  void iridescence(const tinygltf::Value& e) {
+    to_.iridescence = factor_in(e, "iridescenceFactor", 0);
+    to_.iridescence_texture = use_in(e, "iridescenceTexture");
+    to_.iridescence_ior = limited(number_of(e, "iridescenceIor", 1.3f), 1, kInfinity, "iridescenceIor");
+    const auto thickness = [&](const char* member, float usual) {
+      return limited(number_of(e, member, usual), 0, kInfinity, member);
+    };
+    to_.iridescence_thickness_min = thickness("iridescenceThicknessMinimum", to_.iridescence_thickness_min);
+    to_.iridescence_thickness_max = thickness("iridescenceThicknessMaximum", to_.iridescence_thickness_max);
+    to_.iridescence_thickness_texture = use_in(e, "iridescenceThicknessTexture");
+  }
+
+  void diffuse_transmission(const tinygltf::Value& e) {
+    to_.diffuse_transmission = factor_in(e, "diffuseTransmissionFactor", 0);
+    to_.diffuse_transmission_texture = use_in(e, "diffuseTransmissionTexture");
+    to_.diffuse_transmission_color = color_in(e, "diffuseTransmissionColorFactor", Rgb(1));
+    to_.diffuse_transmission_color_texture = use_in(e, "diffuseTransmissionColorTexture");
+  }
+
+  // In double precision, so that a roughness that was written as glossiness comes back as it was.
+  float roughness_in(const tinygltf::Value& e) {
+    const auto& glossiness = e.Get("glossinessFactor");
+    const float roughness = glossiness.IsNumber() ? static_cast<float>(1 - glossiness.GetNumberAsDouble()) : 0.0f;
+    if (!(roughness >= 0 && roughness <= 1)) return 1 - factor_in(e, "glossinessFactor", 1);
+    return roughness;
+  }
+
+  // It stands instead of metal and roughness, and does not go together with the newer extensions of the surface.
+  void specular_glossiness(const tinygltf::Value& e) {
+    to_.specular_glossiness = true;
+    const auto& diffuse = e.Get("diffuseFactor");
+    const auto component = [&](int i) {
+      return diffuse.ArrayLen() == 4 ? static_cast<float>(diffuse.Get(i).GetNumberAsDouble()) : 1.0f;
+    };
+    to_.base_color = limited(Rgb(component(0), component(1), component(2)), 1, "diffuseFactor");
+    to_.alpha = limited(component(3), 0, 1, "diffuseFactor[3]");
+    to_.base_color_texture = use_in(e, "diffuseTexture");
+    to_.specular_color = color_in(e, "specularFactor", Rgb(1));
+    to_.metallic = 0, to_.roughness = roughness_in(e);
+    to_.specular_color_texture = to_.metallic_roughness_texture = use_in(e, "specularGlossinessTexture");
+    to_.specular = 1, to_.specular_texture = {};
+  }
+
+  const tinygltf::Material& from_;
+  Scene& scene_;
+  std::string where_;
+  Material to_;
+};
+
+}  // namespace
+
+const tinygltf::Value* extension_of(const tinygltf::ExtensionMap& extensions, const char* name) {
+  const auto found = extensions.find(name);
+  return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
+}
+
+float number_of(const tinygltf::Value& object, const char* member, float usual) {
+  const auto& value = object.Get(member);
+  return value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : usual;
+}
+
+int index_of(const tinygltf::Value& object, const char* member, int usual) {
+  const auto& value = object.Get(member);
+  return value.IsInt() ? value.GetNumberAsInt() : usual;
+}
+
+Rgb color_of(const tinygltf::Value& object, const char* member, const Rgb& usual) {
+  const auto& value = object.Get(member);
+  if (value.ArrayLen() != 3) return usual;
+  Rgb color;
+  for (int c = 0; c < 3; ++c) color[c] = static_cast<float>(value.Get(c).GetNumberAsDouble());
+  return color;
+}
+
+void import_materials(const Document& document, Scene& scene) {
+  for (size_t t = 0; t < document.model.textures.size(); ++t) scene.textures.push_back(import_texture(document, t));
+  for (size_t m = 0; m < document.model.materials.size(); ++m)
+    scene.materials.push_back(MaterialImporter(document.model.materials[m], scene, at("materials", m)).run());
+  Material usual;
+  usual.name = "default";
+  scene.materials.push_back(usual);
+}
+
+}  // namespace etendue::scene::gltf

@@ -1,0 +1,67 @@
+// Skins and animations.
+#include "scene/gltf/output.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+class AnimationWriter {
+ public:
+  explicit AnimationWriter(Output& out) : out_(out) {}
+
+  Json run(const Animation& animation) {
+    Json to{{"channels", Json::array()}, {"samplers", Json::array()}};
+    put_name(to, animation.name);
+    for (const AnimationChannel& channel : animation.channels) {
+      to["channels"].push_back({{"sampler", to["samplers"].size()},
+                                {"target", {{"node", channel.node}, {"path", kPaths[index(channel.path)]}}}});
+      Json sampler{{"input", times(channel.times)}, {"output", values(channel)}};
+      if (channel.interpolation != Interpolation::linear)
+        sampler["interpolation"] = channel.interpolation == Interpolation::step ? "STEP" : "CUBICSPLINE";
+      to["samplers"].push_back(std::move(sampler));
+    }
+    return to;
+  }
+
+ private:
+  static constexpr const char* kPaths[] = {"translation", "rotation", "scale", "weights"};
+  template <class E>
+  static size_t index(E e) {
+    return static_cast<size_t>(e);
+  }
+
+  // Channels of one movement mostly have the same times.
+  int times(const std::vector<float>& keys) {
+    const auto [place, added] = times_.try_emplace(keys, 0);
+    if (!added) return place->second;
+    place->second = out_.floats(keys);
+    Json& accessor = out_.root["accessors"].back();
+    accessor["min"] = Json::array({number(keys.front())}), accessor["max"] = Json::array({number(keys.back())});
+    return place->second;
+  }
+
+  int values(const AnimationChannel& channel) {
+    if (channel.path == AnimatedPath::weights) return out_.floats(channel.values);
+    const bool rotation = channel.path == AnimatedPath::rotation;
+    return out_.accessor(std::as_bytes(std::span(channel.values)), TINYGLTF_COMPONENT_TYPE_FLOAT,
+                         rotation ? "VEC4" : "VEC3", channel.values.size() / channel.components);
+  }
+
+  Output& out_;
+  std::map<std::vector<float>, int> times_;
+};
+
+}  // namespace
+
+void write_skins(Output& out) {
+  for (const auto& skin : out.scene.skins)
+    out.add("skins",
+            {{"joints", skin->joints},
+             {"inverseBindMatrices", out.accessor(skin->inverse_bind, TINYGLTF_COMPONENT_TYPE_FLOAT, "MAT4")}});
+}
+
+void write_animations(Output& out) {
+  AnimationWriter writer(out);
+  for (const auto& animation : out.scene.animations) out.add("animations", writer.run(*animation));
+}
+
+}  // namespace etendue::scene::gltf

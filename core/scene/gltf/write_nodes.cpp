@@ -1,0 +1,101 @@
+// Nodes, and the cameras and lights that stand at them.
+#include <limits>
+
+#include "light/flux.h"
+#include "scene/gltf/output.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+// Where the specification wants a plane and the camera has none.
+constexpr float kNoNear = std::numeric_limits<float>::min(), kNoFar = std::numeric_limits<float>::max();
+
+Json camera_of(Output& out, const Camera& camera) {
+  Json to = Json::object();
+  put_name(to, camera.name);
+  const bool perspective = camera.projection == Projection::perspective;
+  to["type"] = perspective ? "perspective" : "orthographic";
+  Json& projection = to[to["type"].get<std::string>()];
+  projection["znear"] = number(camera.near_clip > 0 ? camera.near_clip : kNoNear);
+  if (std::isfinite(camera.far_clip) || !perspective)
+    projection["zfar"] = number(std::isfinite(camera.far_clip) ? camera.far_clip : kNoFar);
+  if (perspective) {
+    projection["yfov"] = number(camera.yfov);
+    if (camera.aspect > 0) projection["aspectRatio"] = number(camera.aspect);
+  } else {
+    // In double precision the quotient of the two is the aspect again.
+    const double aspect = camera.aspect > 0 ? static_cast<double>(camera.aspect) : 1;
+    projection["ymag"] = static_cast<double>(camera.ymag);
+    projection["xmag"] = aspect * static_cast<double>(camera.ymag);
+  }
+  write_lens(out, camera, to);
+  return to;
+}
+
+// For those who do not know ETENDUE_transport, a shape that shines is a point of the same power, and ambient light is
+// nothing.
+float punctual_intensity(const Light& light) {
+  if (light.type <= LightType::directional) return light.intensity;
+  if (light.type == LightType::ambient) return 0;
+  const Rgb flux = flux_of(light);
+  const float color = luminance(light.color);
+  return color > 0 ? luminance(flux) / (4 * kPi * color) : 0;
+}
+
+Json light_of(Output& out, const Light& light) {
+  const bool punctual = light.type <= LightType::directional;
+  Json to{{"type", punctual ? kLightTypes[static_cast<size_t>(light.type)] : "point"}};
+  put_name(to, light.name);
+  if (light.color != Rgb(1)) to["color"] = vector(light.color);
+  put(to, "intensity", punctual_intensity(light), 1);
+  if (std::isfinite(light.range)) to["range"] = number(light.range);
+  if (light.type == LightType::spot)
+    to["spot"] = {{"innerConeAngle", number(light.inner_cone)}, {"outerConeAngle", number(light.outer_cone)}};
+  write_shape(out, light, to);
+  return to;
+}
+
+void put_transform(Json& to, const Transform& t) {
+  if (t.matrix) {
+    to["matrix"] = numbers(std::span(&(*t.matrix)[0][0], 16));
+    return;
+  }
+  if (t.translation != Vec3(0)) to["translation"] = vector(t.translation);
+  if (t.rotation != Vec4(0, 0, 0, 1)) to["rotation"] = vector(t.rotation);
+  if (t.scale != Vec3(1)) to["scale"] = vector(t.scale);
+}
+
+Json node_of(Output& out, const Node& node) {
+  Json to = Json::object();
+  put_name(to, node.name);
+  put_transform(to, node.transform);
+  if (!node.children.empty()) to["children"] = node.children;
+  const int mesh = node.mesh >= 0 ? out.mesh_numbers[static_cast<size_t>(node.mesh)] : -1;
+  if (mesh >= 0) to["mesh"] = mesh;
+  if (mesh >= 0 && node.skin >= 0) to["skin"] = node.skin;
+  if (mesh >= 0 && !node.weights.empty()) to["weights"] = numbers(node.weights);
+  if (node.camera >= 0) to["camera"] = node.camera;
+  if (node.light >= 0) out.extend(to, "KHR_lights_punctual")["light"] = node.light;
+  if (!node.visible) out.extend(to, "KHR_node_visibility")["visible"] = false;
+  return to;
+}
+
+}  // namespace
+
+void write_cameras_and_lights(Output& out) {
+  for (const Camera& camera : out.scene.cameras) out.add("cameras", camera_of(out, camera));
+  if (out.scene.lights.empty()) return;
+  Json& lights = out.extend(out.root, "KHR_lights_punctual")["lights"];
+  for (const Light& light : out.scene.lights) lights.push_back(light_of(out, light));
+}
+
+void write_nodes(Output& out) {
+  for (const Node& node : out.scene.nodes) out.add("nodes", node_of(out, node));
+  Json scene = Json::object();
+  put_name(scene, out.scene.name);
+  if (!out.scene.roots.empty()) scene["nodes"] = out.scene.roots;
+  out.add("scenes", std::move(scene));
+  out.root["scene"] = 0;
+}
+
+}  // namespace etendue::scene::gltf

@@ -1,0 +1,80 @@
+// Writing ETENDUE_transport, which gltf_transport.cpp reads; members only where they are not as usual.
+#include "scene/gltf/output.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+// From the folder where they lie close together, so that both can be moved; else from the root.
+std::string uri_of(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const auto whole = std::filesystem::absolute(file).lexically_normal();
+  const auto relative = whole.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+  return (relative.empty() || relative.string().starts_with("../..") ? whole : relative).generic_string();
+}
+
+Json environment_of(Output& out, const std::filesystem::path& folder) {
+  const Environment& e = out.scene.environment;
+  Json to = Json::object();
+  if (e.map && !e.file.empty())
+    to["file"] = uri_of(e.file, folder);
+  else if (e.map)
+    out.warnings.emplace_back("the environment's map is in no file; its tint alone was saved");
+  if (!to.empty() || e.tint != Rgb(0)) to["tint"] = vector(e.tint);
+  put(to, "rotation", e.rotation, 0);
+  if (!e.visible) to["visible"] = false;
+  if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);
+  return to;
+}
+
+}  // namespace
+
+void write_transport(Output& out, const std::filesystem::path& folder) {
+  Json to = Json::object();
+  put(to, "time", out.scene.time, 0);
+  if (out.scene.variant >= 0) to["variant"] = out.scene.variant;
+  if (Json environment = environment_of(out, folder); !environment.empty()) to["environment"] = std::move(environment);
+  if (!to.empty()) out.extend(out.root, kTransport) = std::move(to);
+}
+
+// With all parameters: what a model takes for usual may become another.
+void write_reflection(Output& out, const ReflectionUse& reflection, Json& object) {
+  if (!reflection) return;
+  Json parameters = Json::object();
+  for (const ParameterInfo& p : reflection->parameters()) {
+    if (p.type == ParameterType::number)
+      parameters[p.name] = number(static_cast<float>(std::get<double>(p.default_value)));
+    else
+      parameters[p.name] = std::visit([](const auto& value) { return Json(value); }, p.default_value);
+  }
+  out.extend(object, kTransport) = {{"model", reflection->info().description.name},
+                                    {"parameters", std::move(parameters)}};
+}
+
+void write_shape(Output& out, const Light& light, Json& object) {
+  const Light usual;
+  Json to = Json::object();
+  if (light.type > LightType::directional) {
+    to["type"] = kLightTypes[static_cast<size_t>(light.type)];
+    to["intensity"] = number(light.intensity);
+  }
+  if (light.profile != usual.profile) to["profile"] = kSpotProfiles[static_cast<size_t>(light.profile)];
+  if (light.quantity != usual.quantity) to["quantity"] = kQuantities[static_cast<size_t>(light.quantity)];
+  put(to, "exponent", light.exponent, usual.exponent);
+  put(to, "width", light.width, usual.width), put(to, "height", light.height, usual.height);
+  put(to, "radius", light.radius, usual.radius), put(to, "focus", light.focus, usual.focus);
+  if (light.two_sided) to["twoSided"] = true;
+  if (light.points > 0) to["points"] = light.points;
+  if (!to.empty()) out.extend(object, kTransport) = std::move(to);
+}
+
+void write_lens(Output& out, const Camera& camera, Json& object) {
+  const Camera usual;
+  Json to = Json::object();
+  put(to, "lensRadius", camera.lens_radius, usual.lens_radius);
+  put(to, "focusDistance", camera.focus_distance, usual.focus_distance);
+  put(to, "shutter", camera.shutter, usual.shutter);
+  // An orthographic camera of glTF has an aspect.
+  if (camera.projection == Projection::orthographic && !(camera.aspect > 0)) to["anyAspect"] = true;
+  if (!to.empty()) out.extend(object, kTransport) = std::move(to);
+}
+
+}  // namespace etendue::scene::gltf

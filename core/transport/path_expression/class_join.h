@@ -1,0 +1,50 @@
+// Words that are read from both ends: whether what a walk from the camera and a walk from a light have read so far
+// makes a path that is asked for.
+//
+// A state of the automaton that reads from the light knows which states of the other one it goes with: those from which
+// what it has read, the other way round, is accepted. The share of a connection is the sum over all pairs that go
+// together of the product of their shares.
+#pragma once
+#include <vector>
+
+#include "transport/path_expression/class_shares.h"
+#include "transport/path_expression/path_expression.h"
+
+namespace etendue::transport {
+
+class ClassJoin {
+ public:
+  using State = Automaton::State;
+  using States = Automaton::States;
+
+  explicit ClassJoin(const PathExpression& paths)
+      : camera_(&paths.automaton()), light_(&*paths.from_light()), goes_with_(light_->size(), 0) {
+    std::vector<State> open{light_->start()};
+    goes_with_[light_->start()] = camera_->accepting();
+    std::vector<bool> seen(light_->size(), false);
+    while (!open.empty()) {
+      const State state = open.back();
+      open.pop_back();
+      if (seen[state]) continue;
+      seen[state] = true;
+      for (size_t e = 0; e < kEvents; ++e) {
+        const auto event = static_cast<Event>(e);
+        const State next = light_->next(state, event);
+        if (next == Automaton::kDead) continue;
+        goes_with_[next] = camera_->before(goes_with_[state], event);
+        open.push_back(next);
+      }
+    }
+  }
+
+  const Automaton& camera() const { return *camera_; }
+  const Automaton& light() const { return *light_; }
+  bool go_together(State of_camera, State of_light) const { return goes_with_[of_light] >> of_camera & 1; }
+
+ private:
+  const Automaton* camera_;
+  const Automaton* light_;
+  std::vector<States> goes_with_;
+};
+
+}  // namespace etendue::transport

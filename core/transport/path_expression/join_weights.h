@@ -1,0 +1,68 @@
+// What a vertex looks up of walks from the lights that were stored before, where classes of paths are asked for.
+//
+// A walk that is stored (a photon, a virtual light) remembers one state of the automaton that reads from the light.
+// What looks it up holds, for each such state, the part of its own throughput that goes together with it.
+#pragma once
+#include <array>
+#include <bit>
+
+#include "transport/path_expression/class_join.h"
+
+namespace etendue::transport {
+
+// For each state of a walk from the light: the part of a camera walk's throughput that counts if both meet at a vertex
+// that scatters by one letter or the other.
+template <class Color>
+struct JoinWeights {
+  struct ByLetter {
+    Color diffuse{0}, glossy{0};
+  };
+  std::array<ByLetter, Automaton::kMostStates> of;
+};
+
+template <class M>
+void find_join_weights(const ClassShares<M>& shares, int path, const ClassJoin& join,
+                       JoinWeights<typename M::Color>& weights) {
+  const Automaton& automaton = shares.automaton();
+  const size_t size = join.light().size();
+  for (size_t r = 0; r < size; ++r) weights.of[r] = {};
+  for (Automaton::States states = shares.states(path); states != 0; states &= states - 1) {
+    const auto q = static_cast<Automaton::State>(std::countr_zero(states));
+    const auto add = [&](Event letter, auto part) {
+      const Automaton::State after = automaton.next(q, letter);
+      for (size_t r = 1; r < size; ++r)
+        if (join.go_together(after, static_cast<Automaton::State>(r))) weights.of[r].*part += shares.share(path, q);
+    };
+    add(Event::diffuse, &JoinWeights<typename M::Color>::ByLetter::diffuse);
+    add(Event::glossy, &JoinWeights<typename M::Color>::ByLetter::glossy);
+  }
+}
+
+// One of the states that a walk is in, chosen by its share: what a photon remembers. `weight` is what its power is
+// multiplied by; black if nothing of the walk counts.
+template <class Color>
+struct DrawnState {
+  Automaton::State state = Automaton::kDead;
+  Color weight{0};
+};
+
+template <class M>
+DrawnState<typename M::Color> draw_state(const ClassShares<M>& shares, int path, float random) {
+  DrawnState<typename M::Color> drawn;
+  float total = 0;
+  for (Automaton::States states = shares.states(path); states != 0; states &= states - 1)
+    total += average(shares.share(path, static_cast<Automaton::State>(std::countr_zero(states))));
+  if (!(total > 0)) return drawn;
+  float left = random * total;
+  for (Automaton::States states = shares.states(path); states != 0; states &= states - 1) {
+    const auto q = static_cast<Automaton::State>(std::countr_zero(states));
+    const float part = average(shares.share(path, q));
+    if (!(part > 0)) continue;
+    drawn = {q, shares.share(path, q) * (total / part)};
+    left -= part;
+    if (left < 0) break;
+  }
+  return drawn;
+}
+
+}  // namespace etendue::transport

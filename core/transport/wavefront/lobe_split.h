@@ -1,0 +1,103 @@
+// The thesis's letters D_G and S_G: what is diffuse or slightly glossy, and what is specular or highly glossy.
+//                                                                                       thesis L16849, L17950; S1
+// Photons are stored where something of a surface is wide, and its wide part is estimated from them; its narrow part is
+// followed by rays. All of a surface's glossy lobes have the same facets, so that they are wide or narrow together.
+#pragma once
+#include "transport/wavefront/path_estimators.h"
+
+namespace etendue::transport {
+
+class LobeSplit {
+ public:
+  // Glossy lobes of a lower roughness (the root of the facets' slope) are narrow.
+  explicit LobeSplit(float roughness) : alpha_(sqr(roughness)) {}
+
+  template <class M>
+  bool gloss_is_wide(const Bsdf<M>& bsdf) const {
+    if constexpr (M::kDiffuse)
+      return true;
+    else
+      return bsdf.lobes.alpha() >= alpha_;
+  }
+  template <class M>
+  bool has_wide(const Bsdf<M>& bsdf) const {
+    return bsdf.scatters(Scatter::diffuse) || (bsdf.scatters(Scatter::glossy) && gloss_is_wide(bsdf));
+  }
+  template <class M>
+  bool has_narrow_gloss(const Bsdf<M>& bsdf) const {
+    return bsdf.scatters(Scatter::glossy) && !gloss_is_wide(bsdf);
+  }
+
+  // The wide part of f.
+  template <class M>
+  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Transport mode) const {
+    return has_narrow_gloss(bsdf) ? bsdf.eval_part(Scatter::diffuse, wo, wi, mode) : bsdf.eval(wo, wi, mode);
+  }
+
+  friend bool operator==(const LobeSplit&, const LobeSplit&) = default;
+
+ private:
+  float alpha_;
+};
+
+// A walk goes on by the narrow part alone.
+struct TakeNarrow {
+  LobeSplit split;
+  Transport mode = Transport::radiance;
+
+  template <class M>
+  bool operator()(Front<M>& front, int arrival, LobeSample<typename M::Color>& s) const {
+    const Bsdf<M>& bsdf = front.bsdf(arrival);
+    if (!s.delta) {
+      if (!split.has_narrow_gloss(bsdf)) return false;
+      const Vec3& wo = front.wo(arrival);
+      s.weight *= ratio(bsdf.eval_part(Scatter::glossy, wo, s.wi, mode), bsdf.eval(wo, s.wi, mode));
+    }
+    if constexpr (M::kClasses)
+      return front.shares().scatter_by(front.path_at(arrival), s.delta ? Event::specular : Event::glossy);
+    return true;
+  }
+};
+
+// What is reflected of a sampled light: by the wide part, for which nothing else finds it, and by the narrow part, for
+// which the walk's own direction does too.
+enum class LitParts { narrow, wide, both };
+inline constexpr MisHeuristic kPartsHeuristic = MisHeuristic::power;
+
+template <class M, class Wanted = EveryArrival>
+void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, const Wanted& wanted = {}) {
+  using Color = typename M::Color;
+  const scene::CompiledScene& scene = front.scene();
+  if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::narrow)) return;
+  const std::span<const LightSample> samples = front.sample_lights(LightStrategy::automatic);
+  for (int i = 0; i < front.arrived(); ++i) {
+    const LightSample& light = samples[static_cast<size_t>(i)];
+    const Bsdf<M>& bsdf = front.bsdf(i);
+    const bool narrow_gloss = split.has_narrow_gloss(bsdf);
+    if (light.pdf == 0 || !wanted(i) || !(narrow_gloss || (lit != LitParts::narrow && split.has_wide(bsdf)))) continue;
+    const Vec3& wo = front.wo(i);
+    const auto whole = bsdf.evaluate(wo, light.wi);
+    Color diffuse = whole.f_cos, glossy(0);
+    if (bsdf.scatters(Scatter::glossy)) {
+      glossy = bsdf.eval_part(Scatter::glossy, wo, light.wi) * bsdf.cosine(light.wi);
+      diffuse = bsdf.eval_part(Scatter::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
+    }
+    if constexpr (M::kClasses) {
+      diffuse *= front.shares().of_connection_by(front.path_at(i), Event::diffuse);
+      glossy *= front.shares().of_connection_by(front.path_at(i), Event::glossy);
+    }
+    const float alone = lit == LitParts::narrow ? 0 : 1 / light.pdf;
+    float of_gloss = alone;
+    if (narrow_gloss)
+      of_gloss = lit == LitParts::wide ? 0
+                 : light.delta         ? 1 / light.pdf
+                                       : mis_weight_over_pdf(kPartsHeuristic, light.pdf, whole.pdf);
+    const Color reflected = diffuse * alone + glossy * of_gloss;
+    if (is_black(reflected)) continue;
+    auto& path = front.state_at(i);
+    auto& gain = light.distance > 0 ? front.connect(i, light.wi, light.distance) : path.radiance;
+    gain += path.throughput * reflected * scene.radiance_of(light);
+  }
+}
+
+}  // namespace etendue::transport

@@ -1,0 +1,113 @@
+#include "advisor/report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "advisor/number_text.h"
+
+namespace etendue::advice {
+namespace {
+
+using nlohmann::json;
+
+json row_json(const ClassRow& row) {
+  return {{"paths", row.paths},
+          {"energy", row.energy.mean},
+          {"standard_error", row.energy.standard_error},
+          {"share", row.share},
+          {"of_point_lights", row.energy.mean > 0 ? row.from_points.mean / row.energy.mean : 0},
+          {"uncertain", row.energy.uncertain()}};
+}
+
+json table_json(const ClassTable& table) {
+  json rows = json::array();
+  for (const auto& row : table.rows) rows.push_back(row_json(row));
+  return {{"width", table.width},           {"height", table.height}, {"spp", table.samples},
+          {"total", row_json(table.total)}, {"classes", rows},        {"unseen", table.unseen}};
+}
+
+json missing_json(const BlindSpots& spots) {
+  json list = json::array();
+  for (const auto& spot : spots.classes)
+    list.push_back(
+        {{"paths", spot.paths}, {"share", spot.share}, {"of_point_lights", spot.points}, {"part", spot.part}});
+  return list;
+}
+
+json method_json(const Advice& advice) {
+  json j{{"name", advice.method.name},
+         {"suitable", advice.suitable},
+         {"reason", advice.reason},
+         {"missing_share", advice.misses.share},
+         {"missing_rmse", advice.misses.rms},
+         {"missing", missing_json(advice.misses)},
+         {"seconds", nullptr},
+         {"seconds_interval", nullptr},
+         {"pilot", nullptr}};
+  if (advice.time) {
+    j["seconds"] = advice.time->seconds;
+    j["seconds_interval"] = {advice.time->interval.low, advice.time->interval.high};
+  }
+  if (advice.pilot_samples > 0)
+    j["pilot"] = {{"spp", advice.pilot_samples},
+                  {"seconds", advice.pilot_seconds},
+                  {"rmse", advice.pilot_rmse},
+                  {"exponent", advice.exponent.value},
+                  {"exponent_stderr", advice.exponent.error}};
+  return j;
+}
+
+template <class... T>
+void print(std::string& text, const char* format, T... values) {
+  char line[512];
+  std::snprintf(line, sizeof line, format, values...);
+  text += line;
+}
+
+void print_table(std::string& text, const ClassTable& table) {
+  print(text, "%-36s %8s  %s\n", "paths", "share", "energy");
+  for (const auto& row : table.rows)
+    print(text, "%-36s %8s  %s +- %s%s\n", row.paths.c_str(), percent(row.share).c_str(),
+          number(row.energy.mean).c_str(), number(row.energy.standard_error).c_str(),
+          row.energy.uncertain() ? "  uncertain" : "");
+  if (table.unseen.empty()) return;
+  text += "nothing found of";
+  for (const auto& paths : table.unseen) text += ' ' + paths;
+  text += '\n';
+}
+
+std::string time_text(const Advice& advice) {
+  if (!advice.time) return "-";
+  return seconds_text(advice.time->seconds) + " (" + seconds_text(advice.time->interval.low) + " to " +
+         seconds_text(advice.time->interval.high) + ")";
+}
+
+}  // namespace
+
+std::string ranking_json(const Ranking& ranking, const std::string& scene) {
+  json methods = json::array();
+  for (const auto& advice : ranking.methods) methods.push_back(method_json(advice));
+  return json{{"scene", scene},
+              {"target", ranking.target},
+              {"table", table_json(ranking.table)},
+              {"methods", methods},
+              {"beyond_all_methods", ranking.beyond_methods}}
+      .dump(2);
+}
+
+std::string ranking_text(const Ranking& ranking) {
+  std::string text;
+  print_table(text, ranking.table);
+  for (const auto& sentence : ranking.beyond_methods) text += sentence + '\n';
+  size_t widest = 0;
+  for (const auto& advice : ranking.methods) widest = std::max(widest, advice.method.name.size());
+  const auto column = static_cast<int>(widest);
+  print(text, "\n%-*s  %-26s  %s\n", column, "method", ("time to RMSE " + number(ranking.target)).c_str(), "reason");
+  for (const auto& advice : ranking.methods)
+    print(text, "%-*s  %-26s  %s\n", column, advice.method.name.c_str(), time_text(advice).c_str(),
+          advice.reason.c_str());
+  return text;
+}
+
+}  // namespace etendue::advice

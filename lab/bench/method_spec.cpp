@@ -1,0 +1,98 @@
+#include "bench/method_spec.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "render/incompatibility.h"
+
+namespace etendue::bench {
+namespace {
+
+std::vector<std::string> pieces(const std::string& text, char separator) {
+  std::vector<std::string> list;
+  size_t begin = 0;
+  for (size_t end; (end = text.find(separator, begin)) != std::string::npos; begin = end + 1)
+    list.push_back(text.substr(begin, end - begin));
+  list.push_back(text.substr(begin));
+  return list;
+}
+
+// Methods begin with a letter; what does not belongs to the value before its comma, as in bdpt:without=1,*.
+std::vector<std::string> methods_in(const std::string& list) {
+  std::vector<std::string> methods;
+  for (const std::string& piece : pieces(list, ',')) {
+    const bool begins = piece.empty() || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
+    if (begins || methods.empty())
+      methods.push_back(piece);
+    else
+      methods.back() += ',' + piece;
+  }
+  return methods;
+}
+
+// Whether the same picture is made, by whatever way.
+bool same_picture(const render::Document& a, const render::Document& b) {
+  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height && a.seed == b.seed &&
+         a.limits == b.limits && a.display == b.display;
+}
+
+Error wrong(const std::string& method, const std::string& why) {
+  return usage_error("--methods: '" + method + "': " + why);
+}
+
+struct Assignment {
+  std::string name, value;
+};
+
+// The integrator and the sampler come first: names of parameters belong to them.
+Result<std::vector<Assignment>> assignments_of(const std::string& method) {
+  const auto parts = pieces(method, ':');
+  if (parts[0].empty()) return wrong(method, "it has no integrator; give integrator[:name=value]...");
+  std::vector<Assignment> list{{"render.integrator", parts[0]}};
+  for (size_t i = 1; i < parts.size(); ++i) {
+    const size_t equals = parts[i].find('=');
+    if (equals == std::string::npos) return wrong(method, "'" + parts[i] + "' has no '='; give name=value");
+    const std::string name = parts[i].substr(0, equals), value = parts[i].substr(equals + 1);
+    if (name == "sampler" || name == "render.sampler")
+      list.insert(list.begin() + 1, {"render.sampler", value});
+    else
+      list.push_back({name, value});
+  }
+  return list;
+}
+
+}  // namespace
+
+Result<Method> parse_method(const std::string& text, const render::Document& base) {
+  const auto assignments = assignments_of(text);
+  if (!assignments) return assignments.error();
+  Method method{text, base};
+  for (const auto& [name, value] : *assignments) {
+    auto changed = render::with_text(method.document, name, value);
+    if (!changed) return wrong(text, changed.error().message);
+    method.document = std::move(*changed);
+    if (!same_picture(method.document, base))
+      return wrong(text, "'" + name + "' makes another picture; give it to all methods with --set");
+  }
+  const render::Method& made = method.document.method;
+  if (made.adaptive != base.method.adaptive && made.adaptive != render::Adaptive::off)
+    if (const std::string obstacle = render::adaptive_obstacle(made.integrator); !obstacle.empty())
+      return wrong(text, obstacle);
+  return method;
+}
+
+Result<std::vector<Method>> parse_methods(const std::string& list, const render::Document& base) {
+  std::vector<Method> methods;
+  for (const auto& text : methods_in(list)) {
+    if (text.empty()) continue;
+    auto method = parse_method(text, base);
+    if (!method) return method.error();
+    if (std::ranges::any_of(methods, [&](const Method& m) { return m.name == text; }))
+      return wrong(text, "is named twice");
+    methods.push_back(std::move(*method));
+  }
+  if (methods.empty()) return usage_error("--methods: there is none; give a list like path:sampler=sobol,path-pure");
+  return methods;
+}
+
+}  // namespace etendue::bench

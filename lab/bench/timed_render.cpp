@@ -1,0 +1,40 @@
+#include "bench/timed_render.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace etendue::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+}  // namespace
+
+Lane::Lane(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene, film::Film start,
+           double seconds)
+    : runner_(document, scene, document.width, document.height),
+      film_(start.width() > 0 ? std::move(start) : film::Film(document.width, document.height)),
+      seconds_(seconds),
+      seconds_before_(seconds) {
+  runner_.begin(film_);
+}
+
+bool Lane::run(render::Workers& workers, uint32_t target, double seconds, const std::function<bool()>& keep_going) {
+  const double before = seconds_, end = before + seconds;
+  const auto start = Clock::now();
+  bool whole = true;
+  for (const uint32_t first = samples(); samples() < target && whole && (samples() == first || !reached(end));) {
+    whole = runner_.advance(workers, {film_}, keep_going, counters_, keep_going);
+    seconds_ = before + seconds_since(start);
+  }
+  return whole;
+}
+
+double Lane::rays_per_second() const {
+  const double seconds = seconds_ - seconds_before_;
+  return seconds > 0 ? static_cast<double>(counters_.rays) / seconds : 0;
+}
+
+}  // namespace etendue::bench

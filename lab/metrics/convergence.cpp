@@ -1,0 +1,164 @@
+#include "metrics/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etendue::measure {
+namespace {
+
+double abscissa(const ErrorPoint& p, Abscissa along) { return along == Abscissa::seconds ? p.seconds : p.spp; }
+double ordinate(const ErrorPoint& p, ErrorKind kind) { return kind == ErrorKind::rmse ? std::sqrt(p.mse) : p.relmse; }
+
+// What a logarithm can be taken of.
+bool drawable(double x, double y) { return x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y); }
+
+template <class F>
+void each_drawable(const ErrorCurve& curve, Abscissa along, ErrorKind kind, F&& f) {
+  for (const auto& p : curve.points)
+    if (drawable(abscissa(p, along), ordinate(p, kind))) f(abscissa(p, along), ordinate(p, kind));
+}
+
+// Half the distance of the neighbours on either side; at the ends, half of the one there is.
+void weigh_by_spacing(std::vector<LinePoint>& points) {
+  if (points.size() < 2) return;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const double before = points[i > 0 ? i - 1 : i].x, after = points[std::min(i + 1, points.size() - 1)].x;
+    points[i].weight *= 0.5 * (after - before);
+  }
+}
+
+// d log(m) = dm / m: with m the corrected and m + noise the measured MSE, whose relative error is the same everywhere.
+double certainty(double mse, double noise) { return std::pow(mse / (mse + noise), 2); }
+
+LineFit line_of(const ErrorCurve& curve, Abscissa along, double noise) {
+  std::vector<LinePoint> points;
+  each_drawable(curve, along, ErrorKind::rmse, [&](double x, double rmse) {
+    points.push_back({std::log(x), std::log(rmse), certainty(rmse * rmse, noise)});
+  });
+  weigh_by_spacing(points);
+  return fit_line(points);
+}
+
+template <class F>
+Figure figure_of_ends(const MethodCurves& method, F&& value) {
+  std::vector<double> values;
+  for (const auto& curve : method.repeats)
+    if (!curve.points.empty())
+      if (const double v = value(curve.points.back()); std::isfinite(v)) values.push_back(v);
+  return figure_of(values);
+}
+
+}  // namespace
+
+ErrorPoint without_noise(ErrorPoint measured, const ReferenceNoise& noise) {
+  measured.mse = std::max(measured.mse - noise.mse, 0.0);
+  measured.relmse = std::max(measured.relmse - noise.relmse, 0.0);
+  return measured;
+}
+
+MethodCurves without_noise(const MethodCurves& method, const ReferenceNoise& noise) {
+  MethodCurves corrected = method;
+  for (auto& curve : corrected.repeats)
+    for (auto& p : curve.points) p = without_noise(p, noise);
+  return corrected;
+}
+
+bool too_noisy(const MethodCurves& corrected, const ReferenceNoise& noise) {
+  for (const auto& curve : corrected.repeats)
+    for (const auto& p : curve.points)
+      if (p.mse < 100 * noise.mse) return true;
+  return false;
+}
+
+std::vector<double> log_grid(double first, double last, int count) {
+  std::vector<double> grid;
+  const double step = std::log(last / first) / (count - 1);
+  for (int i = 0; i < count; ++i) grid.push_back(i + 1 < count ? first * std::exp(step * i) : last);
+  return grid;
+}
+
+std::optional<Span> span_of(const MethodCurves& method, Abscissa along) {
+  std::optional<Span> span;
+  for (const auto& curve : method.repeats)
+    each_drawable(curve, along, ErrorKind::rmse, [&](double x, double) {
+      if (!span) span = Span{x, x};
+      span = Span{std::min(span->first, x), std::max(span->last, x)};
+    });
+  return span;
+}
+
+std::optional<double> error_at(const ErrorCurve& curve, Abscissa along, ErrorKind kind, double x) {
+  std::optional<double> found;
+  double last_x = 0, last_y = 0;
+  each_drawable(curve, along, kind, [&](double px, double py) {
+    if (px == x) found = py;
+    if (!found && last_x > 0 && last_x < x && x < px) {
+      const double t = std::log(x / last_x) / std::log(px / last_x);
+      found = last_y * std::pow(py / last_y, t);
+    }
+    last_x = px, last_y = py;
+  });
+  return found;
+}
+
+std::vector<BandPoint> band_of(const MethodCurves& method, Abscissa along, ErrorKind kind,
+                               std::span<const double> grid) {
+  std::vector<BandPoint> band;
+  for (const double x : grid) {
+    std::vector<double> errors;
+    for (const auto& curve : method.repeats)
+      if (const auto e = error_at(curve, along, kind, x)) errors.push_back(*e);
+    if (errors.empty() || 2 * errors.size() < method.repeats.size()) continue;
+    band.push_back({x, quantile(errors, 0.1), quantile(errors, 0.5), quantile(errors, 0.9)});
+  }
+  return band;
+}
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return NAN;
+  std::ranges::sort(values);
+  const double at = q * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<size_t>(at), above = std::min(below + 1, values.size() - 1);
+  return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+Figure figure_of(std::span<const double> values) {
+  if (values.empty()) return {};
+  const auto n = static_cast<double>(values.size());
+  double sum = 0, squares = 0;
+  for (const double v : values) sum += v;
+  for (const double v : values) squares += (v - sum / n) * (v - sum / n);
+  const double error = values.size() > 1 ? std::sqrt(squares / (n - 1) / n) : 0;
+  return {sum / n, error, static_cast<int>(values.size()) - 1, true};
+}
+
+Figure slope_of(const MethodCurves& corrected, Abscissa along, const ReferenceNoise& noise) {
+  std::vector<double> slopes;
+  double alone = 0;
+  for (const auto& curve : corrected.repeats)
+    if (const LineFit line = line_of(curve, along, noise.mse); line.known)
+      slopes.push_back(line.slope), alone = line.slope_error;
+  Figure slope = figure_of(slopes);
+  if (slopes.size() == 1) slope.standard_error = alone;
+  return slope;
+}
+
+Figure efficiency_of(const MethodCurves& corrected) {
+  const Figure cost = figure_of_ends(corrected, [](const ErrorPoint& p) { return p.mse * p.seconds; });
+  if (!cost.known || !(cost.value > 0)) return {};
+  return {1 / cost.value, cost.standard_error / (cost.value * cost.value), cost.degrees, true};
+}
+
+Figure bias_of(const MethodCurves& method, double reference_error) {
+  Figure bias = figure_of_ends(method, [](const ErrorPoint& p) { return p.bias; });
+  bias.standard_error = std::hypot(bias.standard_error, reference_error);
+  return bias;
+}
+
+std::optional<Split> split(double mean_mse, double mse_of_mean, int repeats, const ReferenceNoise& noise) {
+  if (repeats < 2) return {};
+  const double n = repeats;
+  return Split{(n * mse_of_mean - mean_mse) / (n - 1) - noise.mse, (mean_mse - mse_of_mean) * n / (n - 1)};
+}
+
+}  // namespace etendue::measure

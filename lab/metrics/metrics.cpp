@@ -1,0 +1,57 @@
+#include "metrics/metrics.h"
+
+#include <cmath>
+
+namespace etendue::measure {
+namespace {
+
+const std::vector<float>& pixels_of(const image::LayeredImage& image) { return image.find("")->pixels; }
+
+bool has_rgb(const image::LayeredImage& image) {
+  const image::Layer* beauty = image.find("");
+  return beauty && beauty->channels.size() == 3;
+}
+
+std::string size_text(const image::LayeredImage& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+double relative_difference(double x, double r) {
+  const double scale = 0.5 * (std::abs(x) + std::abs(r));
+  return scale > 0 ? std::abs(x - r) / scale : 0;
+}
+
+}  // namespace
+
+Metrics metrics_of(std::span<const float> x, std::span<const float> r) {
+  Metrics m;
+  double peak = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    const double a = x[i], b = r[i], d = a - b;
+    m.mse += d * d;
+    m.relmse += d * d / (b * b + 0.01);
+    m.mae += std::abs(d);
+    m.smape += relative_difference(a, b);
+    m.bias += d;
+    peak = std::max(peak, b);
+  }
+  const auto n = static_cast<double>(x.size());
+  m.mse /= n, m.relmse /= n, m.mae /= n, m.smape /= n, m.bias /= n;
+  m.rmse = std::sqrt(m.mse);
+  m.psnr = m.mse > 0 ? 10 * std::log10(peak * peak / m.mse) : INFINITY;
+  return m;
+}
+
+Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
+  if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
+  if (picture.width != reference.width || picture.height != reference.height)
+    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
+                       "; give images of one size");
+  const auto &x = pixels_of(picture), &r = pixels_of(reference);
+  for (size_t i = 0; i < x.size(); ++i)
+    if (!std::isfinite(x[i]) || !std::isfinite(r[i]))
+      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
+  return metrics_of(x, r);
+}
+
+}  // namespace etendue::measure

@@ -1,0 +1,164 @@
+// Every case, by kind; one line each.
+#include "stress/case.h"
+#include "stress/cases/albedo_of_one.h"
+#include "stress/cases/all_scales.h"
+#include "stress/cases/camera_inside_glass.h"
+#include "stress/cases/caustic_behind_glass.h"
+#include "stress/cases/caustic_of_a_point_light.h"
+#include "stress/cases/caustic_of_a_small_lamp.h"
+#include "stress/cases/chains_in_two_places.h"
+#include "stress/cases/closed_room_of_albedo_one.h"
+#include "stress/cases/coincident_lights.h"
+#include "stress/cases/depth_cut_off.h"
+#include "stress/cases/emitter_that_reflects.h"
+#include "stress/cases/far_from_the_origin.h"
+#include "stress/cases/glossy_virtual_lights.h"
+#include "stress/cases/grazing_albedo.h"
+#include "stress/cases/grazing_light.h"
+#include "stress/cases/grille_as_fine_as_pixels.h"
+#include "stress/cases/hall_of_mirrors.h"
+#include "stress/cases/index_of_one.h"
+#include "stress/cases/infinite_emission.h"
+#include "stress/cases/integrating_sphere.h"
+#include "stress/cases/inverted_normals.h"
+#include "stress/cases/lamp_in_a_sphere.h"
+#include "stress/cases/late_dimensions.h"
+#include "stress/cases/lens_of_no_size.h"
+#include "stress/cases/lens_too_small_to_hit.h"
+#include "stress/cases/light_from_one_patch.h"
+#include "stress/cases/light_of_a_micrometre.h"
+#include "stress/cases/light_that_touches_a_wall.h"
+#include "stress/cases/light_through_a_gap.h"
+#include "stress/cases/lossless_glass.h"
+#include "stress/cases/many_lights.h"
+#include "stress/cases/models_at_their_ends.h"
+#include "stress/cases/models_that_make_light.h"
+#include "stress/cases/nan_in_a_sky.h"
+#include "stress/cases/narrow_lobe_and_small_light.h"
+#include "stress/cases/nested_glass.h"
+#include "stress/cases/optical_depth.h"
+#include "stress/cases/photons_at_a_shadow.h"
+#include "stress/cases/photons_at_an_edge.h"
+#include "stress/cases/photons_in_an_estimate.h"
+#include "stress/cases/photons_on_a_ball.h"
+#include "stress/cases/photons_too_few.h"
+#include "stress/cases/point_light_unseen.h"
+#include "stress/cases/point_on_the_light.h"
+#include "stress/cases/reused_seeds.h"
+#include "stress/cases/room_that_makes_light.h"
+#include "stress/cases/roughness_at_its_ends.h"
+#include "stress/cases/roulette_below_the_square.h"
+#include "stress/cases/roulette_of_a_bright_room.h"
+#include "stress/cases/seeds_and_pixels.h"
+#include "stress/cases/settings_that_are_no_numbers.h"
+#include "stress/cases/shadows_ignored.h"
+#include "stress/cases/shutter_of_no_time.h"
+#include "stress/cases/slivers.h"
+#include "stress/cases/small_light_by_chance.h"
+#include "stress/cases/starts_of_chains.h"
+#include "stress/cases/table_of_a_model.h"
+#include "stress/cases/thirty_stops.h"
+#include "stress/cases/total_reflection.h"
+#include "stress/cases/triangles_without_area.h"
+#include "stress/cases/view_of_a_small_part.h"
+#include "stress/cases/virtual_lights_in_a_corner.h"
+
+namespace etendue::stress {
+
+std::string_view kind_name(Kind kind) {
+  switch (kind) {
+    case Kind::blind_spots:
+      return "blind spots";
+    case Kind::heavy_tails:
+      return "heavy tails";
+    case Kind::bias:
+      return "bias";
+    case Kind::correlation:
+      return "correlation";
+    case Kind::parameters:
+      return "limits of parameters";
+    case Kind::geometry:
+      return "limits of geometry";
+    case Kind::broken_physics:
+      return "broken physics";
+    case Kind::bad_numbers:
+      return "bad numbers";
+  }
+  return "";
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      kCausticOfAPointLight,
+      kCausticBehindGlass,
+      kPointLightUnseen,
+      kLensTooSmallToHit,
+      kIntegratingSphere,
+      kSmallLightByChance,
+      kLampInASphere,
+      kCausticOfASmallLamp,
+      kLightFromOnePatch,
+      kLightThroughAGap,
+      kViewOfASmallPart,
+      kNarrowLobeAndSmallLight,
+      kLightThatTouchesAWall,
+      kRouletteBelowTheSquare,
+      kShadowsIgnored,
+      kManyLights,
+      kEmitterThatReflects,
+      kGrilleAsFineAsPixels,
+      kDepthCutOff,
+      kRouletteOfABrightRoom,
+      kStartsOfChains,
+      kChainsInTwoPlaces,
+      kVirtualLightsInACorner,
+      kGlossyVirtualLights,
+      kPhotonsAtAnEdge,
+      kPhotonsAtAShadow,
+      kPhotonsOnABall,
+      kSeedsAndPixels,
+      kReusedSeeds,
+      kLateDimensions,
+      kHallOfMirrors,
+      kIndexOfOne,
+      kLosslessGlass,
+      kTotalReflection,
+      kRoughnessAtItsEnds,
+      kModelsAtTheirEnds,
+      kAlbedoOfOne,
+      kClosedRoomOfAlbedoOne,
+      kOpticalDepth,
+      kPhotonsInAnEstimate,
+      kPhotonsTooFew,
+      kLightOfAMicrometre,
+      kThirtyStops,
+      kLensOfNoSize,
+      kShutterOfNoTime,
+      kAllScales,
+      kFarFromTheOrigin,
+      kSlivers,
+      kCoincidentLights,
+      kInvertedNormals,
+      kCameraInsideGlass,
+      kNestedGlass,
+      kTrianglesWithoutArea,
+      kGrazingLight,
+      kPointOnTheLight,
+      kGrazingAlbedo,
+      kModelsThatMakeLight,
+      kRoomThatMakesLight,
+      kTableOfAModel,
+      kInfiniteEmission,
+      kNanInASky,
+      kSettingsThatAreNoNumbers,
+  };
+  return all;
+}
+
+const Case* find_case(std::string_view name) {
+  for (const Case& c : cases())
+    if (c.name == name) return &c;
+  return nullptr;
+}
+
+}  // namespace etendue::stress
