@@ -8,7 +8,6 @@
 #include "interrupt.h"
 #include "progress.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "settings.h"
 
 namespace etendue::cli {

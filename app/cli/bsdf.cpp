@@ -14,7 +14,6 @@
 #include "bsdf/measured/brdf_table.h"
 #include "render/document.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::cli {
 namespace {

@@ -9,7 +9,6 @@
 #include "render/document_parameters.h"
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {

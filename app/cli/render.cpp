@@ -19,7 +19,6 @@
 #include "render/image_output.h"
 #include "render/session.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "settings.h"
 
 namespace etendue::cli {

@@ -2,7 +2,6 @@
 
 #include "advisor/certificate.h"
 #include "render/image_output.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {

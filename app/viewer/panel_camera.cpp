@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include "viewer/number_widget.h"
-#include "scene/compiled_scene.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 

@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include "light/light_presets.h"
-#include "scene/compiled_scene.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"

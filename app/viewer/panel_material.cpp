@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include "viewer/panels.h"
-#include "scene/compiled_scene.h"
 #include "viewer/widgets.h"
 
 namespace etendue::viewer {

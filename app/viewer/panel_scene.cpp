@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "scene/rotation.h"
-#include "scene/compiled_scene.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "scene/compiled_scene.h"
 #include "viewer/contest_hand.h"
 
 namespace etendue::viewer {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "integrator/integrator.h"
-#include "scene/compiled_scene.h"
 #include "viewer/drawer.h"
 #include "viewer/fields.h"
 #include "viewer/panels.h"

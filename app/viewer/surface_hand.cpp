@@ -1,6 +1,5 @@
 #include "viewer/surface_hand.h"
 
-#include "scene/compiled_scene.h"
 
 #include <algorithm>
 

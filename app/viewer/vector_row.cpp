@@ -2,7 +2,6 @@
 #include <imgui.h>
 
 #include "scene/rotation.h"
-#include "scene/compiled_scene.h"
 #include "viewer/fields.h"
 
 namespace etendue::viewer {

@@ -6,7 +6,6 @@
 #include <chrono>
 
 #include "spectrum/colormap.h"
-#include "scene/compiled_scene.h"
 #include "viewer/panels.h"
 #include "viewer/scale_bar.h"
 #include "viewer/words.h"

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "integrator/integrator.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {

@@ -7,7 +7,6 @@
 #include "film/filter.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "render/thread_pool.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {

@@ -5,7 +5,6 @@
 #include "integrator/integrator.h"
 #include "render/document_parameters.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "scene/environment.h"
 #include "transport/model.h"
 

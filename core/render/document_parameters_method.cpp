@@ -5,7 +5,6 @@
 #include "integrator/integrator.h"
 #include "render/document_parameters.h"
 #include "render/incompatibility.h"
-#include "scene/compiled_scene.h"
 #include "scene/pose.h"
 #include "scene/variants.h"
 #include "transport/model.h"

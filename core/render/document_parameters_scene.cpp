@@ -1,6 +1,5 @@
 // Sections: camera, environment, material.N, light.N, node.N.
 #include "render/document_parameters.h"
-#include "scene/compiled_scene.h"
 #include "scene/rotation.h"
 
 namespace etendue::render {

@@ -2,7 +2,6 @@
 #include <nlohmann/json.hpp>
 
 #include "render/document.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {

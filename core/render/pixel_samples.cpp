@@ -2,7 +2,6 @@
 
 #include "integrator/shared/camera_path_integrator.h"
 #include "render/renderer.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {

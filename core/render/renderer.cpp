@@ -1,6 +1,5 @@
 #include "render/renderer.h"
 
-#include "scene/compiled_scene.h"
 
 #include <bit>
 #include <cmath>

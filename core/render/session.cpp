@@ -11,7 +11,6 @@
 #include "render/incompatibility.h"
 #include "render/preview_resolution.h"
 #include "render/renderer.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::render {
 namespace {

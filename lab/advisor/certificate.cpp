@@ -1,6 +1,5 @@
 #include "advisor/certificate.h"
 
-#include "scene/compiled_scene.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

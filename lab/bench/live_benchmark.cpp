@@ -10,7 +10,6 @@
 #include "bench/measurement_schedule.h"
 #include "bench/timed_render.h"
 #include "film/film_image.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::bench {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "base/file.h"
 #include "base/hash.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::bench {
 namespace {

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "metrics/log_axis.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::bench {
 namespace {

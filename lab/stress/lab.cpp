@@ -9,7 +9,6 @@
 #include "integrator/integrator.h"
 #include "render/incompatibility.h"
 #include "render/session.h"
-#include "scene/compiled_scene.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::stress {

@@ -17,7 +17,6 @@
 #include <thread>
 
 #include "render/session.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -15,7 +15,6 @@
 #include "bench/method_spec.h"
 #include "metrics/convergence.h"
 #include "scene/builtin/many_lights.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue {
 namespace {

@@ -13,7 +13,6 @@
 #include "bench/timed_render.h"
 #include "bench/method_spec.h"
 #include "bench/work_rig.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "integrator/integrator.h"
 #include "integrator/photon/photon_emission.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

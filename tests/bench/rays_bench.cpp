@@ -12,7 +12,6 @@
 #include "bench/ray_log.h"
 #include "bench/work_rig.h"
 #include "scene/builtin/cornell.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

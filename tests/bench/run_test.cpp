@@ -12,7 +12,6 @@
 #include "bench/reference_key.h"
 #include "bench/report.h"
 #include "bench/summary.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue::test {

@@ -5,7 +5,6 @@
 
 #include "integrator/mlt/mutation_chain.h"
 #include "integrator/mlt/bootstrap_paths.h"
-#include "scene/compiled_scene.h"
 #include "support/places.h"
 
 namespace etendue {

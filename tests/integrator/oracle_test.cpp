@@ -3,7 +3,6 @@
 
 #include "integrator/integrator.h"
 #include "render/incompatibility.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 #include "transport/path_expression/path_expression.h"
 

@@ -7,7 +7,6 @@
 
 #include "advisor/declared_paths.h"
 #include "integrator/integrator.h"
-#include "scene/compiled_scene.h"
 #include "support/motion.h"
 #include "support/places.h"
 

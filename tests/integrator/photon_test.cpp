@@ -5,7 +5,6 @@
 
 #include "integrator/photon/photon_emission.h"
 #include "sampling/random.h"
-#include "scene/compiled_scene.h"
 #include "support/places.h"
 
 namespace etendue {

@@ -21,9 +21,9 @@ TEST(Registry, GroupsFollowEachOtherInTheirOrder) {
 TEST(Registry, NoTwoMethodsShareAKey) {
   std::set<char> keys;
   for (const auto& info : integrator::integrator_infos()) {
-    if (!info.key) continue;
-    EXPECT_TRUE(info.key >= '1' && info.key <= '9') << info.name;
-    EXPECT_TRUE(keys.insert(info.key).second) << info.name;
+    if (!info.shortcut) continue;
+    EXPECT_TRUE(info.shortcut >= '1' && info.shortcut <= '9') << info.name;
+    EXPECT_TRUE(keys.insert(info.shortcut).second) << info.name;
   }
   EXPECT_TRUE(keys.contains('1'));
 }
@@ -90,7 +90,7 @@ TEST(Obstacle, SaysWhatToDo) {
 
 TEST(Obstacle, OfAdaptiveSamplingAreAllMethodsThatDoNotGoPixelByPixel) {
   for (const auto& info : integrator::integrator_infos())
-    EXPECT_EQ(render::adaptive_obstacle(info.name).empty(), info.sampling == integrator::Sampling::pixels) << info.name;
+    EXPECT_EQ(render::adaptive_obstacle(info.name).empty(), info.accumulation == integrator::Sampling::pixels) << info.name;
 }
 
 }  // namespace

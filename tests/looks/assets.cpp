@@ -1,6 +1,5 @@
 #include "looks/assets.h"
 
-#include "scene/compiled_scene.h"
 
 #include <algorithm>
 #include <fstream>

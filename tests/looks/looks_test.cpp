@@ -3,7 +3,6 @@
 
 #include "looks/assets.h"
 #include "looks/sheet.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue::looks {

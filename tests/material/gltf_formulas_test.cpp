@@ -1,6 +1,7 @@
 // What the layers are, where it can be told without their code.
 #include <gtest/gtest.h>
 
+#include "bsdf/lobes/sheen.h"
 #include "material/gltf_cases.h"
 
 namespace etendue::test {

@@ -1,6 +1,5 @@
 // New documents: what is added to a scene so that there is something to see.
 #include "render/document.h"
-#include "scene/compiled_scene.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

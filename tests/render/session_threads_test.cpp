@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "render/session.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue {

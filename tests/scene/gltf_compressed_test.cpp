@@ -6,7 +6,6 @@
 #include <random>
 
 #include "scene/gltf_builder.h"
-#include "scene/compiled_scene.h"
 #include "support/scenes.h"
 
 namespace etendue::test {

@@ -1,6 +1,5 @@
 // The shell of a file: JSON, GLB chunks, URIs, versions, extensions.
 #include "scene/gltf_builder.h"
-#include "scene/compiled_scene.h"
 
 namespace etendue::test {
 namespace {

@@ -3,7 +3,6 @@
 #include "bsdf/bsdf_model.h"
 #include "render/scene_saving.h"
 #include "scene/builtin/builtin.h"
-#include "scene/compiled_scene.h"
 #include "scene/gltf_builder.h"
 #include "scene/gltf/write.h"
 #include "scene/scene_compare.h"

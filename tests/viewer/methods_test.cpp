@@ -27,9 +27,9 @@ TEST_F(Methods, EveryKeyChoosesTheMethodThatHasIt) {
   json steps = small(1);
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos()) {
-    if (!info.key) continue;
+    if (!info.shortcut) continue;
     names.push_back(info.name);
-    steps.push_back(key(std::string(1, info.key)));
+    steps.push_back(key(std::string(1, info.shortcut)));
     steps.push_back(file_step("state", path(info.name + ".json")));
   }
   ASSERT_EQ(run(steps), 0);
