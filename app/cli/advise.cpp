@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::string scene, size, camera, env, paths;
   std::vector<std::string> sets;
-  advice::Question question;
+  advisor::Question question;
   int threads = 0;
   bool json = false;
 };
@@ -43,13 +43,13 @@ int run(const Options& o) {
   session_options.threads = o.threads;
   render::Session session(session_options);
   Progress bar;
-  const auto ranking = advice::advise(session, *document, o.question, [&](double done, const std::string& what) {
+  const auto ranking = advisor::advise(session, *document, o.question, [&](double done, const std::string& what) {
     bar.show(done, what);
     return !interrupted;
   });
   bar.finish();
   const std::string text =
-      o.json ? advice::ranking_json(ranking, document->scene_name) + "\n" : advice::ranking_text(ranking);
+      o.json ? advisor::ranking_json(ranking, document->scene_name) + "\n" : advisor::ranking_text(ranking);
   std::fputs(text.c_str(), stdout);
   return ranking.interrupted ? static_cast<int>(Fault::interrupted) : 0;
 }

@@ -58,7 +58,7 @@ class Meter {
   explicit Meter(const std::atomic<bool>& interrupted) : interrupted_(interrupted) {}
 
   // What comes next takes the part of the bar up to `end`.
-  bench::Watch part(double begin, double end) {
+  bench::Progress part(double begin, double end) {
     return [this, begin, end](double done, const std::string& what) {
       bar_.show(begin + done * (end - begin), what);
       return !interrupted_;

@@ -6,12 +6,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/file.h"
+#include "bsdf/measured/brdf_table.h"
 #include "bsdf_analysis/checks.h"
 #include "bsdf_analysis/drawings.h"
-#include "base/file.h"
 #include "command.h"
 #include "interrupt.h"
-#include "bsdf/measured/brdf_table.h"
 #include "render/document.h"
 #include "scene/builtin/builtin.h"
 
@@ -33,8 +33,8 @@ struct Specimen {
   std::string name;
   Material material;
   std::vector<ParameterInfo> parameters;
-  audit::Lobes lobes;
-  audit::Audit audit;
+  bsdf_analysis::Lobes lobes;
+  bsdf_analysis::Audit audit;
 };
 
 Result<render::Document> document_of(const Options& o) {
@@ -72,15 +72,15 @@ Result<Specimen> specimen_of(const Options& o, const std::string& model, const s
   if (!d) return d.error();
   if (!model.empty()) d = render::with_text(*d, "material.0.model", model);
   if (!d) return d.error();
-  const ReflectionUse chosen = d->scene->materials[0].reflection;
+  const BsdfModelRef chosen = d->scene->materials[0].model;
   const std::string name = chosen ? chosen->info().description.name : "gltf";
   for (const auto& setting : settings) {
     d = with_setting(*d, name, setting);
     if (!d) return d.error();
   }
   Specimen s{name, d->scene->materials[0], {}, {}, {}};
-  if (s.material.reflection) s.parameters = s.material.reflection->parameters();
-  s.lobes = audit::lobes_of(s.material);
+  if (s.material.model) s.parameters = s.material.model->parameters();
+  s.lobes = bsdf_analysis::lobes_of(s.material);
   return s;
 }
 
@@ -88,7 +88,7 @@ json number(double v) { return std::isfinite(v) ? json(v) : json(); }
 
 json color_json(const Rgb& c) { return {c.r, c.g, c.b}; }
 
-json albedo_json(const std::vector<audit::Albedo>& curve) {
+json albedo_json(const std::vector<bsdf_analysis::Albedo>& curve) {
   json list = json::array();
   for (const auto& a : curve)
     list.push_back({{"degrees", a.degrees},
@@ -117,7 +117,7 @@ json specimen_json(const Specimen& s) {
           {"parameters", parameters},
           {"badges", badges},
           {"asymmetry", s.audit.plausibility.asymmetry},
-          {"hemispherical_albedo", number(audit::hemispherical_albedo(s.audit.albedo))},
+          {"hemispherical_albedo", number(bsdf_analysis::hemispherical_albedo(s.audit.albedo))},
           {"albedo", albedo_json(s.audit.albedo)},
           {"albedo_inside", albedo_json(s.audit.albedo_inside)},
           {"sampling", sampling}};
@@ -126,7 +126,7 @@ json specimen_json(const Specimen& s) {
 void print(const Specimen& s) {
   std::printf("%s\n", s.name.c_str());
   for (const auto& b : s.audit.badges) std::printf("  %s %-22s %s\n", b.holds ? " " : "!", b.label(), b.reason.c_str());
-  std::printf("  albedo by angle (hemispherical %.4f)\n", audit::hemispherical_albedo(s.audit.albedo));
+  std::printf("  albedo by angle (hemispherical %.4f)\n", bsdf_analysis::hemispherical_albedo(s.audit.albedo));
   for (const auto& a : s.audit.albedo)
     std::printf("    %5.1f\u00b0  %.4f %.4f %.4f  +- %.1g\n", a.degrees, static_cast<double>(a.value.r),
                 static_cast<double>(a.value.g), static_cast<double>(a.value.b), a.error);
@@ -140,25 +140,26 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
   std::error_code error;
   std::filesystem::create_directories(o.out, error);
   if (error) return output_error(o.out + ": cannot be made: " + error.message());
-  std::vector<audit::Slice> slices;
-  std::vector<std::vector<audit::Albedo>> curves;
+  std::vector<bsdf_analysis::Slice> slices;
+  std::vector<std::vector<bsdf_analysis::Albedo>> curves;
   std::vector<std::string> names;
   for (const auto& s : specimens) {
-    slices.push_back(audit::slice(s.lobes, o.degrees));
+    slices.push_back(bsdf_analysis::slice(s.lobes, o.degrees));
     curves.push_back(s.audit.albedo);
     names.push_back(s.name);
   }
-  const auto write = [&](const char* name, const measure::Drawing& drawing) {
-    const std::string svg = measure::svg_of(drawing);
+  const auto write = [&](const char* name, const metrics::Drawing& drawing) {
+    const std::string svg = metrics::svg_of(drawing);
     return write_file(std::filesystem::path(o.out) / name, svg.data(), svg.size());
   };
-  if (auto done = write("polar.svg", audit::polar_drawing(slices, names)); !done) return done;
-  if (auto done = write("albedo.svg", audit::albedo_drawing(curves, names)); !done) return done;
+  if (auto done = write("polar.svg", bsdf_analysis::polar_drawing(slices, names)); !done) return done;
+  if (auto done = write("albedo.svg", bsdf_analysis::albedo_drawing(curves, names)); !done) return done;
   for (const auto& s : specimens) {
-    std::vector<audit::LobeSurface> sides{audit::lobe_surface(s.lobes, o.degrees)};
-    if (audit::passes_light(s.lobes)) sides.push_back(audit::lobe_surface(s.lobes, o.degrees, audit::Side::lower));
+    std::vector<bsdf_analysis::LobeSurface> sides{bsdf_analysis::lobe_surface(s.lobes, o.degrees)};
+    if (bsdf_analysis::passes_light(s.lobes))
+      sides.push_back(bsdf_analysis::lobe_surface(s.lobes, o.degrees, bsdf_analysis::Side::lower));
     const char* name = &s == specimens.data() ? "lobe.svg" : "lobe-against.svg";
-    if (auto done = write(name, audit::lobe_drawing(sides, o.degrees)); !done) return done;
+    if (auto done = write(name, bsdf_analysis::lobe_drawing(sides, o.degrees)); !done) return done;
   }
   return {};
 }
@@ -166,7 +167,7 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
 // The virtual gonioreflectometer: what reflects, as a file that the model `tabulated` reads.
 Result<void> write_table(const Specimen& s, const Options& o) {
   const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, Transport::radiance); };
-  const bool isotropic = !SurfaceMaterial(s.material, {}).directed;
+  const bool isotropic = !SurfaceMaterial(s.material, {}).anisotropic;
   return BrdfTable::measured(f, o.steps[0], o.steps[1], isotropic).write(o.table);
 }
 
@@ -175,16 +176,16 @@ void print_table() {
   std::printf(
       "| model | class | never negative | reciprocal | conserves energy | most albedo | albedo of even light | "
       "deviation of weights at 0, 45, 80 degrees |\n|---|---|---|---|---|---|---|---|\n");
-  const auto sign = [](const audit::Badge& b) { return b.holds ? "yes" : "**no**"; };
-  for (const ReflectionInfo& info : reflection_infos()) {
+  const auto sign = [](const bsdf_analysis::Check& b) { return b.holds ? "yes" : "**no**"; };
+  for (const BsdfModelInfo& info : bsdf_model_infos()) {
     Material material;
-    material.reflection.model = make_reflection(info.description.name);
-    const audit::Audit a = audit::audit(audit::lobes_of(material));
+    material.model.model = make_bsdf_model(info.description.name);
+    const bsdf_analysis::Audit a = bsdf_analysis::audit(bsdf_analysis::lobes_of(material));
     std::printf("| `%s` | %s | %s | %s | %s | %.3f at %.4g | %.3f |", info.description.name,
                 etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.kind)].name,
                 sign(a.badges[0]), sign(a.badges[1]), sign(a.badges[2]),
                 static_cast<double>(max_component(a.plausibility.most.value)), a.plausibility.most.degrees,
-                audit::hemispherical_albedo(a.albedo));
+                bsdf_analysis::hemispherical_albedo(a.albedo));
     for (const auto& q : a.sampling)
       if (q.degrees == 0 || q.degrees == 45 || q.degrees == 80) std::printf(" %.2f", q.deviation);
     std::printf(" |\n");
@@ -207,7 +208,7 @@ int run(const Options& o) {
   if (!o.table.empty())
     if (const auto written = write_table(specimens.front(), o); !written) return fail(written.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
-  for (auto& s : specimens) s.audit = audit::audit(s.lobes, [&] { return !interrupted; });
+  for (auto& s : specimens) s.audit = bsdf_analysis::audit(s.lobes, [&] { return !interrupted; });
   if (interrupted) return static_cast<int>(Fault::interrupted);
   if (!o.out.empty())
     if (const auto written = write_drawings(specimens, o); !written) return fail(written.error());

@@ -16,21 +16,21 @@ namespace {
 
 struct Options {
   std::string image;
-  advice::CertifyOptions certify;
+  advisor::CertifyOptions certify;
   int threads = 0;
   bool json = false;
 };
 
-nlohmann::json interval_json(const advice::Stated& s) {
+nlohmann::json interval_json(const advisor::Stated& s) {
   return {s.interval.low, std::isfinite(s.interval.high) ? nlohmann::json(s.interval.high) : nlohmann::json()};
 }
 
-nlohmann::json finding_json(const advice::Finding& f, const advice::Claim& claim) {
+nlohmann::json finding_json(const advisor::Finding& f, const advisor::Claim& claim) {
   nlohmann::json changed = nlohmann::json::array();
   for (const auto& block : f.changed) changed.push_back({{"x", block.x}, {"y", block.y}, {"sigmas", block.sigmas}});
-  return {{"verdict", advice::verdict_name(f.verdict)},
+  return {{"verdict", advisor::verdict_name(f.verdict)},
           {"reasons", f.reasons},
-          {"stated", nlohmann::json::parse(advice::certificate_json(claim.certificate))},
+          {"stated", nlohmann::json::parse(advisor::certificate_json(claim.certificate))},
           {"rmse", f.rmse.value},
           {"rmse_interval", interval_json(f.rmse)},
           {"relmse", f.relmse.value},
@@ -42,12 +42,12 @@ nlohmann::json finding_json(const advice::Finding& f, const advice::Claim& claim
           {"seconds_wanted", std::isfinite(f.seconds_wanted) ? nlohmann::json(f.seconds_wanted) : nlohmann::json()}};
 }
 
-void print(const advice::Finding& f, const advice::Claim& claim) {
-  if (f.verdict == advice::Verdict::stands) {
+void print(const advisor::Finding& f, const advisor::Claim& claim) {
+  if (f.verdict == advisor::Verdict::stands) {
     std::printf("stands: true RMSE %.3g, stated %.3g .. %.3g; relMSE %.3g, stated %.3g .. %.3g\n", f.rmse.value,
                 claim.certificate.rmse->interval.low, claim.certificate.rmse->interval.high, f.relmse.value,
                 claim.certificate.relmse->interval.low, claim.certificate.relmse->interval.high);
-  } else if (f.verdict == advice::Verdict::cannot_tell) {
+  } else if (f.verdict == advisor::Verdict::cannot_tell) {
     std::printf("cannot tell in this time");
     if (f.seconds_wanted > 0 && std::isfinite(f.seconds_wanted))
       std::printf(": needs about %.0f s", std::ceil(f.seconds_wanted));
@@ -59,14 +59,14 @@ void print(const advice::Finding& f, const advice::Claim& claim) {
 }
 
 int run(const Options& o) {
-  const auto claim = advice::read_claim(o.image);
+  const auto claim = advisor::read_claim(o.image);
   if (!claim) return fail(claim.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::SessionOptions session_options;
   session_options.threads = o.threads;
   render::Session session(session_options);
   Progress bar;
-  const auto finding = advice::certify(session, *claim, o.certify, [&](double done, const std::string& what) {
+  const auto finding = advisor::certify(session, *claim, o.certify, [&](double done, const std::string& what) {
     bar.show(done, what);
     return !interrupted;
   });
@@ -76,7 +76,7 @@ int run(const Options& o) {
   else
     print(finding, *claim);
   if (finding.interrupted) return static_cast<int>(Fault::interrupted);
-  return finding.verdict == advice::Verdict::stands ? 0 : 1;
+  return finding.verdict == advisor::Verdict::stands ? 0 : 1;
 }
 
 }  // namespace

@@ -17,26 +17,26 @@ namespace {
 struct Options {
   std::string image, reference, heatmap, heatmap_of = "absolute";
   bool json = false;
-  double most_rmse = INFINITY, pixels_per_degree = measure::kPixelsPerDegree;
+  double most_rmse = INFINITY, pixels_per_degree = metrics::kPixelsPerDegree;
 };
 
 // As the reference was shown; a file without settings is shown as it is.
-measure::Look look_of(const image::LayeredImage& reference, double pixels_per_degree) {
+metrics::Look look_of(const image::LayeredImage& reference, double pixels_per_degree) {
   const auto state = reference.attributes.find(render::kStateAttribute);
   const auto display =
       state != reference.attributes.end() ? render::display_from_state(state->second) : render::Display();
   return {display.exposure, display.curve, pixels_per_degree};
 }
 
-measure::HeatMap kind_of(const std::string& name) {
-  const auto& kinds = etendue::Options<measure::HeatMap>::kOptions;
+metrics::HeatMap kind_of(const std::string& name) {
+  const auto& kinds = etendue::Options<metrics::HeatMap>::kOptions;
   const auto found = std::ranges::find(kinds, name, &Option::name);
-  return static_cast<measure::HeatMap>(found - kinds.begin());
+  return static_cast<metrics::HeatMap>(found - kinds.begin());
 }
 
 std::vector<std::string> kind_names() {
   std::vector<std::string> names;
-  for (const auto& kind : etendue::Options<measure::HeatMap>::kOptions) names.emplace_back(kind.name);
+  for (const auto& kind : etendue::Options<metrics::HeatMap>::kOptions) names.emplace_back(kind.name);
   return names;
 }
 
@@ -54,14 +54,14 @@ int run(const Options& o) {
   if (!picture) return fail(picture.error());
   const auto reference = image::read_linear(o.reference);
   if (!reference) return fail(reference.error());
-  const auto m = measure::compare(*picture, *reference);
+  const auto m = metrics::compare(*picture, *reference);
   if (!m) return fail(m.error());
-  const auto flip = measure::flip_map(*picture, *reference, look_of(*reference, o.pixels_per_degree));
+  const auto flip = metrics::flip_map(*picture, *reference, look_of(*reference, o.pixels_per_degree));
   if (!flip) return fail(flip.error());
   if (!o.heatmap.empty()) {
     const auto kind = kind_of(o.heatmap_of);
     const auto map =
-        kind == measure::HeatMap::flip ? measure::painted(*flip) : measure::heat_map(*picture, *reference, kind);
+        kind == metrics::HeatMap::flip ? metrics::painted(*flip) : metrics::heat_map(*picture, *reference, kind);
     if (auto ok = image::write_png(o.heatmap, picture->width, picture->height, map); !ok) return fail(ok.error());
   }
   print({{"mse", m->mse},
@@ -71,7 +71,7 @@ int run(const Options& o) {
          {"smape", m->smape},
          {"psnr", m->psnr},
          {"bias", m->bias},
-         {"flip", measure::mean_of(*flip)}},
+         {"flip", metrics::mean_of(*flip)}},
         o.json);
   return m->rmse <= o.most_rmse ? 0 : 1;
 }

@@ -24,13 +24,13 @@ json makers_of_light(const scene::CompiledScene& compiled) {
   json makers = json::array();
   for (const uint32_t index : used) {
     const Material& material = compiled.materials()[index].description;
-    const auto curve = audit::albedo_curve(audit::lobes_of(material), false, {20, 512});
-    const audit::Plausibility p = audit::plausibility({}, curve);
+    const auto curve = bsdf_analysis::albedo_curve(bsdf_analysis::lobes_of(material), false, {20, 512});
+    const bsdf_analysis::Plausibility p = bsdf_analysis::plausibility({}, curve);
     if (!p.conserves_energy())
       makers.push_back({{"material", material.name},
                         {"albedo", max_component(p.most.value)},
                         {"degrees", p.most.degrees},
-                        {"hemispherical", audit::hemispherical_albedo(curve)}});
+                        {"hemispherical", bsdf_analysis::hemispherical_albedo(curve)}});
   }
   return makers;
 }

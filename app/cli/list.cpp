@@ -45,7 +45,8 @@ json integrators() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
     json j = entry(info.name, info.label, info.summary, info.parameters);
-    j["group"] = integrator::info_of(info.group).name, j["key"] = info.shortcut ? json(std::string(1, info.shortcut)) : json();
+    j["group"] = integrator::info_of(info.group).name,
+    j["key"] = info.shortcut ? json(std::string(1, info.shortcut)) : json();
     j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias),
     j["cost"] = info.cost, j["fails"] = info.limitations;
     list.push_back(j);
@@ -60,7 +61,7 @@ json samplers() {
 }
 
 // A section's parameters as a scene with just that object has them, names without the section.
-std::vector<ParameterInfo> bare(const std::vector<render::Binding>& bindings) {
+std::vector<ParameterInfo> bare(const std::vector<render::DocumentParameter>& bindings) {
   std::vector<ParameterInfo> infos;
   for (const auto& b : bindings) {
     infos.push_back(b.info);
@@ -95,8 +96,8 @@ json materials() {
       "gltf", "glTF surface",
       "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
       bare(render::material_bindings(d, 0, "material.0")))});
-  for (const auto& info : reflection_infos()) {
-    const ModelDescription& model = info.description;
+  for (const auto& info : bsdf_model_infos()) {
+    const BsdfModelDescription& model = info.description;
     json j = entry(model.name, model.label, model.doc, info.parameters);
     j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.kind)].name;
     j["sampling"] = model.sampling, j["presets"] = presets(info.presets);

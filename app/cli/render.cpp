@@ -15,8 +15,8 @@
 #include "progress.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
-#include "render/incompatibility.h"
 #include "render/image_output.h"
+#include "render/incompatibility.h"
 #include "render/session.h"
 #include "scene/builtin/builtin.h"
 #include "settings.h"
@@ -35,7 +35,7 @@ struct Options {
   double exposure = NAN;
 };
 
-struct Start {
+struct ResumePoint {
   render::Document document;
   std::optional<film::Film> film;
   double seconds = 0;
@@ -43,8 +43,8 @@ struct Start {
 };
 
 // Where a rendering starts: a checkpoint, a snapshot, or a scene with defaults.
-Result<Start> starting_point(const Options& o) {
-  Start start;
+Result<ResumePoint> starting_point(const Options& o) {
+  ResumePoint start;
   if (!o.resume.empty()) {
     auto checkpoint = render::read_checkpoint(o.resume);
     if (!checkpoint) return checkpoint.error();
@@ -89,7 +89,7 @@ Result<void> apply(const Options& o, render::Document& d) {
     if (auto r = give("render.seed", std::to_string(o.seed)); !r) return r;
   if (!std::isnan(o.exposure))
     if (auto r = give("camera.exposure", std::to_string(o.exposure)); !r) return r;
-  const std::string even = render::adaptive_obstacle(d.method.integrator);
+  const std::string even = render::adaptive_incompatibility(d.method.integrator);
   if (d.method.adaptive != render::Adaptive::off && !even.empty()) return usage_error("render.adaptive: " + even);
   return {};
 }
@@ -140,18 +140,18 @@ nlohmann::json number(std::optional<double> v) {
   return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json();
 }
 
-nlohmann::json rejected_json(const film::Rejected& rejected) {
+nlohmann::json rejected_json(const film::InvalidSamples& rejected) {
   auto first = nlohmann::json::array();
   for (const auto& r : rejected.first)
     first.push_back({{"x", r.x}, {"y", r.y}, {"sample", r.sample}, {"kind", film::flaw_name(r.flaw)}});
   return {{"nan", rejected.nan}, {"infinite", rejected.infinite}, {"negative", rejected.negative}, {"first", first}};
 }
 
-nlohmann::json health_json(const render::Health& h) {
+nlohmann::json health_json(const render::Reliability& h) {
   return {{"verdict", render::verdict_name(h.verdict)},
           {"reason", h.reason},
           {"khat_heavy_share", h.heavy_share},
-          {"khat_limit", measure::khat_limit(h.watched)},
+          {"khat_limit", film::khat_limit(h.watched)},
           {"khat_error", h.tail.khat ? number(h.tail.khat_error) : nlohmann::json()},
           {"vov", number(h.tail.vov)},
           {"brightest_share", number(h.tail.brightest)},
@@ -164,10 +164,10 @@ constexpr double kCertificatePart = 0.1, kCertificateSeconds = 0.5;
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
                            const film::Film& film) {
   const double seconds = std::min(kCertificateSeconds, kCertificatePart * s.seconds);
-  const advice::Evidence evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
-                                  s.health ? s.health->tail.khat : std::optional<double>()};
-  return advice::certificate_json(
-      advice::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
+  const advisor::Evidence evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
+                                   s.health ? s.health->tail.khat : std::optional<double>()};
+  return advisor::certificate_json(
+      advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
 
 nlohmann::json statistics_json(const std::vector<integrator::Statistic>& statistics) {
@@ -197,7 +197,7 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
           {"health", s.health ? health_json(*s.health) : nlohmann::json()},
           {"peak_rss_bytes", peak_memory()},
           {"model", flags},
-          {"obstacle", s.obstacle.empty() ? nlohmann::json() : nlohmann::json(s.obstacle)},
+          {"obstacle", s.incompatibility.empty() ? nlohmann::json() : nlohmann::json(s.incompatibility)},
           {"certificate", nlohmann::json::parse(certificate)}};
 }
 
@@ -230,14 +230,14 @@ int run(const Options& o) {
   Progress progress;
   bool warned = false;
   const auto warn = [&](const render::Status& s) {
-    if (!warned && !s.obstacle.empty()) std::fprintf(stderr, "etendue: %s\n", s.obstacle.c_str());
-    warned = warned || !s.obstacle.empty();
+    if (!warned && !s.incompatibility.empty()) std::fprintf(stderr, "etendue: %s\n", s.incompatibility.c_str());
+    warned = warned || !s.incompatibility.empty();
   };
   auto last_checkpoint = std::chrono::steady_clock::now();
   const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
   const auto save_checkpoint = [&]() -> Result<void> {
     const auto status = session.status();
-    render::Start copy = session.start_copy();
+    render::ResumePoint copy = session.start_copy();
     return render::write_checkpoint(checkpoint_file, {render::state_json(d, status.samples), std::move(copy.film),
                                                       status.seconds + start->seconds, std::move(copy.work)});
   };

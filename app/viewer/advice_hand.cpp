@@ -46,13 +46,13 @@ void AdviceHand::ask() {
   session_.pause(true);
   document_ = editor_.document();
   study_.clear();
-  advice::Question question;
+  advisor::Question question;
   question.target = double{target()}, question.pilot_seconds = double{setup.pilot.value},
   question.seed = document_.seed;
   study_.start([document = document_, question, threads = threads_, scene = session_.scene()](
-                   const auto& publish, const bench::Watch& watch) {
+                   const auto& publish, const bench::Progress& watch) {
     render::Session session({.threads = threads, .scene = scene});
-    publish(advice::advise(session, document, question, watch, publish));
+    publish(advisor::advise(session, document, question, watch, publish));
   });
 }
 

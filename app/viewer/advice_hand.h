@@ -43,7 +43,7 @@ class AdviceHand {
   void use(size_t row);
 
   // Null until there is something to say.
-  const advice::Ranking* shown() const { return study_.shown().get(); }
+  const advisor::Ranking* shown() const { return study_.shown().get(); }
   bool fresh() const;
   bool running() const { return study_.running(); }
   double progress() const { return study_.progress(); }
@@ -57,7 +57,7 @@ class AdviceHand {
   bool was_paused_ = false;
   std::optional<float> usual_;
   render::Document document_;  // that the ranking is of
-  Study<advice::Ranking> study_;
+  Study<advisor::Ranking> study_;
 };
 
 // The knobs of the setup, as scripts see them.

@@ -19,7 +19,7 @@ bool same_question(const render::Document& a, const render::Document& b) {
 
 }  // namespace
 
-const advice::BlindSpots* BlindSpotsHand::shown() const {
+const advisor::MissingPaths* BlindSpotsHand::shown() const {
   const auto at = std::ranges::find_if(
       known_, [&](const Known& known) { return same_question(known.document, editor_.document()); });
   return at == known_.end() ? nullptr : &at->spots;
@@ -35,11 +35,11 @@ void BlindSpotsHand::advance(bool looked_at) {
   const double rest = std::chrono::duration<double>(Clock::now() - edited_).count();
   if (!looked_at || running() || shown() || rest < kRest) return;
   document_ = editor_.document();
-  study_.start([document = document_, scene = session_.scene()](const auto& publish, const bench::Watch& watch) {
+  study_.start([document = document_, scene = session_.scene()](const auto& publish, const bench::Progress& watch) {
     render::Session session({.threads = 1, .scene = scene});
-    advice::TableOptions options;
+    advisor::TableOptions options;
     options.samples = 4, options.seconds = kSeconds;
-    publish(advice::measured_blind_spots(session, document, options, watch));
+    publish(advisor::measured_missing_paths(session, document, options, watch));
   });
 }
 

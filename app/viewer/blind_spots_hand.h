@@ -18,7 +18,7 @@ class BlindSpotsHand {
       : session_(session), editor_(editor), study_(wake) {}
 
   // Null until it is known.
-  const advice::BlindSpots* shown() const;
+  const advisor::MissingPaths* shown() const;
   bool running() const { return study_.running(); }
   bool has_news() const { return study_.has_news(); }
   void forget() { study_.clear(), known_.clear(); }
@@ -29,7 +29,7 @@ class BlindSpotsHand {
   using Clock = std::chrono::steady_clock;
   struct Known {
     render::Document document;
-    advice::BlindSpots spots;
+    advisor::MissingPaths spots;
   };
 
   const render::Session& session_;
@@ -38,7 +38,7 @@ class BlindSpotsHand {
   render::Document document_;  // that is being measured
   uint64_t version_ = 0;       // of the last edit
   Clock::time_point edited_;
-  Study<advice::MeasuredBlindSpots> study_;
+  Study<advisor::MeasuredMissingPaths> study_;
 };
 
 }  // namespace etendue::viewer

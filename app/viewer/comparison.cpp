@@ -68,7 +68,7 @@ std::vector<float> shown(const std::vector<Rgb>& radiance, const MapKey& key) {
 }
 
 void make_flip(DifferenceMap& map, int width, int height) {
-  map.values = measure::flip_map(width, height, shown(*map.key.left, map.key), shown(*map.key.right, map.key));
+  map.values = metrics::flip_map(width, height, shown(*map.key.left, map.key), shown(*map.key.right, map.key));
   std::ranges::transform(map.values, map.painted.begin(), [](float v) { return linear(viridis(v)); });
 }
 
@@ -110,7 +110,7 @@ std::shared_ptr<const DifferenceMap> make_map(const MapKey& key, int width, int 
     make_flip(*map, width, height);
   else
     make_difference(*map);
-  map->mean = measure::mean_of(map->values);
+  map->mean = metrics::mean_of(map->values);
   map->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return map;
 }

@@ -24,7 +24,7 @@ std::string in_quotes(const std::string& text) {
 }
 
 // One row a point; mse and relmse are without the reference's own error, the measured ones with it.
-std::string csv_of(const bench::ContestSnapshot& contest) {
+std::string csv_of(const bench::LiveBenchmarkSnapshot& contest) {
   std::string csv = "method,repeat,seconds,spp,mse,relmse,bias,measured_mse,measured_relmse\n";
   for (const auto& method : contest.methods)
     for (size_t r = 0; r < method.corrected.repeats.size(); ++r)
@@ -37,17 +37,17 @@ std::string csv_of(const bench::ContestSnapshot& contest) {
   return csv;
 }
 
-Result<std::string> write_chart(const std::string& file, const bench::ContestSnapshot& contest,
-                                std::span<const measure::MethodCurves> curves, const measure::ChartOptions& options) {
+Result<std::string> write_chart(const std::string& file, const bench::LiveBenchmarkSnapshot& contest,
+                                std::span<const metrics::MethodCurves> curves, const metrics::ChartOptions& options) {
   std::string extension = std::filesystem::path(file).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto drawing = measure::chart_of(curves, options);
+  const auto drawing = metrics::chart_of(curves, options);
   Result<void> written;
   if (extension == ".svg" || extension == ".csv") {
-    const std::string text = extension == ".csv" ? csv_of(contest) : measure::svg_of(drawing);
+    const std::string text = extension == ".csv" ? csv_of(contest) : metrics::svg_of(drawing);
     written = write_file(file, text.data(), text.size());
   } else if (extension == ".png") {
-    written = image::write_png(file, drawing.width, drawing.height, measure::raster_of(drawing));
+    written = image::write_png(file, drawing.width, drawing.height, metrics::raster_of(drawing));
   } else {
     return usage_error(file + ": '" + extension + "' is no format of a chart; give .svg, .png or .csv");
   }
@@ -62,7 +62,7 @@ bool same_view(const render::Document& a, const render::Document& b) {
          a.filter == b.filter && a.forced_flags == b.forced_flags;
 }
 
-std::string name_of(const render::Method& method) {
+std::string name_of(const render::MethodSettings& method) {
   std::string name = method.integrator + ":sampler=" + method.sampler;
   for (const auto& [setting, value] : method.settings) {
     const size_t dot = setting.find('.');
@@ -83,7 +83,7 @@ std::string spoken(const std::string& method) {
 
 void ContestHand::propose() {
   if (!setup.methods.empty() || editor_.empty()) return;
-  render::Method method = editor_.document().method;
+  render::MethodSettings method = editor_.document().method;
   setup.methods.push_back(name_of(method));
   method.sampler = method.sampler == "random" ? "sobol" : "random";
   setup.methods.push_back(name_of(method));
@@ -109,7 +109,7 @@ std::optional<size_t> ContestHand::place_of(const std::string& method) const {
 Result<void> ContestHand::start() {
   stop();
   document_ = editor_.document();
-  bench::ContestPlan plan;
+  bench::LiveBenchmarkPlan plan;
   for (const auto& name : setup.methods) {
     auto method = bench::parse_method(name, document_);
     if (!method) return method.error();
@@ -122,7 +122,7 @@ Result<void> ContestHand::start() {
   retire();
   was_paused_ = session_.paused();
   session_.pause(true);
-  contest_ = std::make_unique<bench::Contest>(std::move(plan), wake_);
+  contest_ = std::make_unique<bench::LiveBenchmark>(std::move(plan), wake_);
   shown_ = contest_->snapshot();
   running_ = sides_wanted_ = true;
   return {};
@@ -152,8 +152,9 @@ void ContestHand::finish() {
 void ContestHand::retire() {
   if (!contest_) return;
   contest_->stop();
-  retiring_.start(
-      [last = std::make_shared<std::unique_ptr<bench::Contest>>(std::move(contest_))] { return last->reset(), true; });
+  retiring_.start([last = std::make_shared<std::unique_ptr<bench::LiveBenchmark>>(std::move(contest_))] {
+    return last->reset(), true;
+  });
 }
 
 void ContestHand::advance(Comparison& comparison, Notices& notices) {
@@ -175,7 +176,7 @@ void ContestHand::advance(Comparison& comparison, Notices& notices) {
     comparison.mode = CompareMode::off;
     return;
   }
-  if (running_ && shown_ != before_ && shown_->phase == bench::ContestSnapshot::Phase::done) finish();
+  if (running_ && shown_ != before_ && shown_->phase == bench::LiveBenchmarkSnapshot::Phase::done) finish();
   if (news || sides_wanted_) show_sides(comparison);
   // The viewport is split once there is something on both sides; whoever leaves the split then is left alone.
   if (!sides_wanted_ || !comparison.a.frame || !comparison.b.frame) return;
@@ -194,21 +195,21 @@ void ContestHand::show_sides(Comparison& comparison) const {
   comparison.reference = {text_of("reference, %u spp", shown_->reference_samples), shown_->reference};
 }
 
-measure::ChartOptions ContestHand::chart_options() const {
-  measure::ChartOptions options;
+metrics::ChartOptions ContestHand::chart_options() const {
+  metrics::ChartOptions options;
   options.along = setup.along, options.kind = setup.kind;
   if (!shown_) return options;
   const auto& d = document_;
   options.title = std::filesystem::path(d.scene_name).filename().string() + text_of(", %d x %d, ", d.width, d.height) +
                   (shown_->rule == bench::Rule::equal_time ? text_of("%g s each", shown_->seconds)
                                                            : text_of("%u spp each", shown_->samples));
-  if (options.kind == measure::ErrorKind::rmse && std::isfinite(shown_->reference_error))
+  if (options.kind == metrics::ErrorKind::rmse && std::isfinite(shown_->reference_error))
     options.reference_error = shown_->reference_error;
   return options;
 }
 
-std::vector<measure::MethodCurves> ContestHand::curves() const {
-  std::vector<measure::MethodCurves> curves;
+std::vector<metrics::MethodCurves> ContestHand::curves() const {
+  std::vector<metrics::MethodCurves> curves;
   if (!shown_) return curves;
   for (const auto& method : shown_->methods) {
     curves.push_back(method.corrected);

@@ -21,11 +21,11 @@ struct Options<bench::Rule> {
   static constexpr std::array<Option, 2> kOptions{{{"time", "Equal time"}, {"samples", "Equal samples"}}};
 };
 template <>
-struct Options<measure::Abscissa> {
+struct Options<metrics::Abscissa> {
   static constexpr std::array<Option, 2> kOptions{{{"seconds", "over seconds"}, {"samples", "over samples"}}};
 };
 template <>
-struct Options<measure::ErrorKind> {
+struct Options<metrics::ErrorKind> {
   static constexpr std::array<Option, 2> kOptions{{{"rmse", "RMSE"}, {"relmse", "relMSE"}}};
 };
 
@@ -56,8 +56,8 @@ struct ContestSetup {
                       {1, 100},
                       "How often, with other random numbers: bands and uncertainties come from these",
                       "x"};
-  Choice<measure::Abscissa> along{"compare.axis", "Axis", measure::Abscissa::seconds, "What the error is drawn over"};
-  Choice<measure::ErrorKind> kind{"compare.error", "Error", measure::ErrorKind::rmse,
+  Choice<metrics::Abscissa> along{"compare.axis", "Axis", metrics::Abscissa::seconds, "What the error is drawn over"};
+  Choice<metrics::ErrorKind> kind{"compare.error", "Error", metrics::ErrorKind::rmse,
                                   "Root mean square error in radiance, or mean square error relative to the reference"};
   auto knobs() { return std::tie(rule, seconds, samples, repeats, along, kind); }
 };
@@ -92,7 +92,7 @@ class ContestHand {
   // Whether the snapshot is of what is on the desk.
   bool up_to_date() const { return contest_ != nullptr; }
 
-  const bench::ContestSnapshot* shown() const { return shown_.get(); }
+  const bench::LiveBenchmarkSnapshot* shown() const { return shown_.get(); }
   // Where the method of that name stands, and its place among the curves; nothing if it did not take part.
   std::optional<size_t> place_of(const std::string& method) const;
   bool has_news() const { return contest_ && contest_->snapshot() != shown_; }
@@ -100,8 +100,8 @@ class ContestHand {
   void advance(Comparison& comparison, Notices& notices);
 
   // The chart of what is shown; of a given size, with the document's name as its title.
-  measure::ChartOptions chart_options() const;
-  std::vector<measure::MethodCurves> curves() const;
+  metrics::ChartOptions chart_options() const;
+  std::vector<metrics::MethodCurves> curves() const;
   // Writes the chart (.svg, .png) or its points (.csv) in the background.
   void write(const std::string& file);
   // Has the viewport show the sides that were chosen.
@@ -118,9 +118,9 @@ class ContestHand {
   const int threads_;
   const std::filesystem::path cache_;
   const std::function<void()> wake_;
-  std::unique_ptr<bench::Contest> contest_;
-  std::shared_ptr<const bench::ContestSnapshot> shown_, before_;  // before it went on
-  render::Document document_;                                     // that the contest is of
+  std::unique_ptr<bench::LiveBenchmark> contest_;
+  std::shared_ptr<const bench::LiveBenchmarkSnapshot> shown_, before_;  // before it went on
+  render::Document document_;                                           // that the contest is of
   bool running_ = false, was_paused_ = false, sides_wanted_ = false;
   Job<Result<std::string>> job_;
   Job<bool> retiring_;
@@ -133,7 +133,7 @@ std::vector<ParameterInfo> contest_parameters();
 bool same_view(const render::Document& a, const render::Document& b);
 
 // "path:sampler=sobol:max-depth=3" of a document's method; and as a reader likes it: "path, sobol, max-depth=3".
-std::string name_of(const render::Method& method);
+std::string name_of(const render::MethodSettings& method);
 std::string spoken(const std::string& method);
 
 }  // namespace etendue::viewer

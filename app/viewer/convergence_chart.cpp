@@ -13,20 +13,20 @@
 namespace etendue::viewer {
 namespace {
 
-using measure::MethodCurves;
+using metrics::MethodCurves;
 
-measure::Ink faded(measure::Ink ink, double opacity) { return ink.opacity *= opacity, ink; }
+metrics::Ink faded(metrics::Ink ink, double opacity) { return ink.opacity *= opacity, ink; }
 
-measure::ChartOptions panel_options(const Workbench& w, const ImVec2& size) {
-  measure::ChartOptions options = w.contest.chart_options();
+metrics::ChartOptions panel_options(const Workbench& w, const ImVec2& size) {
+  metrics::ChartOptions options = w.contest.chart_options();
   const float scale = w.platform.scale();
   options.width = static_cast<int>(size.x / scale), options.height = static_cast<int>(size.y / scale);
   options.panel = true;
-  const measure::Ink border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
+  const metrics::Ink border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
   options.palette = {ink_of(w.theme.text), ink_of(w.theme.quiet), border, faded(border, 0.45)};
   const auto* contest = w.contest.shown();
   const bool timed = contest && contest->rule == bench::Rule::equal_time;
-  if (contest && timed == (options.along == measure::Abscissa::seconds))
+  if (contest && timed == (options.along == metrics::Abscissa::seconds))
     options.reach = timed ? contest->seconds : contest->samples;
   return options;
 }
@@ -34,13 +34,13 @@ measure::ChartOptions panel_options(const Workbench& w, const ImVec2& size) {
 // What one method has at the abscissa of the cross-hair.
 struct Reading {
   size_t method;
-  measure::BandPoint point;
+  metrics::BandPoint point;
 };
 
-std::vector<Reading> readings(const std::vector<MethodCurves>& curves, const measure::ChartOptions& options, double x) {
+std::vector<Reading> readings(const std::vector<MethodCurves>& curves, const metrics::ChartOptions& options, double x) {
   std::vector<Reading> list;
   for (size_t i = 0; i < curves.size(); ++i) {
-    const auto points = measure::band_of(curves[i], options.along, options.kind, std::array{x});
+    const auto points = metrics::band_of(curves[i], options.along, options.kind, std::array{x});
     if (!points.empty()) list.push_back({i, points.front()});
   }
   return list;
@@ -60,12 +60,12 @@ std::string line_of(const MethodCurves& curves, const Reading& reading, double l
 class ReadOut {
  public:
   ReadOut(const Workbench& w, const ImVec2& corner, const std::vector<MethodCurves>& curves,
-          const measure::ChartOptions& options)
+          const metrics::ChartOptions& options)
       : w_(w),
         corner_(corner),
         curves_(curves),
         options_(options),
-        frame_(measure::frame_of_chart(curves, options)),
+        frame_(metrics::frame_of_chart(curves, options)),
         scale_(w.platform.scale()) {}
 
   void draw() {
@@ -73,9 +73,9 @@ class ReadOut {
     if (x < frame_.left || x > frame_.right || y < frame_.top || y > frame_.bottom) return;
     readings_ = readings(curves_, options_, frame_.x.value(x));
     cross_hair(x, y);
-    const bool seconds = options_.along == measure::Abscissa::seconds;
-    std::string head = measure::short_number(frame_.x.value(x)) + (seconds ? " s" : " spp");
-    if (readings_.empty()) head += ", " + measure::short_number(frame_.y.value(y));
+    const bool seconds = options_.along == metrics::Abscissa::seconds;
+    std::string head = metrics::short_number(frame_.x.value(x)) + (seconds ? " s" : " spp");
+    if (readings_.empty()) head += ", " + metrics::short_number(frame_.y.value(y));
     box(x, head, lines());
   }
 
@@ -91,7 +91,7 @@ class ReadOut {
     if (readings_.empty()) draw_->AddLine(at(frame_.left, y), at(frame_.right, y), quiet);
     for (const auto& r : readings_)
       draw_->AddCircleFilled(at(x, frame_.y.place(r.point.median)), 3.5f * scale_,
-                             color_of(measure::ink_of_method(r.method)));
+                             color_of(metrics::ink_of_method(r.method)));
   }
 
   std::vector<std::string> lines() const {
@@ -143,7 +143,7 @@ class ReadOut {
     for (size_t i = 0; i < text.size(); ++i) {
       next.y += row;
       draw_->AddRectFilled({next.x, next.y + size * 0.2f}, {next.x + size * 0.7f, next.y + size * 0.9f},
-                           color_of(measure::ink_of_method(readings_[i].method)), 2);
+                           color_of(metrics::ink_of_method(readings_[i].method)), 2);
       draw_->AddText(font, size, {next.x + swatch, next.y}, ImGui::GetColorU32(w_.theme.text), text[i].c_str());
     }
   }
@@ -151,8 +151,8 @@ class ReadOut {
   const Workbench& w_;
   const ImVec2 corner_;
   const std::vector<MethodCurves>& curves_;
-  const measure::ChartOptions& options_;
-  const measure::ChartFrame frame_;
+  const metrics::ChartOptions& options_;
+  const metrics::ChartFrame frame_;
   const float scale_;
   std::vector<Reading> readings_;
   ImDrawList* const draw_ = ImGui::GetWindowDrawList();
@@ -169,7 +169,7 @@ void invitation(const Workbench& w, const ImVec2& corner, const ImVec2& size) {
 }
 
 // Curves descend: the lower left corner is free.
-void mark_as_past(const Workbench& w, const ImVec2& corner, const measure::ChartFrame& frame) {
+void mark_as_past(const Workbench& w, const ImVec2& corner, const metrics::ChartFrame& frame) {
   const float scale = w.platform.scale(), size = w.faces.small->FontSize;
   const ImVec2 at{corner.x + static_cast<float>(frame.left + 8) * scale,
                   corner.y + static_cast<float>(frame.bottom - 6) * scale - size};
@@ -188,9 +188,9 @@ void draw_convergence_chart(Workbench& w) {
   const auto curves = w.contest.curves();
   const bool any = std::ranges::any_of(curves, [](const MethodCurves& c) { return !c.repeats.empty(); });
   if (!any) return invitation(w, corner, size);
-  const measure::ChartOptions options = panel_options(w, size);
-  draw(*ImGui::GetWindowDrawList(), measure::chart_of(curves, options), corner, w.platform.scale(), w.faces.small);
-  if (!w.contest.up_to_date()) mark_as_past(w, corner, measure::frame_of_chart(curves, options));
+  const metrics::ChartOptions options = panel_options(w, size);
+  draw(*ImGui::GetWindowDrawList(), metrics::chart_of(curves, options), corner, w.platform.scale(), w.faces.small);
+  if (!w.contest.up_to_date()) mark_as_past(w, corner, metrics::frame_of_chart(curves, options));
   if (over) ReadOut(w, corner, curves, options).draw();
 }
 

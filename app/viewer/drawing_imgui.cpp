@@ -6,7 +6,7 @@
 namespace etendue::viewer {
 namespace {
 
-using measure::Spot;
+using metrics::Spot;
 
 bool finite(const Spot& s) { return std::isfinite(s.x) && std::isfinite(s.y); }
 bool finite(const std::vector<Spot>& spots) {
@@ -37,7 +37,7 @@ class Painter {
 
   // In strips between the corners' abscissae: an area need not be convex, as ImGui wants it. Without smooth edges,
   // which would show where strips meet.
-  void operator()(const measure::Area& area) {
+  void operator()(const metrics::Area& area) {
     if (!finite(area.points)) return;
     std::vector<double> xs;
     for (const Spot& s : area.points) xs.push_back(s.x);
@@ -54,11 +54,11 @@ class Painter {
     list_.Flags = flags;
   }
 
-  void operator()(const measure::Stroke& stroke) {
+  void operator()(const metrics::Stroke& stroke) {
     if (!finite(stroke.points)) return;
     const float width = static_cast<float>(stroke.width) * scale_;
     if (stroke.dashed) {
-      for (const auto& [a, b] : measure::dashes_of(stroke)) list_.AddLine(at(a), at(b), color_of(stroke.ink), width);
+      for (const auto& [a, b] : metrics::dashes_of(stroke)) list_.AddLine(at(a), at(b), color_of(stroke.ink), width);
       return;
     }
     // A thin line along the axes lies on whole pixels.
@@ -69,15 +69,15 @@ class Painter {
     list_.PathStroke(color_of(stroke.ink), 0, width);
   }
 
-  void operator()(const measure::Dot& dot) {
+  void operator()(const metrics::Dot& dot) {
     if (finite(dot.at)) list_.AddCircleFilled(at(dot.at), static_cast<float>(dot.radius) * scale_, color_of(dot.ink));
   }
 
-  void operator()(const measure::Words& words) {
+  void operator()(const metrics::Words& words) {
     if (!finite(words.at)) return;
     ImVec2 place = at(words.at);
     const float width = font_->CalcTextSizeA(font_->FontSize, 1e6f, 0, words.text.c_str()).x;
-    if (words.anchor != measure::Anchor::left) place.x -= words.anchor == measure::Anchor::right ? width : width / 2;
+    if (words.anchor != metrics::Anchor::left) place.x -= words.anchor == metrics::Anchor::right ? width : width / 2;
     list_.AddText(font_, font_->FontSize, {std::floor(place.x), std::floor(place.y - font_->Ascent)},
                   color_of(words.ink), words.text.c_str());
   }
@@ -105,16 +105,16 @@ class Painter {
 
 }  // namespace
 
-void draw(ImDrawList& list, const measure::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font) {
+void draw(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font) {
   Painter painter(list, corner, scale, font);
   for (const auto& shape : drawing.shapes) std::visit(painter, shape);
 }
 
-ImU32 color_of(const measure::Ink& ink) {
+ImU32 color_of(const metrics::Ink& ink) {
   return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity)));
 }
 
-measure::Ink ink_of(const ImVec4& color) {
+metrics::Ink ink_of(const ImVec4& color) {
   const auto part = [](float v) { return static_cast<uint8_t>(std::lround(255 * v)); };
   return {part(color.x), part(color.y), part(color.z), static_cast<double>(color.w)};
 }

@@ -42,7 +42,7 @@ std::optional<Value> original(const Workbench& w, const std::string& name) {
   return value ? std::optional(*value) : std::nullopt;
 }
 
-void commit(Workbench& w, const render::Binding& binding, const Change& change) {
+void commit(Workbench& w, const render::DocumentParameter& binding, const Change& change) {
   // The first click of a double click has moved the slider: that was not meant.
   if (change.forget) w.editor.forget(binding.info.name);
   if (change.reset) {

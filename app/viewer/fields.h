@@ -20,7 +20,7 @@ void describe_field(Workbench& w, const ParameterInfo& info);
 // A number in the width that was set; `drag` as in number_widget.
 Change number_field(Workbench& w, const ParameterInfo& info, float drag = 0);
 // Makes the change an edit, a reset, or the end of a gesture.
-void commit(Workbench& w, const render::Binding& binding, const Change& change);
+void commit(Workbench& w, const render::DocumentParameter& binding, const Change& change);
 
 // The options of a choice in an open list, integrators under the names of their groups; the one that was chosen.
 std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, size_t index);
@@ -29,9 +29,9 @@ std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, 
 std::optional<Value> original(const Workbench& w, const std::string& name);
 
 // Three fields in one line: NAME.x, NAME.y, NAME.z.
-void vector_row(Workbench& w, std::span<const render::Binding> xyz);
+void vector_row(Workbench& w, std::span<const render::DocumentParameter> xyz);
 // The quaternion NAME.x .. NAME.w as three angles in degrees, which scripts know as SECTION.euler.x, .y and .z.
-void rotation_row(Workbench& w, std::span<const render::Binding> xyzw);
+void rotation_row(Workbench& w, std::span<const render::DocumentParameter> xyzw);
 // The settings of a rotation row, as scripts see them.
 std::vector<ParameterInfo> euler_parameters(const std::string& section, const Vec3& degrees);
 

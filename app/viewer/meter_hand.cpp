@@ -25,7 +25,7 @@ void MeterHand::advance() {
   version_ = editor_.version();
   const auto spot = render::spot_at(editor_.document(), *scene, *raster_);
   if (!spot) return study_.clear();
-  study_.start([document = editor_.document(), scene, spot = *spot](const auto& publish, const bench::Watch& watch) {
+  study_.start([document = editor_.document(), scene, spot = *spot](const auto& publish, const bench::Progress& watch) {
     // One thread: the picture goes on beside it.
     render::measure_spot(document, scene, spot, kSamples, 1, [&](const render::MeterReadings& readings) {
       publish(readings);

@@ -119,7 +119,8 @@ NumberEdit number_widget(const ParameterInfo& info, float drag) {
   const void* least = whole ? static_cast<const void*>(&i_min) : &info.min;
   const void* most = whole ? static_cast<const void*>(&i_max) : &info.max;
 
-  // ImGui opens text input on Ctrl+click. Here a double click does, and Ctrl+click resets: the widget ignores that click.
+  // ImGui opens text input on Ctrl+click. Here a double click does, and Ctrl+click resets: the widget ignores that
+  // click.
   ImGui::PushItemFlag(ImGuiItemFlags_Disabled, edit.reset);
   bool changed = false;
   if (typing) {

@@ -23,18 +23,18 @@ void question(Workbench& w) {
 }
 
 // In few words; the whole reason comes when the pointer rests on it.
-std::string verdict(const advice::Advice& a, bool running) {
-  if (!a.suitable) return a.misses.none() ? "biased" : "misses " + advice::percent(a.misses.share);
+std::string verdict(const advisor::Advice& a, bool running) {
+  if (!a.suitable) return a.misses.none() ? "biased" : "misses " + advisor::percent(a.misses.share);
   if (!a.time) return running ? "" : "unknown";
   const auto& interval = a.time->interval;
-  std::string text = advice::seconds_text(a.time->seconds);
+  std::string text = advisor::seconds_text(a.time->seconds);
   if (interval.high > interval.low)
-    text += " (" + advice::seconds_text(interval.low) + " to " + advice::seconds_text(interval.high) + ")";
+    text += " (" + advisor::seconds_text(interval.low) + " to " + advisor::seconds_text(interval.high) + ")";
   return text;
 }
 
 // True if the method is to be used.
-bool method_row(Workbench& w, const advice::Advice& a, size_t row) {
+bool method_row(Workbench& w, const advisor::Advice& a, size_t row) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const ImVec4 color = a.suitable ? w.theme.text : w.theme.quiet;
@@ -51,7 +51,7 @@ bool method_row(Workbench& w, const advice::Advice& a, size_t row) {
   return used;
 }
 
-void ranking_table(Workbench& w, const advice::Ranking& ranking) {
+void ranking_table(Workbench& w, const advisor::Ranking& ranking) {
   std::optional<size_t> used;
   ImGui::PushFont(w.faces.small);
   const float em = ImGui::GetFontSize();
@@ -62,7 +62,7 @@ void ranking_table(Workbench& w, const advice::Ranking& ranking) {
     ImGui::TableNextColumn();
     ImGui::TextDisabled("method");
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", ("time to RMSE " + advice::number(ranking.target)).c_str());
+    ImGui::TextDisabled("%s", ("time to RMSE " + advisor::number(ranking.target)).c_str());
     if (ImGui::IsItemHovered())
       tooltip(w, "Foretold from a short trial, with the interval that should hold it in 80 of 100 cases");
     for (size_t row = 0; row < ranking.methods.size(); ++row) {

@@ -24,12 +24,12 @@ bool has_textures(const Material& m) {
 }
 
 // Which model, what it is, what was measured of it, and its numbers.
-void model_widgets(Workbench& w, const std::string& section, const ReflectionUse& model) {
+void model_widgets(Workbench& w, const std::string& section, const BsdfModelRef& model) {
   std::vector<std::string> names{"model"};
   some_widgets(w, section, names);
   if (const auto* reading = w.surface.shown(0)) draw_badges(w, *reading);
   if (!model) return;
-  const ModelDescription& d = model->info().description;
+  const BsdfModelDescription& d = model->info().description;
   note(w, d.doc);
   const std::string own = std::string(d.name) + ".";
   names = {own + "preset"};
@@ -108,7 +108,7 @@ void draw_material_panel(Workbench& w) {
   const std::vector<std::string> shared{"base-color.r", "base-color.g", "base-color.b",
                                         "emission.r",   "emission.g",   "emission.b"};
   const std::vector<std::string> cover{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
-  const ReflectionUse model = scene->materials[index].reflection;
+  const BsdfModelRef model = scene->materials[index].model;
   if (group(w, "Model", prefix)) model_widgets(w, section, model);
   if (model) {
     some_widgets(w, section, shared);

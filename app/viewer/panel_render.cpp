@@ -29,10 +29,10 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
   note(w, "Hard for it: " + info.limitations + ".");
   ImGui::PopFont();
   // What was measured of this very view says more than what holds for all.
-  if (const std::string obstacle = w.obstacle(); !obstacle.empty())
-    warning(w, obstacle + ".");
+  if (const std::string incompatibility = w.incompatibility(); !incompatibility.empty())
+    warning(w, incompatibility + ".");
   else if (const auto* misses = w.misses(); misses && !misses->none())
-    warning(w, "Here it " + advice::sentence_of(*misses) + ".");
+    warning(w, "Here it " + advisor::sentence_of(*misses) + ".");
   w.items.place("render.misses");
 }
 

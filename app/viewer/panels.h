@@ -31,7 +31,7 @@ void handle_viewport(Workbench& w, float seconds);
 void draw_viewport_overlay(Workbench& w);
 
 // A veil over the tiles of the picture whose samples have heavy tails.
-void draw_health_map(const Workbench& w, const render::Health& health, ImDrawList* draw);
+void draw_health_map(const Workbench& w, const render::Reliability& health, ImDrawList* draw);
 
 // Which pixel the sampling sheet is about.
 void draw_pixel_marker(Workbench& w, ImDrawList* draw);

@@ -9,10 +9,10 @@ namespace {
 
 constexpr double kSeconds = 3;  // that a table may take, besides its coarsest classes
 
-MethodView::Finds finds(const advice::Found& found, const advice::ClassTable& table, const advice::ClassRow& row) {
-  advice::ClassTable alone;
+MethodView::Finds finds(const advisor::Found& found, const advisor::ClassTable& table, const advisor::ClassRow& row) {
+  advisor::ClassTable alone;
   alone.total = table.total, alone.rows = {row};
-  const auto misses = advice::blind_spots(found, alone);
+  const auto misses = advisor::missing_paths(found, alone);
   if (misses.none()) return MethodView::Finds::all;
   const auto& spot = misses.classes.front();
   return spot.part || spot.points ? MethodView::Finds::part : MethodView::Finds::nothing;
@@ -28,12 +28,12 @@ void PathsHand::measure() {
   // One is left to the picture.
   const int all = threads_ > 0 ? threads_ : static_cast<int>(std::thread::hardware_concurrency());
   study_.start([document = document_, threads = std::max(1, all - 1), scene = session_.scene()](
-                   const auto& publish, const bench::Watch& watch) {
+                   const auto& publish, const bench::Progress& watch) {
     render::Session session({.threads = threads, .scene = scene});
-    advice::TableOptions options;
+    advisor::TableOptions options;
     options.seconds = kSeconds;
-    advice::class_table(session, document, options, watch, [&](const advice::ClassTable& table) {
-      publish({table, advice::beyond_all_methods(*session.scene())});
+    advisor::class_table(session, document, options, watch, [&](const advisor::ClassTable& table) {
+      publish({table, advisor::beyond_all_methods(*session.scene())});
     });
   });
 }
@@ -49,14 +49,14 @@ void PathsHand::advance(bool looked_at) {
 const MethodView& PathsHand::seen() {
   const auto& method = editor_.document().method;
   const auto status = session_.status();
-  const bool hindered = status.version == editor_.version() && !status.obstacle.empty();
+  const bool hindered = status.version == editor_.version() && !status.incompatibility.empty();
   if (study_.shown() == seen_table_ && method == seen_method_ && hindered == seen_hindered_) return seen_;
   seen_table_ = study_.shown(), seen_method_ = method, seen_hindered_ = hindered;
   seen_ = {};
-  const auto found = hindered ? advice::Found() : advice::declared(method);
+  const auto found = hindered ? advisor::Found() : advisor::declared(method);
   const auto& table = seen_table_->table;
   for (const auto& row : table.rows) seen_.rows.push_back(finds(found, table, row));
-  seen_.misses = advice::blind_spots(found, table);
+  seen_.misses = advisor::missing_paths(found, table);
   return seen_;
 }
 

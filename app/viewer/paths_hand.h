@@ -13,7 +13,7 @@
 namespace etendue::viewer {
 
 struct PathsTable {
-  advice::ClassTable table;
+  advisor::ClassTable table;
   std::vector<std::string> beyond_methods;  // what no method finds, as far as that can be told
 };
 
@@ -21,7 +21,7 @@ struct PathsTable {
 struct MethodView {
   enum class Finds : uint8_t { all, part, nothing };
   std::vector<Finds> rows;
-  advice::BlindSpots misses;
+  advisor::MissingPaths misses;
 };
 
 class PathsHand {
@@ -55,7 +55,7 @@ class PathsHand {
   Study<PathsTable> study_;
 
   std::shared_ptr<const PathsTable> seen_table_;
-  render::Method seen_method_;
+  render::MethodSettings seen_method_;
   bool seen_hindered_ = false;
   MethodView seen_;
 };

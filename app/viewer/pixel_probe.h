@@ -39,7 +39,7 @@ struct PixelStudy {
   uint32_t wanted = 0;
   Rgb mean;
   double deviation = 0, largest = 0;  // of the samples
-  measure::Tail tail;
+  film::Tail tail;
   std::vector<Moment> course;
   Histogram histogram;
 
@@ -76,13 +76,13 @@ class PixelProbe {
     Camera camera;
     int width = 0, height = 0;
     film::FilterKind filter{};
-    render::Method method;
+    render::MethodSettings method;
     std::vector<std::string> forced_flags;
     uint64_t seed = 0;
 
     friend bool operator==(const Key&, const Key&) = default;
   };
-  struct Work;
+  struct RenderState;
 
   void drop();
 
@@ -90,8 +90,8 @@ class PixelProbe {
   const Editor& editor_;
   std::optional<Vec2i> pixel_;
   std::optional<Key> key_;
-  bool settled_ = false;        // the study is that of the present picture, and whole
-  std::shared_ptr<Work> work_;  // one job at a time has its hands on it
+  bool settled_ = false;               // the study is that of the present picture, and whole
+  std::shared_ptr<RenderState> work_;  // one job at a time has its hands on it
   std::shared_ptr<const PixelStudy> study_;
   Job<std::shared_ptr<const PixelStudy>> job_;
 };

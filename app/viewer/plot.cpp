@@ -5,14 +5,14 @@
 namespace etendue::viewer {
 namespace {
 
-std::vector<measure::LogAxis::Tick> even_ticks(double low, double high, int most) {
+std::vector<metrics::LogAxis::Tick> even_ticks(double low, double high, int most) {
   const double least = (high - low) / most, power = std::pow(10.0, std::floor(std::log10(least)));
   double step = 10 * power;
   for (const double digit : {5.0, 2.0, 1.0})
     if (digit * power >= least) step = digit * power;
-  std::vector<measure::LogAxis::Tick> ticks;
+  std::vector<metrics::LogAxis::Tick> ticks;
   for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-    ticks.push_back({i * step, measure::short_number(i * step + 0.0)});  // no -0
+    ticks.push_back({i * step, metrics::short_number(i * step + 0.0)});  // no -0
   return ticks;
 }
 
@@ -20,12 +20,12 @@ std::vector<measure::LogAxis::Tick> even_ticks(double low, double high, int most
 
 double PlotAxis::share(double value) const {
   if (!logarithmic) return (value - low) / (high - low);
-  return measure::LogAxis(low, high, 0, 1).place(std::max(value, low * 1e-3));
+  return metrics::LogAxis(low, high, 0, 1).place(std::max(value, low * 1e-3));
 }
 
-std::vector<measure::LogAxis::Tick> PlotAxis::ticks(int most) const {
+std::vector<metrics::LogAxis::Tick> PlotAxis::ticks(int most) const {
   if (!logarithmic) return even_ticks(low, high, most);
-  auto list = measure::LogAxis(low, high, 0, 1).ticks();
+  auto list = metrics::LogAxis(low, high, 0, 1).ticks();
   int labels = 0;
   for (const auto& tick : list) labels += tick.label.empty() ? 0 : 1;
   // Where 2 and 5 would crowd the axis, powers of ten are enough.

@@ -17,7 +17,7 @@ struct PlotAxis {
   // 0 at the low end, 1 at the high end.
   double share(double value) const;
   // At round values; at most about `most` have a label.
-  std::vector<measure::LogAxis::Tick> ticks(int most) const;
+  std::vector<metrics::LogAxis::Tick> ticks(int most) const;
 };
 
 class Plot {
@@ -40,7 +40,7 @@ class Plot {
   Placement frame_, inner_;
   const char* title_;
   PlotAxis x_, y_;
-  std::vector<measure::LogAxis::Tick> across_, up_;
+  std::vector<metrics::LogAxis::Tick> across_, up_;
 };
 
 // Distinct to every eye (M. Okabe and K. Ito): the two halves of a film.

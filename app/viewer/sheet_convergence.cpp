@@ -16,7 +16,7 @@
 namespace etendue::viewer {
 namespace {
 
-using Phase = bench::ContestSnapshot::Phase;
+using Phase = bench::LiveBenchmarkSnapshot::Phase;
 
 // A choice without a label, as wide as given.
 std::optional<Value> choice_field(Workbench& w, const ParameterInfo& info, float width) {
@@ -134,7 +134,7 @@ void swatch(size_t place) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float top = at.y + (ImGui::GetTextLineHeight() - size) * 0.5f;
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + size, top + size},
-                                            color_of(measure::ink_of_method(place)), 2);
+                                            color_of(metrics::ink_of_method(place)), 2);
   ImGui::Dummy({size, ImGui::GetTextLineHeight()});
   ImGui::SameLine(0, size * 0.6f);
 }
@@ -144,23 +144,23 @@ void cell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-std::string slope_text(const measure::Figure& slope) {
+std::string slope_text(const metrics::Figure& slope) {
   if (!slope.known) return "?";
   return slope.degrees > 0 ? text_of("%.2f \u00b1%.2f", slope.value, slope.standard_error)
                            : text_of("%.2f", slope.value);
 }
 
-double best_efficiency(const bench::ContestSnapshot& contest) {
+double best_efficiency(const bench::LiveBenchmarkSnapshot& contest) {
   double best = 0;
   for (const auto& m : contest.methods)
     if (m.efficiency.known) best = std::max(best, m.efficiency.value);
   return best;
 }
 
-void figures(const bench::ContestSnapshot& contest, const bench::Standing& m, measure::Abscissa along) {
+void figures(const bench::LiveBenchmarkSnapshot& contest, const bench::Standing& m, metrics::Abscissa along) {
   const double best = best_efficiency(contest);
   cell(m.samples == 0 ? "" : m.rmse > 0 ? text_of("%.3g", m.rmse) : "< ref.");
-  cell(m.samples == 0 ? "" : slope_text(along == measure::Abscissa::seconds ? m.slope : m.slope_over_samples));
+  cell(m.samples == 0 ? "" : slope_text(along == metrics::Abscissa::seconds ? m.slope : m.slope_over_samples));
   cell(m.efficiency.known ? text_of("%.2f", m.efficiency.value / best) : "");
   cell(m.samples == 0 ? "" : text_of("%u", m.samples));
   cell(m.samples == 0 ? "" : text_of("%.1f", m.seconds));

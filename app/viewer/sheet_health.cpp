@@ -11,7 +11,7 @@ namespace {
 
 using Count = unsigned long long;
 
-void verdict_line(Workbench& w, const render::Health* health) {
+void verdict_line(Workbench& w, const render::Reliability* health) {
   if (!health) return note(w, "The samples are watched; the first verdict comes after ten of them.");
   traffic_light(w, health->verdict);
   ImGui::SameLine();
@@ -32,8 +32,8 @@ void error_figures(Workbench& w, const film::ErrorEstimate& error) {
             "render states it with an interval");
 }
 
-void tail_figures(Workbench& w, const render::Health& health) {
-  const measure::Tail& t = health.tail;
+void tail_figures(Workbench& w, const render::Reliability& health) {
+  const film::Tail& t = health.tail;
   const auto line = [&](const char* name, const std::string& value, const char* doc) {
     figure(w, name, value);
     if (ImGui::IsItemHovered()) tooltip(w, doc);
@@ -49,7 +49,7 @@ void tail_figures(Workbench& w, const render::Health& health) {
        "What the brightest 0.01 % of the samples carry");
 }
 
-void rejected_figures(Workbench& w, const film::Rejected& r) {
+void rejected_figures(Workbench& w, const film::InvalidSamples& r) {
   if (r.total() == 0) return figure(w, "Rejected", "none");
   figure(w, "Rejected",
          text_of("%llu not a number, %llu infinite, %llu negative", static_cast<Count>(r.nan),

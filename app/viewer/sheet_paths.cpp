@@ -59,14 +59,14 @@ void share_bar(const Workbench& w, double share, float width) {
   draw->AddRectFilled({at.x, at.y + 2},
                       {at.x + room * static_cast<float>(std::clamp(share, 0.0, 1.0)), at.y + height - 2},
                       ImGui::GetColorU32(w.theme.accent));
-  const std::string text = advice::percent(share);
+  const std::string text = advisor::percent(share);
   draw->AddText({at.x + width - ImGui::CalcTextSize(text.c_str()).x, at.y}, ImGui::GetColorU32(ImGuiCol_Text),
                 text.c_str());
   ImGui::Dummy({width, height});
 }
 
-void energy_cell(const Workbench& w, const advice::ClassEnergy& energy) {
-  ImGui::Text("%s \u00b1 %s", advice::number(energy.mean).c_str(), text_of("%.2g", energy.standard_error).c_str());
+void energy_cell(const Workbench& w, const advisor::ClassEnergy& energy) {
+  ImGui::Text("%s \u00b1 %s", advisor::number(energy.mean).c_str(), text_of("%.2g", energy.standard_error).c_str());
   if (!energy.uncertain()) return;
   ImGui::SameLine();
   ImGui::TextColored(w.theme.warning, "uncertain");
@@ -79,7 +79,7 @@ void found_cell(const Workbench& w, Finds finds) {
   ImGui::TextColored(w.theme.warning, finds == Finds::part ? "in part" : "no");
 }
 
-void share_and_energy(const Workbench& w, const advice::ClassRow& row, float bar) {
+void share_and_energy(const Workbench& w, const advisor::ClassRow& row, float bar) {
   ImGui::TableNextColumn();
   share_bar(w, row.share, bar);
   ImGui::TableNextColumn();
@@ -88,7 +88,7 @@ void share_and_energy(const Workbench& w, const advice::ClassRow& row, float bar
 }
 
 // One class. A click has it alone count.
-void class_row(Workbench& w, const advice::ClassRow& row, size_t index, float bar) {
+void class_row(Workbench& w, const advisor::ClassRow& row, size_t index, float bar) {
   const bool chosen = w.editor.document().method.paths == row.paths;
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -101,14 +101,14 @@ void class_row(Workbench& w, const advice::ClassRow& row, size_t index, float ba
   found_cell(w, w.paths.seen().rows[index]);
 }
 
-void total_row(Workbench& w, const advice::ClassTable& table, float bar) {
+void total_row(Workbench& w, const advisor::ClassTable& table, float bar) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   ImGui::TextUnformatted("all paths");
   share_and_energy(w, table.total, bar);
   const double missed = w.paths.seen().misses.share;
   if (missed > 0)
-    ImGui::TextColored(w.theme.warning, "%s", advice::percent(1 - missed).c_str());
+    ImGui::TextColored(w.theme.warning, "%s", advisor::percent(1 - missed).c_str());
   else
     ImGui::TextUnformatted("all");
 }
@@ -151,7 +151,7 @@ void remarks(Workbench& w) {
   if (shown && !w.paths.fresh()) warning(w, "Of the view before the last edit.");
   if (shown) {
     const auto& misses = w.paths.seen().misses;
-    const std::string sentence = w.editor.document().method.integrator + " " + advice::sentence_of(misses) + ".";
+    const std::string sentence = w.editor.document().method.integrator + " " + advisor::sentence_of(misses) + ".";
     misses.none() ? ImGui::TextWrapped("%s", sentence.c_str()) : warning(w, sentence);
     for (const auto& beyond : shown->beyond_methods) warning(w, "Beyond all methods: " + beyond + ".");
     if (!shown->table.unseen.empty()) {

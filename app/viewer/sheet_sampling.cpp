@@ -29,7 +29,7 @@ const render::Dimension& dimension(const std::string& name) {
 // Points are few and made at once, but not in every frame.
 const std::vector<Vec2>& points_of(const Workbench& w, Vec2i pixel) {
   struct Key {
-    render::Method method;
+    render::MethodSettings method;
     uint64_t seed = 0;
     Vec2i pixel{-1};
     SamplingView view;
@@ -179,7 +179,7 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
                       ImGui::GetColorU32(ImGuiCol_FrameBg, 0.4f));
   // Of a net, each half has as many points in each of these squares.
   int cells = 1;
-  while (4 * cells * cells <= static_cast<int>(view.points / film::kReplicates)) cells *= 2;
+  while (4 * cells * cells <= static_cast<int>(view.points / film::kHalves)) cells *= 2;
   const ImU32 line = ImGui::GetColorU32(ImGuiCol_Border, 0.8f);
   for (int i = 0; i <= cells; ++i) {
     const float at = side * static_cast<float>(i) / static_cast<float>(cells);
@@ -190,14 +190,14 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
   const auto& list = points_of(w, pixel);
   for (size_t i = 0; i < list.size(); ++i)
     draw->AddCircleFilled({corner.x + side * list[i].x, corner.y + side * (1 - list[i].y)}, radius,
-                          half_color(w, static_cast<int>(i % film::kReplicates)), 8);
+                          half_color(w, static_cast<int>(i % film::kHalves)), 8);
 }
 
 // The methods whose samples are made pixel by pixel, as the registry says.
 std::string names_of_pixel_methods() {
   std::string names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.accumulation == integrator::Sampling::pixels) names += (names.empty() ? "" : ", ") + info.name;
+    if (info.accumulation == integrator::Accumulation::per_pixel) names += (names.empty() ? "" : ", ") + info.name;
   return names;
 }
 

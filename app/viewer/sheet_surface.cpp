@@ -13,16 +13,16 @@
 namespace etendue::viewer {
 namespace {
 
-measure::ChartPalette palette_of(const Workbench& w) {
-  measure::ChartPalette palette;
+metrics::ChartPalette palette_of(const Workbench& w) {
+  metrics::ChartPalette palette;
   palette.text = ink_of(w.theme.text), palette.quiet = ink_of(w.theme.quiet);
   palette.line = palette.quiet, palette.line.opacity = 0.7;
   palette.thin_line = palette.quiet, palette.thin_line.opacity = 0.25;
   return palette;
 }
 
-audit::Look look_of(const Workbench& w, const Vec2& size) {
-  audit::Look look;
+bsdf_analysis::Look look_of(const Workbench& w, const Vec2& size) {
+  bsdf_analysis::Look look;
   // Drawn in the units of the small face, so that strokes are as wide on every display.
   look.width = static_cast<int>(size.x / w.platform.scale()),
   look.height = static_cast<int>(size.y / w.platform.scale());
@@ -32,7 +32,7 @@ audit::Look look_of(const Workbench& w, const Vec2& size) {
 }
 
 // A pane of this size; true while the hand drags in it.
-bool pane(Workbench& w, const char* name, const Vec2& size, const measure::Drawing& drawing) {
+bool pane(Workbench& w, const char* name, const Vec2& size, const metrics::Drawing& drawing) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton(name, {size.x, size.y});
   w.items.place(name);
@@ -73,7 +73,7 @@ void ball_pane(Workbench& w, size_t side, float edge) {
 void lobe_pane(Workbench& w, size_t side, const Vec2& size) {
   const auto* reading = w.surface.shown(side);
   if (!reading) return;
-  const auto drawing = audit::lobe_drawing(reading->lobe, reading->slice.degrees, look_of(w, size));
+  const auto drawing = bsdf_analysis::lobe_drawing(reading->lobe, reading->slice.degrees, look_of(w, size));
   const bool dragged = pane(w, side == 0 ? "surface.lobe" : "surface.lobe-kept", size, drawing);
   if (ImGui::IsItemHovered() && !dragged) tooltip(w, "f in space, for light to wo; drag to look from elsewhere");
   if (!dragged) return;
@@ -84,7 +84,7 @@ void lobe_pane(Workbench& w, size_t side, const Vec2& size) {
 
 void figures(Workbench& w, const SurfaceReading& reading) {
   draw_badges(w, reading);
-  figure(w, "Albedo, from everywhere", text_of("%.4f", audit::hemispherical_albedo(reading.audit.albedo)));
+  figure(w, "Albedo, from everywhere", text_of("%.4f", bsdf_analysis::hemispherical_albedo(reading.audit.albedo)));
   const auto& sampling = reading.audit.sampling;
   for (const auto& q : sampling)
     if (q.degrees == 45)
@@ -96,7 +96,7 @@ void controls(Workbench& w) {
   for (size_t side = 0; side < 2; ++side)
     if (const auto* reading = w.surface.shown(side)) {
       ImGui::PushID(static_cast<int>(side));
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(measure::ink_of_method(side))), "%s%s",
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::ink_of_method(side))), "%s%s",
                          reading->name.c_str(), side == 1 ? " (kept)" : "");
       figures(w, *reading);
       ImGui::PopID();
@@ -111,7 +111,7 @@ void controls(Workbench& w) {
 }  // namespace
 
 void draw_badges(Workbench& w, const SurfaceReading& reading) {
-  for (const audit::Badge& badge : reading.audit.badges) {
+  for (const bsdf_analysis::Check& badge : reading.audit.badges) {
     traffic_light(w, badge.holds ? render::Verdict::healthy : render::Verdict::doubtful);
     ImGui::SameLine();
     ImGui::TextColored(badge.holds ? w.theme.text : w.theme.warning, "%s", badge.label());
@@ -136,15 +136,15 @@ void instruments(Workbench& w, const std::vector<const SurfaceReading*>& list) {
   ImGui::BeginGroup();
   for (size_t side = 0; side < list.size(); ++side) lobe_pane(w, side, {third.x, edge});
   ImGui::EndGroup();
-  std::vector<audit::Slice> slices;
-  std::vector<std::vector<audit::Albedo>> curves;
+  std::vector<bsdf_analysis::Slice> slices;
+  std::vector<std::vector<bsdf_analysis::Albedo>> curves;
   for (const auto* reading : list) slices.push_back(reading->slice), curves.push_back(reading->audit.albedo);
   const auto look = look_of(w, third);
   ImGui::SameLine(0, gap);
-  pane(w, "surface.polar", third, audit::polar_drawing(slices, names, look));
+  pane(w, "surface.polar", third, bsdf_analysis::polar_drawing(slices, names, look));
   if (ImGui::IsItemHovered()) tooltip(w, "f in the plane of incidence, for light to the eye on the left");
   ImGui::SameLine(0, gap);
-  pane(w, "surface.albedo", third, audit::albedo_drawing(curves, names, look));
+  pane(w, "surface.albedo", third, bsdf_analysis::albedo_drawing(curves, names, look));
   if (ImGui::IsItemHovered())
     tooltip(w, "How much of the light leaves again, over the angle that it comes from; above 1 light is made");
 }

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "advisor/number_text.h"
-#include "integrator/integrator.h"
 #include "integrator/bdpt/techniques.h"
+#include "integrator/integrator.h"
 #include "viewer/drawer.h"
 #include "viewer/widgets.h"
 #include "viewer/words.h"
@@ -36,15 +36,15 @@ void toggle_technique(Workbench& w, const TechniqueCell& cell) {
 std::string figure_of(const TechniquePyramid& pyramid, const TechniqueCell& cell) {
   const std::string name = text_of("%d,%d", cell.s, cell.t);
   const auto share = pyramid.share(cell);
-  return share ? name + "  " + advice::percent(*share) : name;
+  return share ? name + "  " + advisor::percent(*share) : name;
 }
 
 std::string about(const TechniquePyramid& pyramid, const TechniqueCell& cell, bool off) {
   std::string text = text_of("s = %d, t = %d: ", cell.s, cell.t) + words_of(cell.s, cell.t) + "\n" +
                      text_of("Paths of %d %s.", cell.edges(), cell.edges() == 1 ? "edge" : "edges");
   if (const auto share = pyramid.share(cell))
-    text += " " + advice::percent(*share) + " of all light, +- " +
-            advice::percent(cell.standard_error / pyramid.whole.mean) + text_of(", %u spp.", cell.samples);
+    text += " " + advisor::percent(*share) + " of all light, +- " +
+            advisor::percent(cell.standard_error / pyramid.whole.mean) + text_of(", %u spp.", cell.samples);
   if (!off && !cell.absent.empty()) return text + "\n" + cell.absent;
   return text +
          (off ? "\nLeft out: the others do its work. Click to bring it back" : "\nClick leaves it to the others");
@@ -125,7 +125,7 @@ void controls(Workbench& w) {
     for (const auto& cell : shown->cells) sum += shown->share(cell).value_or(0);
     if (w.techniques.running()) note(w, "Pictures are being made, more samples round by round.");
     if (!w.techniques.fresh()) warning(w, "Of the view before the last edit.");
-    note(w, "All together " + advice::percent(sum) + " of the light" +
+    note(w, "All together " + advisor::percent(sum) + " of the light" +
                 (setup.weighted ? "; the rest came by longer paths."
                                 : ", each path counted by every technique that finds it."));
   }

@@ -188,7 +188,7 @@ json surface_json(const SurfaceHand& hand) {
     for (const auto& badge : reading->audit.badges) badges[badge.name] = badge.holds;
     j["sides"].push_back({{"model", reading->name},
                           {"badges", badges},
-                          {"albedo", audit::hemispherical_albedo(reading->audit.albedo)},
+                          {"albedo", bsdf_analysis::hemispherical_albedo(reading->audit.albedo)},
                           {"ball_samples", hand.ball(side).samples}});
   }
   return j;
@@ -237,7 +237,7 @@ std::string state_report(Workbench& w) {
       {"seconds", status.seconds},
       {"paused", w.session.paused()},
       {"phase", status.phase},
-      {"obstacle", w.obstacle()},
+      {"obstacle", w.incompatibility()},
       {"scene", d.scene_name},
       {"selection", {{"node", w.selection.node}, {"material", w.selection.material}, {"light", w.selection.light}}},
       {"tab", tabs()[static_cast<size_t>(w.view.tab)].name},

@@ -47,7 +47,7 @@ class Line {
 };
 
 // A click opens the sheet with the reasons.
-void health_part(Workbench& w, Line& line, const render::Health& health) {
+void health_part(Workbench& w, Line& line, const render::Reliability& health) {
   const std::string verdict(render::verdict_name(health.verdict));
   if (!line.next(ImGui::GetTextLineHeight() + 4 + ImGui::CalcTextSize(verdict.c_str()).x)) return;
   ImGui::BeginGroup();

@@ -64,7 +64,7 @@ class WaitForContest final : public Step {
   Progress advance(Workbench& w, Picture&) override {
     const auto* contest = w.contest.shown();
     if (!contest) return impossible("no methods are compared; click compare.start first");
-    using Phase = bench::ContestSnapshot::Phase;
+    using Phase = bench::LiveBenchmarkSnapshot::Phase;
     if (!samples_)
       return {!w.contest.running() && (contest->phase == Phase::stopped || contest->phase == Phase::done) &&
                   !w.contest.writing(),

@@ -13,7 +13,7 @@ class Study {
  public:
   using Publisher = std::function<void(const T&)>;
   // Publishes what it has so far, and ends soon once the watch says so.
-  using Work = std::function<void(const Publisher& publish, const bench::Watch& watch)>;
+  using RenderState = std::function<void(const Publisher& publish, const bench::Progress& watch)>;
 
   // `wake` is called from the work's thread when there is something new.
   explicit Study(const std::function<void()>& wake) : wake_(wake), job_(wake) {}
@@ -21,7 +21,7 @@ class Study {
   Study(const Study&) = delete;
   Study& operator=(const Study&) = delete;
 
-  void start(Work work) {
+  void start(RenderState work) {
     call_off();
     state_ = std::make_shared<State>();
     job_.start([state = state_, wake = wake_, work = std::move(work)] {

@@ -1,6 +1,5 @@
 #include "viewer/surface_hand.h"
 
-
 #include <algorithm>
 
 namespace etendue::viewer {
@@ -10,13 +9,13 @@ constexpr uint32_t kBallSamples = 400;
 
 std::shared_ptr<const SurfaceReading> read(const Material& material, double degrees, bool cosine) {
   auto reading = std::make_shared<SurfaceReading>();
-  const audit::Lobes lobes = audit::lobes_of(material);
+  const bsdf_analysis::Lobes lobes = bsdf_analysis::lobes_of(material);
   reading->material = material, reading->name = label_of_model(material);
-  reading->audit = audit::audit(lobes);
-  reading->slice = audit::slice(lobes, degrees, cosine);
-  reading->lobe.push_back(audit::lobe_surface(lobes, degrees, audit::Side::upper, cosine));
-  if (audit::passes_light(lobes))
-    reading->lobe.push_back(audit::lobe_surface(lobes, degrees, audit::Side::lower, cosine));
+  reading->audit = bsdf_analysis::audit(lobes);
+  reading->slice = bsdf_analysis::slice(lobes, degrees, cosine);
+  reading->lobe.push_back(bsdf_analysis::lobe_surface(lobes, degrees, bsdf_analysis::Side::upper, cosine));
+  if (bsdf_analysis::passes_light(lobes))
+    reading->lobe.push_back(bsdf_analysis::lobe_surface(lobes, degrees, bsdf_analysis::Side::lower, cosine));
   return reading;
 }
 
@@ -124,7 +123,7 @@ std::vector<ParameterInfo> surface_parameters(const SurfaceSetup& setup) {
 }
 
 std::string label_of_model(const Material& material) {
-  return material.reflection ? material.reflection->info().description.label : "glTF surface";
+  return material.model ? material.model->info().description.label : "glTF surface";
 }
 
 }  // namespace etendue::viewer

@@ -18,8 +18,9 @@ namespace etendue::viewer {
 struct SurfaceSetup {
   Number<float> degrees{"surface.angle", "Angle of view", 45, {0, 89}, "Between the eye and the normal", "\u00b0"};
   Toggle cosine{"surface.cosine", "Times the cosine", true, "What is reflected of even light; off: f itself"};
-  Choice<audit::Length> length{"surface.length", "Length", audit::Length::linear,
-                               "Of lobes: f as it is, or its fourth root, which shows what lies beneath a peak"};
+  Choice<bsdf_analysis::Length> length{
+      "surface.length", "Length", bsdf_analysis::Length::linear,
+      "Of lobes: f as it is, or its fourth root, which shows what lies beneath a peak"};
   Choice<scene::PreviewLight> light{
       "surface.light", "Light on the ball", scene::PreviewLight::studio,
       "Furnace is light from everywhere alike: what neither takes nor makes light vanishes"};
@@ -30,9 +31,9 @@ struct SurfaceSetup {
 struct SurfaceReading {
   Material material;
   std::string name;  // of its model
-  audit::Audit audit;
-  audit::Slice slice;
-  std::vector<audit::LobeSurface> lobe;
+  bsdf_analysis::Audit audit;
+  bsdf_analysis::Slice slice;
+  std::vector<bsdf_analysis::LobeSurface> lobe;
 };
 
 class SurfaceHand {

@@ -25,7 +25,7 @@ constexpr double kRest = 0.3;
 // Samples grow by this factor from round to round.
 constexpr uint32_t kGrowth = 4;
 
-const integrator::TechniqueKnobs& knobs_of(const render::Document& d) {
+const integrator::TechniqueParameters& knobs_of(const render::Document& d) {
   return integrator::find_integrator(d.method.integrator)->techniques;
 }
 
@@ -48,7 +48,7 @@ class Maker {
  public:
   Maker(const render::Document& document, const TechniquesSetup& setup,
         const std::shared_ptr<const scene::CompiledScene>& scene, const Study<TechniquePyramid>::Publisher& publish,
-        const bench::Watch& watch)
+        const bench::Progress& watch)
       : small_(reduced(document)), setup_(setup), publish_(publish), watch_(watch), session_({1, false, 0.1, scene}) {
     pyramid_.width = small_.width, pyramid_.height = small_.height;
     for (int k = 1; k <= setup.longest; ++k)
@@ -102,7 +102,7 @@ class Maker {
     if (!bench::wait_for(session_, version, [&](const render::Status&) { return watch_(0, "techniques"); }))
       return false;
     film = session_.film_copy();
-    const auto energy = advice::energy_of(film);
+    const auto energy = advisor::energy_of(film);
     cell.samples = samples, cell.mean = energy.mean, cell.standard_error = energy.standard_error;
     cell.picture = std::make_shared<const std::vector<float>>(film::radiance_of(film));
     publish_(pyramid_);
@@ -112,7 +112,7 @@ class Maker {
   const render::Document small_;
   const TechniquesSetup& setup_;
   const Study<TechniquePyramid>::Publisher& publish_;
-  const bench::Watch& watch_;
+  const bench::Progress& watch_;
   render::Session session_;
   TechniquePyramid pyramid_;
   std::vector<film::Film> films_;  // of the cells, and of the whole
@@ -176,9 +176,8 @@ void TechniquesHand::advance(bool looked_at, Notices& notices) {
   if (!looked_at || !possible() || running() || rest < kRest || (done_ && asks_the_same())) return;
   document_ = editor_.document(), asked_ = setup, done_ = false;
   study_.start(
-      [document = document_, asked = asked_, scene = session_.scene()](const auto& publish, const bench::Watch& watch) {
-        Maker(document, asked, scene, publish, watch).go();
-      });
+      [document = document_, asked = asked_, scene = session_.scene()](
+          const auto& publish, const bench::Progress& watch) { Maker(document, asked, scene, publish, watch).go(); });
 }
 
 std::string TechniquesHand::left_out() const {

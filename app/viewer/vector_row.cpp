@@ -34,12 +34,13 @@ void row(const std::string& label, Field field) {
   }
 }
 
-void edit_rotation(Workbench& w, std::span<const render::Binding> xyzw, const Vec4& rotation, const char* gesture) {
+void edit_rotation(Workbench& w, std::span<const render::DocumentParameter> xyzw, const Vec4& rotation,
+                   const char* gesture) {
   const Value values[4] = {double{rotation.x}, double{rotation.y}, double{rotation.z}, double{rotation.w}};
   w.edit(xyzw, values, gesture);
 }
 
-Vec4 quaternion_of(std::span<const render::Binding> xyzw) {
+Vec4 quaternion_of(std::span<const render::DocumentParameter> xyzw) {
   Vec4 q;
   for (int c = 0; c < 4; ++c)
     q[c] = static_cast<float>(std::get<double>(xyzw[static_cast<size_t>(c)].info.default_value));
@@ -47,7 +48,7 @@ Vec4 quaternion_of(std::span<const render::Binding> xyzw) {
 }
 
 // The rotation that the file had.
-std::optional<Vec4> original_rotation(const Workbench& w, std::span<const render::Binding> xyzw) {
+std::optional<Vec4> original_rotation(const Workbench& w, std::span<const render::DocumentParameter> xyzw) {
   Vec4 q;
   for (int c = 0; c < 4; ++c) {
     const auto value = original(w, xyzw[static_cast<size_t>(c)].info.name);
@@ -59,12 +60,12 @@ std::optional<Vec4> original_rotation(const Workbench& w, std::span<const render
 
 }  // namespace
 
-void vector_row(Workbench& w, std::span<const render::Binding> xyz) {
+void vector_row(Workbench& w, std::span<const render::DocumentParameter> xyz) {
   const ParameterInfo& first = xyz[0].info;
   const bool metres = first.unit == "m";
   ImGui::PushID(first.name.c_str());
   row(metres ? first.label + " (m)" : first.label, [&](int axis) {
-    const render::Binding& binding = xyz[static_cast<size_t>(axis)];
+    const render::DocumentParameter& binding = xyz[static_cast<size_t>(axis)];
     ParameterInfo info = binding.info;
     info.unit.clear();  // the label has it
     commit(w, binding, number_field(w, info, metres ? metres_per_pixel(w) : 0.005f));
@@ -84,7 +85,7 @@ std::vector<ParameterInfo> euler_parameters(const std::string& section, const Ve
   return list;
 }
 
-void rotation_row(Workbench& w, std::span<const render::Binding> xyzw) {
+void rotation_row(Workbench& w, std::span<const render::DocumentParameter> xyzw) {
   const std::string name = stem(xyzw[0].info.name), section = xyzw[0].section;
   const Vec4 now = quaternion_of(xyzw);
   // Angles stay as the hand left them: 120 degrees about y would come back as 60 and two half turns.

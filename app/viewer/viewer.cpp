@@ -95,7 +95,7 @@ class Application {
         new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
     const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
     const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news() ||
-                      w_.blind_spots.has_news() || w_.techniques.has_news() || w_.surface.has_news() ||
+                      w_.missing_paths.has_news() || w_.techniques.has_news() || w_.surface.has_news() ||
                       w_.meter.has_news();
     const bool news = told && since_last >= pacing_.interval(0);
     wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (told && !news);

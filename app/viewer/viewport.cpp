@@ -190,7 +190,7 @@ void points(const Workbench& w, ImDrawList* draw) {
 
 // Why the picture is black, in its middle.
 void obstacle_notice(const Workbench& w, ImDrawList* draw) {
-  const std::string text = w.obstacle();
+  const std::string text = w.incompatibility();
   if (text.empty() || w.shows_layer()) return;
   const Placement& p = w.view.picture;
   const float em = ImGui::GetFontSize(), width = std::min(em * 26, w.view.region.size.x - 2 * em);

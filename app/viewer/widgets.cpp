@@ -30,7 +30,7 @@ Explained explained(const ParameterInfo& info, const std::string& option) {
       return {group.label, group.doc, method->summary.c_str()};
     }
   if (info.name.ends_with(".model"))
-    if (const auto* model = find_reflection(option))
+    if (const auto* model = find_bsdf_model(option))
       return {Options<ModelClass>::kOptions[static_cast<size_t>(model->description.kind)].label, "",
               model->description.doc};
   return {};
@@ -109,7 +109,7 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
 }
 
 // It can be read, and says why it cannot be turned.
-void idle_widget(Workbench& w, const render::Binding& binding) {
+void idle_widget(Workbench& w, const render::DocumentParameter& binding) {
   if (w.items.take(binding.info.name)) w.items.answer(binding.info.name + ": " + binding.idle);
   ParameterInfo info = binding.info;
   info.doc += "\nNot now: " + binding.idle;
@@ -118,7 +118,7 @@ void idle_widget(Workbench& w, const render::Binding& binding) {
   ImGui::EndDisabled();
 }
 
-void binding_widget(Workbench& w, const render::Binding& binding) {
+void binding_widget(Workbench& w, const render::DocumentParameter& binding) {
   if (!binding.idle.empty()) return idle_widget(w, binding);
   const Change change = one_widget(w, binding.info);
   commit(w, binding, change);
@@ -127,7 +127,7 @@ void binding_widget(Workbench& w, const render::Binding& binding) {
 }
 
 // Three bindings in one: a swatch and three figures.
-void color_widget(Workbench& w, std::span<const render::Binding> rgb) {
+void color_widget(Workbench& w, std::span<const render::DocumentParameter> rgb) {
   const std::string stem = stem_of(rgb[0].info.name);
   float now[3];
   for (size_t c = 0; c < 3; ++c) now[c] = static_cast<float>(std::get<double>(rgb[c].info.default_value));
@@ -169,13 +169,13 @@ void color_widget(Workbench& w, std::span<const render::Binding> rgb) {
   ImGui::PopID();
 }
 
-bool names_color(const std::vector<render::Binding>& list, size_t i) {
+bool names_color(const std::vector<render::DocumentParameter>& list, size_t i) {
   return i + 2 < list.size() && ends_with_channel(list[i].info.name) && list[i].info.name.ends_with(".r") &&
          stem_of(list[i + 2].info.name) == stem_of(list[i].info.name);
 }
 
 // How many settings from here on make a vector (3), a quaternion (4), or neither (0).
-size_t vector_length(const std::vector<render::Binding>& list, size_t i) {
+size_t vector_length(const std::vector<render::DocumentParameter>& list, size_t i) {
   constexpr const char* kEnds[4] = {".x", ".y", ".z", ".w"};
   const std::string stem = stem_of(list[i].info.name);
   size_t n = 0;

@@ -36,7 +36,7 @@ Workbench::Workbench(Platform& p, const ViewOptions& o)
       comparison([&p] { p.wake(); }),
       contest(session, editor, o.threads, bench::cache_folder(), [&p] { p.wake(); }),
       paths(session, editor, o.threads, [&p] { p.wake(); }),
-      blind_spots(session, editor, [&p] { p.wake(); }),
+      missing_paths(session, editor, [&p] { p.wake(); }),
       techniques(session, editor, [&p] { p.wake(); }),
       points(session, editor, [&p] { p.wake(); }),
       thumbnails(p.gl()),
@@ -54,7 +54,7 @@ void Workbench::open(const std::string& file) {
   loader.open(file, editor.document());
 }
 
-void Workbench::edit(const render::Binding& binding, const Value& value, const std::string& gesture) {
+void Workbench::edit(const render::DocumentParameter& binding, const Value& value, const std::string& gesture) {
   if (binding.info.name == "render.integrator" && to_string(value) != editor.document().method.integrator)
     previous_integrator = editor.document().method.integrator;
   render::Document changed = editor.document();
@@ -62,11 +62,11 @@ void Workbench::edit(const render::Binding& binding, const Value& value, const s
   editor.apply(std::move(changed), binding.info.label + name_of_object(editor.document(), binding.section), gesture);
 }
 
-void Workbench::edit(std::span<const render::Binding> bindings, std::span<const Value> values,
+void Workbench::edit(std::span<const render::DocumentParameter> bindings, std::span<const Value> values,
                      const std::string& gesture) {
   render::Document changed = editor.document();
   for (size_t i = 0; i < bindings.size(); ++i) bindings[i].assign(changed, values[i]);
-  const render::Binding& first = bindings.front();
+  const render::DocumentParameter& first = bindings.front();
   editor.apply(std::move(changed), first.info.label + name_of_object(editor.document(), first.section), gesture);
 }
 
@@ -87,12 +87,14 @@ void Workbench::choose_paths(const std::string& expression) {
     if (binding.info.name == "film.paths") edit(binding, expression);
 }
 
-std::string Workbench::obstacle() const {
+std::string Workbench::incompatibility() const {
   const auto status = session.status();
-  return !editor.empty() && status.version == editor.version() ? status.obstacle : "";
+  return !editor.empty() && status.version == editor.version() ? status.incompatibility : "";
 }
 
-const advice::BlindSpots* Workbench::misses() { return paths.fresh() ? &paths.seen().misses : blind_spots.shown(); }
+const advisor::MissingPaths* Workbench::misses() {
+  return paths.fresh() ? &paths.seen().misses : missing_paths.shown();
+}
 
 void Workbench::select(int node, int material) {
   selection.node = node;
@@ -155,7 +157,7 @@ void Workbench::take_opened(Result<Opened> opened) {
   needs_pivot_ = true;
   contest.stop();
   paths.forget();
-  blind_spots.forget();
+  missing_paths.forget();
   techniques.forget();
   surface.forget();
   meter.forget();
@@ -220,7 +222,7 @@ bool Workbench::advance(Picture& on_screen) {
   surface.advance(selection.material, surface_sheet || (view.interface && view.tab == Tab::material), surface_sheet);
   meter.advance();
   const bool busy = advice.running() || contest.running() || paths.running();
-  blind_spots.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
+  missing_paths.advance(view.tab == Tab::render && view.interface && !busy && !paths.fresh());
   if (view.sheet != "sheet.sampling")
     probe.rest();
   else if (probe.advance(view.sampling.samples))

@@ -93,9 +93,10 @@ struct Workbench {
   void save_snapshot(const std::string& file) { capture.request(file); }
 
   // All edits end here. `gesture` as in Editor.
-  void edit(const render::Binding& binding, const Value& value, const std::string& gesture = "");
+  void edit(const render::DocumentParameter& binding, const Value& value, const std::string& gesture = "");
   // Several settings of one thing in one step; the first gives it its name.
-  void edit(std::span<const render::Binding> bindings, std::span<const Value> values, const std::string& gesture);
+  void edit(std::span<const render::DocumentParameter> bindings, std::span<const Value> values,
+            const std::string& gesture);
   void edit(render::Document changed, const std::string& name, const std::string& gesture = "") {
     editor.apply(std::move(changed), name, gesture);
   }
@@ -113,9 +114,9 @@ struct Workbench {
   bool advance(Picture& picture_on_screen);
 
   // Why the method finds no light at all in the picture on the desk; empty if it may, or as long as that is not known.
-  std::string obstacle() const;
+  std::string incompatibility() const;
   // What the method misses of the view on the desk, as far as it was measured; null if it was not.
-  const advice::BlindSpots* misses();
+  const advisor::MissingPaths* misses();
 
   // A layer stands in the picture's place.
   bool shows_layer() const { return !view.aov.empty() && aov.picture().name == view.aov; }
@@ -136,7 +137,7 @@ struct Workbench {
   Comparison comparison;
   ContestHand contest;
   PathsHand paths;
-  BlindSpotsHand blind_spots;
+  BlindSpotsHand missing_paths;
   TechniquesHand techniques;
   PointsHand points;
   Thumbnails thumbnails;  // of the techniques

@@ -10,7 +10,7 @@
 
 namespace etendue {
 
-class Handover {
+class TsanHandoff {
  public:
   void give() { given_.fetch_add(1, std::memory_order_release); }
   void take() const { static_cast<void>(given_.load(std::memory_order_acquire)); }

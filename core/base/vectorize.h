@@ -9,9 +9,9 @@
 
 // The linker's choice of a version runs before a thread sanitizer is ready.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
-#define ETENDUE_WIDE [[gnu::target_clones("default", "avx2", "avx512f"), gnu::flatten]]
+#define ETENDUE_VECTORIZE [[gnu::target_clones("default", "avx2", "avx512f"), gnu::flatten]]
 #else
-#define ETENDUE_WIDE
+#define ETENDUE_VECTORIZE
 #endif
 
 namespace etendue {
@@ -23,7 +23,7 @@ constexpr size_t whole_registers(size_t count) { return (count + kWidest - 1) / 
 
 // Vectors number by number.
 template <size_t N>
-struct WideVec3 {
+struct Vec3Lanes {
   alignas(64) std::array<float, N> x, y, z;
 
   void set(size_t i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
@@ -35,7 +35,7 @@ struct WideVec3View {
 
   WideVec3View(float* x_, float* y_, float* z_) : x(x_), y(y_), z(z_) {}
   template <size_t N>
-  WideVec3View(WideVec3<N>& v)  // NOLINT(google-explicit-constructor)
+  WideVec3View(Vec3Lanes<N>& v)  // NOLINT(google-explicit-constructor)
       : WideVec3View(v.x.data(), v.y.data(), v.z.data()) {}
 
   void set(size_t i, const Vec3& v) const { x[i] = v.x, y[i] = v.y, z[i] = v.z; }

@@ -2,8 +2,8 @@
 
 namespace etendue {
 
-ETENDUE_WIDE void squares_to_cosine_hemisphere(const float* u0, const float* u1, size_t count,
-                                               const WideVec3View& directions) {
+ETENDUE_VECTORIZE void squares_to_cosine_hemisphere(const float* u0, const float* u1, size_t count,
+                                                    const WideVec3View& directions) {
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(count); ++i) {
     const Vec3 d = square_to_cosine_hemisphere({u0[i], u1[i]});

@@ -16,19 +16,19 @@ namespace etendue {
 
 // Layers of glTF's extensions.
 template <class Color>
-using LayerLobes =
-    std::tuple<Coat<Color>, Sheen<Color>, DiffuseThrough<Color, FilmFresnel<Color>>, Layered<Color, FilmFresnel<Color>>,
-               ThinSheet<Color, FilmFresnel<Color>>, Dielectric<Color, TintedBoundary<Color>>>;
+using LayerLobes = std::tuple<Clearcoat<Color>, Sheen<Color>, DiffuseTransmission<Color, FilmFresnel<Color>>,
+                              Layered<Color, FilmFresnel<Color>>, ThinTransmission<Color, FilmFresnel<Color>>,
+                              Dielectric<Color, TintedBoundary<Color>>>;
 
 template <class Color, class... Model>
 auto every_lobe(TypeList<Model...>) ->
     typename UniqueVariant<StandardLobe<Color>, LayerLobes<Color>, typename Model::template Lobes<Color>...>::type;
 
 template <class Color>
-using AnyLobe = decltype(every_lobe<Color>(ReflectionModels{}));
+using AnyLobe = decltype(every_lobe<Color>(BsdfModels{}));
 
 template <class Color>
-using AnyLobeSet = Mix<Color, AnyLobe<Color>, 5, Covers>;
+using AnyLobeSet = LobeSet<Color, AnyLobe<Color>, 5, CoatingLayers>;
 
 // The set inside an AllLobes.
 AnyLobeSet<Rgb>& lobe_set(AllLobes<Rgb>& lobes);

@@ -17,8 +17,8 @@ std::vector<ModelPreset> presets_of() {
 }
 
 template <class Model>
-const ReflectionInfo& info_of() {
-  static const ReflectionInfo info{Model::kDescription, describe_all(Model().parameters()), presets_of<Model>()};
+const BsdfModelInfo& info_of() {
+  static const BsdfModelInfo info{Model::kDescription, describe_all(Model().parameters()), presets_of<Model>()};
   return info;
 }
 
@@ -28,23 +28,23 @@ constexpr bool is_solid() {
 }
 
 template <class Model>
-class Modelled final : public Reflection {
+class BsdfModelOf final : public BsdfModel {
  public:
-  explicit Modelled(const Model& model = {}, bool ready = !kPrepares) : model_(model), ready_(ready) {}
+  explicit BsdfModelOf(const Model& model = {}, bool ready = !kPrepares) : model_(model), ready_(ready) {}
 
-  const ReflectionInfo& info() const override { return info_of<Model>(); }
+  const BsdfModelInfo& info() const override { return info_of<Model>(); }
   std::vector<ParameterInfo> parameters() const override {
     Model copy = model_;
     return describe_all(copy.parameters());
   }
-  std::shared_ptr<const Reflection> with(std::string_view name, const Value& value) const override {
+  std::shared_ptr<const BsdfModel> with(std::string_view name, const Value& value) const override {
     Model changed = model_;
     [[maybe_unused]] const bool known = assign_by_name(changed.parameters(), name, value);
     assert(known);
-    return std::make_shared<Modelled>(changed);
+    return std::make_shared<BsdfModelOf>(changed);
   }
-  std::shared_ptr<const Reflection> prepared() const override {
-    return ready_ ? nullptr : std::make_shared<Modelled>(ready_model(), true);
+  std::shared_ptr<const BsdfModel> prepared() const override {
+    return ready_ ? nullptr : std::make_shared<BsdfModelOf>(ready_model(), true);
   }
   void add_lobes(const Rgb& base, AllLobes<Rgb>& lobes) const override {
     if (ready_)
@@ -69,45 +69,45 @@ class Modelled final : public Reflection {
 };
 
 struct Entry {
-  const ReflectionInfo* info;
-  std::shared_ptr<const Reflection> (*make)();
+  const BsdfModelInfo* info;
+  std::shared_ptr<const BsdfModel> (*make)();
 };
 
 template <class... Model>
 std::vector<Entry> entries_of(TypeList<Model...>) {
   return {{&info_of<Model>(),
-           []() -> std::shared_ptr<const Reflection> { return std::make_shared<Modelled<Model>>(); }}...};
+           []() -> std::shared_ptr<const BsdfModel> { return std::make_shared<BsdfModelOf<Model>>(); }}...};
 }
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = entries_of(ReflectionModels{});
+  static const std::vector<Entry> all = entries_of(BsdfModels{});
   return all;
 }
 
 }  // namespace
 
-const std::vector<ReflectionInfo>& reflection_infos() {
+const std::vector<BsdfModelInfo>& bsdf_model_infos() {
   static const auto infos = [] {
-    std::vector<ReflectionInfo> list;
+    std::vector<BsdfModelInfo> list;
     for (const auto& e : entries()) list.push_back(*e.info);
     return list;
   }();
   return infos;
 }
 
-const ReflectionInfo* find_reflection(std::string_view name) {
-  for (const auto& info : reflection_infos())
+const BsdfModelInfo* find_bsdf_model(std::string_view name) {
+  for (const auto& info : bsdf_model_infos())
     if (info.description.name == name) return &info;
   return nullptr;
 }
 
-std::shared_ptr<const Reflection> make_reflection(std::string_view name) {
+std::shared_ptr<const BsdfModel> make_bsdf_model(std::string_view name) {
   for (const auto& e : entries())
     if (e.info->description.name == name) return e.make();
   return nullptr;
 }
 
-std::string_view preset_of(const Reflection& model) {
+std::string_view preset_of(const BsdfModel& model) {
   const auto parameters = model.parameters();
   const auto has = [&](const std::pair<std::string, Value>& setting) {
     const ParameterInfo* p = find_parameter(parameters, setting.first);
@@ -118,14 +118,14 @@ std::string_view preset_of(const Reflection& model) {
   return kNoPreset;
 }
 
-std::shared_ptr<const Reflection> with_preset(std::shared_ptr<const Reflection> model, std::string_view name) {
+std::shared_ptr<const BsdfModel> with_preset(std::shared_ptr<const BsdfModel> model, std::string_view name) {
   for (const ModelPreset& preset : model->info().presets)
     if (preset.name == name)
       for (const auto& [parameter, value] : preset.values) model = model->with(parameter, value);
   return model;
 }
 
-bool operator==(const ReflectionUse& a, const ReflectionUse& b) {
+bool operator==(const BsdfModelRef& a, const BsdfModelRef& b) {
   if (a.model == b.model) return true;
   if (!a.model || !b.model || &a->info() != &b->info()) return false;
   const auto of_a = a->parameters(), of_b = b->parameters();

@@ -27,27 +27,27 @@ namespace etendue {
 template <class Color>
 class AllLobes;
 
-struct ReflectionInfo {
-  ModelDescription description;
+struct BsdfModelInfo {
+  BsdfModelDescription description;
   std::vector<ParameterInfo> parameters;
   std::vector<ModelPreset> presets;
 };
 
 // All models, in the order of the thesis.
-const std::vector<ReflectionInfo>& reflection_infos();
-const ReflectionInfo* find_reflection(std::string_view name);
+const std::vector<BsdfModelInfo>& bsdf_model_infos();
+const BsdfModelInfo* find_bsdf_model(std::string_view name);
 
-class Reflection {
+class BsdfModel {
  public:
-  virtual ~Reflection() = default;
+  virtual ~BsdfModel() = default;
 
-  virtual const ReflectionInfo& info() const = 0;
+  virtual const BsdfModelInfo& info() const = 0;
   // Those of `info` with the values they have here as defaults.
   virtual std::vector<ParameterInfo> parameters() const = 0;
   // Another one; the name must be a parameter's, and the value have been checked against its description.
-  virtual std::shared_ptr<const Reflection> with(std::string_view name, const Value& value) const = 0;
+  virtual std::shared_ptr<const BsdfModel> with(std::string_view name, const Value& value) const = 0;
   // The same model, for whose `add_lobes` everything is ready; that may take a second. Null if it is so already.
-  virtual std::shared_ptr<const Reflection> prepared() const = 0;
+  virtual std::shared_ptr<const BsdfModel> prepared() const = 0;
   // Of a model that was not prepared, in a copy that is.
   virtual void add_lobes(const Rgb& base, AllLobes<Rgb>& lobes) const = 0;
   // At once, without what takes long to find: enough to tell mirrors and directed surfaces from others.
@@ -56,27 +56,27 @@ class Reflection {
   virtual bool solid() const = 0;
 
  protected:
-  Reflection() = default;
-  Reflection(const Reflection&) = default;
-  Reflection& operator=(const Reflection&) = default;
+  BsdfModel() = default;
+  BsdfModel(const BsdfModel&) = default;
+  BsdfModel& operator=(const BsdfModel&) = default;
 };
 
 // A model with its default parameters; null if there is none of this name.
-std::shared_ptr<const Reflection> make_reflection(std::string_view name);
+std::shared_ptr<const BsdfModel> make_bsdf_model(std::string_view name);
 
 // The name of the preset that the model's parameters are, or kNoPreset.
 inline constexpr const char* kNoPreset = "none";
-std::string_view preset_of(const Reflection& model);
+std::string_view preset_of(const BsdfModel& model);
 // The model with the values of a preset; an unknown name leaves it as it is.
-std::shared_ptr<const Reflection> with_preset(std::shared_ptr<const Reflection> model, std::string_view preset);
+std::shared_ptr<const BsdfModel> with_preset(std::shared_ptr<const BsdfModel> model, std::string_view preset);
 
 // A material's model: none is glTF's own surface. Equal if name and parameters are.
-struct ReflectionUse {
-  std::shared_ptr<const Reflection> model = nullptr;
+struct BsdfModelRef {
+  std::shared_ptr<const BsdfModel> model = nullptr;
 
   explicit operator bool() const { return model != nullptr; }
-  const Reflection* operator->() const { return model.get(); }
-  friend bool operator==(const ReflectionUse& a, const ReflectionUse& b);
+  const BsdfModel* operator->() const { return model.get(); }
+  friend bool operator==(const BsdfModelRef& a, const BsdfModelRef& b);
 };
 
 }  // namespace etendue

@@ -13,7 +13,7 @@ namespace etendue {
 // The classes of thesis 4.2.2.5, by which menus are grouped.
 enum class ModelClass : uint8_t { idealised, phenomenological, physical, measured };
 
-struct ModelDescription {
+struct BsdfModelDescription {
   const char* name;   // as commands know it
   const char* label;  // as menus show it
   ModelClass kind;

@@ -14,7 +14,7 @@
 
 namespace etendue {
 
-struct CoverLayer {
+struct DielectricCoating {
   Vec3 normal{0, 0, 1};
   float strength = 0;
   float f0 = 0, f90 = 0;  // what it keeps under a right angle and at grazing ones, by Schlick's weight
@@ -24,10 +24,10 @@ struct CoverLayer {
   }
 };
 
-class Covers {
+class CoatingLayers {
  public:
   static constexpr bool kAny = true;
-  using Layer = std::variant<CoverLayer, SheenLayer>;
+  using Layer = std::variant<DielectricCoating, SheenCoating>;
 
   // A layer over the first so many lobes.
   void add(int lobes, const Layer& layer) {

@@ -40,14 +40,14 @@ float slope_of(const Lobe& lobe) {
 }
 
 // Of a mix in which nothing lies over anything else.
-struct NoCovers {
+struct NoCoatingLayers {
   static constexpr bool kAny = false;
 };
 
 // At most kMost lobes; Lobe is a variant of their types. Covers are layers over some of the lobes, of whose light they
 // take a part: `passed(i, wo, wi)` is what they leave of that of lobe i.
-template <class ColorType, class Lobe, int kMost, class Covers = NoCovers>
-class Mix {
+template <class ColorType, class Lobe, int kMost, class CoatingLayers = NoCoatingLayers>
+class LobeSet {
  public:
   using Color = ColorType;
   static constexpr int kMaxLobes = kMost;
@@ -117,7 +117,7 @@ class Mix {
     if (count_ == 1) return true;
     if (s.delta) {
       s.weight /= share;
-      if constexpr (Covers::kAny) s.weight *= covers_.passed(chosen, wo, s.wi);
+      if constexpr (CoatingLayers::kAny) s.weight *= covers_.passed(chosen, wo, s.wi);
       return true;
     }
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
@@ -132,7 +132,7 @@ class Mix {
       visit(i, [&](const auto& l) { l.add_deltas(wo, mode, deltas); });
       for (auto k = static_cast<size_t>(first); k < static_cast<size_t>(deltas.count); ++k) {
         deltas.probabilities[k] *= shares[static_cast<size_t>(i)];
-        if constexpr (Covers::kAny) deltas.lobes[k].weight *= covers_.passed(i, wo, deltas.lobes[k].wi);
+        if constexpr (CoatingLayers::kAny) deltas.lobes[k].weight *= covers_.passed(i, wo, deltas.lobes[k].wi);
       }
     }
   }
@@ -149,7 +149,7 @@ class Mix {
   Color sum(const Vec3& wo, const Vec3& wi, F&& of_lobe) const {
     Color f(0);
     for (int i = 0; i < count_; ++i) {
-      if constexpr (Covers::kAny)
+      if constexpr (CoatingLayers::kAny)
         f += visit(i, of_lobe) * covers_.passed(i, wo, wi);
       else
         f += visit(i, of_lobe);
@@ -175,15 +175,15 @@ class Mix {
 
   std::array<Lobe, kMaxLobes> lobes_;
   int count_ = 0;
-  [[no_unique_address]] Covers covers_;
+  [[no_unique_address]] CoatingLayers covers_;
 };
 
 // The lobes of glTF's core and of what is as common in its files.
 template <class Color>
-using StandardLobe = std::variant<Lambert<Color>, Layered<Color>, Dielectric<Color>, ThinSheet<Color>>;
+using StandardLobe = std::variant<Lambert<Color>, Layered<Color>, Dielectric<Color>, ThinTransmission<Color>>;
 
 template <class Color>
-using LobeMix = Mix<Color, StandardLobe<Color>, 2>;
+using StandardLobes = LobeSet<Color, StandardLobe<Color>, 2>;
 
 // A model whose surfaces are all Lambertian pays for nothing else.
 template <class Color>

@@ -30,11 +30,11 @@
 namespace etendue {
 
 // clang-format off
-using ReflectionModels = TypeList<
+using BsdfModels = TypeList<
     MirrorModel,
     FresnelMirrorModel,
     DielectricModel,
-    ThinSheetModel,
+    ThinDielectricModel,
     LambertModel,
     Phong1975Model,
     PhongModel,

@@ -49,9 +49,10 @@ void CameraRays::rays(const Pairs& raster, const Pairs& lens, const float* times
   for (size_t i = 0; motion_ && i < count; ++i) place(times[i], rays[i]);
 }
 
-ETENDUE_WIDE void CameraRays::rays_in_place(const Pairs& raster, const Pairs& lens, size_t count, Ray* rays) const {
+ETENDUE_VECTORIZE void CameraRays::rays_in_place(const Pairs& raster, const Pairs& lens, size_t count,
+                                                 Ray* rays) const {
   struct Wide {
-    WideVec3<kWidest> origin, direction;
+    Vec3Lanes<kWidest> origin, direction;
     alignas(64) std::array<float, kWidest> tnear, tfar;
   } wide;
   for (size_t first = 0; first < count; first += kWidest) {

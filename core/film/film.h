@@ -20,7 +20,7 @@
 
 namespace etendue::film {
 
-inline constexpr uint32_t kReplicates = 2;
+inline constexpr uint32_t kHalves = 2;
 
 class Film {
  public:
@@ -31,25 +31,25 @@ class Film {
   int height() const { return height_; }
 
   // Adds one sample to a pixel; false if it was rejected. Different pixels may be added to from different threads.
-  bool add(int x, int y, uint32_t replicate, const Rgb& radiance) {
+  bool add(int x, int y, uint32_t half_buffer, const Rgb& radiance) {
     Pixel& pixel = at(x, y);
     if (!is_radiance(radiance)) [[unlikely]] {
-      rejected_.count(x, y, pixel.count[replicate] * kReplicates + replicate, radiance);
+      rejected_.count(x, y, pixel.count[half_buffer] * kHalves + half_buffer, radiance);
       // It counts as a sample of value zero: leaving it out would favour what cannot be computed.
-      ++pixel.count[replicate];
+      ++pixel.count[half_buffer];
       return false;
     }
-    ++pixel.count[replicate];
-    auto& sum = pixel.sum[replicate];
+    ++pixel.count[half_buffer];
+    auto& sum = pixel.sum[half_buffer];
     sum[0] += radiance.r, sum[1] += radiance.g, sum[2] += radiance.b;
     return true;
   }
 
   uint32_t samples(int x, int y) const;
-  uint32_t samples_of_half(int x, int y, uint32_t replicate) const { return at(x, y).count[replicate]; }
+  uint32_t samples_of_half(int x, int y, uint32_t half_buffer) const { return at(x, y).count[half_buffer]; }
   Rgb mean(int x, int y) const;
   // Of one half; it must have a sample there.
-  Rgb mean_of_half(int x, int y, uint32_t replicate) const;
+  Rgb mean_of_half(int x, int y, uint32_t half_buffer) const;
   // The standard error of `mean`, squared, per channel; zero while a half is empty.
   Rgb variance_of_mean(int x, int y) const;
 
@@ -57,21 +57,21 @@ class Film {
   // The same in pieces.
   RowError error_of_row(int y) const;
   ErrorEstimate error(std::span<const RowError> rows) const;
-  Rejected rejected() const { return rejected_.get(); }
+  InvalidSamples rejected() const { return rejected_.get(); }
 
   // Everything the film knows, for checkpoints.
   struct Pixel {
-    std::array<std::array<double, 3>, kReplicates> sum{};
-    std::array<uint32_t, kReplicates> count{};
+    std::array<std::array<double, 3>, kHalves> sum{};
+    std::array<uint32_t, kHalves> count{};
   };
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
-  void set_rejected(const Rejected& rejected) { rejected_.set(rejected); }
+  void set_invalid_samples(const InvalidSamples& rejected) { rejected_.set(rejected); }
 
   // For adaptive sampling in blocks of pixels. Without it, nothing is kept of how samples scatter.
-  void begin_spread(size_t blocks) { spread_.emplace(blocks); }
-  std::optional<Spread>& spread() { return spread_; }
-  const std::optional<Spread>& spread() const { return spread_; }
+  void begin_tile_variance(size_t blocks) { spread_.emplace(blocks); }
+  std::optional<TileVariance>& tile_variance() { return spread_; }
+  const std::optional<TileVariance>& tile_variance() const { return spread_; }
 
   // Empties the pixels of some rows.
   void clear_rows(int first, int end);
@@ -89,7 +89,7 @@ class Film {
 
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
-  std::optional<Spread> spread_;
+  std::optional<TileVariance> spread_;
   RejectionCounter rejected_;
 };
 

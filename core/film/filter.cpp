@@ -87,7 +87,7 @@ Filter::Table Filter::positions(FilterKind kind) {
   return positions;
 }
 
-ETENDUE_WIDE void Filter::sample_all(float* u, size_t count) const {
+ETENDUE_VECTORIZE void Filter::sample_all(float* u, size_t count) const {
   for (size_t i = 0; i < whole_registers(count); ++i) u[i] = inverse(u[i]);
 }
 

@@ -32,12 +32,12 @@ void RejectionCounter::count(int x, int y, uint32_t sample, const Rgb& radiance)
   if (first_.size() == kFirstRejections) last_ = place(first_.back());
 }
 
-Rejected RejectionCounter::get() const {
+InvalidSamples RejectionCounter::get() const {
   const std::scoped_lock lock(mutex_);
   return {nan_.load(), infinite_.load(), negative_.load(), first_};
 }
 
-void RejectionCounter::set(const Rejected& rejected) {
+void RejectionCounter::set(const InvalidSamples& rejected) {
   const std::scoped_lock lock(mutex_);
   nan_ = rejected.nan, infinite_ = rejected.infinite, negative_ = rejected.negative;
   first_ = rejected.first;

@@ -28,7 +28,7 @@ struct Rejection {
   friend bool operator==(const Rejection&, const Rejection&) = default;
 };
 
-struct Rejected {
+struct InvalidSamples {
   uint64_t nan = 0, infinite = 0, negative = 0;
   std::vector<Rejection> first;  // kFirstRejections of them at most, by sample, row and column
 
@@ -48,8 +48,8 @@ class RejectionCounter {
 
   // `radiance` is not finite, or negative; coordinates are below 65536.
   void count(int x, int y, uint32_t sample, const Rgb& radiance);
-  Rejected get() const;
-  void set(const Rejected& rejected);
+  InvalidSamples get() const;
+  void set(const InvalidSamples& rejected);
 
  private:
   static constexpr uint64_t kNone = std::numeric_limits<uint64_t>::max();

@@ -11,7 +11,7 @@
 
 #include "base/vectorize.h"
 
-namespace etendue::measure {
+namespace etendue::film {
 namespace {
 
 constexpr size_t kFewestExceedances = 5;
@@ -43,7 +43,7 @@ struct Powers {
 };
 
 // Also says which lengths of kLanes have something above the threshold.
-ETENDUE_WIDE Powers look_at(const float* d, size_t count, float threshold, int* above) {
+ETENDUE_VECTORIZE Powers look_at(const float* d, size_t count, float threshold, int* above) {
   std::array<double, kLanes> squares{}, fourths{};
   for (size_t i = 0; i < count; i += kLanes) {
     int any = 0;
@@ -68,8 +68,8 @@ struct Products {
   double log(size_t j) const { return std::log(mantissa[j]) + static_cast<double>(exponent[j]) * std::numbers::ln2; }
 };
 
-ETENDUE_WIDE void multiply(const double* a, size_t count, std::span<const double> x, double* mantissa,
-                           int64_t* exponent) {
+ETENDUE_VECTORIZE void multiply(const double* a, size_t count, std::span<const double> x, double* mantissa,
+                                int64_t* exponent) {
   constexpr uint64_t kMantissa = (uint64_t{1} << 52) - 1, kOne = uint64_t{1023} << 52;
   for (const double v : x)
     for (size_t j = 0; j < count; ++j) {
@@ -208,4 +208,4 @@ Tail TailAccumulator::report() const {
   return tail;
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::film

@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-namespace etendue::measure {
+namespace etendue::film {
 
 // Above this khat the samples' mean and its error cannot be relied on; smaller for few samples (Vehtari et al. 2024).
 double khat_limit(uint64_t samples);
@@ -77,4 +77,4 @@ class TailAccumulator {
   std::vector<float> kept_;
 };
 
-}  // namespace etendue::measure
+}  // namespace etendue::film

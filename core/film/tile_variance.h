@@ -12,7 +12,7 @@
 
 namespace etendue::film {
 
-class Spread {
+class TileVariance {
  public:
   static constexpr int kFirstPower = 2, kPowers = 20;  // from the first up to, not with, kPowers
 
@@ -22,8 +22,8 @@ class Spread {
     bool known = false;
   };
 
-  Spread() = default;
-  explicit Spread(size_t blocks) : blocks_(blocks) {}
+  TileVariance() = default;
+  explicit TileVariance(size_t blocks) : blocks_(blocks) {}
 
   size_t blocks() const { return blocks_.size(); }
   // Another sample in every pixel of a block. Different blocks may be added to from different threads.

@@ -28,7 +28,7 @@
 namespace etendue::integrator {
 
 // Everything of a picture that does not change from pixel to pixel.
-struct Pass {
+struct RenderContext {
   const scene::CompiledScene* scene;
   const transport::Model* model;
   const Sampler* sampler;
@@ -38,22 +38,23 @@ struct Pass {
   int width, height;
   // When all paths are, from 0 at the shutter's opening to 1 at its closing; empty: each has a time of its own, if
   // anything moves.
-  std::optional<float> moment{};
+  std::optional<float> shared_time{};
 
-  bool draws_times() const { return model->moving && !moment; }
+  bool samples_time() const { return model->moving && !shared_time; }
 };
 
 // The same with one moment for all of a sample, where anything moves: for methods whose first pass must see what the
 // second does. Moments of the samples of a half lie evenly over the time that the shutter is open.
-Pass at_one_moment(Pass pass, uint32_t sample);
+RenderContext at_shared_time(RenderContext context, uint32_t sample);
 
 // What a task is given besides its name.
-struct Turn {
-  const std::function<bool()>* wanted = nullptr;  // asked now and then: a task is given up if nobody wants it any more
-  film::Splats* splats = nullptr;                 // takes what is found for pixels anywhere
+struct TaskContext {
+  const std::function<bool()>* keep_going =
+      nullptr;                     // asked now and then: a task is given up if nobody wants it any more
+  film::Splats* splats = nullptr;  // takes what is found for pixels anywhere
   // Runs, if anybody asks, while a task is busy with neither rays nor shading: with the numbers and decisions of Markov
   // chains, or looking up photons. All tasks that it is given to run on one thread.
-  Stopwatch* bookkeeping = nullptr;
+  Stopwatch* overhead_timer = nullptr;
 };
 
 // Tasks that may run side by side, and are done before anything else goes on.
@@ -64,24 +65,25 @@ struct Phase {
 
 // One picture in the making: what a method keeps from one sample of its pixels to the next. Tasks return the number of
 // rays traced; nothing if they were given up, and are then done again from their beginning.
-class Work {
+class RenderState {
  public:
-  virtual ~Work() = default;
+  virtual ~RenderState() = default;
 
   // What comes before sample `sample` of the pixels.
   virtual std::vector<Phase> phases(uint32_t sample) { return (void)sample, std::vector<Phase>(); }
-  virtual std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn);
+  virtual std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context);
   // Called alone, after the last task of a phase.
   virtual void finish(uint32_t sample, size_t phase) { (void)sample, (void)phase; }
 
   // Fills `radiance` row by row of the block. Of methods that only splat nobody asks it.
-  virtual std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn);
+  virtual std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                         const TaskContext& task_context);
 
   virtual size_t memory() const { return 0; }  // bytes, of what it keeps
 
   // A look at what it keeps in space, between two tasks: kMostPoints at most; null if it keeps nothing of the kind.
   static constexpr size_t kMostPoints = 200'000;
-  virtual std::shared_ptr<const std::vector<PointOfLight>> points() const { return nullptr; }
+  virtual std::shared_ptr<const std::vector<StoredPoint>> points() const { return nullptr; }
   // Asked between tasks.
   virtual std::vector<Statistic> statistics() const { return {}; }
 
@@ -95,13 +97,13 @@ class Work {
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  virtual std::vector<ParameterInfo> parameters() const = 0;
+  virtual std::vector<ParameterInfo> parameter_infos() const = 0;
   virtual bool set(std::string_view name, const Value& value) = 0;
   // What `pass` points to, and the integrator itself, must outlive the work. `previous` is what the picture before this
   // one left, by any method, or null: what it knows of the same scene may be used again.
-  virtual std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const = 0;
+  virtual std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const = 0;
   // Why it finds no light at all in this picture, and what to do about it; empty if nothing stands in its way.
-  virtual std::string obstacle(const Pass& pass) const { return (void)pass, std::string(); }
+  virtual std::string incompatibility(const RenderContext& context) const { return (void)context, std::string(); }
 };
 
 // `settings` must have been checked; names the integrator does not have are ignored.

@@ -16,11 +16,11 @@ enum class Bias { unbiased, consistent, biased };
 std::string_view bias_name(Bias bias);
 
 // How samples come to the pixels.
-enum class Sampling {
-  pixels,    // block by block, each by itself: a pixel may have more of them than another
-  pictures,  // block by block, but all pixels of the picture have the same number at a time
-  splats,    // and what is found in a block, or before it, may belong to pixels anywhere
-  only_splats
+enum class Accumulation {
+  per_pixel,    // block by block; one pixel may have more samples than another
+  per_image,    // block by block; all pixels have the same number of samples at a time
+  with_splats,  // contributions to other pixels, besides the block's own
+  splats_only   // contributions to any pixel, no blocks
 };
 
 // The families of methods, as the thesis has them.
@@ -40,7 +40,7 @@ inline const GroupInfo& info_of(Group group) { return kGroups[static_cast<size_t
 // The parameters of a method that finds each path by several techniques (s, t), s vertices from the light and t from
 // the camera: two that take sets of them (integrator/techniques.h), those left to the others and those shown alone, and
 // the switch of their weights. Empty for all other methods.
-struct TechniqueKnobs {
+struct TechniqueParameters {
   std::string_view without, only, weighted;
 
   bool empty() const { return only.empty(); }
@@ -54,14 +54,14 @@ struct IntegratorInfo {
   std::string point_paths;  // those of them that it samples for point, spot and directional lights; empty: none
   Bias bias = Bias::unbiased;
   std::string cost, limitations;
-  Sampling accumulation = Sampling::pixels;
+  Accumulation accumulation = Accumulation::per_pixel;
   char shortcut = 0;  // the key that selects it in the viewer, '1' to '9'; 0: none
-  TechniqueKnobs techniques = {};
+  TechniqueParameters techniques = {};
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
 };
 
 // Something that a method keeps in space: a photon, a virtual light.
-struct PointOfLight {
+struct StoredPoint {
   Vec3 position;
   Rgb power;  // watts
 };

@@ -18,7 +18,7 @@ struct Registration {
 template <class T>
 Registration registration() {
   IntegratorInfo info = T::info();
-  info.parameters = T().parameters();
+  info.parameters = T().parameter_infos();
   return {std::move(info), []() -> std::unique_ptr<Integrator> { return std::make_unique<T>(); }};
 }
 

@@ -43,8 +43,8 @@ std::string_view bias_name(Bias bias) {
   return bias == Bias::unbiased ? "unbiased" : bias == Bias::consistent ? "consistent" : "biased";
 }
 
-std::optional<uint64_t> Work::run(uint32_t, size_t, int, const Turn&) { return 0; }
-std::optional<uint64_t> Work::sample(const PixelBlock&, std::span<Rgb>, const Turn&) { return 0; }
+std::optional<uint64_t> RenderState::run(uint32_t, size_t, int, const TaskContext&) { return 0; }
+std::optional<uint64_t> RenderState::sample(const PixelBlock&, std::span<Rgb>, const TaskContext&) { return 0; }
 
 const std::vector<IntegratorInfo>& integrator_infos() {
   static const auto infos = [] {
@@ -81,12 +81,12 @@ std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::ve
   return nullptr;
 }
 
-Pass at_one_moment(Pass pass, uint32_t sample) {
-  if (!pass.model->moving) return pass;
-  const uint32_t half = sample % film::kReplicates, step = sample / film::kReplicates;
-  const auto shift = static_cast<uint32_t>(mix_bits(pass.seed * film::kReplicates + half));
-  pass.moment = to_unit_float(reverse_bits(step) + shift);
-  return pass;
+RenderContext at_shared_time(RenderContext context, uint32_t sample) {
+  if (!context.model->moving) return context;
+  const uint32_t half = sample % film::kHalves, step = sample / film::kHalves;
+  const auto shift = static_cast<uint32_t>(mix_bits(context.seed * film::kHalves + half));
+  context.shared_time = to_unit_float(reverse_bits(step) + shift);
+  return context;
 }
 
 }  // namespace etendue::integrator

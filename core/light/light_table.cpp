@@ -42,7 +42,7 @@ struct LightTable::ChosenTriangles {
   template <class T>
   using Array = std::array<T, kSize>;
 
-  WideVec3<kSize> p0, e1, e2, cross;
+  Vec3Lanes<kSize> p0, e1, e2, cross;
   alignas(64) Array<float> probability, back;  // of the choice; what the back side counts, 0 or 1
 
   void set(size_t i, const EmissiveTriangle& triangle, float choice_probability) {
@@ -56,7 +56,7 @@ struct LightTable::ChosenTriangles {
 };
 
 struct LightTable::ChosenTriangles::Points {
-  WideVec3<kSize> wi;
+  Vec3Lanes<kSize> wi;
   alignas(64) Array<float> distance, pdf, b1, b2, large;
 
   void get(size_t i, LightSample& sample) const {
@@ -67,7 +67,7 @@ struct LightTable::ChosenTriangles::Points {
 };
 
 // A uniform point has density 1 / area; distance^2 / cosine turns it into a solid angle. `cross` is 2 area long.
-ETENDUE_WIDE void LightTable::ChosenTriangles::sample(const LightQueries& queries, Points& points) const {
+ETENDUE_VECTORIZE void LightTable::ChosenTriangles::sample(const LightQueries& queries, Points& points) const {
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(queries.count); ++i) {
     const Vec2 b = square_to_triangle({queries.u0[i], queries.u1[i]});

@@ -72,7 +72,7 @@ void LightTree::Node::set(int slot, const LightBounds& b, uint32_t what) {
 
 // Sines and cosines of angles between 0 and pi, from which others are taken off until nothing is left: no branches, so
 // that all children are done at once. A step of a loop takes longest over quotients and roots.
-ETENDUE_WIDE void LightTree::Node::importance(const Vec3& from, Lanes& sums) const {
+ETENDUE_VECTORIZE void LightTree::Node::importance(const Vec3& from, Lanes& sums) const {
   alignas(32) Lanes of;
 #pragma GCC ivdep
   for (size_t i = 0; i < kWidth; ++i) {

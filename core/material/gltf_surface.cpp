@@ -121,7 +121,7 @@ template <class Lobes>
     set_glass(m, n, glass);
     lobes.add(glass);
   } else if (through > 0) {
-    ThinSheet<Rgb> sheet;
+    ThinTransmission<Rgb> sheet;
     set_sheet(n, sheet), set_sheet_lobe(n, sheet);
     lobes.add(sheet);
   }
@@ -168,7 +168,7 @@ void add_base(const SurfaceMaterial& material, const TexturePoint& point, const 
       add_opaque(n, diffuse, lobes);
   }
   if (n.solid() * scattered > 0) {
-    DiffuseThrough<Rgb, FilmFresnel<Rgb>> behind;
+    DiffuseTransmission<Rgb, FilmFresnel<Rgb>> behind;
     behind.color = unit(scaled(m.diffuse_transmission_color, material.diffuse_transmission_color, point)) *
                    (n.solid() * scattered);
     behind.layer = fresnel;
@@ -179,7 +179,7 @@ void add_base(const SurfaceMaterial& material, const TexturePoint& point, const 
     set_boundary(m, n, fresnel, glass), set_glass(m, n, glass);
     lobes.add(glass);
   } else if (through > 0) {
-    ThinSheet<Rgb, FilmFresnel<Rgb>> sheet;
+    ThinTransmission<Rgb, FilmFresnel<Rgb>> sheet;
     static_cast<FilmFresnel<Rgb>&>(sheet) = fresnel;
     sheet.dielectric = 1, sheet.metal = 0;
     set_sheet_lobe(n, sheet);
@@ -193,18 +193,18 @@ void add_sheen(const SurfaceMaterial& material, const TexturePoint& point, AnyLo
   sheen.color = unit(scaled(m.sheen_color, material.sheen_color, point));
   sheen.roughness = unit(scaled(m.sheen_roughness, material.sheen_roughness, point, 3));
   if (is_black(sheen.color)) return;
-  lobes.cover(SheenLayer{max_component(sheen.color), sheen.roughness});
+  lobes.cover(SheenCoating{max_component(sheen.color), sheen.roughness});
   lobes.add(sheen);
 }
 
 void add_coat(const SurfaceMaterial& material, const TexturePoint& point, const Vec3& normal, AnyLobeSet<Rgb>& lobes) {
   const Material& m = material.description;
-  Coat<Rgb> coat;
+  Clearcoat<Rgb> coat;
   coat.strength = unit(scaled(m.clearcoat, material.clearcoat, point, 0));
   if (coat.strength == 0) return;
   coat.frame = Frame(normal);
   coat.facets = facets_of(scaled(m.clearcoat_roughness, material.clearcoat_roughness, point, 1), 0);
-  lobes.cover(CoverLayer{normal, coat.strength, kCoatF0, 1});
+  lobes.cover(DielectricCoating{normal, coat.strength, kCoatF0, 1});
   lobes.add(coat);
 }
 
@@ -220,7 +220,7 @@ Ggx facets_of(float roughness, float anisotropy) {
   return facets;
 }
 
-void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes) {
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, StandardLobes<Rgb>& lobes) {
   if (material.diffuse) return lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
   add_core(material.description, look(material, point), lobes);
 }
@@ -233,8 +233,8 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, AllLo
     all = *material.ready;
   } else if (material.diffuse) {
     lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
-  } else if (m.reflection) {
-    m.reflection->add_lobes(unit(rgb_of(material.base_at(point))), all);
+  } else if (m.model) {
+    m.model->add_lobes(unit(rgb_of(material.base_at(point))), all);
   } else if (material.standard) {
     add_core(m, look(material, point), lobes);
   } else if (m.specular_glossiness) {

@@ -16,7 +16,7 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, Diffu
   lobes.add(Lambert<Color>{Color(base.x, base.y, base.z)});
 }
 
-void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, LobeMix<Rgb>& lobes);
+void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, StandardLobes<Rgb>& lobes);
 // `coat_normal` is that of the clear coat in the shading frame.
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, AllLobes<Rgb>& lobes,
                const Vec3& coat_normal = Vec3(0, 0, 1));

@@ -20,7 +20,7 @@ struct Material {
 
   // Instead of the surface that the numbers below describe; base colour, opacity, normal map, emission and the inside
   // of a solid count for it too.
-  ReflectionUse reflection;
+  BsdfModelRef model;
 
   Rgb base_color{1};
   float alpha = 1;
@@ -76,7 +76,7 @@ struct Material {
   bool specular_glossiness = false;
 
   bool solid() const {
-    return reflection ? reflection->solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
+    return model ? model->solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
   }
   bool emits() const { return !is_black(emission); }
 

@@ -31,18 +31,18 @@ Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
 
 SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
   resolve(textures);
-  bends = normal || (clearcoat_normal && m.clearcoat > 0);
-  bent_coat = bends && m.clearcoat > 0;
+  normal_mapped = normal || (clearcoat_normal && m.clearcoat > 0);
+  coat_normal_mapped = normal_mapped && m.clearcoat > 0;
   plain = !base_color && !m.unlit;
   factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
-  shines = m.emits() || m.unlit;
+  emissive = m.emits() || m.unlit;
   transparent = m.alpha_mode != AlphaMode::opaque;
   absorbs = m.solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
-  if (m.reflection && !m.unlit)
+  if (m.model && !m.unlit)
     prepare_model();
   else
     look_at_gltf();
-  framed = bends || directed;
+  needs_tangent = normal_mapped || anisotropic;
 }
 
 void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
@@ -72,9 +72,9 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
 
 // What the lobes of the model are, as its base colour makes no others of them.
 void SurfaceMaterial::prepare_model() {
-  if (auto prepared = description.reflection->prepared()) description.reflection.model = std::move(prepared);
+  if (auto prepared = description.model->prepared()) description.model.model = std::move(prepared);
   AllLobes<Rgb> lobes;
-  description.reflection->add_lobes(reflectance(factor), lobes);
+  description.model->add_lobes(reflectance(factor), lobes);
   if (const auto* lambert = lobe_set(lobes).only<Lambert<Rgb>>()) {
     diffuse = standard = true;
     // Base colour and model are one factor.
@@ -84,7 +84,7 @@ void SurfaceMaterial::prepare_model() {
   Deltas<Rgb> deltas;
   lobes.add_deltas(Vec3(0, 0, 1), Transport::radiance, deltas);
   specular_deltas = deltas.count > 0;
-  directed = is_directed(lobes);
+  anisotropic = is_directed(lobes);
   if (plain) ready = std::make_shared<AllLobes<Rgb>>(lobes);
 }
 
@@ -96,7 +96,7 @@ void SurfaceMaterial::look_at_gltf() {
   diffuse = m.unlit || (standard && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
   specular_deltas = !diffuse && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
                                  (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
-  directed = !diffuse && m.anisotropy > 0;
+  anisotropic = !diffuse && m.anisotropy > 0;
 }
 
 Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {

@@ -22,7 +22,7 @@ uint32_t rounded(double samples) {
 
 }  // namespace
 
-Allocation::Allocation(Adaptive goal, std::vector<int> pixels)
+SampleAllocation::SampleAllocation(Adaptive goal, std::vector<int> pixels)
     : goal_(goal),
       pixels_(std::move(pixels)),
       all_pixels_(std::accumulate(pixels_.begin(), pixels_.end(), 0.0)),
@@ -31,26 +31,26 @@ Allocation::Allocation(Adaptive goal, std::vector<int> pixels)
   set_piece(0);
 }
 
-void Allocation::begin_even() {
+void SampleAllocation::begin_even() {
   even_ = true;
   most_ = 1U << power_;
   for (auto& halves : targets_) halves.fill(most_);
 }
 
-void Allocation::begin_uneven(const film::Spread& spread) {
+void SampleAllocation::begin_uneven(const film::TileVariance& spread) {
   even_ = false;
   share_out(spread, 0), share_out(spread, 1);
   most_ = 0;
   for (const auto& halves : targets_) most_ = std::max({most_, halves[0], halves[1]});
 }
 
-double Allocation::worth(const film::Spread::Seen& seen) const {
+double SampleAllocation::worth(const film::TileVariance::Seen& seen) const {
   const double variance = std::max(0.0, double{seen.variance});
   return std::sqrt(goal_ == Adaptive::relmse ? variance / (sqr(double{seen.mean}) + kDark) : variance);
 }
 
 // Finds the factor between a block's deviation and its samples that spends what there is.
-void Allocation::share_out(const film::Spread& spread, uint32_t half) {
+void SampleAllocation::share_out(const film::TileVariance& spread, uint32_t half) {
   const double least = std::exp2(power_), purse = 2 * least * all_pixels_;
   const auto samples = [&](size_t block, double factor) {
     return std::max(least, factor * worth(spread.seen(block, 1 - half, power_)));
@@ -71,10 +71,10 @@ void Allocation::share_out(const film::Spread& spread, uint32_t half) {
     targets_[b][half] = all_alike ? static_cast<uint32_t>(2 * least) : rounded(samples(b, low));
 }
 
-void Allocation::advance(const film::Spread& spread) {
+void SampleAllocation::advance(const film::TileVariance& spread) {
   if (piece_.end < most_) return set_piece(piece_.end);
   const uint32_t done = 1U << power_;
-  if (even_ && power_ < film::Spread::kPowers) {
+  if (even_ && power_ < film::TileVariance::kPowers) {
     begin_uneven(spread);
   } else {
     ++power_;
@@ -84,7 +84,7 @@ void Allocation::advance(const film::Spread& spread) {
 }
 
 // Pieces grow with the samples there are, and stay within the tables of the samplers.
-void Allocation::set_piece(uint32_t first) {
+void SampleAllocation::set_piece(uint32_t first) {
   const uint32_t end = first + std::max(1U, first / 32), table_end = (first / kTableSamples + 1) * kTableSamples;
   piece_ = {first, std::min({end, table_end, most_})};
 }

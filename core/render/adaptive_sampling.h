@@ -18,10 +18,10 @@
 
 namespace etendue::render {
 
-class Allocation {
+class SampleAllocation {
  public:
   // `pixels` are the sizes of the blocks.
-  Allocation(Adaptive goal, std::vector<int> pixels);
+  SampleAllocation(Adaptive goal, std::vector<int> pixels);
 
   // A piece of work: each half of each block gets its samples from number `first` on, up to `end` and to its target.
   struct Piece {
@@ -31,13 +31,13 @@ class Allocation {
   uint32_t target(size_t block, uint32_t half) const { return targets_[block][half]; }
 
   // The piece is done everywhere: on to the next.
-  void advance(const film::Spread& spread);
+  void advance(const film::TileVariance& spread);
 
  private:
   void begin_even();
-  void begin_uneven(const film::Spread& spread);
-  void share_out(const film::Spread& spread, uint32_t half);
-  double worth(const film::Spread::Seen& seen) const;
+  void begin_uneven(const film::TileVariance& spread);
+  void share_out(const film::TileVariance& spread, uint32_t half);
+  double worth(const film::TileVariance::Seen& seen) const;
   void set_piece(uint32_t first);
 
   Adaptive goal_;
@@ -45,7 +45,7 @@ class Allocation {
   double all_pixels_ = 0;
   std::vector<std::array<uint32_t, 2>> targets_;
   uint32_t most_ = 0;  // of the targets
-  int power_ = film::Spread::kFirstPower;
+  int power_ = film::TileVariance::kFirstPower;
   bool even_ = true;  // the part of the round that all pixels get
   Piece piece_;
 };

@@ -38,8 +38,8 @@ void append(std::vector<char>& bytes, std::span<const std::byte> part) {
 }  // namespace
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const film::Rejected rejected = checkpoint.film.rejected();
-  const auto& spread = checkpoint.film.spread();
+  const film::InvalidSamples rejected = checkpoint.film.rejected();
+  const auto& spread = checkpoint.film.tile_variance();
   const std::span<const std::byte> parts[] = {std::as_bytes(std::span(checkpoint.state)),
                                               std::as_bytes(checkpoint.film.pixels()),
                                               spread ? spread->bytes() : std::span<const std::byte>(),
@@ -72,11 +72,12 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   const uint64_t body = bytes.size() - header_size;
   constexpr int32_t kMost = 1 << 16;
   if (header.width <= 0 || header.height <= 0 || header.width > kMost || header.height > kMost ||
-      header.state_size > body || header.work_size > body || header.spread_blocks > body / film::Spread::kBytesOfBlock)
+      header.state_size > body || header.work_size > body ||
+      header.spread_blocks > body / film::TileVariance::kBytesOfBlock)
     return damaged(path, "its size makes no sense");
   const uint64_t pixels =
       static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
-  const uint64_t spread = header.spread_blocks * film::Spread::kBytesOfBlock;
+  const uint64_t spread = header.spread_blocks * film::TileVariance::kBytesOfBlock;
   if (body < header.state_size + pixels + spread + header.work_size) return damaged(path, "it is truncated");
   const uint64_t first = body - header.state_size - pixels - spread - header.work_size;
   if (first % sizeof(film::Rejection) != 0 || first > film::kFirstRejections * sizeof(film::Rejection))
@@ -91,17 +92,17 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   std::memcpy(checkpoint.film.pixels().data(), data + header.state_size, pixels);
   data += header.state_size + pixels;
   if (spread > 0) {
-    checkpoint.film.begin_spread(header.spread_blocks);
-    std::memcpy(checkpoint.film.spread()->bytes().data(), data, spread);
+    checkpoint.film.begin_tile_variance(header.spread_blocks);
+    std::memcpy(checkpoint.film.tile_variance()->bytes().data(), data, spread);
     data += spread;
   }
   checkpoint.work.resize(header.work_size);
   if (header.work_size > 0) std::memcpy(checkpoint.work.data(), data, header.work_size);
   data += header.work_size;
-  film::Rejected rejected{header.nan, header.infinite, header.negative, {}};
+  film::InvalidSamples rejected{header.nan, header.infinite, header.negative, {}};
   rejected.first.resize(first / sizeof(film::Rejection));
   if (first > 0) std::memcpy(rejected.first.data(), data, first);
-  checkpoint.film.set_rejected(rejected);
+  checkpoint.film.set_invalid_samples(rejected);
   return checkpoint;
 }
 

@@ -42,7 +42,7 @@ std::string_view section_of(std::string_view name) {
   return second == std::string_view::npos ? first : name.substr(0, second);
 }
 
-Result<Binding> find_binding(const Document& document, std::string_view name) {
+Result<DocumentParameter> find_binding(const Document& document, std::string_view name) {
   // A bare name belongs to the integrator, else to the sampler, else to the rendering as a whole.
   if (name.find('.') == std::string_view::npos)
     for (const std::string& owner : {document.method.integrator, document.method.sampler, std::string("render")})
@@ -56,7 +56,7 @@ Result<Binding> find_binding(const Document& document, std::string_view name) {
 
 }  // namespace
 
-std::vector<Setting> Method::settings_of(std::string_view owner) const {
+std::vector<Setting> MethodSettings::settings_of(std::string_view owner) const {
   std::vector<Setting> own;
   for (const auto& [name, value] : settings)
     if (name.size() > owner.size() && name.starts_with(owner) && name[owner.size()] == '.')

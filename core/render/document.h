@@ -33,7 +33,7 @@ struct Limits {
 // Whether samples go where the error is, and which error that is (render/allocation.h).
 enum class Adaptive { off, rmse, relmse };
 
-struct Method {
+struct MethodSettings {
   std::string integrator = "path", sampler = "sobol";
   Adaptive adaptive = Adaptive::off;
   std::string paths;  // the expression of the paths that count (transport/path_expression.h); empty if all do
@@ -42,7 +42,7 @@ struct Method {
 
   // The settings of one integrator or sampler, without its name in front.
   std::vector<Setting> settings_of(std::string_view owner) const;
-  friend bool operator==(const Method&, const Method&) = default;
+  friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
 };
 
 struct Display {
@@ -60,7 +60,7 @@ struct Document {
   int width = 1280, height = 720;
   film::FilterKind filter = film::FilterKind::blackman_harris;
   film::Fireflies fireflies = film::Fireflies::keep;
-  Method method;
+  MethodSettings method;
   std::vector<std::string> forced_flags;  // model.FLAG=on
   uint64_t seed = 0;
   Limits limits;
@@ -70,7 +70,7 @@ struct Document {
 };
 
 // One setting of a document: its description and how to read and write it.
-struct Binding {
+struct DocumentParameter {
   ParameterInfo info;   // info.name is the qualified name; default_value is the value now
   std::string section;  // "render", "camera", "material.3", ...
   std::string idle;     // why it changes nothing now, and what to do; empty if it does
@@ -79,7 +79,7 @@ struct Binding {
 
 // All settings of one section. Sections are "render", "film", "camera", "display", "scene", "environment", "model",
 // "material.N", "light.N", "node.N", and the names of the integrators and samplers.
-std::vector<Binding> bindings(const Document& document, std::string_view section);
+std::vector<DocumentParameter> bindings(const Document& document, std::string_view section);
 std::vector<std::string> sections(const Document& document);
 
 // The current value of a setting; an unknown name is a usage error that names the nearest known one.

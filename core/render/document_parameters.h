@@ -11,8 +11,8 @@ namespace etendue::render {
 // Makes one binding: the knob describes it (a Number, Toggle or Choice whose value is the value now), `store` puts the
 // value of a knob back into a document.
 template <class Knob, class Store>
-Binding binding(const std::string& section, const Knob& knob, Store store) {
-  Binding b;
+DocumentParameter binding(const std::string& section, const Knob& knob, Store store) {
+  DocumentParameter b;
   b.info = describe(knob);
   b.info.name = section + "." + b.info.name;
   b.section = section;
@@ -32,10 +32,10 @@ void edit_scene(Document& document, F&& f) {
   document.scene = std::move(scene);
 }
 
-std::vector<Binding> material_bindings(const Document& document, size_t index, const std::string& section);
-std::vector<Binding> light_bindings(const Document& document, size_t index, const std::string& section);
-std::vector<Binding> node_bindings(const Document& document, size_t index, const std::string& section);
-std::vector<Binding> environment_bindings(const Document& document, const std::string& section);
-std::vector<Binding> camera_bindings(const Document& document, const std::string& section);
+std::vector<DocumentParameter> material_bindings(const Document& document, size_t index, const std::string& section);
+std::vector<DocumentParameter> light_bindings(const Document& document, size_t index, const std::string& section);
+std::vector<DocumentParameter> node_bindings(const Document& document, size_t index, const std::string& section);
+std::vector<DocumentParameter> environment_bindings(const Document& document, const std::string& section);
+std::vector<DocumentParameter> camera_bindings(const Document& document, const std::string& section);
 
 }  // namespace etendue::render

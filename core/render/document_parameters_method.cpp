@@ -14,9 +14,9 @@ namespace etendue::render {
 namespace {
 
 template <class Infos>
-Binding registry_choice(const char* name, const char* label, const char* doc, const Infos& infos,
-                        const std::string& now, std::string Method::*member) {
-  Binding b;
+DocumentParameter registry_choice(const char* name, const char* label, const char* doc, const Infos& infos,
+                                  const std::string& now, std::string MethodSettings::*member) {
+  DocumentParameter b;
   b.section = "render";
   b.info.name = name, b.info.label = label, b.info.doc = doc;
   b.info.type = ParameterType::choice;
@@ -31,18 +31,18 @@ Binding registry_choice(const char* name, const char* label, const char* doc, co
   return b;
 }
 
-std::vector<Binding> render_bindings(const Document& d) {
-  std::vector<Binding> list;
+std::vector<DocumentParameter> render_bindings(const Document& d) {
+  std::vector<DocumentParameter> list;
   list.push_back(registry_choice("render.integrator", "Integrator", "How light paths are found",
-                                 integrator::integrator_infos(), d.method.integrator, &Method::integrator));
+                                 integrator::integrator_infos(), d.method.integrator, &MethodSettings::integrator));
   list.push_back(registry_choice("render.sampler", "Sampler", "Where random numbers come from", sampler_infos(),
-                                 d.method.sampler, &Method::sampler));
+                                 d.method.sampler, &MethodSettings::sampler));
   list.push_back(binding("render",
                          Choice<Adaptive>{"adaptive", "Adaptive sampling", d.method.adaptive,
                                           "Half of the samples go where they bring most, decided so that the picture "
                                           "stays unbiased; samples are then counted on average"},
                          [](Document& doc, Adaptive v) { doc.method.adaptive = v; }));
-  list.back().idle = adaptive_obstacle(d.method.integrator);
+  list.back().idle = adaptive_incompatibility(d.method.integrator);
   constexpr int kMost = 2'000'000'000;
   list.push_back(binding(
       "render",
@@ -85,14 +85,14 @@ Result<void> accepts_paths(std::string_view text) {
 }
 
 // Any path expression; offered are classes that people ask for. The second to the fifth part all paths between them.
-Binding paths_binding(const Document& d) {
+DocumentParameter paths_binding(const Document& d) {
   constexpr std::array<Option, 6> kOffered{{{"", "All"},
                                             {"EL", "Light in view, EL"},
                                             {"E(D|G)L", "Direct light, E(D|G)L"},
                                             {"E(D|G).+L", "Indirect light, E(D|G).+L"},
                                             {"ES.*L", "Seen in mirrors and glass, ES.*L"},
                                             {"E.*DS+L", "Caustics, E.*DS+L"}}};
-  Binding b;
+  DocumentParameter b;
   b.section = "film";
   b.info.name = "film.paths", b.info.label = "Paths";
   b.info.doc = "Only light paths that match count: E the eye, D diffuse, G glossy, S specular, L the light";
@@ -107,7 +107,7 @@ Binding paths_binding(const Document& d) {
   return b;
 }
 
-std::vector<Binding> film_bindings(const Document& d) {
+std::vector<DocumentParameter> film_bindings(const Document& d) {
   constexpr int kMost = 16384;
   return {binding("film", Number<int>{"width", "Width", d.width, {1, kMost}, "Width of the picture", "px"},
                   [](Document& doc, int v) { doc.width = v; }),
@@ -125,7 +125,7 @@ std::vector<Binding> film_bindings(const Document& d) {
           paths_binding(d)};
 }
 
-std::vector<Binding> display_bindings(const Document& d) {
+std::vector<DocumentParameter> display_bindings(const Document& d) {
   return {binding(
       "display",
       Choice<image::ToneCurve>{"curve", "Tone curve", d.display.curve, "How radiance becomes what a screen can show"},
@@ -141,8 +141,8 @@ void show_at(Document& document, float time) {
   document.camera.to_world = scene::camera_to_world(world[static_cast<size_t>(node)]);
 }
 
-Binding variant_binding(const Document& d) {
-  Binding b;
+DocumentParameter variant_binding(const Document& d) {
+  DocumentParameter b;
   b.section = "scene";
   b.info.name = "scene.variant", b.info.label = "Variant";
   b.info.doc = "Which of the file's sets of materials is worn";
@@ -157,10 +157,10 @@ Binding variant_binding(const Document& d) {
   return b;
 }
 
-std::vector<Binding> scene_bindings(const Document& d) {
+std::vector<DocumentParameter> scene_bindings(const Document& d) {
   float longest = 0;
   for (const auto& animation : d.scene->animations) longest = std::max(longest, animation->duration);
-  std::vector<Binding> list{binding(
+  std::vector<DocumentParameter> list{binding(
       "scene",
       Number<float>{
           "time", "Time", d.scene->time, {0, std::max(1e4f, longest)}, "The moment at which animations are shown", "s"},
@@ -171,14 +171,14 @@ std::vector<Binding> scene_bindings(const Document& d) {
 
 enum class Force { automatic, on };
 
-std::vector<Binding> model_bindings(const Document& d);
+std::vector<DocumentParameter> model_bindings(const Document& d);
 
 // The parameters of an integrator or a sampler, with the values that the method gives them.
-std::vector<Binding> owned_bindings(const Document& d, const std::string& owner,
-                                    const std::vector<ParameterInfo>& parameters) {
-  std::vector<Binding> list;
+std::vector<DocumentParameter> owned_bindings(const Document& d, const std::string& owner,
+                                              const std::vector<ParameterInfo>& parameters) {
+  std::vector<DocumentParameter> list;
   for (const ParameterInfo& p : parameters) {
-    Binding b;
+    DocumentParameter b;
     b.section = owner;
     b.info = p;
     b.info.name = owner + "." + p.name;
@@ -214,11 +214,11 @@ struct etendue::Options<etendue::render::Force> {
 namespace etendue::render {
 namespace {
 
-std::vector<Binding> model_bindings(const Document& d) {
-  std::vector<Binding> list;
+std::vector<DocumentParameter> model_bindings(const Document& d) {
+  std::vector<DocumentParameter> list;
   for (const std::string& flag : transport::model_flags()) {
     const bool on = std::find(d.forced_flags.begin(), d.forced_flags.end(), flag) != d.forced_flags.end();
-    Binding b =
+    DocumentParameter b =
         binding("model",
                 Choice<Force>{flag.c_str(), flag.c_str(), on ? Force::on : Force::automatic,
                               "Runs the larger model even if the scene does not need it; the image stays the same"},
@@ -235,7 +235,7 @@ std::vector<Binding> model_bindings(const Document& d) {
 
 }  // namespace
 
-std::vector<Binding> bindings(const Document& d, std::string_view section) {
+std::vector<DocumentParameter> bindings(const Document& d, std::string_view section) {
   if (section == "render") return render_bindings(d);
   if (section == "film") return film_bindings(d);
   if (section == "display") return display_bindings(d);

@@ -18,15 +18,15 @@ bool is_of_gltf(std::string_view name) {
 
 // Three numbers NAME.r, NAME.g, NAME.b for one colour.
 template <class Store>
-void add_color(std::vector<Binding>& list, const std::string& section, const char* const (&names)[3], const char* label,
-               const Rgb& now, float most, const char* doc, Store store) {
+void add_color(std::vector<DocumentParameter>& list, const std::string& section, const char* const (&names)[3],
+               const char* label, const Rgb& now, float most, const char* doc, Store store) {
   for (int c = 0; c < 3; ++c)
     list.push_back(binding(section, Number<float>{names[c], label, now[c], {0, most}, doc},
                            [store, c](Document& document, float v) { store(document, c, v); }));
 }
 
 template <class Store>
-void add_vector(std::vector<Binding>& list, const std::string& section, const char* const (&names)[3],
+void add_vector(std::vector<DocumentParameter>& list, const std::string& section, const char* const (&names)[3],
                 const char* label, const Vec3& now, float most, const char* doc, const char* unit, Store store) {
   for (int c = 0; c < 3; ++c)
     list.push_back(binding(section, Number<float>{names[c], label, now[c], {-most, most}, doc, unit},
@@ -35,45 +35,45 @@ void add_vector(std::vector<Binding>& list, const std::string& section, const ch
 
 // A binding of one member of a material.
 template <class Knob, class Member>
-Binding of_material(const std::string& section, size_t index, const Knob& knob, Member Material::*member) {
+DocumentParameter of_material(const std::string& section, size_t index, const Knob& knob, Member Material::*member) {
   return binding(section, knob, [index, member](Document& document, const auto& v) {
     edit_scene(document, [&](scene::Scene& s) { s.materials[index].*member = v; });
   });
 }
 
 template <class Knob, class Member>
-Binding of_light(const std::string& section, size_t index, const Knob& knob, Member Light::*member) {
+DocumentParameter of_light(const std::string& section, size_t index, const Knob& knob, Member Light::*member) {
   return binding(section, knob, [index, member](Document& document, const auto& v) {
     edit_scene(document, [&](scene::Scene& s) { s.lights[index].*member = v; });
   });
 }
 
-void set_reflection(Document& document, size_t index, std::shared_ptr<const Reflection> model) {
-  edit_scene(document, [&](scene::Scene& s) { s.materials[index].reflection.model = std::move(model); });
+void set_reflection(Document& document, size_t index, std::shared_ptr<const BsdfModel> model) {
+  edit_scene(document, [&](scene::Scene& s) { s.materials[index].model.model = std::move(model); });
 }
 
 // glTF's own surface, or one of the reflection models.
-Binding model_choice(const Material& m, size_t index, const std::string& section) {
-  Binding b;
+DocumentParameter model_choice(const Material& m, size_t index, const std::string& section) {
+  DocumentParameter b;
   b.section = section;
   b.info.name = section + ".model", b.info.label = "Model";
   b.info.doc = "How the surface reflects light: as glTF describes it, or by a model of the literature";
   b.info.type = ParameterType::choice;
   b.info.options.emplace_back(kGltfModel), b.info.option_labels.emplace_back("glTF surface");
-  for (const auto& info : reflection_infos()) {
+  for (const auto& info : bsdf_model_infos()) {
     b.info.options.emplace_back(info.description.name);
     b.info.option_labels.emplace_back(info.description.label);
   }
-  b.info.default_value = std::string(m.reflection ? m.reflection->info().description.name : kGltfModel);
+  b.info.default_value = std::string(m.model ? m.model->info().description.name : kGltfModel);
   b.assign = [index](Document& d, const Value& v) {
-    set_reflection(d, index, make_reflection(std::get<std::string>(v)));
+    set_reflection(d, index, make_bsdf_model(std::get<std::string>(v)));
   };
   return b;
 }
 
 // Values of its parameters that go together.
-Binding preset_choice(const ReflectionUse& use, size_t index, const std::string& section) {
-  Binding b;
+DocumentParameter preset_choice(const BsdfModelRef& use, size_t index, const std::string& section) {
+  DocumentParameter b;
   b.section = section;
   b.info.name = section + "." + use->info().description.name + ".preset", b.info.label = "Preset";
   b.info.doc = "Sets the parameters to those of a known material";
@@ -85,22 +85,22 @@ Binding preset_choice(const ReflectionUse& use, size_t index, const std::string&
   }
   b.info.default_value = std::string(preset_of(*use.model));
   b.assign = [index](Document& d, const Value& v) {
-    const auto& model = d.scene->materials[index].reflection.model;
+    const auto& model = d.scene->materials[index].model.model;
     set_reflection(d, index, with_preset(model, std::get<std::string>(v)));
   };
   return b;
 }
 
-void add_model(std::vector<Binding>& list, const Material& m, size_t index, const std::string& section) {
+void add_model(std::vector<DocumentParameter>& list, const Material& m, size_t index, const std::string& section) {
   list.push_back(model_choice(m, index, section));
-  if (!m.reflection) return;
-  if (!m.reflection->info().presets.empty()) list.push_back(preset_choice(m.reflection, index, section));
-  for (const ParameterInfo& info : m.reflection->parameters()) {
-    Binding b;
+  if (!m.model) return;
+  if (!m.model->info().presets.empty()) list.push_back(preset_choice(m.model, index, section));
+  for (const ParameterInfo& info : m.model->parameters()) {
+    DocumentParameter b;
     b.section = section, b.info = info;
-    b.info.name = section + "." + m.reflection->info().description.name + "." + info.name;
+    b.info.name = section + "." + m.model->info().description.name + "." + info.name;
     b.assign = [index, name = info.name](Document& d, const Value& v) {
-      set_reflection(d, index, d.scene->materials[index].reflection->with(name, v));
+      set_reflection(d, index, d.scene->materials[index].model->with(name, v));
     };
     list.push_back(b);
   }
@@ -154,7 +154,7 @@ void add_surface(Add&& add, const Light& l) {
 }
 
 // Rotation and scale, which only exist where the transform has these parts. The first edit takes a matrix apart.
-void add_parts(std::vector<Binding>& list, const std::string& section, size_t index,
+void add_parts(std::vector<DocumentParameter>& list, const std::string& section, size_t index,
                const scene::Transform& transform) {
   const auto parts = scene::in_parts(transform);
   if (!parts) return;
@@ -205,9 +205,9 @@ struct etendue::Options<etendue::Projection> {
 
 namespace etendue::render {
 
-std::vector<Binding> material_bindings(const Document& document, size_t index, const std::string& section) {
+std::vector<DocumentParameter> material_bindings(const Document& document, size_t index, const std::string& section) {
   const Material& m = document.scene->materials[index];
-  std::vector<Binding> list;
+  std::vector<DocumentParameter> list;
   add_model(list, m, index, section);
   const size_t own = list.size();
   const auto color = [index](Rgb Material::*member) {
@@ -281,16 +281,16 @@ std::vector<Binding> material_bindings(const Document& document, size_t index, c
                              &Material::double_sided));
   list.push_back(of_material(
       section, index, Toggle{"unlit", "Unlit", m.unlit, "Shows its base colour whatever the light"}, &Material::unlit));
-  for (size_t i = own; m.reflection && i < list.size(); ++i)
+  for (size_t i = own; m.model && i < list.size(); ++i)
     if (is_of_gltf(std::string_view(list[i].info.name).substr(section.size() + 1)))
-      list[i].idle = std::string("The model ") + m.reflection->info().description.label +
+      list[i].idle = std::string("The model ") + m.model->info().description.label +
                      " has numbers of its own; this one is of glTF's surface";
   return list;
 }
 
-std::vector<Binding> light_bindings(const Document& document, size_t index, const std::string& section) {
+std::vector<DocumentParameter> light_bindings(const Document& document, size_t index, const std::string& section) {
   const Light& l = document.scene->lights[index];
-  std::vector<Binding> list;
+  std::vector<DocumentParameter> list;
   const auto add = [&](const auto& knob, auto member) { list.push_back(of_light(section, index, knob, member)); };
   add_color(
       list, section, {"color.r", "color.g", "color.b"}, "Colour", l.color, 1, "Multiplies the intensity",
@@ -311,9 +311,9 @@ std::vector<Binding> light_bindings(const Document& document, size_t index, cons
   return list;
 }
 
-std::vector<Binding> node_bindings(const Document& document, size_t index, const std::string& section) {
+std::vector<DocumentParameter> node_bindings(const Document& document, size_t index, const std::string& section) {
   const scene::Node& n = document.scene->nodes[index];
-  std::vector<Binding> list;
+  std::vector<DocumentParameter> list;
   list.push_back(
       binding(section, Toggle{"visible", "Visible", n.visible, "Hidden objects are not in the scene at all"},
               [index](Document& d, bool v) { edit_scene(d, [&](scene::Scene& s) { s.nodes[index].visible = v; }); }));
@@ -332,9 +332,9 @@ std::vector<Binding> node_bindings(const Document& document, size_t index, const
   return list;
 }
 
-std::vector<Binding> environment_bindings(const Document& document, const std::string& section) {
+std::vector<DocumentParameter> environment_bindings(const Document& document, const std::string& section) {
   const Environment& e = document.scene->environment;
-  std::vector<Binding> list;
+  std::vector<DocumentParameter> list;
   add_color(list, section, {"tint.r", "tint.g", "tint.b"}, "Radiance", e.tint, 1e6f,
             "Constant radiance from infinity, or a factor on the map",
             [](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.environment.tint[c] = v; }); });
@@ -349,9 +349,9 @@ std::vector<Binding> environment_bindings(const Document& document, const std::s
   return list;
 }
 
-std::vector<Binding> camera_bindings(const Document& document, const std::string& section) {
+std::vector<DocumentParameter> camera_bindings(const Document& document, const std::string& section) {
   const Camera& c = document.camera;
-  std::vector<Binding> list;
+  std::vector<DocumentParameter> list;
   list.push_back(binding(section,
                          Number<float>{"exposure",
                                        "Exposure",

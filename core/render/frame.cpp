@@ -28,7 +28,7 @@ void fill_from(const film::Film& film, int y, bool keep, Row row) {
     if (!keep || film.samples(x, y) > 0) row[static_cast<size_t>(x)] = film.mean(x, y);
 }
 
-void fill_from(const film::Cascades& cascades, const film::Film& film, int y, Row row) {
+void fill_from(const film::FireflyCascades& cascades, const film::Film& film, int y, Row row) {
   for (int x = 0; x < film.width(); ++x)
     if (const uint32_t samples = film.samples(x, y); samples > 0)
       row[static_cast<size_t>(x)] = cascades.shown(x, y, samples);
@@ -70,7 +70,7 @@ struct FrameMaker::Canvas {
   }
 };
 
-FrameMaker::FrameMaker(Workers& workers) : workers_(workers), pool_(std::make_shared<Pool>()) {}
+FrameMaker::FrameMaker(ThreadPool& workers) : workers_(workers), pool_(std::make_shared<Pool>()) {}
 
 FrameMaker::Canvas FrameMaker::blank(int width, int height) {
   const auto give_back = [pool = pool_](std::vector<Rgb>* pixels) {
@@ -109,7 +109,8 @@ std::shared_ptr<Frame> FrameMaker::enlarged(const Frame& coarse, int width, int 
   return canvas.frame;
 }
 
-std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Frame* coarse, const film::Cascades* cascades) {
+std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Frame* coarse,
+                                        const film::FireflyCascades* cascades) {
   const Canvas canvas = blank(film.width(), film.height());
   canvas.frame->coarseness = coarse ? coarse->coarseness : 1;
   workers_.for_bands(film.height(), [&](int first, int end) {

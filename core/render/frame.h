@@ -23,7 +23,7 @@ struct Frame {
 // than what is written into it.
 class FrameMaker {
  public:
-  explicit FrameMaker(Workers& workers);
+  explicit FrameMaker(ThreadPool& workers);
 
   // The means of a film of one sample, pixel by pixel, of a picture that is `coarseness` times as large.
   std::shared_ptr<const Frame> coarse(const film::Film& film, int coarseness);
@@ -31,14 +31,14 @@ class FrameMaker {
   std::shared_ptr<Frame> enlarged(const Frame& coarse, int width, int height);
   // The means of the film where it has samples, the coarse frame's blocks (or black without one) where it has none yet.
   // With cascades the means are re-weighted.
-  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse, const film::Cascades* cascades);
+  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse, const film::FireflyCascades* cascades);
 
  private:
   struct Pool;
   struct Canvas;
   Canvas blank(int width, int height);
 
-  Workers& workers_;
+  ThreadPool& workers_;
   std::shared_ptr<Pool> pool_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace etendue::render {
 
-std::string obstacle(const Document& document, const scene::CompiledScene& scene) {
-  const Method& method = document.method;
+std::string incompatibility(const Document& document, const scene::CompiledScene& scene) {
+  const MethodSettings& method = document.method;
   const auto& info = *integrator::find_integrator(method.integrator);
   if (!integrator::finds_any(info, method.paths))
     return "film.paths: " + info.name + " finds " + info.paths + ", none of " + method.paths +
@@ -15,14 +15,14 @@ std::string obstacle(const Document& document, const scene::CompiledScene& scene
   const auto sampler = make_sampler(method.sampler, method.settings_of(method.sampler));
   const CameraRays camera(document.camera, document.width, document.height);
   const film::Filter filter(document.filter);
-  const std::string reason = integrator->obstacle(
+  const std::string reason = integrator->incompatibility(
       {&scene, &model, sampler.get(), &camera, &filter, document.seed, document.width, document.height});
   return reason.empty() ? "" : info.name + ": " + reason;
 }
 
-std::string adaptive_obstacle(const std::string& integrator) {
+std::string adaptive_incompatibility(const std::string& integrator) {
   const auto& info = *integrator::find_integrator(integrator);
-  if (info.accumulation == integrator::Sampling::pixels) return {};
+  if (info.accumulation == integrator::Accumulation::per_pixel) return {};
   return info.name +
          " does not work pixel by pixel, so that all have the same number of samples: leave it off, or take "
          "another integrator";

@@ -8,9 +8,9 @@
 namespace etendue::render {
 
 // Why the document's method finds no light at all in this scene; empty if nothing stands in its way.
-std::string obstacle(const Document& document, const scene::CompiledScene& scene);
+std::string incompatibility(const Document& document, const scene::CompiledScene& scene);
 
 // Why render.adaptive does nothing with an integrator (it must be of the registry); empty if it does.
-std::string adaptive_obstacle(const std::string& integrator);
+std::string adaptive_incompatibility(const std::string& integrator);
 
 }  // namespace etendue::render

@@ -12,14 +12,14 @@ Rgb accepted(const Rgb& radiance) {
   return rejected ? Rgb(0) : radiance;
 }
 
-uint64_t seed_of(uint64_t seed, uint32_t replicate) {
-  return replicate == 0 ? seed : mix_bits(seed ^ uint64_t{replicate} << 32);
+uint64_t seed_of(uint64_t seed, uint32_t half_buffer) {
+  return half_buffer == 0 ? seed : mix_bits(seed ^ uint64_t{half_buffer} << 32);
 }
 
 }  // namespace
 
 bool PixelSamples::possible(const Document& document) {
-  return integrator::find_integrator(document.method.integrator)->accumulation == integrator::Sampling::pixels;
+  return integrator::find_integrator(document.method.integrator)->accumulation == integrator::Accumulation::per_pixel;
 }
 
 PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel)
@@ -36,21 +36,21 @@ PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene
       pixel_(pixel) {}
 
 void PixelSamples::prepare(uint32_t sample) {
-  const uint32_t window = sample / film::kReplicates / kTableSamples;
+  const uint32_t window = sample / film::kHalves / kTableSamples;
   if (window + 1 == prepared_) return;
   sampler_->prepare(window * kTableSamples, kTableSamples);
   prepared_ = window + 1;
 }
 
-bool PixelSamples::draw(uint32_t first, uint32_t replicate, std::span<Rgb> samples,
-                        const std::function<bool()>& wanted) {
-  const integrator::Pass pass{scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_of(seed_, replicate),
-                              width_,       height_};
+bool PixelSamples::draw(uint32_t first, uint32_t half_buffer, std::span<Rgb> samples,
+                        const std::function<bool()>& keep_going) {
+  const integrator::RenderContext pass{
+      scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_of(seed_, half_buffer), width_, height_};
   const auto work = integrator_->begin(pass, nullptr);
   for (size_t i = 0; i < samples.size(); ++i) {
     const uint32_t sample = first + static_cast<uint32_t>(i);
     prepare(sample);
-    if (!work->sample({pixel_.x, pixel_.y, 1, 1, sample}, samples.subspan(i, 1), {&wanted})) return false;
+    if (!work->sample({pixel_.x, pixel_.y, 1, 1, sample}, samples.subspan(i, 1), {&keep_going})) return false;
     samples[i] = accepted(samples[i]);
   }
   return true;
@@ -84,8 +84,8 @@ std::vector<Vec2> sample_points(const Document& document, Vec2i pixel, const Dim
   std::vector<Vec2> points(count);
   SampleBlock block_x, block_y;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kReplicates);
-    const uint32_t sample = i / film::kReplicates;
+    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kHalves);
+    const uint32_t sample = i / film::kHalves;
     if (sample % kTableSamples == 0) sampler->prepare(sample, kTableSamples);
     sampler->block(seed, sample, x.block, block_x);
     sampler->block(seed, sample, y.block, block_y);

@@ -27,8 +27,8 @@ class PixelSamples {
   // Replicate 0 is the rendering, the others are as good and independent of it. False if it was given up, because
   // `wanted` said that nobody will look at it.
   bool draw(
-      uint32_t first, uint32_t replicate, std::span<Rgb> samples,
-      const std::function<bool()>& wanted = [] { return true; });
+      uint32_t first, uint32_t half_buffer, std::span<Rgb> samples,
+      const std::function<bool()>& keep_going = [] { return true; });
 
  private:
   void prepare(uint32_t sample);

@@ -9,7 +9,7 @@
 
 namespace etendue::render {
 
-class CoarsePace {
+class PreviewResolution {
  public:
   int scale() const { return scale_; }
   bool is_coarsest() const { return scale_ == kCoarsest; }
@@ -21,7 +21,7 @@ class CoarsePace {
   }
   void begin_with_the_picture() { scale_ = 1; }
   void done() { scale_ = scale_ > 4 ? scale_ / 4 : 1; }
-  void given_up() { scale_ = std::min(4 * scale_, kCoarsest); }
+  void cancelled() { scale_ = std::min(4 * scale_, kCoarsest); }
 
   // What first frames can count on: bad news is believed at once, good news by and by.
   void note(uint64_t paths, double seconds) {

@@ -15,10 +15,10 @@ constexpr double kSomeOfThePicture = 0.002, kMuchOfThePicture = 0.05;
 constexpr double kBrightestLimit = 0.1;
 constexpr double kManyRejected = 1e-3;
 
-bool looks_heavy(const measure::Tail& tail) { return tail.heavy() && tail.vov > kVovLimit; }
+bool looks_heavy(const film::Tail& tail) { return tail.heavy() && tail.vov > kVovLimit; }
 
 // The largest probability that still counts among so many looks (Benjamini & Hochberg 1995).
-double chance_limit(const std::vector<measure::Tail>& reports) {
+double chance_limit(const std::vector<film::Tail>& reports) {
   std::vector<double> chances;
   size_t looks = 0;
   for (const auto& r : reports) {
@@ -46,7 +46,7 @@ struct Finding {
 };
 
 // The first that holds is the verdict.
-std::vector<Finding> findings(const Health& h, uint64_t rejected, uint64_t samples, uint64_t pixels) {
+std::vector<Finding> findings(const Reliability& h, uint64_t rejected, uint64_t samples, uint64_t pixels) {
   const double refused = static_cast<double>(rejected) / std::max(1.0, static_cast<double>(samples));
   const std::string heavy = percent(h.heavy_share) + " of the picture has samples so rare and so bright that ";
   return {
@@ -103,20 +103,20 @@ std::string_view verdict_name(Verdict verdict) {
   return kNames[static_cast<size_t>(verdict)];
 }
 
-std::shared_ptr<const Health> health_of(const TileTails& tails, const std::vector<measure::Tail>& reports,
-                                        const film::Rejected& rejected, uint64_t samples,
-                                        const std::function<bool()>& keep_going) {
-  auto health = std::make_shared<Health>();
+std::shared_ptr<const Reliability> reliability_of(const TailStatistics& tails, const std::vector<film::Tail>& reports,
+                                                  const film::InvalidSamples& rejected, uint64_t samples,
+                                                  const std::function<bool()>& keep_going) {
+  auto health = std::make_shared<Reliability>();
   health->across = tails.across(), health->down = tails.down();
   const double limit = chance_limit(reports);
-  measure::TailAccumulator all;
+  film::TailAccumulator all;
   Brightest brightest;
   int heavy = 0, tile = 0;
   for (const auto& tail : tails.tails()) {
     if (!keep_going()) return nullptr;
     all.merge(tail);
     brightest.add(tail.kept());
-    const measure::Tail& report = reports[static_cast<size_t>(tile)];
+    const film::Tail& report = reports[static_cast<size_t>(tile)];
     health->tiles.push_back({report, looks_heavy(report) && report.chance() <= limit});
     if (health->tiles.back().heavy) heavy += tails.pixels_of(tile);
     ++tile;

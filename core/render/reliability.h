@@ -27,25 +27,25 @@ namespace etendue::render {
 enum class Verdict { unknown, healthy, doubtful, unreliable };
 std::string_view verdict_name(Verdict verdict);
 
-struct TileHealth {
-  measure::Tail tail;
+struct TileReliability {
+  film::Tail tail;
   bool heavy = false;
 };
 
-struct Health {
+struct Reliability {
   Verdict verdict = Verdict::unknown;
   std::string reason;        // one sentence for people
-  measure::Tail tail;        // of all tiles together
+  film::Tail tail;           // of all tiles together
   double heavy_share = 0;    // of the pixels, in tiles with a heavy tail
   uint64_t watched = 0;      // samples looked at; a rendering that goes on from a file starts from none
-  int across = 0, down = 0;  // tiles of TileTails::kWidth x kHeight pixels, row by row from the top
-  std::vector<TileHealth> tiles;
+  int across = 0, down = 0;  // tiles of TailStatistics::kWidth x kHeight pixels, row by row from the top
+  std::vector<TileReliability> tiles;
 };
 
 // `reports` are those of the tails, tile by tile; `rejected` are of so many samples. Nothing if `keep_going` cut it
 // short: it is asked now and then.
-std::shared_ptr<const Health> health_of(const TileTails& tails, const std::vector<measure::Tail>& reports,
-                                        const film::Rejected& rejected, uint64_t samples,
-                                        const std::function<bool()>& keep_going);
+std::shared_ptr<const Reliability> reliability_of(const TailStatistics& tails, const std::vector<film::Tail>& reports,
+                                                  const film::InvalidSamples& rejected, uint64_t samples,
+                                                  const std::function<bool()>& keep_going);
 
 }  // namespace etendue::render

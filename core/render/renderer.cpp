@@ -1,6 +1,5 @@
 #include "render/renderer.h"
 
-
 #include <bit>
 #include <cmath>
 #include <numeric>
@@ -14,10 +13,10 @@ int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
 void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film) {
   const Rgb* next = radiance.data();
   for (int y = block.y; y < block.y + block.height; ++y)
-    for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kReplicates, *next++);
+    for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kHalves, *next++);
 }
 
-void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Cascades& cascades) {
+void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::FireflyCascades& cascades) {
   const Rgb* next = radiance.data();
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x, ++next)
@@ -26,8 +25,8 @@ void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, fil
 
 }  // namespace
 
-PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width,
-                       int height, const PassRunner* previous)
+Renderer::Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
+                   const Renderer* previous)
     : scene_(std::move(scene)),
       model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
       sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
@@ -39,24 +38,24 @@ PassRunner::PassRunner(const Document& document, std::shared_ptr<const scene::Co
       width_(width),
       height_(height),
       sampling_(integrator::find_integrator(document.method.integrator)->accumulation),
-      adaptive_(sampling_ == integrator::Sampling::pixels ? document.method.adaptive : Adaptive::off),
+      adaptive_(sampling_ == integrator::Accumulation::per_pixel ? document.method.adaptive : Adaptive::off),
       work_(integrator_->begin({scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_, width, height},
                                previous ? previous->work_.get() : nullptr)) {}
 
-size_t PassRunner::memory() const {
+size_t Renderer::memory() const {
   size_t bytes = work_->memory() + picture_.capacity() * sizeof(Rgb);
   for (const film::Splats& list : splatted_) bytes += list.capacity() * sizeof(film::Splat);
   return bytes;
 }
 
-void PassRunner::begin(film::Film& film, std::span<const std::byte> work) {
+void Renderer::begin(film::Film& film, std::span<const std::byte> work) {
   const auto tiles = static_cast<size_t>(pieces(width_, PixelBlock::kWidth) * pieces(height_, PixelBlock::kHeight));
   tiles_ = tiles;
   if (adaptive_ != Adaptive::off) {
     std::vector<int> pixels(tiles);
     for (size_t i = 0; i < tiles; ++i) pixels[i] = block_at(i).width * block_at(i).height;
     allocation_.emplace(adaptive_, std::move(pixels));
-    if (!film.spread() || film.spread()->blocks() != tiles) film.begin_spread(tiles);
+    if (!film.tile_variance() || film.tile_variance()->blocks() != tiles) film.begin_tile_variance(tiles);
   }
   samples_ = average(film);
   // Work that refuses a state goes on without.
@@ -64,22 +63,22 @@ void PassRunner::begin(film::Film& film, std::span<const std::byte> work) {
 }
 
 // Of the samples of one half, by number: what the running step wants.
-Allocation::Piece PassRunner::piece() const {
+SampleAllocation::Piece Renderer::piece() const {
   if (allocation_) return allocation_->piece();
-  return {samples_ / film::kReplicates, samples_ / film::kReplicates + 1};
+  return {samples_ / film::kHalves, samples_ / film::kHalves + 1};
 }
 
-void PassRunner::prepare(uint32_t first_of_half) {
+void Renderer::prepare(uint32_t first_of_half) {
   const uint32_t table = first_of_half / kTableSamples;
   if (table + 1 == prepared_) return;
   sampler_->prepare(table * kTableSamples, kTableSamples);
   prepared_ = table + 1;
 }
 
-bool PassRunner::advance(Workers& workers, const Sinks& sinks, const std::function<bool()>& keep_going,
-                         Counters& counters, const std::function<bool()>& wanted) {
+bool Renderer::advance(ThreadPool& workers, const Sinks& sinks, const std::function<bool()>& keep_going,
+                       Counters& counters, const std::function<bool()>& still_needed) {
   if (stages_.empty()) plan();
-  const Task task{sinks, wanted, counters};
+  const Task task{sinks, still_needed, counters};
   for (; stage_ < stages_.size(); ++stage_, group_end_ = 0)
     if (!run_stage(workers, task, keep_going)) return false;
   stages_.clear();
@@ -88,7 +87,7 @@ bool PassRunner::advance(Workers& workers, const Sinks& sinks, const std::functi
 }
 
 // The stages of the next step.
-void PassRunner::plan() {
+void Renderer::plan() {
   prepare(piece().first);
   if (splats()) picture_.assign(static_cast<size_t>(width_) * static_cast<size_t>(height_), Rgb(0));
   const std::vector<integrator::Phase> phases = work_->phases(samples_);
@@ -99,7 +98,7 @@ void PassRunner::plan() {
   stage_ = group_end_ = 0;
 }
 
-bool PassRunner::run_stage(Workers& workers, const Task& task, const std::function<bool()>& keep_going) {
+bool Renderer::run_stage(ThreadPool& workers, const Task& task, const std::function<bool()>& keep_going) {
   const Stage& stage = stages_[stage_];
   while (!open_.empty() || group_end_ < stage.tasks) {
     if (open_.empty()) open_group();
@@ -118,7 +117,7 @@ bool PassRunner::run_stage(Workers& workers, const Task& task, const std::functi
 }
 
 // The next tasks that are handed out together: all of them where nothing is splatted.
-void PassRunner::open_group() {
+void Renderer::open_group() {
   constexpr size_t kGroup = 128;
   const Stage& stage = stages_[stage_];
   const bool lists = splats() && stage.kind != Stage::Kind::deposit;
@@ -132,20 +131,20 @@ void PassRunner::open_group() {
 }
 
 // What a group found is added up in the order of its tasks.
-void PassRunner::add_splats(Workers& workers) {
+void Renderer::add_splats(ThreadPool& workers) {
   if (!splats() || stages_[stage_].kind == Stage::Kind::deposit) return;
   workers.for_bands(height_, [&](int first, int end) { film::add_rows(splatted_, width_, first, end, picture_); });
   for (film::Splats& list : splatted_) list.clear();
 }
 
-PassRunner::Progress PassRunner::progress() const {
+Renderer::Progress Renderer::progress() const {
   if (stage_ >= stages_.size() || stages_[stage_].kind != Stage::Kind::phase) return {};
   const Stage& stage = stages_[stage_];
   const size_t done = group_end_ - open_.size();
   return {stage.name, stage.tasks > 0 ? static_cast<double>(done) / static_cast<double>(stage.tasks) : 1};
 }
 
-bool PassRunner::run(const Task& task, size_t index) {
+bool Renderer::run(const Task& task, size_t index) {
   switch (stages_[stage_].kind) {
     case Stage::Kind::phase:
       return run_phase(task, index);
@@ -157,34 +156,34 @@ bool PassRunner::run(const Task& task, size_t index) {
   return true;
 }
 
-bool PassRunner::run_phase(const Task& task, size_t index) {
+bool Renderer::run_phase(const Task& task, size_t index) {
   film::Splats* splats = splat_list(index);
-  const auto rays = work_->run(samples_, stages_[stage_].phase, static_cast<int>(index), {&task.wanted, splats});
+  const auto rays = work_->run(samples_, stages_[stage_].phase, static_cast<int>(index), {&task.still_needed, splats});
   if (!rays) return give_up(splats);
   task.counters.rays.fetch_add(*rays, std::memory_order_relaxed);
   return true;
 }
 
 // Of a task of the group that is being handed out.
-film::Splats* PassRunner::splat_list(size_t index) { return splats() ? &splatted_[index - group_] : nullptr; }
+film::Splats* Renderer::splat_list(size_t index) { return splats() ? &splatted_[index - group_] : nullptr; }
 
 // What a task found before it was given up is found again.
-bool PassRunner::give_up(film::Splats* splats) {
+bool Renderer::give_up(film::Splats* splats) {
   if (splats) splats->clear();
   return false;
 }
 
-void PassRunner::finish_step(const film::Film& film) {
+void Renderer::finish_step(const film::Film& film) {
   if (!allocation_) {
     ++samples_;
   } else {
-    allocation_->advance(*film.spread());
+    allocation_->advance(*film.tile_variance());
     samples_ = average(film);
   }
 }
 
 // Of the samples of a pixel; tiles are drawn whole, so that one pixel speaks for all.
-uint32_t PassRunner::average(const film::Film& film) const {
+uint32_t Renderer::average(const film::Film& film) const {
   uint64_t samples = 0, least = UINT64_MAX;
   for (size_t i = 0; i < tiles_; ++i) {
     const PixelBlock block = block_at(i);
@@ -196,13 +195,13 @@ uint32_t PassRunner::average(const film::Film& film) const {
   return static_cast<uint32_t>(allocation_ ? samples / pixels : least);
 }
 
-integrator::PixelBlock PassRunner::block_at(size_t tile) const {
+integrator::PixelBlock Renderer::block_at(size_t tile) const {
   const int across = pieces(width_, PixelBlock::kWidth), index = static_cast<int>(tile);
   const int x = index % across * PixelBlock::kWidth, y = index / across * PixelBlock::kHeight;
   return {x, y, std::min(PixelBlock::kWidth, width_ - x), std::min(PixelBlock::kHeight, height_ - y), 0};
 }
 
-bool PassRunner::visit(const Task& task, size_t tile) {
+bool Renderer::visit(const Task& task, size_t tile) {
   const film::Film& film = task.sinks.film;
   PixelBlock block = block_at(tile);
   if (!allocation_) {
@@ -210,10 +209,10 @@ bool PassRunner::visit(const Task& task, size_t tile) {
     // A film that goes on may have this sample already; splats belong to all of them.
     return (!splats() && film.samples(block.x, block.y) > block.sample) || sample(task, tile, block);
   }
-  for (uint32_t half = 0; half < film::kReplicates; ++half) {
+  for (uint32_t half = 0; half < film::kHalves; ++half) {
     const uint32_t end = std::min(piece().end, allocation_->target(tile, half));
     for (uint32_t n = film.samples_of_half(block.x, block.y, half); n < end; ++n) {
-      block.sample = n * film::kReplicates + half;
+      block.sample = n * film::kHalves + half;
       if (!sample(task, tile, block)) return false;
     }
   }
@@ -221,10 +220,10 @@ bool PassRunner::visit(const Task& task, size_t tile) {
 }
 
 // One sample of each pixel of a tile.
-bool PassRunner::sample(const Task& task, size_t tile, const PixelBlock& block) {
+bool Renderer::sample(const Task& task, size_t tile, const PixelBlock& block) {
   std::array<Rgb, PixelBlock::kMostPixels> radiance;
   film::Splats* splats = splat_list(tile);
-  const std::optional<uint64_t> rays = work_->sample(block, radiance, {&task.wanted, splats});
+  const std::optional<uint64_t> rays = work_->sample(block, radiance, {&task.still_needed, splats});
   if (!rays) return give_up(splats);
   if (splats)
     add_to_picture(block, radiance);
@@ -235,18 +234,18 @@ bool PassRunner::sample(const Task& task, size_t tile, const PixelBlock& block) 
 }
 
 // Blocks that came before may have splatted on these pixels.
-void PassRunner::add_to_picture(const PixelBlock& block, std::span<const Rgb> radiance) {
+void Renderer::add_to_picture(const PixelBlock& block, std::span<const Rgb> radiance) {
   const Rgb* next = radiance.data();
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x) pixel(x, y) += *next++;
 }
 
-Rgb& PassRunner::pixel(int x, int y) {
+Rgb& Renderer::pixel(int x, int y) {
   return picture_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
 }
 
 // This sample of a tile's pixels, all splats included, goes into the film.
-bool PassRunner::deposit(const Task& task, size_t tile) {
+bool Renderer::deposit(const Task& task, size_t tile) {
   PixelBlock block = block_at(tile);
   block.sample = samples_;
   if (task.sinks.film.samples(block.x, block.y) > block.sample) return true;
@@ -259,26 +258,27 @@ bool PassRunner::deposit(const Task& task, size_t tile) {
 }
 
 // To the film, and to what watches it.
-void PassRunner::add(const Task& task, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) const {
+void Renderer::add(const Task& task, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) const {
   if (task.sinks.tails)
     task.sinks.tails->add(block, radiance, task.sinks.film);
   else
     render::add(block, radiance, task.sinks.film);
   if (task.sinks.cascades) render::add(block, radiance, *task.sinks.cascades);
-  if (allocation_) note_spread(task.sinks.film, tile, block, radiance);
+  if (allocation_) record_tile_variance(task.sinks.film, tile, block, radiance);
   task.counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
 }
 
 // Sums of squares with every sample; variances at powers of two.
-void PassRunner::note_spread(film::Film& film, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) {
-  const uint32_t half = block.sample % film::kReplicates, count = block.sample / film::kReplicates + 1;
+void Renderer::record_tile_variance(film::Film& film, size_t tile, const PixelBlock& block,
+                                    std::span<const Rgb> radiance) {
+  const uint32_t half = block.sample % film::kHalves, count = block.sample / film::kHalves + 1;
   double squares = 0;
   const auto pixels = static_cast<size_t>(block.width * block.height);
   for (const Rgb& r : radiance.first(pixels))
     if (const double y = luminance(r); std::isfinite(y)) squares += y * y;
-  film::Spread& spread = *film.spread();
+  film::TileVariance& spread = *film.tile_variance();
   spread.add(tile, half, squares);
-  if (!film::Spread::is_kept(count)) return;
+  if (!film::TileVariance::is_kept(count)) return;
   double means = 0, squared_means = 0;
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x) {

@@ -17,13 +17,13 @@
 
 namespace etendue::render {
 
-class PassRunner {
+class Renderer {
  public:
   // `previous` is what rendered before, if anything did: its method may have left something to go on with.
-  PassRunner(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
-             const PassRunner* previous = nullptr);
-  PassRunner(const PassRunner&) = delete;
-  PassRunner& operator=(const PassRunner&) = delete;
+  Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
+           const Renderer* previous = nullptr);
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
 
   struct Counters {
     std::atomic<uint64_t> rays{0}, paths{0};
@@ -31,25 +31,25 @@ class PassRunner {
   // What samples are added to: the film, and what watches them, if anything does.
   struct Sinks {
     film::Film& film;
-    TileTails* tails = nullptr;
-    film::Cascades* cascades = nullptr;
+    TailStatistics* tails = nullptr;
+    film::FireflyCascades* cascades = nullptr;
   };
   // Takes up a film: an empty one, or one that an equal runner left, with the state of the method's work that belongs
   // to it.
   void begin(film::Film& film, std::span<const std::byte> work = {});
   // The next step, as far as `keep_going` lets it; true if it is complete: another sample of every pixel, or, in
   // adaptive sampling, a piece of the allocation. Calling again goes on where it stopped: a pixel knows its samples by
-  // their number. What was begun is finished, unless `wanted` says that nobody will look at it.
+  // their number. What was begun is finished, unless `still_needed` says that nobody will look at it.
   bool advance(
-      Workers& workers, const Sinks& sinks, const std::function<bool()>& keep_going, Counters& counters,
-      const std::function<bool()>& wanted = [] { return true; });
+      ThreadPool& workers, const Sinks& sinks, const std::function<bool()>& keep_going, Counters& counters,
+      const std::function<bool()>& still_needed = [] { return true; });
   // Samples of a pixel after the last complete step; in adaptive sampling on average.
   uint32_t samples() const { return samples_; }
 
   const transport::Model& model() const { return model_; }
   size_t memory() const;  // bytes, beyond the film
   // What the method keeps in space; null if nothing. Not while tasks run.
-  std::shared_ptr<const std::vector<integrator::PointOfLight>> points() const { return work_->points(); }
+  std::shared_ptr<const std::vector<integrator::StoredPoint>> points() const { return work_->points(); }
   std::vector<integrator::Statistic> statistics() const { return work_->statistics(); }
   // What the method's work has to be given to go on after the last complete step.
   std::vector<std::byte> work_state() const { return work_->state(samples_); }
@@ -66,7 +66,7 @@ class PassRunner {
   // What all tasks of a step hear of.
   struct Task {
     const Sinks& sinks;
-    const std::function<bool()>& wanted;
+    const std::function<bool()>& still_needed;
     Counters& counters;
   };
   struct Stage {
@@ -76,17 +76,17 @@ class PassRunner {
     const char* name = nullptr;
   };
 
-  Allocation::Piece piece() const;
+  SampleAllocation::Piece piece() const;
   void prepare(uint32_t first_of_half);
   void finish_step(const film::Film& film);
   uint32_t average(const film::Film& film) const;
   PixelBlock block_at(size_t tile) const;
-  bool has_blocks() const { return sampling_ != integrator::Sampling::only_splats; }
-  bool splats() const { return sampling_ >= integrator::Sampling::splats; }
+  bool has_blocks() const { return sampling_ != integrator::Accumulation::splats_only; }
+  bool splats() const { return sampling_ >= integrator::Accumulation::with_splats; }
   void plan();
-  bool run_stage(Workers& workers, const Task& task, const std::function<bool()>& keep_going);
+  bool run_stage(ThreadPool& workers, const Task& task, const std::function<bool()>& keep_going);
   void open_group();
-  void add_splats(Workers& workers);
+  void add_splats(ThreadPool& workers);
   // All of these are false if the task was given up.
   bool run(const Task& task, size_t index);
   bool run_phase(const Task& task, size_t index);
@@ -98,7 +98,8 @@ class PassRunner {
   film::Splats* splat_list(size_t index);
   static bool give_up(film::Splats* splats);
   void add(const Task& task, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) const;
-  static void note_spread(film::Film& film, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance);
+  static void record_tile_variance(film::Film& film, size_t tile, const PixelBlock& block,
+                                   std::span<const Rgb> radiance);
 
   std::shared_ptr<const scene::CompiledScene> scene_;
   transport::Model model_;
@@ -108,11 +109,11 @@ class PassRunner {
   film::Filter filter_;
   uint64_t seed_;
   int width_, height_;
-  integrator::Sampling sampling_;
+  integrator::Accumulation sampling_;
   Adaptive adaptive_;
-  std::unique_ptr<integrator::Work> work_;
+  std::unique_ptr<integrator::RenderState> work_;
   size_t tiles_ = 0;
-  std::optional<Allocation> allocation_;  // in adaptive sampling
+  std::optional<SampleAllocation> allocation_;  // in adaptive sampling
   uint32_t samples_ = 0;
   uint32_t prepared_ = 0;  // samples the sampler has tables for, per half
 

@@ -61,7 +61,7 @@ class Session::Impl {
     thread_.join();
   }
 
-  uint64_t submit(const Document& document, std::optional<Start> start) {
+  uint64_t submit(const Document& document, std::optional<ResumePoint> start) {
     const std::lock_guard lock(mutex_);
     Edit edit{document, std::move(start), ++last_version_, Clock::now(), !latest_ || !same_light(*latest_, document)};
     // An edit that was not taken up yet, and that this one replaces, still counts.
@@ -145,8 +145,8 @@ class Session::Impl {
     return between_slices([&] { return film_stale_ ? film::Film(document_.width, document_.height) : film_; });
   }
 
-  Start start_copy() {
-    return between_slices([&]() -> Start {
+  ResumePoint start_copy() {
+    return between_slices([&]() -> ResumePoint {
       if (film_stale_) return film::Film(document_.width, document_.height);
       return {film_, runner_ ? runner_->work_state() : std::vector<std::byte>()};
     });
@@ -166,7 +166,7 @@ class Session::Impl {
     });
   }
 
-  std::shared_ptr<const std::vector<integrator::PointOfLight>> points() {
+  std::shared_ptr<const std::vector<integrator::StoredPoint>> points() {
     return between_slices([&] { return runner_ ? runner_->points() : nullptr; });
   }
 
@@ -175,7 +175,7 @@ class Session::Impl {
  private:
   struct Edit {
     Document document;
-    std::optional<Start> start;
+    std::optional<ResumePoint> start;
     uint64_t version;
     Clock::time_point submitted;
     bool restarts;
@@ -242,13 +242,13 @@ class Session::Impl {
     document_ = std::move(edit.document);
     film_stale_ = !edit.start;
     if (edit.start) take_over(std::move(edit.start->film));
-    runner_ = std::make_unique<PassRunner>(document_, compiled, document_.width, document_.height, runner_.get());
+    runner_ = std::make_unique<Renderer>(document_, compiled, document_.width, document_.height, runner_.get());
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
     if (!film_stale_) runner_->begin(film_, edit.start->work);
     complete_ = runner_->samples();
     error_ = {}, error_at_ = 0;
-    forecast_ = Forecast(find_sampler(document_.method.sampler)->independent);
+    forecast_ = TimeEstimator(find_sampler(document_.method.sampler)->independent);
     health_ = nullptr, health_at_ = 0;
     if (options_.interactive && complete_ == 0)
       pace_.begin(pixel_count(), owed ? kOwedSeconds : kCoarseSeconds);
@@ -265,7 +265,7 @@ class Session::Impl {
     status_.version = edit.version;
     status_.build = compiled->report();
     status_.phase = "rendering";
-    status_.obstacle = obstacle(document_, *compiled);
+    status_.incompatibility = incompatibility(document_, *compiled);
     status_.samples = complete_;
     status_.memory = compiled->memory() + embree_memory() + film_bytes();
   }
@@ -284,8 +284,9 @@ class Session::Impl {
 
   // The film, and what goes along with it.
   size_t film_bytes() const {
-    const size_t cascades = reweights() ? pixel_count() * film::Cascades::kBytesPerPixel : 0;
-    return pixel_count() * sizeof(film::Film::Pixel) + TileTails::memory(document_.width, document_.height) + cascades;
+    const size_t cascades = reweights() ? pixel_count() * film::FireflyCascades::kBytesPerPixel : 0;
+    return pixel_count() * sizeof(film::Film::Pixel) + TailStatistics::memory(document_.width, document_.height) +
+           cascades;
   }
   bool reweights() const { return document_.fireflies == film::Fireflies::reweight; }
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
@@ -327,18 +328,18 @@ class Session::Impl {
                    film_.height(), [&](int y, int end) { film_.clear_rows(y, end); }, [&] { return !cut(); })) {
       return false;
     }
-    film_.set_rejected({});
-    if (!renew_cascades()) return false;
-    film_.spread().reset();
+    film_.set_invalid_samples({});
+    if (!reset_cascades()) return false;
+    film_.tile_variance().reset();
     runner_->begin(film_);
     renew_tails();
     film_stale_ = false;
     return true;
   }
 
-  film::Cascades* cascades() { return cascades_ ? &*cascades_ : nullptr; }
+  film::FireflyCascades* cascades() { return cascades_ ? &*cascades_ : nullptr; }
 
-  bool renew_cascades() {
+  bool reset_cascades() {
     if (!reweights()) return cascades_.reset(), true;
     if (!cascades_ || cascades_->width() != document_.width || cascades_->height() != document_.height) {
       cascades_.reset();
@@ -365,7 +366,7 @@ class Session::Impl {
     if (tails_.width() == document_.width && tails_.height() == document_.height)
       tails_.clear();
     else
-      tails_ = TileTails(document_.width, document_.height);
+      tails_ = TailStatistics(document_.width, document_.height);
   }
 
   void coarse_frame() {
@@ -375,9 +376,9 @@ class Session::Impl {
     // Under the same seed, so that photons are traced for both.
     Document small = document_;
     small.method.adaptive = Adaptive::off;
-    PassRunner runner(small, shown_scene_, w, h, runner_.get());
+    Renderer runner(small, shown_scene_, w, h, runner_.get());
     film::Film film(w, h);
-    PassRunner::Counters counters;
+    Renderer::Counters counters;
     const bool may_give_up = awaiting_first_frame_ && !pace_.is_coarsest();
     const auto wanted = [&] { return !cut() && !(may_give_up && seconds_since(start) > kGiveUpSeconds); };
     runner.begin(film);
@@ -391,7 +392,7 @@ class Session::Impl {
     }
     pace_.note(counters.paths, seconds_since(start));
     if (!done) {
-      if (!cut()) pace_.given_up();
+      if (!cut()) pace_.cancelled();
       return;
     }
     coarse_ = frames_.coarse(film, scale);
@@ -444,13 +445,13 @@ class Session::Impl {
   bool health_is_due() const { return complete_ >= 10 && complete_ >= health_at_ + health_at_ / 4; }
 
   void measure_health() {
-    std::vector<measure::Tail> reports(tails_.tails().size());
+    std::vector<film::Tail> reports(tails_.tails().size());
     const auto band = [&](int i, int end) {
       for (; i < end; ++i) reports[static_cast<size_t>(i)] = tails_.tails()[static_cast<size_t>(i)].report();
     };
     const auto keep_going = [&] { return !cut(); };
     if (!workers_.for_bands(static_cast<int>(reports.size()), band, keep_going)) return;
-    auto health = health_of(tails_, reports, film_.rejected(), complete_ * uint64_t{pixel_count()}, keep_going);
+    auto health = reliability_of(tails_, reports, film_.rejected(), complete_ * uint64_t{pixel_count()}, keep_going);
     if (health) health_ = std::move(health), health_at_ = complete_;
   }
 
@@ -479,8 +480,8 @@ class Session::Impl {
   }
 
   // What a method does first, where it takes long enough to be read. Under mutex_.
-  void note_phase(const PassRunner& runner) {
-    const PassRunner::Progress step = runner.progress();
+  void note_phase(const Renderer& runner) {
+    const Renderer::Progress step = runner.progress();
     if (step.phase != phase_ || runner.samples() != phase_sample_) {
       phase_ = step.phase, phase_sample_ = runner.samples();
       phase_began_ = Clock::now();
@@ -519,7 +520,7 @@ class Session::Impl {
   }
 
   SessionOptions options_;
-  Workers workers_;
+  ThreadPool workers_;
   FrameMaker frames_;
 
   // Shared with callers, under mutex_.
@@ -539,22 +540,22 @@ class Session::Impl {
 
   // The session thread's own; document_, film_ and film_stale_ may be read by others while film_idle_.
   Document document_;
-  std::unique_ptr<PassRunner> runner_;
+  std::unique_ptr<Renderer> runner_;
   film::Film film_;
   bool film_stale_ = false;  // it still shows what was before the last edit
-  PassRunner::Counters counters_;
+  Renderer::Counters counters_;
   uint64_t shown_paths_ = 0;  // that the last frame was made of
   std::shared_ptr<const Frame> coarse_;
   uint32_t complete_ = 0;
   film::ErrorEstimate error_;
   uint32_t error_at_ = 0;  // the samples at which it was measured
-  Forecast forecast_;
-  TileTails tails_;
-  std::optional<film::Cascades> cascades_;  // if fireflies are re-weighted
-  std::shared_ptr<const Health> health_;
+  TimeEstimator forecast_;
+  TailStatistics tails_;
+  std::optional<film::FireflyCascades> cascades_;  // if fireflies are re-weighted
+  std::shared_ptr<const Reliability> health_;
   uint32_t health_at_ = 0;  // the same
   double rendering_seconds_ = 0;
-  CoarsePace pace_;
+  PreviewResolution pace_;
   const char* phase_ = nullptr;  // of the sample that is being made
   uint32_t phase_sample_ = 0;
   Clock::time_point phase_began_;
@@ -567,7 +568,9 @@ class Session::Impl {
 Session::Session(const SessionOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Session::~Session() = default;
 uint64_t Session::submit(const Document& document) { return impl_->submit(document, std::nullopt); }
-uint64_t Session::submit(const Document& document, Start start) { return impl_->submit(document, std::move(start)); }
+uint64_t Session::submit(const Document& document, ResumePoint start) {
+  return impl_->submit(document, std::move(start));
+}
 void Session::restart() { impl_->restart(); }
 void Session::pause(bool paused) { impl_->pause(paused); }
 bool Session::paused() const { return impl_->paused(); }
@@ -581,9 +584,9 @@ void Session::on_update(std::function<void()> wake) { impl_->on_update(std::move
 void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
-Start Session::start_copy() { return impl_->start_copy(); }
+ResumePoint Session::start_copy() { return impl_->start_copy(); }
 std::optional<std::vector<float>> Session::reweighted_copy() { return impl_->reweighted_copy(); }
-std::shared_ptr<const std::vector<integrator::PointOfLight>> Session::points() { return impl_->points(); }
+std::shared_ptr<const std::vector<integrator::StoredPoint>> Session::points() { return impl_->points(); }
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {
   Document limited = document;

@@ -9,8 +9,8 @@ constexpr uint32_t kFirstWatched = 2;
 size_t capacity_of(size_t tiles) { return tiles <= 16384 ? 256 : 128; }
 
 size_t tiles_of(int width, int height) {
-  return static_cast<size_t>((width + TileTails::kWidth - 1) / TileTails::kWidth) *
-         static_cast<size_t>((height + TileTails::kHeight - 1) / TileTails::kHeight);
+  return static_cast<size_t>((width + TailStatistics::kWidth - 1) / TailStatistics::kWidth) *
+         static_cast<size_t>((height + TailStatistics::kHeight - 1) / TailStatistics::kHeight);
 }
 
 double luminance_of(const film::Film::Pixel& p) {
@@ -20,17 +20,17 @@ double luminance_of(const film::Film::Pixel& p) {
 
 }  // namespace
 
-TileTails::TileTails(int width, int height)
+TailStatistics::TailStatistics(int width, int height)
     : width_(width),
       height_(height),
-      tails_(tiles_of(width, height), measure::TailAccumulator(capacity_of(tiles_of(width, height)))) {}
+      tails_(tiles_of(width, height), film::TailAccumulator(capacity_of(tiles_of(width, height)))) {}
 
-int TileTails::pixels_of(int tile) const {
+int TailStatistics::pixels_of(int tile) const {
   const int x = tile % across() * kWidth, y = tile / across() * kHeight;
   return std::min(kWidth, width_ - x) * std::min(kHeight, height_ - y);
 }
 
-void TileTails::add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film) {
+void TailStatistics::add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film) {
   const uint32_t before = film.samples(block.x, block.y);
   const double per_sample = 1 / std::max(1.0, static_cast<double>(before));
   // The mean before is uncertain too: this gives deviations the variance of a sample (Welford 1962).
@@ -42,7 +42,7 @@ void TileTails::add(const integrator::PixelBlock& block, std::span<const Rgb> ra
     const auto* pixel = &film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(width_)];
     for (int x = block.x; x < block.x + block.width; ++x, ++i) {
       const double expected = luminance_of(pixel[x]) * per_sample;
-      const bool counts = film.add(x, y, block.sample % film::kReplicates, radiance[i]);
+      const bool counts = film.add(x, y, block.sample % film::kHalves, radiance[i]);
       const double found = counts ? static_cast<double>(luminance(radiance[i])) : 0;
       deviations[i] = static_cast<float>((found - expected) * scale);
       sum += found;
@@ -53,13 +53,13 @@ void TileTails::add(const integrator::PixelBlock& block, std::span<const Rgb> ra
   tails_[static_cast<size_t>(tile)].add(std::span(deviations).first(i), sum);
 }
 
-void TileTails::clear() {
+void TailStatistics::clear() {
   for (auto& tail : tails_) tail.clear();
 }
 
-size_t TileTails::memory(int width, int height) {
+size_t TailStatistics::memory(int width, int height) {
   const size_t tiles = tiles_of(width, height);
-  return tiles * (sizeof(measure::TailAccumulator) + capacity_of(tiles) * sizeof(float));
+  return tiles * (sizeof(film::TailAccumulator) + capacity_of(tiles) * sizeof(float));
 }
 
 }  // namespace etendue::render

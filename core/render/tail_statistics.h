@@ -14,12 +14,12 @@
 
 namespace etendue::render {
 
-class TileTails {
+class TailStatistics {
  public:
   static constexpr int kWidth = integrator::PixelBlock::kWidth, kHeight = integrator::PixelBlock::kHeight;
 
-  TileTails() = default;
-  TileTails(int width, int height);
+  TailStatistics() = default;
+  TailStatistics(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -30,14 +30,14 @@ class TileTails {
   // Adds a block to the film and what is unexpected about it to the tail of its tile.
   void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film);
 
-  const std::vector<measure::TailAccumulator>& tails() const { return tails_; }
+  const std::vector<film::TailAccumulator>& tails() const { return tails_; }
   void clear();
   // Bytes that the tails of a picture take at most.
   static size_t memory(int width, int height);
 
  private:
   int width_ = 0, height_ = 0;
-  std::vector<measure::TailAccumulator> tails_;
+  std::vector<film::TailAccumulator> tails_;
 };
 
 }  // namespace etendue::render

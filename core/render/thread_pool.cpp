@@ -12,11 +12,11 @@
 namespace etendue::render {
 namespace {
 
-Handover g_handover;
+TsanHandoff g_handoff;
 
 }  // namespace
 
-struct Workers::Arena {
+struct ThreadPool::Arena {
   explicit Arena(int n)
       : threads(n), control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(n)), arena(n, 1) {}
   int threads;
@@ -24,15 +24,16 @@ struct Workers::Arena {
   tbb::task_arena arena;
 };
 
-Workers::Workers(int threads)
+ThreadPool::ThreadPool(int threads)
     : arena_(std::make_unique<Arena>(
           threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())))) {}
 
-Workers::~Workers() = default;
+ThreadPool::~ThreadPool() = default;
 
-int Workers::count() const { return arena_->threads; }
+int ThreadPool::count() const { return arena_->threads; }
 
-int Workers::run(int first, int count, const std::function<void(int)>& task, const std::function<bool()>& keep_going) {
+int ThreadPool::run(int first, int count, const std::function<void(int)>& task,
+                    const std::function<bool()>& keep_going) {
   std::atomic<int> next{first};
   const auto work = [&] {
     prepare_thread_for_rays();
@@ -46,10 +47,10 @@ int Workers::run(int first, int count, const std::function<void(int)>& task, con
     tbb::task_group group;
     for (int i = 1; i < arena_->threads; ++i) {
       auto task_of_worker = group.defer([&work] {
-        g_handover.take();
+        g_handoff.take();
         work();
       });
-      g_handover.give();
+      g_handoff.give();
       group.run(std::move(task_of_worker));
     }
     work();
@@ -58,7 +59,8 @@ int Workers::run(int first, int count, const std::function<void(int)>& task, con
   return std::min(next.load(), count);
 }
 
-bool Workers::for_bands(int rows, const std::function<void(int, int)>& task, const std::function<bool()>& keep_going) {
+bool ThreadPool::for_bands(int rows, const std::function<void(int, int)>& task,
+                           const std::function<bool()>& keep_going) {
   constexpr int kBand = 16;
   const int bands = (rows + kBand - 1) / kBand;
   std::atomic<int> done{0};

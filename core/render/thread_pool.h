@@ -6,11 +6,11 @@
 
 namespace etendue::render {
 
-class Workers {
+class ThreadPool {
  public:
   // 0 threads: one per hardware thread.
-  explicit Workers(int threads);
-  ~Workers();
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
 
   int count() const;
   // Calls `task(i)` for i = first .. count-1, each once, in any order and from any worker, until all are done or

@@ -9,7 +9,7 @@ namespace etendue::render {
 namespace {
 
 // What is known of the exponent beforehand. Of points: from random numbers, where nothing is smooth, to nets.
-constexpr Forecast::Exponent kIndependent{0.5, 0.02}, kPoints{0.6, 0.15};
+constexpr TimeEstimator::Exponent kIndependent{0.5, 0.02}, kPoints{0.6, 0.15};
 // Slower than 1/4 or faster than 1 it will not stay.
 constexpr double kSlowest = 0.25, kFastest = 1;
 // How straight the curve is taken to be: by so much an error may lie beside it, in parts of itself.
@@ -19,7 +19,7 @@ constexpr double k95 = 1.96, k80 = 1.28;
 
 }  // namespace
 
-void Forecast::add(uint32_t samples, double seconds, const film::ErrorEstimate& error) {
+void TimeEstimator::add(uint32_t samples, double seconds, const film::ErrorEstimate& error) {
   if (!error.known || !(error.rmse_interval.low > 0)) return;
   // How little is known of this picture's error, or how little it says of others': few bright pixels are well known.
   const double spread =
@@ -30,7 +30,7 @@ void Forecast::add(uint32_t samples, double seconds, const film::ErrorEstimate& 
   history_.push_back({static_cast<double>(samples), seconds, std::log(error.rmse), spread});
 }
 
-Forecast::Line Forecast::line() const {
+TimeEstimator::Line TimeEstimator::line() const {
   double weights = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const Point& p : history_) {
     const double weight = 1 / (sqr(p.error) + sqr(kBend));
@@ -47,11 +47,11 @@ Forecast::Line Forecast::line() const {
   return {x, y, 1 / std::sqrt(weights), {std::clamp(s, kSlowest, kFastest), 1 / std::sqrt(xx + known)}};
 }
 
-Forecast::Exponent Forecast::exponent() const {
+TimeEstimator::Exponent TimeEstimator::exponent() const {
   return history_.empty() ? (independent_ ? kIndependent : kPoints) : line().exponent;
 }
 
-std::optional<Prediction> Forecast::until(double target, double now) const {
+std::optional<Prediction> TimeEstimator::until(double target, double now) const {
   if (history_.empty()) return {};
   const Point& last = history_.back();
   if (last.log_rmse <= std::log(target)) return Prediction{};

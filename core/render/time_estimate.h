@@ -19,10 +19,10 @@ struct Prediction {
   film::Interval interval;  // of 80 %
 };
 
-class Forecast {
+class TimeEstimator {
  public:
   // Whether samples are independent of each other, or points that know of each other.
-  explicit Forecast(bool independent = false) : independent_(independent) {}
+  explicit TimeEstimator(bool independent = false) : independent_(independent) {}
 
   // The error at so many samples of every pixel, more than the last time. `seconds` are those spent on them.
   void add(uint32_t samples, double seconds, const film::ErrorEstimate& error);

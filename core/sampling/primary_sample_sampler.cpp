@@ -33,13 +33,13 @@ float moved(float x, uint32_t bits, const StepRange& range) {
 
 // What becomes of one block: all numbers are drawn anew, or they catch up on steps that they missed, and move once
 // more. Which of both is decided without a branch: nothing foretells it.
-struct PrimaryProposals::Draw {
+struct PrimarySampleProposals::Draw {
   const SampleBlock* from;
   SampleBlock* to;
   uint32_t key, missed;
   bool anew;
 
-  ETENDUE_WIDE static void all(std::span<const Draw> draws, const StepRange& range) {
+  ETENDUE_VECTORIZE static void all(std::span<const Draw> draws, const StepRange& range) {
     for (const Draw& d : draws) {
       SampleBlock values;
       for (uint32_t k = 0; k < kBlockSize; ++k) {
@@ -54,31 +54,31 @@ struct PrimaryProposals::Draw {
   }
 };
 
-PrimaryProposals::PrimaryProposals() {
-  for (size_t stream = 0; stream < PrimaryPoints::kStreams; ++stream) views_.emplace_back(*this, stream);
+PrimarySampleProposals::PrimarySampleProposals() {
+  for (size_t stream = 0; stream < PrimarySamplePoints::kStreams; ++stream) views_.emplace_back(*this, stream);
 }
 
-void PrimaryProposals::begin(const PrimaryPoints& from, const StepSize& size, Stopwatch* watch) {
+void PrimarySampleProposals::begin(const PrimarySamplePoints& from, const StepSize& size, Stopwatch* watch) {
   from_ = &from, watch_ = watch;
   range_ = {size.most, std::log2(size.least / size.most)};
 }
 
-void PrimaryProposals::propose(size_t lane, uint64_t key, bool large) {
+void PrimarySampleProposals::propose(size_t lane, uint64_t key, bool large) {
   Proposal& p = proposals_[lane];
   p.key = key, p.large = large, p.asked = {};
   ++p.number;
 }
 
-const PrimaryProposals::Block& PrimaryProposals::blocks(std::span<const uint32_t> seeds, size_t stream,
-                                                        uint32_t block) {
+const PrimarySampleProposals::Block& PrimarySampleProposals::blocks(std::span<const uint32_t> seeds, size_t stream,
+                                                                    uint32_t block) {
   const Stopwatch::Lap lap(watch_);
   auto& blocks = streams_[stream];
   while (blocks.size() <= block) blocks.push_back(std::make_unique<Block>());
   Block& b = *blocks[block];
   const auto& known = from_->streams[stream];
-  const PrimaryPoints::Block* before = block < known.size() ? &known[block] : nullptr;
+  const PrimarySamplePoints::Block* before = block < known.size() ? &known[block] : nullptr;
   const uint64_t place = ((static_cast<uint64_t>(stream) << 32 | block) + 1) * 0x9e3779b97f4a7c15ULL;
-  std::array<Draw, PrimaryPoints::kLanes> draws;
+  std::array<Draw, PrimarySamplePoints::kLanes> draws;
   size_t count = 0;
   for (const uint32_t seed : seeds) {
     const size_t lane = seed & kLaneBits;
@@ -95,22 +95,22 @@ const PrimaryProposals::Block& PrimaryProposals::blocks(std::span<const uint32_t
 }
 
 // What a draw starts from.
-void PrimaryProposals::find_past(size_t lane, const PrimaryPoints::Block* before, Draw& draw) const {
+void PrimarySampleProposals::find_past(size_t lane, const PrimarySamplePoints::Block* before, Draw& draw) const {
   // After so many steps nothing of a number is left: what it would be matters to nobody.
   constexpr uint32_t kForgotten = 64;
   draw.from = before ? &before->values[lane] : draw.to;
-  const PrimaryPoints::Clock& clock = from_->clocks[lane];
+  const PrimarySamplePoints::Clock& clock = from_->clocks[lane];
   const uint32_t time = before ? before->times[lane] : 0, missed = clock.now - time;
   draw.anew = proposals_[lane].large | (time < clock.renewed) | (missed > kForgotten);
   draw.missed = draw.anew ? 0 : missed;
 }
 
-void PrimaryProposals::accept(size_t lane, PrimaryPoints& to) {
+void PrimarySampleProposals::accept(size_t lane, PrimarySamplePoints& to) {
   const Proposal& p = proposals_[lane];
-  PrimaryPoints::Clock& clock = to.clocks[lane];
+  PrimarySamplePoints::Clock& clock = to.clocks[lane];
   ++clock.now;
   if (p.large) clock.renewed = clock.now;
-  for (size_t stream = 0; stream < PrimaryPoints::kStreams; ++stream) {
+  for (size_t stream = 0; stream < PrimarySamplePoints::kStreams; ++stream) {
     const auto& blocks = streams_[stream];
     auto& known = to.streams[stream];
     if (known.size() < p.asked[stream]) known.resize(p.asked[stream]);
@@ -122,12 +122,12 @@ void PrimaryProposals::accept(size_t lane, PrimaryPoints& to) {
   }
 }
 
-void PrimaryProposals::View::block(uint32_t seed, uint32_t, uint32_t block, SampleBlock& out) const {
+void PrimarySampleProposals::View::block(uint32_t seed, uint32_t, uint32_t block, SampleBlock& out) const {
   out = proposals_->blocks({&seed, 1}, stream_, block).values[seed & kLaneBits];
 }
 
-DimensionSet PrimaryProposals::View::blocks(std::span<const uint32_t> seeds, uint32_t, uint32_t block, DimensionSet,
-                                            SampleTable& out) const {
+DimensionSet PrimarySampleProposals::View::blocks(std::span<const uint32_t> seeds, uint32_t, uint32_t block,
+                                                  DimensionSet, SampleTable& out) const {
   const Block& drawn = proposals_->blocks(seeds, stream_, block);
   for (size_t i = 0; i < seeds.size(); ++i) {
     const SampleBlock& values = drawn.values[seeds[i] & kLaneBits];

@@ -28,7 +28,7 @@ struct StepRange {
 };
 
 // Where chains are, side by side.
-class PrimaryPoints {
+class PrimarySamplePoints {
  public:
   static constexpr size_t kLanes = 256;
   // Sequences of blocks that each chain has: one for each end of a path, and one for what belongs to both.
@@ -56,23 +56,23 @@ class PrimaryPoints {
 
 // Proposals of all chains: what they ask for is drawn as they ask. Seeds that walks are given tell the chain in their
 // lower bits.
-class PrimaryProposals {
+class PrimarySampleProposals {
  public:
-  static constexpr uint32_t kLaneBits = PrimaryPoints::kLanes - 1;
+  static constexpr uint32_t kLaneBits = PrimarySamplePoints::kLanes - 1;
 
-  PrimaryProposals();
+  PrimarySampleProposals();
 
   // From now on proposals are made from these points, which have to stay where they are; the watch runs while numbers
   // are drawn.
-  void begin(const PrimaryPoints& from, const StepSize& size, Stopwatch* watch = nullptr);
+  void begin(const PrimarySamplePoints& from, const StepSize& size, Stopwatch* watch = nullptr);
   // The next proposal of a chain.
   void propose(size_t lane, uint64_t key, bool large);
   // The chain goes there.
-  void accept(size_t lane, PrimaryPoints& to);
+  void accept(size_t lane, PrimarySamplePoints& to);
 
   struct Block {
-    std::array<SampleBlock, PrimaryPoints::kLanes> values;
-    std::array<uint32_t, PrimaryPoints::kLanes> numbers{};  // of the proposals that they belong to
+    std::array<SampleBlock, PrimarySamplePoints::kLanes> values;
+    std::array<uint32_t, PrimarySamplePoints::kLanes> numbers{};  // of the proposals that they belong to
   };
   // One block of the chains that the seeds tell: at most as many as there are lanes, each once.
   const Block& blocks(std::span<const uint32_t> seeds, size_t stream, uint32_t block);
@@ -81,31 +81,31 @@ class PrimaryProposals {
  private:
   class View final : public Sampler {
    public:
-    View(PrimaryProposals& proposals, size_t stream) : proposals_(&proposals), stream_(stream) {}
+    View(PrimarySampleProposals& proposals, size_t stream) : proposals_(&proposals), stream_(stream) {}
     void block(uint32_t seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
     DimensionSet blocks(std::span<const uint32_t> seeds, uint32_t sample, uint32_t block, DimensionSet wanted,
                         SampleTable& out) const override;
     uint32_t lane_bits() const override { return kLaneBits; }
 
    private:
-    PrimaryProposals* proposals_;
+    PrimarySampleProposals* proposals_;
     size_t stream_;
   };
   struct Proposal {
     uint64_t key = 0;
     uint32_t number = 0;  // counts the proposals of the lane
     bool large = false;
-    std::array<uint32_t, PrimaryPoints::kStreams> asked{};  // one more than the last block that was asked for
+    std::array<uint32_t, PrimarySamplePoints::kStreams> asked{};  // one more than the last block that was asked for
   };
   struct Draw;
 
-  void find_past(size_t lane, const PrimaryPoints::Block* before, Draw& draw) const;
+  void find_past(size_t lane, const PrimarySamplePoints::Block* before, Draw& draw) const;
 
-  const PrimaryPoints* from_ = nullptr;
+  const PrimarySamplePoints* from_ = nullptr;
   StepRange range_;
   Stopwatch* watch_ = nullptr;
-  std::array<Proposal, PrimaryPoints::kLanes> proposals_;
-  std::array<std::vector<std::unique_ptr<Block>>, PrimaryPoints::kStreams> streams_;
+  std::array<Proposal, PrimarySamplePoints::kLanes> proposals_;
+  std::array<std::vector<std::unique_ptr<Block>>, PrimarySamplePoints::kStreams> streams_;
   std::vector<View> views_;
 };
 

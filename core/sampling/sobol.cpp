@@ -71,8 +71,8 @@ void scramble(const Reversed& reversed, uint32_t block_seed, SampleBlock& out) {
 }
 
 // The same point for many pixels.
-ETENDUE_WIDE void scramble_all(const uint32_t* reversed, const uint32_t* pixel_seeds, size_t count, uint32_t block,
-                               DimensionSet wanted, SampleTable& out) {
+ETENDUE_VECTORIZE void scramble_all(const uint32_t* reversed, const uint32_t* pixel_seeds, size_t count, uint32_t block,
+                                    DimensionSet wanted, SampleTable& out) {
   std::array<uint32_t, SampleTable::kPaths> seeds{};
   for (size_t i = 0; i < count; ++i) seeds[i] = hash_combine(pixel_seeds[i], block);
   for (uint32_t k = 0; k < kBlockSize; ++k) {

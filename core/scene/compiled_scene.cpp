@@ -19,9 +19,9 @@ struct Facets {
   template <class T>
   using Array = std::array<T, kSize>;
 
-  WideVec3<kSize> p0, p1, p2, wo;
+  Vec3Lanes<kSize> p0, p1, p2, wo;
   alignas(64) Array<float> u, v, winding;
-  WideVec3<kSize> position, ng, x, y;
+  Vec3Lanes<kSize> position, ng, x, y;
   alignas(64) Array<float> offset, facing;  // facing: the cosine between wo and the front
 
   void set(size_t i, const InstanceData& instance, const Hit& hit, const Vec3& back) {
@@ -77,7 +77,7 @@ struct Facets {
   return 16 * 0x1p-24f * (far + 2 * size);
 }
 
-ETENDUE_WIDE void shape(Facets& f, size_t count) {
+ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(count); ++i) {
     const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
@@ -93,7 +93,7 @@ ETENDUE_WIDE void shape(Facets& f, size_t count) {
 }
 
 // Whether the shading normal is another than the geometric one.
-bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->framed; }
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->needs_tangent; }
 
 // A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
 constexpr float kBarely = 1e-3f;
@@ -131,7 +131,7 @@ void bend_by_maps(const Vec3& wo, SurfacePoint& point) {
     point.shading = Frame(bent, unbent.x, glm::dot(glm::cross(unbent.z, unbent.x), unbent.y));
   }
   make_seen(wo, point);
-  if (!material.bent_coat) return;
+  if (!material.coat_normal_mapped) return;
   const float side = point.front ? 1.0f : -1.0f;
   Vec3 coat = normalize_or(unbent.to_world(material.coat_normal_at(point.texture)), unbent.z);
   if (seen(coat, wo, side) < kBarely) coat = barely_seen(coat, wo, side);
@@ -193,19 +193,19 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     const bool placed = motion || instance.identity;
     const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
-  } else if (point.material->directed) {
+  } else if (point.material->anisotropic) {
     point.shading.build(ns, direction_along(instance, t, ns), 1);
   } else {
     point.shading.build(ns);
   }
-  if (point.material->bends)
+  if (point.material->normal_mapped)
     bend_by_maps(wo, point);
   else
     make_seen(wo, point);
 }
 
 Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
-  if (!point.material->shines || (!point.front && !point.material->description.double_sided)) return Rgb(0);
+  if (!point.material->emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
   const Rgb along_normal = point.material->emission_at(point.texture);
   return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
 }

@@ -7,8 +7,8 @@
 namespace etendue::transport {
 
 // Colour axis: Rgb. Spectral samples join here.
-// Surfaces axis: DiffuseOnly, LobeMix for what most files do with, or AllLobes for everything. Media axis: vacuum, or
-// absorption inside solids (Beer's law). Classes axis: every path counts, or those of an expression
+// Surfaces axis: DiffuseOnly, StandardLobes for what most files do with, or AllLobes for everything. Media axis:
+// vacuum, or absorption inside solids (Beer's law). Classes axis: every path counts, or those of an expression
 // (transport/class_shares.h).
 template <class ColorType, template <class> class LobeSet, bool absorbing, bool classes>
 struct ModelType {
@@ -22,9 +22,9 @@ struct ModelType {
 template <bool classes>
 using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, false, classes>;
 template <bool classes>
-using StandardVacuum = ModelType<Rgb, LobeMix, false, classes>;
+using StandardVacuum = ModelType<Rgb, StandardLobes, false, classes>;
 template <bool classes>
-using StandardAbsorbing = ModelType<Rgb, LobeMix, true, classes>;
+using StandardAbsorbing = ModelType<Rgb, StandardLobes, true, classes>;
 // Whose rarer scenes do not ask for a loop that saves the question whether a solid absorbs.
 template <bool classes>
 using AnyAbsorbing = ModelType<Rgb, AllLobes, true, classes>;

@@ -7,7 +7,7 @@
 #include "render/incompatibility.h"
 #include "scene/compiled_scene.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using integrator::Bias;
@@ -16,9 +16,10 @@ using integrator::Bias;
 constexpr double kTablePart = 0.2;
 
 // Why a method cannot be had; empty if it can.
-std::string objection(const bench::Method& method, const scene::CompiledScene& scene, const BlindSpots& misses,
+std::string objection(const bench::MethodSpec& method, const scene::CompiledScene& scene, const MissingPaths& misses,
                       double target) {
-  if (std::string obstacle = render::obstacle(method.document, scene); !obstacle.empty()) return obstacle;
+  if (std::string incompatibility = render::incompatibility(method.document, scene); !incompatibility.empty())
+    return incompatibility;
   const auto& info = *integrator::find_integrator(method.document.method.integrator);
   if (info.bias == Bias::biased) return "biased: it has an error of its own, which no time takes away";
   if (picks_techniques(method.document.method))
@@ -28,11 +29,11 @@ std::string objection(const bench::Method& method, const scene::CompiledScene& s
   return {};
 }
 
-Advice advice_of(const bench::Method& method, const scene::CompiledScene& scene, const ClassTable& table,
+Advice advice_of(const bench::MethodSpec& method, const scene::CompiledScene& scene, const ClassTable& table,
                  double target) {
   Advice advice;
   advice.method = method;
-  advice.misses = blind_spots(declared(method.document, scene), table);
+  advice.misses = missing_paths(declared(method.document, scene), table);
   advice.reason = objection(method, scene, advice.misses, target);
   advice.suitable = advice.reason.empty();
   return advice;
@@ -82,8 +83,8 @@ void rank(Ranking& ranking) {
 
 }  // namespace
 
-std::vector<bench::Method> candidates(const render::Document& document) {
-  std::vector<bench::Method> list;
+std::vector<bench::MethodSpec> candidates(const render::Document& document) {
+  std::vector<bench::MethodSpec> list;
   for (const auto& integrator : integrator::integrator_infos())
     for (const auto& sampler : sampler_infos())
       list.push_back(*bench::parse_method(integrator.name + ":sampler=" + sampler.name, document));
@@ -91,13 +92,13 @@ std::vector<bench::Method> candidates(const render::Document& document) {
 }
 
 Ranking advise(render::Session& session, const render::Document& document, const Question& question,
-               const bench::Watch& watch, const RankingPublisher& publish) {
+               const bench::Progress& watch, const RankingPublisher& publish) {
   Ranking ranking;
   ranking.target = question.target;
   const auto show = [&] {
     if (publish) publish(ranking);
   };
-  const bench::Watch first = [&](double done, const std::string& what) { return watch(kTablePart * done, what); };
+  const bench::Progress first = [&](double done, const std::string& what) { return watch(kTablePart * done, what); };
   ranking.table = class_table(session, document, question.table, first, [&](const ClassTable& table) {
     ranking.table = table;
     show();
@@ -108,12 +109,12 @@ Ranking advise(render::Session& session, const render::Document& document, const
   const auto scene = scene::compile(document.scene, document.camera, session.scene());
   ranking.beyond_methods = beyond_all_methods(*scene);
 
-  std::vector<bench::Method> fit;
+  std::vector<bench::MethodSpec> fit;
   for (const auto& method : candidates(document)) {
     ranking.methods.push_back(advice_of(method, *scene, ranking.table, question.target));
     if (ranking.methods.back().suitable) fit.push_back(method);
   }
-  const bench::Watch second = [&](double done, const std::string& what) {
+  const bench::Progress second = [&](double done, const std::string& what) {
     return watch(kTablePart + (1 - kTablePart) * done, what);
   };
   const auto take = [&](const Pilots& pilots) {
@@ -130,4 +131,4 @@ Ranking advise(render::Session& session, const render::Document& document, const
   return ranking;
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

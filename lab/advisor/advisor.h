@@ -10,7 +10,7 @@
 #include "advisor/missing_paths.h"
 #include "advisor/pilot.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 struct Question {
   double target = 0;         // RMSE, above zero
@@ -20,15 +20,15 @@ struct Question {
 };
 
 struct Advice {
-  bench::Method method;
-  BlindSpots misses;
+  bench::MethodSpec method;
+  MissingPaths misses;
   bool suitable = true;
   std::string reason;  // why it is where it is, in words
   // Of a method that was piloted, in terms of the whole picture.
   uint32_t pilot_samples = 0;
   double pilot_seconds = 0;  // of the pilot's own picture, which may be smaller
   double pilot_rmse = 0;
-  render::Forecast::Exponent exponent{};
+  render::TimeEstimator::Exponent exponent{};
   std::optional<render::Prediction> time;  // of rendering until the error is reached
 };
 
@@ -46,12 +46,12 @@ struct Ranking {
 inline constexpr double kNegligible = 1.0 / 3;
 
 // Every integrator with every sampler, in a document's picture. What else the document's method sets stays.
-std::vector<bench::Method> candidates(const render::Document& document);
+std::vector<bench::MethodSpec> candidates(const render::Document& document);
 
 // The session is used for everything and left with one of the pictures. What is told to `publish` gets better step by
 // step: first the table, then the ranking.
 using RankingPublisher = std::function<void(const Ranking&)>;
 Ranking advise(render::Session& session, const render::Document& document, const Question& question,
-               const bench::Watch& watch, const RankingPublisher& publish = {});
+               const bench::Progress& watch, const RankingPublisher& publish = {});
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 constexpr double kFalseAlarms = 1e-3;  // of a whole picture
@@ -91,4 +91,4 @@ BlockTest changed_blocks(const Judged& judged, const film::Film& other) {
   return test;
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -10,7 +10,7 @@
 
 #include "film/film.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 struct Block {
   int x = 0, y = 0;   // of its first pixel
@@ -34,4 +34,4 @@ struct Judged {
 // `other` holds the same number of samples in both halves, two at least.
 BlockTest changed_blocks(const Judged& judged, const film::Film& other);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -1,10 +1,9 @@
 #include "advisor/certificate.h"
 
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using integrator::Bias;
@@ -27,7 +26,7 @@ Stated root_of(const Stated& s) {
   return {std::sqrt(s.value), {std::sqrt(s.interval.low), std::sqrt(s.interval.high)}};
 }
 
-void state_error(Certificate& c, const Evidence& evidence, const MeasuredBlindSpots& missing, bool same_size) {
+void state_error(Certificate& c, const Evidence& evidence, const MeasuredMissingPaths& missing, bool same_size) {
   const film::ErrorEstimate& e = evidence.error;
   if (!e.known || !evidence.relative) return;
   const double lack = sqr(missing.spots.rms), relative = missing.relative_square;
@@ -73,7 +72,7 @@ Certificate certificate_of(const json& j) {
 }  // namespace
 
 Certificate certificate(render::Session& session, const render::Document& document, const Evidence& evidence,
-                        double seconds, const bench::Watch& watch) {
+                        double seconds, const bench::Progress& watch) {
   Certificate c;
   c.bias = bias_of(document.method);
   c.rejected = evidence.rejected, c.khat = evidence.khat;
@@ -81,7 +80,7 @@ Certificate certificate(render::Session& session, const render::Document& docume
   if (const auto scene = session.scene()) c.beyond_methods = beyond_all_methods(*scene);
   TableOptions options;
   options.samples = 4, options.seconds = seconds;
-  const auto missing = measured_blind_spots(session, document, options, watch);
+  const auto missing = measured_missing_paths(session, document, options, watch);
   for (const auto& spot : missing.spots.classes) c.missing.push_back({spot.paths, spot.share, spot.points});
   c.missing_share = missing.spots.share;
   state_error(c, evidence, missing, missing.width == document.width);
@@ -121,4 +120,4 @@ Result<Certificate> certificate_from_json(const std::string& text, const std::st
   }
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -12,7 +12,7 @@
 #include "advisor/missing_paths.h"
 #include "film/relative_error.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 // An estimate with the interval in which the truth lies in 95 of 100 cases; the upper end is infinite where it cannot
 // be told.
@@ -34,14 +34,14 @@ struct Certificate {
   double missing_share = 0;
   std::vector<std::string> beyond_methods;  // what no method finds, as far as that can be told
   std::optional<double> khat;               // of the samples' tail (measure/tail.h)
-  film::Rejected rejected;
+  film::InvalidSamples rejected;
   std::vector<std::pair<std::string, std::string>> model;  // flag and value
 };
 
 struct Evidence {
   film::ErrorEstimate error;
   std::optional<film::RelativeError> relative;
-  film::Rejected rejected;
+  film::InvalidSamples rejected;
   transport::Model model;
   std::optional<double> khat;
 };
@@ -49,10 +49,10 @@ struct Evidence {
 // Of a document's rendering. The session may be the one that it was rendered in: its film is lost, its compiled scene
 // used again. Where something may be missing, up to `seconds` are spent on finding out what, about.
 Certificate certificate(render::Session& session, const render::Document& document, const Evidence& evidence,
-                        double seconds, const bench::Watch& watch);
+                        double seconds, const bench::Progress& watch);
 
 std::string certificate_json(const Certificate& certificate);
 // `source` is for the message. What is not of this program is an input error.
 Result<Certificate> certificate_from_json(const std::string& json, const std::string& source);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

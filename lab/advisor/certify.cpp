@@ -10,7 +10,7 @@
 #include "render/image_output.h"
 #include "scene/compiled_scene.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 // Of the normal distribution: 95 %, 99.9 %, and 99.7 % within.
@@ -98,7 +98,7 @@ Comparison compare(const MeanSquare& truth, const Stated& stated) {
 
 class Judge {
  public:
-  Judge(render::Session& session, const Claim& claim, const CertifyOptions& options, const bench::Watch& watch)
+  Judge(render::Session& session, const Claim& claim, const CertifyOptions& options, const bench::Progress& watch)
       : session_(session),
         claim_(claim),
         options_(options),
@@ -113,7 +113,7 @@ class Judge {
     if (const auto said = contradiction(claim_); !said.empty()) return reject(said);
     for (uint32_t samples = kFirstLook;; samples *= 2) {
       const bool go_on = render(samples);
-      if (finding_.samples < film::kReplicates) return without_a_look();
+      if (finding_.samples < film::kHalves) return without_a_look();
       if (look() || !go_on) return finding_;
     }
   }
@@ -190,7 +190,7 @@ class Judge {
   render::Session& session_;
   const Claim& claim_;
   const CertifyOptions& options_;
-  const bench::Watch& watch_;
+  const bench::Progress& watch_;
   render::Document document_;
   film::Film film_;
   Finding finding_;
@@ -232,8 +232,8 @@ Result<Claim> read_claim(const std::string& file) {
 }
 
 Finding certify(render::Session& session, const Claim& claim, const CertifyOptions& options,
-                const bench::Watch& watch) {
+                const bench::Progress& watch) {
   return Judge(session, claim, options, watch).judge();
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

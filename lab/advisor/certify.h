@@ -13,7 +13,7 @@
 #include "advisor/true_error.h"
 #include "image/image.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 // A picture with what it says of itself.
 struct Claim {
@@ -52,6 +52,7 @@ struct CertifyOptions {
 };
 
 // Ends as soon as it can tell.
-Finding certify(render::Session& session, const Claim& claim, const CertifyOptions& options, const bench::Watch& watch);
+Finding certify(render::Session& session, const Claim& claim, const CertifyOptions& options,
+                const bench::Progress& watch);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

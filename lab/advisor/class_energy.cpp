@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using Numbers = std::vector<float>;
@@ -65,4 +65,4 @@ double relative_square_of(std::span<const ClassEnergy> energies, const ClassEner
   return std::max(0.0, squares / static_cast<double>(sum.first.size()));
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -9,7 +9,7 @@
 
 #include "film/film.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 struct ClassEnergy {
   double mean = 0, standard_error = 0;  // luminance, over pixels
@@ -36,4 +36,4 @@ double rms_of(std::span<const ClassEnergy> energies);
 // The same for the square over that of the picture of all energy plus 0.01, as relMSE has it; a mean, not its root.
 double relative_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& all);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -9,7 +9,7 @@
 #include "advisor/reference_method.h"
 #include "transport/path_expression/path_expression.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using transport::Automaton;
@@ -26,7 +26,7 @@ std::vector<Automaton> declared_sets(bool point_lights) {
   const auto add = [&](const Automaton& set) {
     if (std::ranges::find(sets, set) == sets.end()) sets.push_back(set);
   };
-  const Automaton visible = declared(render::Method()).point_paths;
+  const Automaton visible = declared(render::MethodSettings()).point_paths;
   for (const auto& info : integrator::integrator_infos()) {
     const Found found = declared(info);
     add(found.paths);
@@ -37,7 +37,7 @@ std::vector<Automaton> declared_sets(bool point_lights) {
 
 render::Document small_picture(const render::Document& document, const TableOptions& options) {
   render::Document d = smaller(trusted(document), options.divisor, options.least);
-  d.limits.samples = std::max(film::kReplicates, options.samples);
+  d.limits.samples = std::max(film::kHalves, options.samples);
   return d;
 }
 
@@ -61,7 +61,7 @@ struct Leaf {
 class Maker {
  public:
   Maker(render::Session& session, const render::Document& document, const Automaton& only, const TableOptions& options,
-        const bench::Watch& watch, const TablePublisher& publish)
+        const bench::Progress& watch, const TablePublisher& publish)
       : session_(session),
         options_(options),
         watch_(watch),
@@ -214,7 +214,7 @@ class Maker {
 
   render::Session& session_;
   const TableOptions& options_;
-  const bench::Watch& watch_;
+  const bench::Progress& watch_;
   const TablePublisher& publish_;
   render::Document small_;
   Automaton only_;
@@ -227,18 +227,18 @@ class Maker {
 }  // namespace
 
 std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
-                                        const TableOptions& options, const bench::Watch& watch) {
+                                        const TableOptions& options, const bench::Progress& watch) {
   return measured(session, small_picture(document, options), [&] { return watch(0, "all paths"); });
 }
 
 ClassTable class_table(render::Session& session, const render::Document& document, const TableOptions& options,
-                       const bench::Watch& watch, const TablePublisher& publish) {
+                       const bench::Progress& watch, const TablePublisher& publish) {
   return class_table(session, document, PathExpression::all().automaton(), options, watch, publish);
 }
 
 ClassTable class_table(render::Session& session, const render::Document& document, const Automaton& only,
-                       const TableOptions& options, const bench::Watch& watch, const TablePublisher& publish) {
+                       const TableOptions& options, const bench::Progress& watch, const TablePublisher& publish) {
   return Maker(session, document, only, options, watch, publish).make();
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -15,7 +15,7 @@
 #include "render/document.h"
 #include "transport/path_expression/path_classes.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 struct ClassRow {
   std::string paths;  // an expression that --paths takes
@@ -52,7 +52,7 @@ struct TableOptions {
 
 // What the document's picture carries in all, on the table's terms; nothing if it was cut short.
 std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
-                                        const TableOptions& options, const bench::Watch& watch);
+                                        const TableOptions& options, const bench::Progress& watch);
 
 // Each table is better than the one before; they are values that may be kept.
 using TablePublisher = std::function<void(const ClassTable&)>;
@@ -61,8 +61,8 @@ using TablePublisher = std::function<void(const ClassTable&)>;
 // `only` among them (it must accept a path). The session is used for rendering and left with one of the small pictures.
 // `watch` may cut it short: the table is then what it was by then.
 ClassTable class_table(render::Session& session, const render::Document& document, const TableOptions& options,
-                       const bench::Watch& watch, const TablePublisher& publish = {});
+                       const bench::Progress& watch, const TablePublisher& publish = {});
 ClassTable class_table(render::Session& session, const render::Document& document, const transport::Automaton& only,
-                       const TableOptions& options, const bench::Watch& watch, const TablePublisher& publish = {});
+                       const TableOptions& options, const bench::Progress& watch, const TablePublisher& publish = {});
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

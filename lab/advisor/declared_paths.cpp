@@ -5,7 +5,7 @@
 #include "render/incompatibility.h"
 #include "transport/path_expression/path_expression.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using transport::Automaton;
@@ -16,7 +16,7 @@ Automaton automaton_of(const std::string& paths) {
 }
 
 // Segments that the method's paths have at most; 0 if there is no limit.
-int64_t limit_of(const render::Method& method) {
+int64_t limit_of(const render::MethodSettings& method) {
   for (const auto& setting : method.settings_of(method.integrator))
     if (const auto* depth = std::get_if<int64_t>(&setting.value); depth && setting.name == "max-depth") return *depth;
   const auto* depth = find_parameter(integrator::find_integrator(method.integrator)->parameters, "max-depth");
@@ -39,7 +39,7 @@ Found declared(const integrator::IntegratorInfo& info) {
   return {automaton_of(info.paths), automaton_of(info.point_paths)};
 }
 
-Found declared(const render::Method& method) {
+Found declared(const render::MethodSettings& method) {
   Found found = declared(*integrator::find_integrator(method.integrator));
   const int64_t limit = limit_of(method);
   if (limit == 0) return found;
@@ -49,14 +49,14 @@ Found declared(const render::Method& method) {
 }
 
 Found declared(const render::Document& document, const scene::CompiledScene& scene) {
-  return render::obstacle(document, scene).empty() ? declared(document.method) : Found();
+  return render::incompatibility(document, scene).empty() ? declared(document.method) : Found();
 }
 
 Automaton asked(const render::Document& document) {
   return document.method.paths.empty() ? PathExpression::all().automaton() : automaton_of(document.method.paths);
 }
 
-bool picks_techniques(const render::Method& method) {
+bool picks_techniques(const render::MethodSettings& method) {
   const auto& knobs = integrator::find_integrator(method.integrator)->techniques;
   if (knobs.empty()) return false;
   return std::ranges::any_of(method.settings_of(method.integrator), [&](const Setting& setting) {
@@ -64,9 +64,9 @@ bool picks_techniques(const render::Method& method) {
   });
 }
 
-integrator::Bias bias_of(const render::Method& method) {
+integrator::Bias bias_of(const render::MethodSettings& method) {
   return limit_of(method) > 0 || picks_techniques(method) ? integrator::Bias::biased
                                                           : integrator::find_integrator(method.integrator)->bias;
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 bool has_point_lights(const scene::Scene& scene) {
   return std::ranges::any_of(scene.nodes, [&](const scene::Node& node) {
@@ -26,4 +26,4 @@ scene::Scene lit_by_points(const scene::Scene& scene) {
   return lit;
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

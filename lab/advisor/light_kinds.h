@@ -2,7 +2,7 @@
 #pragma once
 #include "scene/scene.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 // Point, spot and directional lights of nodes that are in the scene.
 bool has_point_lights(const scene::Scene& scene);
@@ -12,4 +12,4 @@ bool has_extended_lights(const scene::Scene& scene);
 // The scene lit by its lights without extent alone.
 scene::Scene lit_by_points(const scene::Scene& scene);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

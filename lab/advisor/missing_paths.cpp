@@ -7,7 +7,7 @@
 #include "scene/compiled_scene.h"
 #include "transport/path_expression/path_expression.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using transport::Automaton;
@@ -15,21 +15,21 @@ using transport::PathExpression;
 
 // The part of a row that is not among the paths found; nothing if all of it is. `visible` are the paths that the table
 // can know of.
-std::optional<BlindSpot> lack(const std::string& paths, const ClassEnergy& energy, const Automaton& visible,
-                              const Automaton& found, double total) {
+std::optional<MissingPathClass> lack(const std::string& paths, const ClassEnergy& energy, const Automaton& visible,
+                                     const Automaton& found, double total) {
   if (!energy.found()) return {};
   const Automaton row = common(PathExpression::parse_paths(paths)->automaton(), visible);
   const Automaton rest = without(row, found);
   if (rest.empty()) return {};
-  BlindSpot spot{rest == row ? paths : expression_of(rest), energy, energy.mean / total};
+  MissingPathClass spot{rest == row ? paths : expression_of(rest), energy, energy.mean / total};
   spot.part = rest != row;
   return spot;
 }
 
 // Brings the classes into order and adds them up; `missing` are the pictures of all of them.
-void settle(BlindSpots& spots, std::span<const ClassEnergy> missing) {
-  std::ranges::stable_sort(spots.classes, std::ranges::greater(), &BlindSpot::share);
-  for (const BlindSpot& spot : spots.classes) {
+void settle(MissingPaths& spots, std::span<const ClassEnergy> missing) {
+  std::ranges::stable_sort(spots.classes, std::ranges::greater(), &MissingPathClass::share);
+  for (const MissingPathClass& spot : spots.classes) {
     spots.share = std::min(1.0, spots.share + spot.share);
     spots.uncertain = spots.uncertain || spot.energy.uncertain();
   }
@@ -54,12 +54,12 @@ std::string name_of(const SurfaceMaterial& m) {
 
 }  // namespace
 
-BlindSpots blind_spots(const Found& found, const ClassTable& table) {
-  BlindSpots spots;
-  const Found all = declared(render::Method());
+MissingPaths missing_paths(const Found& found, const ClassTable& table) {
+  MissingPaths spots;
+  const Found all = declared(render::MethodSettings());
   const double total = table.total.energy.mean;
   std::vector<ClassEnergy> missing;
-  const auto add = [&](const BlindSpot& spot) { spots.classes.push_back(spot), missing.push_back(spot.energy); };
+  const auto add = [&](const MissingPathClass& spot) { spots.classes.push_back(spot), missing.push_back(spot.energy); };
   for (const ClassRow& row : table.rows) {
     if (const auto spot = lack(row.paths, row.energy, all.paths, found.paths, total)) {
       add(*spot);
@@ -72,11 +72,11 @@ BlindSpots blind_spots(const Found& found, const ClassTable& table) {
   return spots;
 }
 
-MeasuredBlindSpots measured_blind_spots(render::Session& session, const render::Document& document,
-                                        const TableOptions& options, const bench::Watch& watch) {
-  MeasuredBlindSpots measured;
+MeasuredMissingPaths measured_missing_paths(render::Session& session, const render::Document& document,
+                                            const TableOptions& options, const bench::Progress& watch) {
+  MeasuredMissingPaths measured;
   const auto scene = scene::compile(document.scene, document.camera, session.scene());
-  const Found found = declared(document, *scene), all = declared(render::Method());
+  const Found found = declared(document, *scene), all = declared(render::MethodSettings());
   const Automaton counting = asked(document), lack = without(counting, found.paths);
   Automaton dark;  // found, but not from lights without extent
   if (has_point_lights(*document.scene))
@@ -105,12 +105,12 @@ MeasuredBlindSpots measured_blind_spots(render::Session& session, const render::
   return measured;
 }
 
-std::string sentence_of(const BlindSpots& spots) {
+std::string sentence_of(const MissingPaths& spots) {
   if (spots.none()) return "misses nothing that was found to carry light";
   std::string text = "misses " + percent(spots.share) + " of the light: ";
   constexpr size_t kNamed = 3;
   for (size_t i = 0; i < std::min(kNamed, spots.classes.size()); ++i) {
-    const BlindSpot& spot = spots.classes[i];
+    const MissingPathClass& spot = spots.classes[i];
     text += (i > 0 ? ", " : "") + spot.paths + (spot.points ? " of point lights" : "");
   }
   if (spots.classes.size() > kNamed) text += " and " + std::to_string(spots.classes.size() - kNamed) + " more";
@@ -133,4 +133,4 @@ std::vector<std::string> beyond_all_methods(const scene::CompiledScene& scene) {
   return {};
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -10,9 +10,9 @@
 #include "advisor/declared_paths.h"
 #include "scene/forward.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
-struct BlindSpot {
+struct MissingPathClass {
   std::string paths;
   ClassEnergy energy;
   double share = 0;     // of all energy
@@ -20,34 +20,34 @@ struct BlindSpot {
   bool part = false;    // only some of these paths are not found: the energy is what is missing at most
 };
 
-struct BlindSpots {
-  std::vector<BlindSpot> classes;  // the largest first
-  double share = 0;                // of all energy, in what is missing
-  double rms = 0;                  // what the lack adds to the RMSE of a picture, about
-  bool uncertain = false;          // the energies were found by few samples
+struct MissingPaths {
+  std::vector<MissingPathClass> classes;  // the largest first
+  double share = 0;                       // of all energy, in what is missing
+  double rms = 0;                         // what the lack adds to the RMSE of a picture, about
+  bool uncertain = false;                 // the energies were found by few samples
 
   bool none() const { return classes.empty(); }
 };
 
-BlindSpots blind_spots(const Found& found, const ClassTable& table);
+MissingPaths missing_paths(const Found& found, const ClassTable& table);
 
 // What the document's own method misses, measured alone: nothing is rendered where it declares to find all that counts.
 // `total` is filled in if something was.
-struct MeasuredBlindSpots {
-  BlindSpots spots;
+struct MeasuredMissingPaths {
+  MissingPaths spots;
   ClassEnergy total;
   double relative_square = 0;  // what the lack adds to relMSE, about
   int width = 0;               // of the pictures that it was measured on; 0 if there was no need
   bool finished = true;
 };
-MeasuredBlindSpots measured_blind_spots(render::Session& session, const render::Document& document,
-                                        const TableOptions& options, const bench::Watch& watch);
+MeasuredMissingPaths measured_missing_paths(render::Session& session, const render::Document& document,
+                                            const TableOptions& options, const bench::Progress& watch);
 
 // "misses 31 % of the light: EDD+L, EGD+L and 3 more"; "misses nothing that was found to carry light".
-std::string sentence_of(const BlindSpots& spots);
+std::string sentence_of(const MissingPaths& spots);
 
 // One sentence for each kind of light that this scene may hold and that no method of the registry finds, as far as
 // that can be told from its lights and surfaces.
 std::vector<std::string> beyond_all_methods(const scene::CompiledScene& scene);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

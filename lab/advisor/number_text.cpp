@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 template <class... T>
@@ -28,4 +28,4 @@ std::string seconds_text(double time) {
   return printed("%ld:%02ld:%02ld", s / 3600, s / 60 % 60, s % 60);
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -5,7 +5,7 @@
 
 #include "advisor/reference_method.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 // A pilot that is so many times behind the best, at its best and the other's worst, is not worth its time.
@@ -28,10 +28,10 @@ render::Document reduced(const render::Document& document, int most_pixels) {
 
 class Runner {
  public:
-  Runner(render::Session& session, const PilotPlan& plan, const bench::Watch& watch, const PilotPublisher& publish)
+  Runner(render::Session& session, const PilotPlan& plan, const bench::Progress& watch, const PilotPublisher& publish)
       : session_(session), plan_(plan), watch_(watch), publish_(publish) {}
 
-  Pilots go(const std::vector<bench::Method>& methods) {
+  Pilots go(const std::vector<bench::MethodSpec>& methods) {
     for (const auto& method : methods) {
       Pilot& pilot = all_.pilots.emplace_back(method);
       pilot.method.document = reduced(method.document, plan_.most_pixels);
@@ -44,7 +44,7 @@ class Runner {
 
  private:
   // Two samples of every pixel, one for each half, in both sizes.
-  bool compare_sizes(const std::vector<bench::Method>& methods) {
+  bool compare_sizes(const std::vector<bench::MethodSpec>& methods) {
     if (methods.empty()) return true;
     const render::Document large = trusted(methods[0].document), small = reduced(large, plan_.most_pixels);
     if (small.width == large.width) return true;
@@ -109,7 +109,7 @@ class Runner {
 
   render::Session& session_;
   const PilotPlan& plan_;
-  const bench::Watch& watch_;
+  const bench::Progress& watch_;
   const PilotPublisher& publish_;
   double spent_ = 0;
   Pilots all_;
@@ -123,9 +123,9 @@ std::optional<render::Prediction> Pilot::time_to(double rmse) const {
   return forecast.until(rmse, 0);
 }
 
-Pilots run_pilots(render::Session& session, const std::vector<bench::Method>& methods, const PilotPlan& plan,
-                  const bench::Watch& watch, const PilotPublisher& publish) {
+Pilots run_pilots(render::Session& session, const std::vector<bench::MethodSpec>& methods, const PilotPlan& plan,
+                  const bench::Progress& watch, const PilotPublisher& publish) {
   return Runner(session, plan, watch, publish).go(methods);
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

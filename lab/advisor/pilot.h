@@ -12,19 +12,19 @@
 #include "bench/progress.h"
 #include "render/time_estimate.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 // What a pilot has seen of its method: numbers of the small picture.
 struct Pilot {
-  explicit Pilot(bench::Method method_)
+  explicit Pilot(bench::MethodSpec method_)
       : method(std::move(method_)), forecast(find_sampler(method.document.method.sampler)->independent) {}
 
-  bench::Method method;
+  bench::MethodSpec method;
   film::Film film;
   uint32_t samples = 0;
   double seconds = 0;
   film::ErrorEstimate error;
-  render::Forecast forecast;
+  render::TimeEstimator forecast;
   struct Look {
     double seconds, rmse;
   };
@@ -55,7 +55,7 @@ struct Pilots {
 
 // `publish` is told how things stand after every round.
 using PilotPublisher = std::function<void(const Pilots&)>;
-Pilots run_pilots(render::Session& session, const std::vector<bench::Method>& methods, const PilotPlan& plan,
-                  const bench::Watch& watch, const PilotPublisher& publish = {});
+Pilots run_pilots(render::Session& session, const std::vector<bench::MethodSpec>& methods, const PilotPlan& plan,
+                  const bench::Progress& watch, const PilotPublisher& publish = {});
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 render::Document trusted(const render::Document& document) {
   render::Document d = document;
@@ -22,4 +22,4 @@ render::Document smaller(const render::Document& document, int divisor, int leas
   return d;
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -2,7 +2,7 @@
 #pragma once
 #include "render/document.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 // The document's picture (its scene, camera, size, filter and paths) by path tracing with Sobol points as it comes,
 // without limits: unbiased, and of all paths that count.
@@ -12,4 +12,4 @@ render::Document trusted(const render::Document& document);
 // it is).
 render::Document smaller(const render::Document& document, int divisor, int least);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

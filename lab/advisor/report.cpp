@@ -6,7 +6,7 @@
 
 #include "advisor/number_text.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 using nlohmann::json;
@@ -27,7 +27,7 @@ json table_json(const ClassTable& table) {
           {"total", row_json(table.total)}, {"classes", rows},        {"unseen", table.unseen}};
 }
 
-json missing_json(const BlindSpots& spots) {
+json missing_json(const MissingPaths& spots) {
   json list = json::array();
   for (const auto& spot : spots.classes)
     list.push_back(
@@ -110,4 +110,4 @@ std::string ranking_text(const Ranking& ranking) {
   return text;
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace etendue::advice {
+namespace etendue::advisor {
 namespace {
 
 // One kind of mean square over pixels; neighbours are independent, channels of a pixel are not.
@@ -51,4 +51,4 @@ TrueError true_error(std::span<const float> picture, const film::Film& other) {
   return {absolute.mean(numbers), relative.mean(numbers)};
 }
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

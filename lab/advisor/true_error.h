@@ -8,7 +8,7 @@
 
 #include "film/film.h"
 
-namespace etendue::advice {
+namespace etendue::advisor {
 
 // A mean square over pixels and channels, and the standard error that the other rendering's noise gives it.
 struct MeanSquare {
@@ -28,4 +28,4 @@ struct TrueError {
 // `picture` has three numbers for each pixel of the film.
 TrueError true_error(std::span<const float> picture, const film::Film& other);
 
-}  // namespace etendue::advice
+}  // namespace etendue::advisor

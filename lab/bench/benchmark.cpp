@@ -8,7 +8,7 @@ namespace {
 
 class Runner {
  public:
-  Runner(render::Session& session, const Plan& plan, const Reference& reference, const Watch& watch)
+  Runner(render::Session& session, const Plan& plan, const Reference& reference, const Progress& watch)
       : session_(session), plan_(plan), reference_(reference), watch_(watch) {
     for (const auto& method : plan.methods) outcome_.methods.emplace_back().curves.name = method.name;
   }
@@ -25,7 +25,7 @@ class Runner {
   bool run_one(size_t method, int repeat) {
     render::Document d = plan_.methods[method].document;
     d.seed = seed_of(plan_.seed, method, repeat);
-    measure::ErrorCurve curve{repeat, {}};
+    metrics::ErrorCurve curve{repeat, {}};
     std::vector<float> picture;
     render::Status status;
     for (uint32_t count = 1;; count = next_count(count)) {
@@ -46,7 +46,7 @@ class Runner {
     return true;
   }
 
-  void finish(MethodResult& result, measure::ErrorCurve curve, std::vector<float> picture,
+  void finish(MethodResult& result, metrics::ErrorCurve curve, std::vector<float> picture,
               const render::Status& status) {
     result.rays_per_second.push_back(status.rays_per_second);
     const auto n = static_cast<double>(result.rays_per_second.size());
@@ -73,13 +73,13 @@ class Runner {
   render::Session& session_;
   const Plan& plan_;
   const Reference& reference_;
-  const Watch& watch_;
+  const Progress& watch_;
   Outcome outcome_;
 };
 
 }  // namespace
 
-Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Watch& watch) {
+Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& watch) {
   return Runner(session, plan, reference, watch).go();
 }
 

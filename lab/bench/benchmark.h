@@ -11,7 +11,7 @@
 namespace etendue::bench {
 
 struct Plan {
-  std::vector<Method> methods;
+  std::vector<MethodSpec> methods;
   double seconds = 0;    // of rendering, for each method in each repeat; 0 is no limit
   uint32_t samples = 0;  // the same; one of both is given
   int repeats = 1;
@@ -19,13 +19,13 @@ struct Plan {
 };
 
 struct MethodResult {
-  measure::MethodCurves curves;  // as measured: with the reference's noise in them
+  metrics::MethodCurves curves;  // as measured: with the reference's noise in them
   std::vector<double> rays_per_second;
   std::vector<float> picture;  // of the last repeat, linear
   // For telling bias from variance: the mean picture of the repeats, and the mean of their errors.
   std::vector<double> mean_picture;
   double mean_mse = 0;
-  std::shared_ptr<const render::Health> health;  // of the last repeat; none while there are too few samples
+  std::shared_ptr<const render::Reliability> health;  // of the last repeat; none while there are too few samples
 };
 
 struct Outcome {
@@ -35,6 +35,6 @@ struct Outcome {
 
 // Errors are measured at 1, 2, 3, 4, 6, 8, 12 ... samples and at the end; only rendering is on the clock. The watch may
 // cut it short: the outcome then holds the repeats that are whole.
-Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Watch& watch);
+Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& watch);
 
 }  // namespace etendue::bench

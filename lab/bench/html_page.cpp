@@ -34,7 +34,7 @@ img { image-rendering: pixelated; display: block }
 }  // namespace
 
 std::string page(const std::string& title, const std::string& body) {
-  return kHead + measure::escaped(title) + "</title></head>\n<body>\n" + body + "</body></html>\n";
+  return kHead + metrics::escaped(title) + "</title></head>\n<body>\n" + body + "</body></html>\n";
 }
 
 }  // namespace etendue::bench

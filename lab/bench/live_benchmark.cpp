@@ -14,8 +14,8 @@
 namespace etendue::bench {
 namespace {
 
-using measure::Abscissa;
-using Phase = ContestSnapshot::Phase;
+using metrics::Abscissa;
+using Phase = LiveBenchmarkSnapshot::Phase;
 
 constexpr double kTurn = 0.33;  // seconds
 // The reference is looked at anew when its samples have grown by this part.
@@ -36,27 +36,27 @@ struct Run {
   Run(size_t m, int repeat, const render::Document& d, const std::shared_ptr<const scene::CompiledScene>& scene)
       : method(m), lane(d, scene), measured{repeat, {}}, corrected{repeat, {}} {}
 
-  void add(const measure::ErrorPoint& point, const measure::ReferenceNoise& noise) {
+  void add(const metrics::ErrorPoint& point, const metrics::ReferenceNoise& noise) {
     // What lies between two steps is only the head of the curve: the next turn moves it.
     if (!measured.points.empty() && !head_stays) measured.points.pop_back(), corrected.points.pop_back();
     measured.points.push_back(point);
-    corrected.points.push_back(measure::without_noise(point, noise));
+    corrected.points.push_back(metrics::without_noise(point, noise));
     head_stays = lane.samples() >= step;
     while (step <= lane.samples()) step = next_count(step);
   }
 
   size_t method;
-  Lane lane;
-  measure::ErrorCurve measured, corrected;
+  TimedRender lane;
+  metrics::ErrorCurve measured, corrected;
   uint32_t step = 1;  // the number of samples at which the next point is to be measured
   bool head_stays = false;
 };
 
 }  // namespace
 
-class Contest::Impl {
+class LiveBenchmark::Impl {
  public:
-  Impl(ContestPlan plan, std::function<void()> wake)
+  Impl(LiveBenchmarkPlan plan, std::function<void()> wake)
       : plan_(std::move(plan)), wake_(std::move(wake)), frames_(plan_.methods.size()), workers_(plan_.threads) {
     const auto& d = plan_.methods.front().document;
     const size_t film = static_cast<size_t>(d.width) * static_cast<size_t>(d.height) * sizeof(film::Film::Pixel);
@@ -82,7 +82,7 @@ class Contest::Impl {
     });
   }
 
-  std::shared_ptr<const ContestSnapshot> snapshot() const {
+  std::shared_ptr<const LiveBenchmarkSnapshot> snapshot() const {
     const std::lock_guard lock(mutex_);
     return snapshot_;
   }
@@ -127,9 +127,9 @@ class Contest::Impl {
     if (plan_.reference) return know(std::move(*plan_.reference));
     store_.emplace(d, plan_.cache);
     auto kept = store_->take_up();
-    reference_lane_ = std::make_unique<Lane>(store_->document(), scene_, std::move(kept.film), kept.seconds);
+    reference_lane_ = std::make_unique<TimedRender>(store_->document(), scene_, std::move(kept.film), kept.seconds);
     kept_samples_ = reference_lane_->samples();
-    if (kept_samples_ >= film::kReplicates) look_at_reference();
+    if (kept_samples_ >= film::kHalves) look_at_reference();
   }
 
   // Gives somebody a turn; false if all are done.
@@ -151,17 +151,17 @@ class Contest::Impl {
 
   bool reference_is_next() const {
     if (!reference_lane_) return false;
-    if (reference_lane_->samples() < film::kReplicates) return true;
+    if (reference_lane_->samples() < film::kHalves) return true;
     double methods = 0;
     for (const auto& run : runs_) methods += run->lane.seconds();
     return reference_lane_->seconds() < methods;
   }
 
   void reference_turn() {
-    Lane& lane = *reference_lane_;
-    const bool none = lane.samples() < film::kReplicates;
-    lane.run(workers_, none ? film::kReplicates : UINT32_MAX, none ? 1e9 : kTurn, [&] { return keep_going(); });
-    if (lane.samples() >= std::max(film::kReplicates, reference_.samples + reference_.samples / kReferenceGrowth + 1))
+    TimedRender& lane = *reference_lane_;
+    const bool none = lane.samples() < film::kHalves;
+    lane.run(workers_, none ? film::kHalves : UINT32_MAX, none ? 1e9 : kTurn, [&] { return keep_going(); });
+    if (lane.samples() >= std::max(film::kHalves, reference_.samples + reference_.samples / kReferenceGrowth + 1))
       look_at_reference();
   }
 
@@ -197,7 +197,7 @@ class Contest::Impl {
   void measure(Run& run) {
     const auto picture = film::radiance_of(run.lane.film());
     run.add(point_of(picture, reference_, run.lane.seconds(), run.lane.samples()),
-            reference_.noise.value_or(measure::ReferenceNoise{}));
+            reference_.noise.value_or(metrics::ReferenceNoise{}));
     const auto& film = run.lane.film();
     if (run.measured.repeat == 0)
       frames_[run.method] = frame_of(picture, film.width(), film.height(), run.lane.samples());
@@ -211,7 +211,7 @@ class Contest::Impl {
   }
 
   void publish() {
-    auto s = std::make_shared<ContestSnapshot>();
+    auto s = std::make_shared<LiveBenchmarkSnapshot>();
     {
       const std::lock_guard lock(mutex_);
       s->phase = phase_;
@@ -226,7 +226,7 @@ class Contest::Impl {
     for (size_t m = 0; m < plan_.methods.size(); ++m) {
       s->methods.push_back(standing_of(m));
       s->too_noisy =
-          s->too_noisy || (reference_.noise && measure::too_noisy(s->methods.back().corrected, *reference_.noise));
+          s->too_noisy || (reference_.noise && metrics::too_noisy(s->methods.back().corrected, *reference_.noise));
     }
     s->progress = progress(*s);
     const std::lock_guard lock(mutex_);
@@ -239,16 +239,16 @@ class Contest::Impl {
     s.frame = frames_[method];
     if (runs_.empty() || runs_[method]->corrected.points.empty()) return s;
     const Run& first = *runs_[method];
-    measure::MethodCurves far{s.name, {}};
+    metrics::MethodCurves far{s.name, {}};
     for (const auto& run : runs_) {
       if (run->method != method || run->corrected.points.empty()) continue;
       s.measured.repeats.push_back(run->measured), s.corrected.repeats.push_back(run->corrected);
       if (2 * run->lane.samples() >= first.lane.samples()) far.repeats.push_back(run->corrected);
     }
-    const auto noise = reference_.noise.value_or(measure::ReferenceNoise{});
-    s.slope = measure::slope_of(far, Abscissa::seconds, noise);
-    s.slope_over_samples = measure::slope_of(far, Abscissa::samples, noise);
-    s.efficiency = measure::efficiency_of(far);
+    const auto noise = reference_.noise.value_or(metrics::ReferenceNoise{});
+    s.slope = metrics::slope_of(far, Abscissa::seconds, noise);
+    s.slope_over_samples = metrics::slope_of(far, Abscissa::samples, noise);
+    s.efficiency = metrics::efficiency_of(far);
     const auto& end = first.corrected.points.back();
     s.rmse = std::sqrt(end.mse), s.relmse = end.relmse;
     s.seconds = first.lane.seconds(), s.samples = first.lane.samples();
@@ -256,7 +256,7 @@ class Contest::Impl {
     return s;
   }
 
-  double progress(const ContestSnapshot& s) const {
+  double progress(const LiveBenchmarkSnapshot& s) const {
     double sum = 0;
     for (const auto& run : runs_)
       sum += std::min(1.0, plan_.rule == Rule::equal_time ? run->lane.seconds() / s.seconds
@@ -267,31 +267,31 @@ class Contest::Impl {
   // Shared, under mutex_: budgets, flags and the snapshot.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  ContestPlan plan_;
+  LiveBenchmarkPlan plan_;
   const std::function<void()> wake_;
   bool quit_ = false, wanted_ = true, done_ = false;
   std::atomic<bool> going_{true};  // also read by workers, without the mutex
   Phase phase_ = Phase::preparing;
-  std::shared_ptr<const ContestSnapshot> snapshot_;
+  std::shared_ptr<const LiveBenchmarkSnapshot> snapshot_;
 
   // The thread's own.
   std::shared_ptr<const scene::CompiledScene> scene_;
   std::optional<ReferenceStore> store_;
-  std::unique_ptr<Lane> reference_lane_;  // none for a reference that was given
+  std::unique_ptr<TimedRender> reference_lane_;  // none for a reference that was given
   uint32_t kept_samples_ = 0;
   Reference reference_;
   std::shared_ptr<const render::Frame> reference_frame_;
   std::vector<std::unique_ptr<Run>> runs_;  // of the first repeat, method by method, then of the second
   std::vector<std::shared_ptr<const render::Frame>> frames_;  // of each method
-  render::Workers workers_;
+  render::ThreadPool workers_;
   std::thread thread_;  // last: it uses everything above
 };
 
-Contest::Contest(ContestPlan plan, std::function<void()> wake)
+LiveBenchmark::LiveBenchmark(LiveBenchmarkPlan plan, std::function<void()> wake)
     : impl_(std::make_unique<Impl>(std::move(plan), std::move(wake))) {}
-Contest::~Contest() = default;
-void Contest::stop() { impl_->stop(); }
-void Contest::go_on() { impl_->go_on(); }
-std::shared_ptr<const ContestSnapshot> Contest::snapshot() const { return impl_->snapshot(); }
+LiveBenchmark::~LiveBenchmark() = default;
+void LiveBenchmark::stop() { impl_->stop(); }
+void LiveBenchmark::go_on() { impl_->go_on(); }
+std::shared_ptr<const LiveBenchmarkSnapshot> LiveBenchmark::snapshot() const { return impl_->snapshot(); }
 
 }  // namespace etendue::bench

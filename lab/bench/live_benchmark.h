@@ -23,8 +23,8 @@ namespace etendue::bench {
 
 enum class Rule { equal_time, equal_samples };
 
-struct ContestPlan {
-  std::vector<Method> methods;  // one at least, of one scene, camera and size
+struct LiveBenchmarkPlan {
+  std::vector<MethodSpec> methods;  // one at least, of one scene, camera and size
   Rule rule = Rule::equal_time;
   double seconds = 10;          // of rendering, for each method in each repeat
   uint32_t samples = 64;        // the same for equal samples
@@ -41,16 +41,16 @@ inline constexpr size_t kMostFilmBytes = size_t{2} << 30;
 // Where one method stands. Picture, samples, seconds and errors are of the first repeat, which comes furthest first.
 struct Standing {
   std::string name;
-  measure::MethodCurves measured, corrected;  // with the reference's noise, and without
+  metrics::MethodCurves measured, corrected;  // with the reference's noise, and without
   // Over the repeats that have come at least half as far as the first; errors without the reference's.
-  measure::Figure slope, slope_over_samples, efficiency;
+  metrics::Figure slope, slope_over_samples, efficiency;
   double rmse = 0, relmse = 0;  // zero where the reference is too noisy for them
   double seconds = 0, rays_per_second = 0;
   uint32_t samples = 0;
   std::shared_ptr<const render::Frame> frame;
 };
 
-struct ContestSnapshot {
+struct LiveBenchmarkSnapshot {
   enum class Phase { preparing, comparing, stopped, done };
   Phase phase = Phase::preparing;
   double progress = 0;          // of all repeats, 0 to 1
@@ -66,20 +66,20 @@ struct ContestSnapshot {
   bool too_noisy = false;  // its error is not ten times smaller than the smallest that was measured
 };
 
-class Contest {
+class LiveBenchmark {
  public:
   // Begins at once. `wake` is called on the contest's thread whenever there is a new snapshot.
-  Contest(ContestPlan plan, std::function<void()> wake);
-  ~Contest();
-  Contest(const Contest&) = delete;
-  Contest& operator=(const Contest&) = delete;
+  LiveBenchmark(LiveBenchmarkPlan plan, std::function<void()> wake);
+  ~LiveBenchmark();
+  LiveBenchmark(const LiveBenchmark&) = delete;
+  LiveBenchmark& operator=(const LiveBenchmark&) = delete;
 
   // Ends the turn within a few milliseconds; everything measured stays.
   void stop();
   // After a stop, goes on from there; after the end, to twice the budget.
   void go_on();
 
-  std::shared_ptr<const ContestSnapshot> snapshot() const;
+  std::shared_ptr<const LiveBenchmarkSnapshot> snapshot() const;
 
  private:
   class Impl;

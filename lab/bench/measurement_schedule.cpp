@@ -16,9 +16,9 @@ uint32_t next_count(uint32_t count) {
   return power ? count + count / 2 : count / 3 * 4;
 }
 
-measure::ErrorPoint point_of(std::span<const float> picture, const Reference& reference, double seconds,
+metrics::ErrorPoint point_of(std::span<const float> picture, const Reference& reference, double seconds,
                              uint32_t samples) {
-  const auto m = measure::metrics_of(picture, reference.rgb());
+  const auto m = metrics::metrics_of(picture, reference.rgb());
   return {seconds, static_cast<double>(samples), m.mse, m.relmse, m.bias};
 }
 

@@ -15,7 +15,7 @@ uint64_t seed_of(uint64_t seed, size_t method, int repeat);
 uint32_t next_count(uint32_t count);
 
 // The error as measured: with the reference's noise in it.
-measure::ErrorPoint point_of(std::span<const float> picture, const Reference& reference, double seconds,
+metrics::ErrorPoint point_of(std::span<const float> picture, const Reference& reference, double seconds,
                              uint32_t samples);
 
 }  // namespace etendue::bench

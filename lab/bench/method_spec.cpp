@@ -63,10 +63,10 @@ Result<std::vector<Assignment>> assignments_of(const std::string& method) {
 
 }  // namespace
 
-Result<Method> parse_method(const std::string& text, const render::Document& base) {
+Result<MethodSpec> parse_method(const std::string& text, const render::Document& base) {
   const auto assignments = assignments_of(text);
   if (!assignments) return assignments.error();
-  Method method{text, base};
+  MethodSpec method{text, base};
   for (const auto& [name, value] : *assignments) {
     auto changed = render::with_text(method.document, name, value);
     if (!changed) return wrong(text, changed.error().message);
@@ -74,20 +74,20 @@ Result<Method> parse_method(const std::string& text, const render::Document& bas
     if (!same_picture(method.document, base))
       return wrong(text, "'" + name + "' makes another picture; give it to all methods with --set");
   }
-  const render::Method& made = method.document.method;
+  const render::MethodSettings& made = method.document.method;
   if (made.adaptive != base.method.adaptive && made.adaptive != render::Adaptive::off)
-    if (const std::string obstacle = render::adaptive_obstacle(made.integrator); !obstacle.empty())
-      return wrong(text, obstacle);
+    if (const std::string incompatibility = render::adaptive_incompatibility(made.integrator); !incompatibility.empty())
+      return wrong(text, incompatibility);
   return method;
 }
 
-Result<std::vector<Method>> parse_methods(const std::string& list, const render::Document& base) {
-  std::vector<Method> methods;
+Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base) {
+  std::vector<MethodSpec> methods;
   for (const auto& text : methods_in(list)) {
     if (text.empty()) continue;
     auto method = parse_method(text, base);
     if (!method) return method.error();
-    if (std::ranges::any_of(methods, [&](const Method& m) { return m.name == text; }))
+    if (std::ranges::any_of(methods, [&](const MethodSpec& m) { return m.name == text; }))
       return wrong(text, "is named twice");
     methods.push_back(std::move(*method));
   }

@@ -8,7 +8,7 @@
 namespace etendue::bench {
 
 // Is told what part of the work is done, 0 to 1, and what is being done; says whether to go on.
-using Watch = std::function<bool(double done, const std::string& what)>;
+using Progress = std::function<bool(double done, const std::string& what)>;
 
 // Waits until the session has brought this version to its limit, and asks now and then, once it has been taken up,
 // whether to go on; if not, the session is stopped and the answer is false.

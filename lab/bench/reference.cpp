@@ -18,7 +18,7 @@ void know_error(Reference& reference) {
   const image::Layer* variance = reference.picture.find("variance");
   const auto& r = reference.rgb();
   if (!variance || variance->pixels.size() != r.size() || r.empty()) return;
-  measure::ReferenceNoise noise;
+  metrics::ReferenceNoise noise;
   for (size_t i = 0; i < r.size(); ++i) {
     const double v = variance->pixels[i], x = r[i];
     noise.mse += v, noise.relmse += v / (x * x + 0.01);
@@ -74,13 +74,13 @@ uint32_t samples_of(const film::Film& film) {
 }
 
 bool enough(const render::Checkpoint& have, const Effort& effort) {
-  if (samples_of(have.film) < film::kReplicates) return false;
+  if (samples_of(have.film) < film::kHalves) return false;
   return (effort.seconds > 0 && have.seconds >= effort.seconds) ||
          (effort.samples > 0 && samples_of(have.film) >= effort.samples);
 }
 
 // Goes on from what there is. Returns false if it was cut short.
-bool extend(render::Session& session, render::Document d, const Effort& effort, const Watch& watch,
+bool extend(render::Session& session, render::Document d, const Effort& effort, const Progress& watch,
             render::Checkpoint& have) {
   const double before = have.seconds;
   d.limits = {effort.samples, effort.seconds > 0 ? effort.seconds - before : 0, 0};
@@ -164,13 +164,13 @@ Reference ReferenceStore::reference_of(const film::Film& film, double seconds) c
   reference.picture = film::picture_of(film);
   reference.samples = samples_of(film), reference.seconds = seconds;
   // One half alone says nothing of the error.
-  if (reference.samples < film::kReplicates) reference.picture.layers.resize(1);
+  if (reference.samples < film::kHalves) reference.picture.layers.resize(1);
   know_error(reference);
   return reference;
 }
 
 Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
-                         const fs::path& cache, const Watch& watch) {
+                         const fs::path& cache, const Progress& watch) {
   const ReferenceStore store(base, cache);
   render::Checkpoint have = store.take_up();
   if (!enough(have, effort)) {

@@ -17,7 +17,7 @@ namespace etendue::bench {
 struct Reference {
   std::string file;             // where it came from or is kept; empty if nowhere
   image::LayeredImage picture;  // beauty and, if it is known, "variance": the squared standard error of each number
-  std::optional<measure::ReferenceNoise> noise;  // unknown for a file without a layer of variance
+  std::optional<metrics::ReferenceNoise> noise;  // unknown for a file without a layer of variance
   double mean_error = 0;                         // the standard error of the mean over the image, radiance
   uint32_t samples = 0;                          // per pixel; 0 if unknown
   double seconds = 0;                            // of rendering, all times that it was extended
@@ -60,7 +60,7 @@ struct Effort {
 // Takes up what an earlier run left in the cache and extends it, if it is not enough; the result is kept there. `watch`
 // may cut it short: what there is then is the reference.
 Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
-                         const std::filesystem::path& cache, const Watch& watch);
+                         const std::filesystem::path& cache, const Progress& watch);
 
 // $XDG_CACHE_HOME/etendue or ~/.cache/etendue; empty where neither is known.
 std::filesystem::path cache_folder();

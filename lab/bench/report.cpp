@@ -25,10 +25,10 @@ std::string quoted(const std::string& text) {
 
 json number(double v) { return std::isfinite(v) ? json(v) : json(); }
 
-json number(const measure::Figure& f) { return f.known ? number(f.value) : json(); }
+json number(const metrics::Figure& f) { return f.known ? number(f.value) : json(); }
 
 // Without a second repeat there is no error bar.
-json error_of(const measure::Figure& f) { return f.known && f.degrees > 0 ? number(f.standard_error) : json(); }
+json error_of(const metrics::Figure& f) { return f.known && f.degrees > 0 ? number(f.standard_error) : json(); }
 
 json method_json(const MethodSummary& s) {
   return {{"name", s.name},
@@ -62,12 +62,12 @@ std::string chart_title(const Report& r) {
 
 Result<void> write_charts(const fs::path& folder, const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
-  measure::ChartOptions options{chart_title(r)};
-  options.noise = r.reference.noise.value_or(measure::ReferenceNoise{});
+  metrics::ChartOptions options{chart_title(r)};
+  options.noise = r.reference.noise.value_or(metrics::ReferenceNoise{});
   options.reference_error = std::sqrt(options.noise.mse);
-  const auto drawing = measure::chart_of(curves, options);
-  if (auto ok = write_text(folder / "chart.svg", measure::svg_of(drawing)); !ok) return ok;
-  return image::write_png(folder / "chart.png", drawing.width, drawing.height, measure::raster_of(drawing));
+  const auto drawing = metrics::chart_of(curves, options);
+  if (auto ok = write_text(folder / "chart.svg", metrics::svg_of(drawing)); !ok) return ok;
+  return image::write_png(folder / "chart.png", drawing.width, drawing.height, metrics::raster_of(drawing));
 }
 
 image::LayeredImage beauty(const Reference& reference, const std::vector<float>& rgb) {
@@ -110,11 +110,11 @@ class Pictures {
     const auto picture = beauty(report_.reference, rgb);
     if (kind == Kind::difference)
       return add(kind, name, "difference: ", file + "-error",
-                 measure::heat_map(picture, report_.reference.picture, measure::HeatMap::difference));
+                 metrics::heat_map(picture, report_.reference.picture, metrics::HeatMap::difference));
     const auto& display = report_.document.display;
-    const auto map = measure::flip_map(picture, report_.reference.picture, {display.exposure, display.curve});
+    const auto map = metrics::flip_map(picture, report_.reference.picture, {display.exposure, display.curve});
     if (!map) return map.error();
-    return add(kind, name, "FLIP: ", file + "-flip", measure::painted(*map));
+    return add(kind, name, "FLIP: ", file + "-flip", metrics::painted(*map));
   }
 
   std::vector<uint8_t> shown(const std::vector<float>& rgb) const {

@@ -14,8 +14,8 @@
 namespace etendue::bench {
 namespace {
 
-using measure::escaped;
-using measure::short_number;
+using metrics::escaped;
+using metrics::short_number;
 
 const std::string kNone = "&ndash;";
 
@@ -27,20 +27,20 @@ std::string fixed(double v, int digits) {
 
 std::string plain(double v) { return std::isfinite(v) ? short_number(v) : kNone; }
 
-std::string with_error(const measure::Figure& f, const std::string& value, const std::string& error) {
+std::string with_error(const metrics::Figure& f, const std::string& value, const std::string& error) {
   if (!f.known) return kNone;
   return f.degrees > 0 ? value + " &plusmn; " + error : value;
 }
 
-std::string slope_text(const measure::Figure& f) {
+std::string slope_text(const metrics::Figure& f) {
   return with_error(f, fixed(f.value, 3), fixed(f.standard_error, 3));
 }
-std::string figure_text(const measure::Figure& f) {
+std::string figure_text(const metrics::Figure& f) {
   return with_error(f, short_number(f.value), short_number(f.standard_error));
 }
 
 // How many times one is the other; their errors are independent.
-measure::Figure ratio(const measure::Figure& a, const measure::Figure& b) {
+metrics::Figure ratio(const metrics::Figure& a, const metrics::Figure& b) {
   if (!a.known || !b.known) return {};
   const double value = a.value / b.value;
   const double error = std::hypot(a.standard_error / a.value, b.standard_error / b.value) * value;
@@ -56,7 +56,7 @@ Summaries summaries(const Report& r) {
 }
 
 std::string name_of(const Summaries& all, size_t i) {
-  return "<span class=\"swatch ink\" style=\"background:" + measure::method_color(i) + "\"></span>" +
+  return "<span class=\"swatch ink\" style=\"background:" + metrics::method_color(i) + "\"></span>" +
          escaped(all[i].name);
 }
 
@@ -168,15 +168,15 @@ std::string warnings(const Report& r) {
 
 std::string charts(const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
-  const auto noise = r.reference.noise.value_or(measure::ReferenceNoise{});
+  const auto noise = r.reference.noise.value_or(metrics::ReferenceNoise{});
   const double floor = std::sqrt(noise.mse);
-  using measure::Abscissa, measure::ErrorKind;
+  using metrics::Abscissa, metrics::ErrorKind;
   std::string html = "<div class=\"charts\">\n";
   for (const auto& [title, along] :
        {std::pair{"Error over time", Abscissa::seconds}, {"Error over samples", Abscissa::samples}})
     html += "<figure class=\"chart\" tabindex=\"0\" aria-label=\"" + std::string(title) +
             "; arrow keys read the curves\"><div class=\"ink\">" +
-            measure::svg_chart(curves, {title, along, ErrorKind::rmse, 640, 420, floor, noise}) +
+            metrics::svg_chart(curves, {title, along, ErrorKind::rmse, 640, 420, floor, noise}) +
             "</div><div class=\"tip\" role=\"status\" hidden></div></figure>\n";
   return html +
          "</div>\n<p class=\"note\">Lines are medians, bands 10 % to 90 % of the repeats. Point at a curve, or move "

@@ -48,10 +48,10 @@ std::string environment(const render::Document& d) {
 std::string recipe(const Report& r) {
   const render::Document& d = r.document;
   std::string methods;
-  for (const Method& m : r.plan.methods) methods += (methods.empty() ? "" : ",") + m.name;
+  for (const MethodSpec& m : r.plan.methods) methods += (methods.empty() ? "" : ",") + m.name;
   std::string text = "etendue bench " + quoted(d.scene_name) + option("--methods", methods) +
                      option("--size", std::to_string(d.width) + "x" + std::to_string(d.height));
-  if (r.plan.seconds > 0) text += option("--budget", measure::short_number(r.plan.seconds));
+  if (r.plan.seconds > 0) text += option("--budget", metrics::short_number(r.plan.seconds));
   if (r.plan.samples > 0) text += option("--samples", std::to_string(r.plan.samples));
   text += option("--repeats", std::to_string(r.plan.repeats)) + option("--seed", std::to_string(r.plan.seed)) +
           option("--threads", std::to_string(r.threads));

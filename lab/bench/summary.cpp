@@ -9,25 +9,25 @@
 namespace etendue::bench {
 namespace {
 
-using measure::ErrorPoint;
+using metrics::ErrorPoint;
 
-measure::ReferenceNoise noise_of(const Reference& reference) {
-  return reference.noise.value_or(measure::ReferenceNoise{});
+metrics::ReferenceNoise noise_of(const Reference& reference) {
+  return reference.noise.value_or(metrics::ReferenceNoise{});
 }
 
 template <class F>
-double median_at_end(const measure::MethodCurves& curves, F&& value) {
+double median_at_end(const metrics::MethodCurves& curves, F&& value) {
   std::vector<double> values;
   for (const auto& curve : curves.repeats) values.push_back(value(curve.points.back()));
-  return measure::quantile(std::move(values), 0.5);
+  return metrics::quantile(std::move(values), 0.5);
 }
 
-std::optional<measure::Split> split_of(const MethodResult& result, const Reference& reference) {
+std::optional<metrics::Split> split_of(const MethodResult& result, const Reference& reference) {
   const auto& r = reference.rgb();
   double mse_of_mean = 0;
   for (size_t i = 0; i < result.mean_picture.size(); ++i) mse_of_mean += std::pow(result.mean_picture[i] - r[i], 2);
   mse_of_mean /= static_cast<double>(r.size());
-  return measure::split(result.mean_mse, mse_of_mean, static_cast<int>(result.curves.repeats.size()),
+  return metrics::split(result.mean_mse, mse_of_mean, static_cast<int>(result.curves.repeats.size()),
                         noise_of(reference));
 }
 
@@ -35,8 +35,8 @@ double flip_of(const MethodResult& result, const Reference& reference, const ren
   image::LayeredImage picture;
   picture.width = reference.picture.width, picture.height = reference.picture.height;
   picture.layers.push_back({"", {"R", "G", "B"}, result.picture});
-  const auto map = measure::flip_map(picture, reference.picture, {display.exposure, display.curve});
-  return map ? measure::mean_of(*map) : NAN;
+  const auto map = metrics::flip_map(picture, reference.picture, {display.exposure, display.curve});
+  return map ? metrics::mean_of(*map) : NAN;
 }
 
 }  // namespace
@@ -46,36 +46,36 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.name = result.curves.name;
   if (result.curves.repeats.empty()) return s;
   const auto noise = noise_of(reference);
-  const auto corrected = measure::without_noise(result.curves, noise);
-  s.slope = measure::slope_of(corrected, measure::Abscissa::seconds, noise);
-  s.slope_over_samples = measure::slope_of(corrected, measure::Abscissa::samples, noise);
-  s.efficiency = measure::efficiency_of(corrected);
-  s.bias = measure::bias_of(result.curves, reference.mean_error);
+  const auto corrected = metrics::without_noise(result.curves, noise);
+  s.slope = metrics::slope_of(corrected, metrics::Abscissa::seconds, noise);
+  s.slope_over_samples = metrics::slope_of(corrected, metrics::Abscissa::samples, noise);
+  s.efficiency = metrics::efficiency_of(corrected);
+  s.bias = metrics::bias_of(result.curves, reference.mean_error);
   s.split = split_of(result, reference);
   s.rmse = median_at_end(corrected, [](const ErrorPoint& p) { return std::sqrt(p.mse); });
   s.relmse = median_at_end(corrected, [](const ErrorPoint& p) { return p.relmse; });
   s.spp = median_at_end(corrected, [](const ErrorPoint& p) { return p.spp; });
   s.seconds = median_at_end(corrected, [](const ErrorPoint& p) { return p.seconds; });
-  s.rays_per_second = measure::quantile(result.rays_per_second, 0.5);
+  s.rays_per_second = metrics::quantile(result.rays_per_second, 0.5);
   s.flip = flip_of(result, reference, display);
   if (result.health) {
     s.khat = result.health->tail.khat;
     s.heavy_tail = result.health->verdict == render::Verdict::unreliable;
   }
-  s.too_noisy = measure::too_noisy(corrected, noise);
+  s.too_noisy = metrics::too_noisy(corrected, noise);
   return s;
 }
 
-std::vector<measure::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference) {
-  std::vector<measure::MethodCurves> curves;
+std::vector<metrics::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference) {
+  std::vector<metrics::MethodCurves> curves;
   for (const auto& method : outcome.methods)
-    curves.push_back(measure::without_noise(method.curves, noise_of(reference)));
+    curves.push_back(metrics::without_noise(method.curves, noise_of(reference)));
   return curves;
 }
 
 bool reference_too_noisy(const Outcome& outcome, const Reference& reference) {
   return std::ranges::any_of(corrected_curves(outcome, reference),
-                             [&](const auto& curves) { return measure::too_noisy(curves, noise_of(reference)); });
+                             [&](const auto& curves) { return metrics::too_noisy(curves, noise_of(reference)); });
 }
 
 double seconds_wanted(const Outcome& outcome, const Reference& reference) {

@@ -11,10 +11,10 @@ namespace etendue::bench {
 // Of one method, at the end of its repeats; errors are without the reference's own.
 struct MethodSummary {
   std::string name;
-  measure::Figure slope, slope_over_samples;  // of RMSE
-  measure::Figure efficiency;                 // 1 / (MSE * seconds)
-  measure::Figure bias;                       // radiance
-  std::optional<measure::Split> split;        // with two repeats or more
+  metrics::Figure slope, slope_over_samples;  // of RMSE
+  metrics::Figure efficiency;                 // 1 / (MSE * seconds)
+  metrics::Figure bias;                       // radiance
+  std::optional<metrics::Split> split;        // with two repeats or more
   double rmse = 0, relmse = 0;                // medians
   double spp = 0, seconds = 0, rays_per_second = 0;
   double flip = 0;             // of the last repeat, as the document is shown
@@ -27,7 +27,7 @@ struct MethodSummary {
 MethodSummary summary_of(const MethodResult& result, const Reference& reference, const render::Display& display);
 
 // The curves without the reference's noise, as they are drawn.
-std::vector<measure::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference);
+std::vector<metrics::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference);
 
 // Whether the error of the reference is known not to be ten times smaller than the smallest error that was measured.
 bool reference_too_noisy(const Outcome& outcome, const Reference& reference);

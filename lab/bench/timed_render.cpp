@@ -12,8 +12,8 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 }  // namespace
 
-Lane::Lane(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene, film::Film start,
-           double seconds)
+TimedRender::TimedRender(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene,
+                         film::Film start, double seconds)
     : runner_(document, scene, document.width, document.height),
       film_(start.width() > 0 ? std::move(start) : film::Film(document.width, document.height)),
       seconds_(seconds),
@@ -21,7 +21,8 @@ Lane::Lane(const render::Document& document, const std::shared_ptr<const scene::
   runner_.begin(film_);
 }
 
-bool Lane::run(render::Workers& workers, uint32_t target, double seconds, const std::function<bool()>& keep_going) {
+bool TimedRender::run(render::ThreadPool& workers, uint32_t target, double seconds,
+                      const std::function<bool()>& keep_going) {
   const double before = seconds_, end = before + seconds;
   const auto start = Clock::now();
   bool whole = true;
@@ -32,7 +33,7 @@ bool Lane::run(render::Workers& workers, uint32_t target, double seconds, const 
   return whole;
 }
 
-double Lane::rays_per_second() const {
+double TimedRender::rays_per_second() const {
   const double seconds = seconds_ - seconds_before_;
   return seconds > 0 ? static_cast<double>(counters_.rays) / seconds : 0;
 }

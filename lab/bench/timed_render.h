@@ -7,15 +7,15 @@
 
 namespace etendue::bench {
 
-class Lane {
+class TimedRender {
  public:
   // Goes on from `start`, if it has a size; `seconds` is the time that was spent on it.
-  Lane(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene,
-       film::Film start = {}, double seconds = 0);
+  TimedRender(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene,
+              film::Film start = {}, double seconds = 0);
 
   // Brings all pixels to `target` samples, or as far as they come in so many seconds, but by one sample at least. False
   // if `keep_going` cut it short; the next turn then goes on in the middle of that sample.
-  bool run(render::Workers& workers, uint32_t target, double seconds, const std::function<bool()>& keep_going);
+  bool run(render::ThreadPool& workers, uint32_t target, double seconds, const std::function<bool()>& keep_going);
 
   // Whether one more sample would end later than half of itself past so many seconds on the clock.
   bool reached(double seconds) const { return samples() > 0 && seconds_ + 0.5 * seconds_a_sample() >= seconds; }
@@ -28,9 +28,9 @@ class Lane {
  private:
   double seconds_a_sample() const { return seconds_ / samples(); }
 
-  render::PassRunner runner_;
+  render::Renderer runner_;
   film::Film film_;
-  render::PassRunner::Counters counters_;
+  render::Renderer::Counters counters_;
   double seconds_, seconds_before_;
 };
 

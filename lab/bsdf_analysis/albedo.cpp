@@ -5,7 +5,7 @@
 
 #include "bsdf_analysis/replicates.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
 constexpr double kAngles[] = {0,  10, 20, 30, 40, 45, 50, 55, 60,   65, 70,  75,
@@ -18,10 +18,10 @@ Albedo albedo_at(const Lobes& lobes, double degrees, const AlbedoOptions& option
   const Vec3 from = direction(degrees, options.azimuth);
   Albedo albedo;
   albedo.degrees = degrees;
-  const uint32_t each = std::max(1U, options.samples / kReplicates);
-  const float share = 1 / static_cast<float>(each * kReplicates);
+  const uint32_t each = std::max(1U, options.samples / kHalves);
+  const float share = 1 / static_cast<float>(each * kHalves);
   Replicates sums;
-  for (uint32_t r = 0; r < kReplicates; ++r) {
+  for (uint32_t r = 0; r < kHalves; ++r) {
     Rgb sum(0);
     for (uint32_t i = 0; i < each; ++i) {
       LobeSample<Rgb> s;
@@ -61,4 +61,4 @@ double hemispherical_albedo(const std::vector<Albedo>& curve) {
   return total > 0 ? sum / total : 0;
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -5,7 +5,7 @@
 
 #include "bsdf_analysis/test_surface.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
 // A share of power, by its own sampling of the lobes: directional-hemispherical, over both hemispheres. `error` is one
 // standard error of the largest component, from replicates.
@@ -31,4 +31,4 @@ std::vector<Albedo> albedo_curve(const Lobes& lobes, bool inside = false, const 
 // The cosine-weighted mean of a curve: what is left of light that comes from everywhere alike.
 double hemispherical_albedo(const std::vector<Albedo>& curve);
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
 template <class... Args>
@@ -18,8 +18,8 @@ double degrees_of(const Vec3& w) {
   return std::acos(std::clamp(static_cast<double>(w.z), -1.0, 1.0)) * 180 / 3.14159265358979323846;
 }
 
-Badge non_negative(const Plausibility& p) {
-  Badge b{"non-negative", "Nowhere negative", "Negative or no number", p.non_negative(), {}};
+Check non_negative(const Plausibility& p) {
+  Check b{"non-negative", "Nowhere negative", "Negative or no number", p.non_negative(), {}};
   if (p.not_finite > 0)
     b.reason = text("no number for %zu of %zu pairs of directions", p.not_finite, p.pairs);
   else if (p.least < 0)
@@ -29,8 +29,8 @@ Badge non_negative(const Plausibility& p) {
   return b;
 }
 
-Badge reciprocal(const Plausibility& p) {
-  Badge b{"reciprocal", "Reciprocal", "Not reciprocal", p.reciprocal(), {}};
+Check reciprocal(const Plausibility& p) {
+  Check b{"reciprocal", "Reciprocal", "Not reciprocal", p.reciprocal(), {}};
   if (p.reciprocal())
     b.reason = text("both ways alike to %.1g in %zu pairs of directions", p.asymmetry, p.pairs);
   else
@@ -39,16 +39,16 @@ Badge reciprocal(const Plausibility& p) {
   return b;
 }
 
-Badge conserves_energy(const Plausibility& p) {
+Check conserves_energy(const Plausibility& p) {
   const double most = static_cast<double>(max_component(p.most.value));
-  Badge b{"conserves-energy", "Conserves energy", "Makes light", p.conserves_energy(), {}};
+  Check b{"conserves-energy", "Conserves energy", "Makes light", p.conserves_energy(), {}};
   b.reason = b.holds ? text("at most %.4f of the light leaves, at %.4g\u00b0", most, p.most.degrees)
                      : text("%.4g times the light that comes leaves again, at %.4g\u00b0", most, p.most.degrees);
   return b;
 }
 
-Badge sampled(const std::vector<SamplingQuality>& curve) {
-  Badge b{"well-sampled", "Well sampled", "Badly sampled", well_sampled(curve), {}};
+Check sampled(const std::vector<SamplingQuality>& curve) {
+  Check b{"well-sampled", "Well sampled", "Badly sampled", well_sampled(curve), {}};
   const SamplingQuality* worst = nullptr;
   for (const SamplingQuality& q : curve) {
     if (q.degrees > 80) continue;
@@ -80,4 +80,4 @@ Audit audit(const Lobes& lobes, const Wanted& wanted) {
   return a;
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

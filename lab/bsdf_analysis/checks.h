@@ -6,9 +6,9 @@
 #include "bsdf_analysis/plausibility.h"
 #include "bsdf_analysis/sampling_quality.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
-struct Badge {
+struct Check {
   const char* name;      // "non-negative", "reciprocal", "conserves-energy", "well-sampled"
   const char *yes, *no;  // the verdict in words
   bool holds = false;
@@ -22,10 +22,10 @@ struct Audit {
   std::vector<Albedo> albedo_inside;  // of light from below; empty where none passes
   Plausibility plausibility;
   std::vector<SamplingQuality> sampling;
-  std::vector<Badge> badges;
+  std::vector<Check> badges;
 };
 
 // All of it; a few hundredths of a second for most. Incomplete if `wanted` said no.
 Audit audit(const Lobes& lobes, const Wanted& wanted = {});
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -4,12 +4,12 @@
 #include "bsdf_analysis/drawings.h"
 #include "metrics/log_axis.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
-using measure::Anchor;
-using measure::Drawing;
-using measure::Spot;
+using metrics::Anchor;
+using metrics::Drawing;
+using metrics::Spot;
 
 constexpr double kText = 13, kLeft = 44, kRight = 14, kTop = 12, kBottom = 26;
 // Above this curves leave the drawing: what matters is that they are above one.
@@ -39,17 +39,17 @@ class Chart {
     const double y = look_.height - kBottom - std::clamp(value / top_, 0.0, 1.0) * (look_.height - kTop - kBottom);
     return {x, y};
   }
-  void stroke(std::vector<Spot> points, const measure::Ink& ink, double width, bool dashed = false) {
-    drawing_.shapes.emplace_back(measure::Stroke{std::move(points), ink, width, dashed});
+  void stroke(std::vector<Spot> points, const metrics::Ink& ink, double width, bool dashed = false) {
+    drawing_.shapes.emplace_back(metrics::Stroke{std::move(points), ink, width, dashed});
   }
-  void words(Spot spot, const std::string& text, const measure::Ink& ink, Anchor anchor) {
-    drawing_.shapes.emplace_back(measure::Words{spot, text, kText, ink, anchor});
+  void words(Spot spot, const std::string& text, const metrics::Ink& ink, Anchor anchor) {
+    drawing_.shapes.emplace_back(metrics::Words{spot, text, kText, ink, anchor});
   }
 
   void draw_axes() {
     if (top_ > 1.05) {
-      const measure::Ink too_much{213, 94, 0, 0.1};
-      drawing_.shapes.emplace_back(measure::Area{{at(0, 1), at(90, 1), at(90, top_), at(0, top_)}, too_much});
+      const metrics::Ink too_much{213, 94, 0, 0.1};
+      drawing_.shapes.emplace_back(metrics::Area{{at(0, 1), at(90, 1), at(90, top_), at(0, top_)}, too_much});
     }
     for (int degrees = 0; degrees <= 90; degrees += 15) {
       stroke({at(degrees, 0), at(degrees, top_)}, look_.palette.thin_line, 1);
@@ -60,13 +60,13 @@ class Chart {
     for (double v = 0; v <= top_ + 1e-9; v += step) {
       stroke({at(0, v), at(90, v)}, v == 1 ? look_.palette.line : look_.palette.thin_line, v == 1 ? 1.5 : 1);
       const Spot s = at(0, v);
-      words({s.x - 6, s.y + 4}, measure::short_number(v), look_.palette.quiet, Anchor::right);
+      words({s.x - 6, s.y + 4}, metrics::short_number(v), look_.palette.quiet, Anchor::right);
     }
   }
 
   void draw_curve(size_t index) {
     const auto& curve = curves_[index];
-    const measure::Ink ink = measure::ink_of_method(index);
+    const metrics::Ink ink = metrics::ink_of_method(index);
     std::vector<Spot> low, high;
     std::vector<Spot> points;
     for (const Albedo& a : curve) {
@@ -76,14 +76,14 @@ class Chart {
     }
     std::reverse(high.begin(), high.end());
     low.insert(low.end(), high.begin(), high.end());
-    measure::Ink faded = ink;
+    metrics::Ink faded = ink;
     faded.opacity = 0.2;
-    drawing_.shapes.emplace_back(measure::Area{low, faded});
+    drawing_.shapes.emplace_back(metrics::Area{low, faded});
     stroke(points, ink, 2);
     for (const Albedo& a : curve) {
       const double v = static_cast<double>(average(a.value));
-      drawing_.shapes.emplace_back(measure::Dot{
-          at(a.degrees, v), 2, ink, measure::short_number(a.degrees) + "\u00b0: " + measure::short_number(v)});
+      drawing_.shapes.emplace_back(metrics::Dot{
+          at(a.degrees, v), 2, ink, metrics::short_number(a.degrees) + "\u00b0: " + metrics::short_number(v)});
     }
     if (index < names_.size() && look_.width >= kRoomForNames)
       words({kLeft + 8, look_.height - kBottom - 8 - 17.0 * static_cast<double>(names_.size() - 1 - index)},
@@ -104,4 +104,4 @@ Drawing albedo_drawing(std::span<const std::vector<Albedo>> curves, std::span<co
   return Chart(curves, names, look).draw();
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

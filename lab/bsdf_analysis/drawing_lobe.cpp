@@ -4,12 +4,12 @@
 #include "bsdf_analysis/drawings.h"
 #include "spectrum/colormap.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
-using measure::Drawing;
-using measure::Ink;
-using measure::Spot;
+using metrics::Drawing;
+using metrics::Ink;
+using metrics::Spot;
 
 struct Patch {
   std::vector<Spot> corners;
@@ -76,21 +76,21 @@ void add_patches(const LobeSurface& lobe, float largest, const View& view, Lengt
     }
 }
 
-void draw_plane(const View& view, const measure::ChartPalette& palette, Drawing& drawing) {
+void draw_plane(const View& view, const metrics::ChartPalette& palette, Drawing& drawing) {
   for (const float radius : {0.5f, 1.0f}) {
     std::vector<Spot> circle;
     for (int a = 0; a <= 360; a += 5) circle.push_back(view.at(direction(90, a) * radius));
-    drawing.shapes.emplace_back(measure::Stroke{circle, radius == 1 ? palette.line : palette.thin_line, 1, false});
+    drawing.shapes.emplace_back(metrics::Stroke{circle, radius == 1 ? palette.line : palette.thin_line, 1, false});
   }
-  drawing.shapes.emplace_back(measure::Stroke{{view.at({-1, 0, 0}), view.at({1, 0, 0})}, palette.thin_line, 1, false});
-  drawing.shapes.emplace_back(measure::Stroke{{view.at({0, -1, 0}), view.at({0, 1, 0})}, palette.thin_line, 1, false});
+  drawing.shapes.emplace_back(metrics::Stroke{{view.at({-1, 0, 0}), view.at({1, 0, 0})}, palette.thin_line, 1, false});
+  drawing.shapes.emplace_back(metrics::Stroke{{view.at({0, -1, 0}), view.at({0, 1, 0})}, palette.thin_line, 1, false});
 }
 
 void draw_arrow(const View& view, const Vec3& tip, const Ink& ink, const char* name, Drawing& drawing) {
-  drawing.shapes.emplace_back(measure::Stroke{{view.at(Vec3(0)), view.at(tip)}, ink, 1.5, false});
-  drawing.shapes.emplace_back(measure::Dot{view.at(tip), 3.5, ink, name});
+  drawing.shapes.emplace_back(metrics::Stroke{{view.at(Vec3(0)), view.at(tip)}, ink, 1.5, false});
+  drawing.shapes.emplace_back(metrics::Dot{view.at(tip), 3.5, ink, name});
   const Spot s = view.at(tip * 1.06f);
-  drawing.shapes.emplace_back(measure::Words{{s.x, s.y - 4}, name, 13, ink, measure::Anchor::middle});
+  drawing.shapes.emplace_back(metrics::Words{{s.x, s.y - 4}, name, 13, ink, metrics::Anchor::middle});
 }
 
 }  // namespace
@@ -107,10 +107,10 @@ Drawing lobe_drawing(std::span<const LobeSurface> sides, double degrees, const L
   if (largest > 0)
     for (const LobeSurface& side : sides) add_patches(side, largest, view, look.length, patches);
   std::sort(patches.begin(), patches.end(), [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
-  for (Patch& patch : patches) drawing.shapes.emplace_back(measure::Area{std::move(patch.corners), patch.ink});
+  for (Patch& patch : patches) drawing.shapes.emplace_back(metrics::Area{std::move(patch.corners), patch.ink});
   draw_arrow(view, {0, 0, 1}, look.palette.quiet, "n", drawing);
   draw_arrow(view, direction(degrees), look.palette.text, "wo", drawing);
   return drawing;
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -4,12 +4,12 @@
 #include "bsdf_analysis/drawings.h"
 #include "metrics/log_axis.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
-using measure::Anchor;
-using measure::Drawing;
-using measure::Spot;
+using metrics::Anchor;
+using metrics::Drawing;
+using metrics::Spot;
 
 constexpr double kText = 13, kMargin = 26;
 
@@ -47,8 +47,8 @@ class Polar {
     return {middle_.x - std::sin(a) * share * radius_, middle_.y - std::cos(a) * share * radius_};
   }
 
-  void stroke(std::vector<Spot> points, const measure::Ink& ink, double width = 1) {
-    drawing_.shapes.emplace_back(measure::Stroke{std::move(points), ink, width, false});
+  void stroke(std::vector<Spot> points, const metrics::Ink& ink, double width = 1) {
+    drawing_.shapes.emplace_back(metrics::Stroke{std::move(points), ink, width, false});
   }
 
   void draw_web() {
@@ -62,7 +62,7 @@ class Polar {
       stroke({at(a, 0), at(a, 1)}, look_.palette.thin_line);
       if (std::abs(a) > 90 || a == -90 || a == 90) continue;
       const Spot s = at(a, 1.05);
-      drawing_.shapes.emplace_back(measure::Words{{s.x, s.y + 0.3 * kText},
+      drawing_.shapes.emplace_back(metrics::Words{{s.x, s.y + 0.3 * kText},
                                                   std::to_string(std::abs(a)) + "\u00b0",
                                                   kText,
                                                   look_.palette.quiet,
@@ -70,8 +70,8 @@ class Polar {
     }
     stroke({at(90, 1), at(-90, 1)}, look_.palette.line, 1.5);
     if (largest_ > 0)
-      drawing_.shapes.emplace_back(measure::Words{{look_.width - 6.0, 16},
-                                                  "rim " + measure::short_number(largest_) + " /sr",
+      drawing_.shapes.emplace_back(metrics::Words{{look_.width - 6.0, 16},
+                                                  "rim " + metrics::short_number(largest_) + " /sr",
                                                   kText,
                                                   look_.palette.quiet,
                                                   Anchor::right});
@@ -79,23 +79,23 @@ class Polar {
 
   void draw_slice(size_t index) {
     const Slice& s = slices_[index];
-    const measure::Ink ink = measure::ink_of_method(index);
+    const metrics::Ink ink = metrics::ink_of_method(index);
     std::vector<Spot> points;
     for (size_t i = 0; i < s.values.size(); ++i)
       points.push_back(
           at(s.angles[i], largest_ > 0 ? length_of(std::max(0.0, value(s, i)) / largest_, look_.length) : 0));
-    measure::Ink faded = ink;
+    metrics::Ink faded = ink;
     faded.opacity = 0.12;
-    drawing_.shapes.emplace_back(measure::Area{points, faded});
+    drawing_.shapes.emplace_back(metrics::Area{points, faded});
     stroke(points, ink, 2);
     if (index < names_.size() && look_.width >= kRoomForNames)
       drawing_.shapes.emplace_back(
-          measure::Words{{6, 16 + 17.0 * static_cast<double>(index)}, names_[index], kText, ink, Anchor::left});
+          metrics::Words{{6, 16 + 17.0 * static_cast<double>(index)}, names_[index], kText, ink, Anchor::left});
   }
 
   void draw_eye(double degrees) {
     stroke({at(degrees, 0), at(degrees, 1)}, look_.palette.text, 1.5);
-    drawing_.shapes.emplace_back(measure::Dot{at(degrees, 1), 4, look_.palette.text, "the eye"});
+    drawing_.shapes.emplace_back(metrics::Dot{at(degrees, 1), 4, look_.palette.text, "the eye"});
   }
 
   std::span<const Slice> slices_;
@@ -113,4 +113,4 @@ Drawing polar_drawing(std::span<const Slice> slices, std::span<const std::string
   return Polar(slices, names, look).draw();
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

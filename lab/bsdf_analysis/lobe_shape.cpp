@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
 Rgb value_at(const Lobes& lobes, const Vec3& wo, const Vec3& wi, bool times_cosine) {
@@ -52,4 +52,4 @@ LobeSurface lobe_surface(const Lobes& lobes, double degrees, Side side, bool tim
   return surface;
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

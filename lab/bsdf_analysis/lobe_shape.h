@@ -4,7 +4,7 @@
 
 #include "bsdf_analysis/test_surface.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
 // In the plane of incidence, for light to wo under `degrees`: angles from -180 to 180 about the surface, 0 the normal,
 // positive on wo's side, so that a mirror's direction is at -degrees; beyond +-90 is the lower side.
@@ -27,4 +27,4 @@ enum class Side { upper, lower };
 LobeSurface lobe_surface(const Lobes& lobes, double degrees, Side side = Side::upper, bool times_cosine = true,
                          double azimuth = 0);
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

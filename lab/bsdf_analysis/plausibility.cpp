@@ -5,7 +5,7 @@
 
 #include "base/hash.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 namespace {
 
 constexpr uint32_t kPairs = 2000;
@@ -62,4 +62,4 @@ Plausibility plausibility(const Lobes& lobes, const std::vector<Albedo>& curve, 
   return p;
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

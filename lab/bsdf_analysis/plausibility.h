@@ -3,7 +3,7 @@
 #pragma once
 #include "bsdf_analysis/albedo.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
 // Two directions and what f is for light from the second to the first.
 struct Pair {
@@ -36,4 +36,4 @@ struct Plausibility {
 // `curve` holds the albedo under all angles, from outside and, where light passes, from inside.
 Plausibility plausibility(const Lobes& lobes, const std::vector<Albedo>& curve, const Wanted& wanted = {});
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
-inline constexpr uint32_t kReplicates = 16;
+inline constexpr uint32_t kHalves = 16;
 
 class Replicates {
  public:
@@ -27,8 +27,8 @@ class Replicates {
   }
 
  private:
-  std::array<double, kReplicates> values_{};
+  std::array<double, kHalves> values_{};
   size_t count_ = 0;
 };
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -7,7 +7,7 @@
 
 #include "bsdf_analysis/test_surface.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
 struct SamplingQuality {
   double degrees = 0;
@@ -33,4 +33,4 @@ std::vector<SamplingQuality> sampling_curve(const Lobes& lobes, const SamplingOp
 inline constexpr double kWellSampled = 1.0, kDiscrepancy = 5;
 bool well_sampled(const std::vector<SamplingQuality>& curve);
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

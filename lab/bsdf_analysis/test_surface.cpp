@@ -2,7 +2,7 @@
 
 #include "base/hash.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
 Lobes lobes_of(const Material& material) {
   Lobes lobes;
@@ -42,4 +42,4 @@ LobeDraw draw_of(uint32_t replicate, uint32_t i) {
   return {number(0), Vec2(number(1), number(2))};
 }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

@@ -4,7 +4,7 @@
 
 #include "material/gltf_surface.h"
 
-namespace etendue::audit {
+namespace etendue::bsdf_analysis {
 
 using Lobes = AllLobes<Rgb>;
 
@@ -28,4 +28,4 @@ LobeDraw draw_of(uint32_t replicate, uint32_t i);
 using Wanted = std::function<bool()>;
 inline bool goes_on(const Wanted& wanted) { return !wanted || wanted(); }
 
-}  // namespace etendue::audit
+}  // namespace etendue::bsdf_analysis

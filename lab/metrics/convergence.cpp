@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 double abscissa(const ErrorPoint& p, Abscissa along) { return along == Abscissa::seconds ? p.seconds : p.spp; }
@@ -161,4 +161,4 @@ std::optional<Split> split(double mean_mse, double mse_of_mean, int repeats, con
   return Split{(n * mse_of_mean - mean_mse) / (n - 1) - noise.mse, (mean_mse - mse_of_mean) * n / (n - 1)};
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

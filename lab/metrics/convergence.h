@@ -14,7 +14,7 @@
 
 #include "metrics/line_fit.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 struct ErrorPoint {
   double seconds = 0;  // of rendering
@@ -112,4 +112,4 @@ struct Split {
 };
 std::optional<Split> split(double mean_mse, double mse_of_mean, int repeats, const ReferenceNoise& noise = {});
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 constexpr double kDash = 6, kGap = 4;  // as in the SVG
@@ -27,4 +27,4 @@ std::vector<std::array<Spot, 2>> dashes_of(const Stroke& stroke) {
   return dashes;
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

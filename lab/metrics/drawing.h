@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 struct Ink {
   uint8_t r = 0, g = 0, b = 0;
@@ -67,4 +67,4 @@ std::vector<uint8_t> raster_of(const Drawing& drawing);
 // Text as XML and HTML take it, between tags and in quoted attributes.
 std::string escaped(const std::string& text);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -6,7 +6,7 @@
 #include "image/tiny_text.h"
 #include "metrics/drawing.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 class Canvas {
@@ -141,4 +141,4 @@ std::vector<uint8_t> raster_of(const Drawing& drawing) {
   return canvas.bytes();
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

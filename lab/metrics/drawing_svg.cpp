@@ -3,7 +3,7 @@
 
 #include "metrics/drawing.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 std::string number(double v) {
@@ -98,4 +98,4 @@ std::string svg_of(const Drawing& drawing) {
   return svg + "</svg>\n";
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 // The constants of the paper, under its names.
@@ -185,4 +185,4 @@ double mean_of(std::span<const float> map) {
   return map.empty() ? 0 : sum / static_cast<double>(map.size());
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -19,7 +19,7 @@
 #include "image/image.h"
 #include "metrics/separable.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 // An eye 0.7 m from a screen that shows 3840 pixels on 0.7 m.
 inline constexpr double kPixelsPerDegree = 3840 * 3.14159265358979323846 / 180;
@@ -57,4 +57,4 @@ struct FeatureKernels {
 };
 FeatureKernels feature_kernels(double pixels_per_degree);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

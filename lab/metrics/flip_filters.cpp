@@ -3,7 +3,7 @@
 
 #include "metrics/flip.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -86,4 +86,4 @@ FeatureKernels feature_kernels(double pixels_per_degree) {
   return {scaled(gaussian, 1 / sum_of(gaussian)), balanced(std::move(edge)), balanced(std::move(point))};
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

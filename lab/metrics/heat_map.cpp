@@ -4,7 +4,7 @@
 
 #include "spectrum/colormap.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 double mean_radiance(const std::vector<float>& pixels) {
@@ -51,4 +51,4 @@ std::vector<uint8_t> painted(std::span<const float> map) {
   return bytes;
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

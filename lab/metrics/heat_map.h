@@ -8,7 +8,7 @@
 #include "base/parameter.h"
 #include "image/image.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 enum class HeatMap { absolute, relmse, difference, flip };
 
@@ -23,10 +23,10 @@ std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::L
 // Numbers from 0 to 1, one a pixel, through viridis.
 std::vector<uint8_t> painted(std::span<const float> map);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics
 
 template <>
-struct etendue::Options<etendue::measure::HeatMap> {
+struct etendue::Options<etendue::metrics::HeatMap> {
   static constexpr std::array<etendue::Option, 4> kOptions{
       {{"absolute", "Absolute difference"}, {"relmse", "Relative error"}, {"signed", "Signed"}, {"flip", "FLIP"}}};
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 struct Sums {
@@ -37,4 +37,4 @@ LineFit fit_line(std::span<const LinePoint> points) {
   return fit;
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -5,7 +5,7 @@
 #pragma once
 #include <span>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 struct LinePoint {
   double x, y;
@@ -21,4 +21,4 @@ struct LineFit {
 
 LineFit fit_line(std::span<const LinePoint> points);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 LogAxis::LogAxis(double low, double high, double at_low, double at_high)
     : low_(low), high_(high), at_low_(at_low), at_high_(at_high) {}
@@ -47,4 +47,4 @@ std::string short_number(double value) {
   return number;
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 class LogAxis {
  public:
@@ -30,4 +30,4 @@ class LogAxis {
 // As few digits as say it: "0.01", "20", "1e-5".
 std::string short_number(double value);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 const std::vector<float>& pixels_of(const image::LayeredImage& image) { return image.find("")->pixels; }
@@ -54,4 +54,4 @@ Result<Metrics> compare(const image::LayeredImage& picture, const image::Layered
   return metrics_of(x, r);
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -12,7 +12,7 @@
 #include "base/result.h"
 #include "image/image.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 struct Metrics {
   double mse = 0, rmse = 0, relmse = 0, mae = 0, smape = 0, psnr = 0, bias = 0;
@@ -25,4 +25,4 @@ Metrics metrics_of(std::span<const float> picture, std::span<const float> refere
 // error too: a mean over the rest would hide it.
 Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

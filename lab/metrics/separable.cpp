@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 void add_scaled(float* out, const float* in, float weight, int count) {
@@ -40,4 +40,4 @@ Plane filtered(const Plane& in, const Kernel& across, const Kernel& down) {
   return filtered_columns(filtered_rows(in, across), down);
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

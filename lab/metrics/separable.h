@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 // One number a pixel, row by row.
 struct Plane {
@@ -26,4 +26,4 @@ Plane filtered_rows(const Plane& in, const Kernel& across);
 Plane filtered_columns(const Plane& in, const Kernel& down);
 Plane filtered(const Plane& in, const Kernel& across, const Kernel& down);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -7,7 +7,7 @@
 
 #include "metrics/log_axis.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 namespace {
 
 struct Margins {
@@ -240,4 +240,4 @@ std::string svg_chart(std::span<const MethodCurves> methods, const ChartOptions&
   return svg_of(chart_of(methods, options));
 }
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -7,7 +7,7 @@
 #include "metrics/drawing.h"
 #include "metrics/log_axis.h"
 
-namespace etendue::measure {
+namespace etendue::metrics {
 
 // What is not a curve.
 struct ChartPalette {
@@ -48,4 +48,4 @@ std::string method_color(size_t method);
 // The same as an <svg> element.
 std::string svg_chart(std::span<const MethodCurves> methods, const ChartOptions& options);
 
-}  // namespace etendue::measure
+}  // namespace etendue::metrics

@@ -10,7 +10,7 @@
 namespace etendue::stress {
 
 enum class Kind {
-  blind_spots,     // light paths that a method cannot sample
+  missing_paths,   // light paths that a method cannot sample
   heavy_tails,     // huge or infinite variance
   bias,            // means that are off, and those that must not be
   correlation,     // random numbers that know of each other

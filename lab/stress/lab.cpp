@@ -35,7 +35,7 @@ std::vector<std::string> unbiased_methods() {
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos()) {
     view.method.integrator = info.name;
-    if (info.bias == integrator::Bias::unbiased && render::obstacle(view, *scene).empty() &&
+    if (info.bias == integrator::Bias::unbiased && render::incompatibility(view, *scene).empty() &&
         transport::PathExpression::parse_paths(info.paths)->automaton() == all)
       names.push_back(info.name);
   }
@@ -64,7 +64,7 @@ film::Film Lab::render(const render::Document& document, uint32_t samples) {
   return film;
 }
 
-measure::Tail Lab::tail(const render::Document& document, uint32_t samples) {
+film::Tail Lab::tail(const render::Document& document, uint32_t samples) {
   render::Document limited = document;
   limited.limits = {samples, 0, 0};
   render::Session session({.threads = options_.threads});

@@ -46,7 +46,7 @@ class Lab {
 
   film::Film render(const render::Document& document, uint32_t samples);
   // The tail of all samples of a rendering.
-  measure::Tail tail(const render::Document& document, uint32_t samples);
+  film::Tail tail(const render::Document& document, uint32_t samples);
   film::Mean mean(const render::Document& document, uint32_t samples) {
     return film::mean_of(render(document, samples));
   }

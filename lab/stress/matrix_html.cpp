@@ -9,7 +9,7 @@
 namespace etendue::stress {
 namespace {
 
-using measure::escaped;
+using metrics::escaped;
 
 constexpr const char* kStyle = R"html(<style>
 thead th { position: sticky; top: 0; background: var(--page) }

@@ -67,7 +67,7 @@ namespace etendue::stress {
 
 std::string_view kind_name(Kind kind) {
   switch (kind) {
-    case Kind::blind_spots:
+    case Kind::missing_paths:
       return "blind spots";
     case Kind::heavy_tails:
       return "heavy tails";

@@ -6,20 +6,20 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "advisor/report.h"
 #include "advice/things.h"
+#include "advisor/report.h"
 
 namespace etendue::test {
 namespace {
 
-using advice::Advice;
-using advice::Ranking;
+using advisor::Advice;
+using advisor::Ranking;
 
 Ranking ranked(const render::Document& d, double target, double pilot = 0.1) {
   render::Session session({2});
-  advice::Question question;
+  advisor::Question question;
   question.target = target, question.pilot_seconds = pilot;
-  return advice::advise(session, d, question, go_on);
+  return advisor::advise(session, d, question, go_on);
 }
 
 Advice of(const Ranking& ranking, const std::string& name) {
@@ -27,10 +27,10 @@ Advice of(const Ranking& ranking, const std::string& name) {
 }
 
 TEST(Advisor, CandidatesAreEveryMethodOnce) {
-  const auto list = advice::candidates(cornell(8));
+  const auto list = advisor::candidates(cornell(8));
   for (const auto& integrator : integrator::integrator_infos())
     for (const auto& sampler : sampler_infos())
-      EXPECT_EQ(std::ranges::count(list, integrator.name + ":sampler=" + sampler.name, &bench::Method::name), 1);
+      EXPECT_EQ(std::ranges::count(list, integrator.name + ":sampler=" + sampler.name, &bench::MethodSpec::name), 1);
 }
 
 TEST(Advisor, RanksWhatItCanHave) {
@@ -76,7 +76,7 @@ TEST(Advisor, ALargePictureIsPilotedSmall) {
   auto d = cornell(8);
   d.width = 400, d.height = 300;
   render::Session session({2});
-  const auto pilots = advice::run_pilots(session, *bench::parse_methods("path", d), {0.05, 1e-3, 0, 4800}, go_on);
+  const auto pilots = advisor::run_pilots(session, *bench::parse_methods("path", d), {0.05, 1e-3, 0, 4800}, go_on);
   ASSERT_EQ(pilots.pilots.size(), 1u);
   EXPECT_EQ(pilots.pilots[0].method.document.width, 80);
   EXPECT_EQ(pilots.pilots[0].film.height(), 60);
@@ -87,24 +87,24 @@ TEST(Advisor, ALargePictureIsPilotedSmall) {
 TEST(Advisor, PublishesOnTheWayAndMayBeCutShort) {
   render::Session session({2});
   size_t published = 0;
-  advice::Question question;
+  advisor::Question question;
   question.target = 0.01, question.pilot_seconds = 0.02;
-  const auto whole = advice::advise(session, cornell(16), question, go_on, [&](const Ranking&) { ++published; });
+  const auto whole = advisor::advise(session, cornell(16), question, go_on, [&](const Ranking&) { ++published; });
   EXPECT_FALSE(whole.interrupted);
   EXPECT_GT(published, 2u);
   const auto cut =
-      advice::advise(session, cornell(16), question, [](double done, const std::string&) { return done < 0.3; });
+      advisor::advise(session, cornell(16), question, [](double done, const std::string&) { return done < 0.3; });
   EXPECT_TRUE(cut.interrupted);
 }
 
 TEST(Advisor, SaysItForScriptsAndForPeople) {
   const Ranking ranking = ranked(things_under(false, false, true, 16), 0.05, 0.02);
-  const auto j = nlohmann::json::parse(advice::ranking_json(ranking, "things"));
+  const auto j = nlohmann::json::parse(advisor::ranking_json(ranking, "things"));
   EXPECT_EQ(j["scene"], "things");
   EXPECT_EQ(j["methods"].size(), ranking.methods.size());
   EXPECT_EQ(j["beyond_all_methods"].size(), ranking.beyond_methods.size());
   EXPECT_FALSE(j["table"]["classes"].empty());
-  const std::string text = advice::ranking_text(ranking);
+  const std::string text = advisor::ranking_text(ranking);
   for (const auto& advice : ranking.methods) EXPECT_NE(text.find(advice.method.name), std::string::npos);
 }
 

@@ -15,15 +15,15 @@
 namespace etendue::test {
 namespace {
 
-using advice::BlindSpots;
-using advice::ClassTable;
-using advice::Found;
+using advisor::ClassTable;
+using advisor::Found;
+using advisor::MissingPaths;
 using transport::Automaton;
 using transport::PathExpression;
 
 ClassTable table_of(const render::Document& d) {
   render::Session session({2});
-  return advice::class_table(session, d, {}, go_on);
+  return advisor::class_table(session, d, {}, go_on);
 }
 
 // Every comparison of a scene together has one false alarm in a hundred: two-sided, Sidak.
@@ -37,29 +37,29 @@ double threshold(size_t comparisons) {
   return low;
 }
 
-advice::ClassEnergy energy_by(const std::string& integrator, const render::Document& d, const std::string& paths,
-                              uint32_t samples) {
-  render::Document made = changed(changed(advice::trusted(d), "film.paths", paths), "render.integrator", integrator);
+advisor::ClassEnergy energy_by(const std::string& integrator, const render::Document& d, const std::string& paths,
+                               uint32_t samples) {
+  render::Document made = changed(changed(advisor::trusted(d), "film.paths", paths), "render.integrator", integrator);
   made.seed = 77;
-  return advice::energy_of(rendered(made, samples));
+  return advisor::energy_of(rendered(made, samples));
 }
 
 // What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
 std::vector<std::string> lies(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
                               const ClassTable& table) {
-  const render::Document made = changed(advice::trusted(d), "render.integrator", info.name);
-  const bool hindered = !render::obstacle(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
-  const Found found = hindered ? Found() : advice::declared(info);
+  const render::Document made = changed(advisor::trusted(d), "render.integrator", info.name);
+  const bool hindered = !render::incompatibility(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
+  const Found found = hindered ? Found() : advisor::declared(info);
   const Automaton& declared = points ? found.point_paths : found.paths;
   std::vector<std::string> list;
-  const Automaton rest = advice::without(PathExpression::all().automaton(), declared);
+  const Automaton rest = advisor::without(PathExpression::all().automaton(), declared);
   if (!rest.empty())
     if (const auto energy = energy_by(info.name, d, expression_of(rest), 16); energy.found())
       list.push_back("finds some of " + expression_of(rest));
-  std::vector<const advice::ClassRow*> rows;
+  std::vector<const advisor::ClassRow*> rows;
   for (const auto& row : table.rows)
     if (!row.energy.uncertain() &&
-        advice::without(PathExpression::parse_paths(row.paths)->automaton(), declared).empty())
+        advisor::without(PathExpression::parse_paths(row.paths)->automaton(), declared).empty())
       rows.push_back(&row);
   // Only of unbiased methods more is expected than that there is light.
   const bool unbiased = info.bias == integrator::Bias::unbiased;
@@ -113,7 +113,7 @@ TEST(Declared, ALieIsFound) {
 TEST(Declared, AMethodThatIsHinderedFindsNothing) {
   const auto d = changed(things_under(true, false, false, 16), "render.integrator", "light-pure");
   const auto found = [](const render::Document& document) {
-    return advice::declared(document, *scene::compile(document.scene, document.camera, nullptr));
+    return advisor::declared(document, *scene::compile(document.scene, document.camera, nullptr));
   };
   EXPECT_TRUE(found(d).paths.empty());
   EXPECT_FALSE(found(changed(d, "camera.lens-radius", "0.1")).paths.empty());
@@ -124,52 +124,52 @@ TEST(Declared, AMethodThatIsHinderedFindsNothing) {
 
 TEST(Declared, PointPathsAreAmongThePaths) {
   for (const auto& info : integrator::integrator_infos()) {
-    const Found found = advice::declared(info);
-    EXPECT_TRUE(advice::without(found.point_paths, found.paths).empty()) << info.name;
+    const Found found = advisor::declared(info);
+    EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty()) << info.name;
   }
 }
 
 TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
-  const auto found = advice::declared(changed(cornell(8), "path.max-depth", "2").method);
+  const auto found = advisor::declared(changed(cornell(8), "path.max-depth", "2").method);
   EXPECT_EQ(found.paths, PathExpression::parse_paths("E[.]L")->automaton());
   EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G)L")->automaton());
-  EXPECT_EQ(advice::bias_of(changed(cornell(8), "path.max-depth", "2").method), integrator::Bias::biased);
-  EXPECT_EQ(advice::bias_of(cornell(8).method), integrator::Bias::unbiased);
+  EXPECT_EQ(advisor::bias_of(changed(cornell(8), "path.max-depth", "2").method), integrator::Bias::biased);
+  EXPECT_EQ(advisor::bias_of(cornell(8).method), integrator::Bias::unbiased);
 }
 
-TEST(BlindSpots, OfAMethodThatFindsAll) {
+TEST(MissingPaths, OfAMethodThatFindsAll) {
   const ClassTable table = table_of(things_under(true, true, true, 16));
-  const BlindSpots none = advice::blind_spots(advice::declared(*integrator::find_integrator("path")), table);
+  const MissingPaths none = advisor::missing_paths(advisor::declared(*integrator::find_integrator("path")), table);
   EXPECT_TRUE(none.none());
   EXPECT_EQ(none.share, 0);
-  EXPECT_EQ(advice::sentence_of(none), "misses nothing that was found to carry light");
+  EXPECT_EQ(advisor::sentence_of(none), "misses nothing that was found to carry light");
 }
 
 // What is missing is what a rendering without it lacks.
-TEST(BlindSpots, ShareAndErrorOfWhatIsMissing) {
+TEST(MissingPaths, ShareAndErrorOfWhatIsMissing) {
   const auto d = things_under(true, true, false, 32);
   const ClassTable table = table_of(d);
-  const BlindSpots spots = advice::blind_spots(advice::declared(*integrator::find_integrator("raycast")), table);
+  const MissingPaths spots = advisor::missing_paths(advisor::declared(*integrator::find_integrator("raycast")), table);
   const auto whole = energy_by("path", d, "", 256), rest = energy_by("path", d, "E(S|(D|G).).*L", 256);
   EXPECT_NEAR(spots.share, rest.mean / whole.mean, 0.05);
-  EXPECT_NEAR(spots.rms, advice::rms_of({&rest, 1}), 0.1 * spots.rms);
+  EXPECT_NEAR(spots.rms, advisor::rms_of({&rest, 1}), 0.1 * spots.rms);
   for (const auto& spot : spots.classes) EXPECT_FALSE(spot.part) << spot.paths;
-  EXPECT_TRUE(advice::sentence_of(spots).starts_with("misses ")) << advice::sentence_of(spots);
+  EXPECT_TRUE(advisor::sentence_of(spots).starts_with("misses ")) << advisor::sentence_of(spots);
 }
 
-TEST(BlindSpots, PointLightsAreInvisibleToWalks) {
+TEST(MissingPaths, PointLightsAreInvisibleToWalks) {
   const ClassTable alone = table_of(things_under(false, false, true, 16)),
                    mixed = table_of(things_under(true, false, true, 16));
-  const Found pure = advice::declared(*integrator::find_integrator("path-pure"));
-  EXPECT_NEAR(advice::blind_spots(pure, alone).share, 1, 1e-6);
-  const BlindSpots spots = advice::blind_spots(pure, mixed);
+  const Found pure = advisor::declared(*integrator::find_integrator("path-pure"));
+  EXPECT_NEAR(advisor::missing_paths(pure, alone).share, 1, 1e-6);
+  const MissingPaths spots = advisor::missing_paths(pure, mixed);
   EXPECT_NEAR(spots.share, mixed.total.from_points.mean / mixed.total.energy.mean, 1e-3);
-  EXPECT_TRUE(std::ranges::all_of(spots.classes, &advice::BlindSpot::points));
+  EXPECT_TRUE(std::ranges::all_of(spots.classes, &advisor::MissingPathClass::points));
 }
 
-TEST(BlindSpots, BeyondAllMethods) {
+TEST(MissingPaths, BeyondAllMethods) {
   const auto sentences = [](const render::Document& d) {
-    return advice::beyond_all_methods(*scene::compile(d.scene, d.camera, nullptr));
+    return advisor::beyond_all_methods(*scene::compile(d.scene, d.camera, nullptr));
   };
   // Walks from the lights find what a point casts through glass.
   EXPECT_TRUE(sentences(things_under(false, false, true, 16)).empty());

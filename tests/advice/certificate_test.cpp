@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advisor/certify.h"
 #include "advice/things.h"
+#include "advisor/certify.h"
 #include "film/film_image.h"
 #include "metrics/metrics.h"
 
 namespace etendue::test {
 namespace {
 
-using advice::Certificate;
-using advice::Claim;
-using advice::Finding;
-using advice::Verdict;
+using advisor::Certificate;
+using advisor::Claim;
+using advisor::Finding;
+using advisor::Verdict;
 
 // A rendering with its certificate, as etendue render leaves it.
 Claim claim_of(const render::Document& d, uint32_t samples) {
@@ -30,18 +30,18 @@ Claim claim_of(const render::Document& d, uint32_t samples) {
   const auto status = session.status();
   Claim claim;
   claim.document = limited, claim.samples = samples, claim.picture = film::picture_of(film);
-  claim.certificate = advice::certificate(
+  claim.certificate = advisor::certificate(
       session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1, go_on);
   return claim;
 }
 
 Finding judged(const Claim& claim, double seconds = 20) {
   render::Session session({2});
-  return advice::certify(session, claim, {seconds, 0}, go_on);
+  return advisor::certify(session, claim, {seconds, 0}, go_on);
 }
 
 std::string said(const Finding& finding) {
-  std::string text(advice::verdict_name(finding.verdict));
+  std::string text(advisor::verdict_name(finding.verdict));
   for (const auto& reason : finding.reasons) text += "; " + reason;
   return text;
 }
@@ -67,7 +67,7 @@ TEST(Certificate, StatesWhatACutOfPathsLoses) {
   ASSERT_EQ(c.missing.size(), 1u);
   EXPECT_EQ(c.missing[0].paths, "EDD+L");
   const auto truth = film::radiance_of(rendered(cornell(32), 1024));
-  const double rmse = measure::metrics_of(claim.rgb(), truth).rmse;
+  const double rmse = metrics::metrics_of(claim.rgb(), truth).rmse;
   EXPECT_GT(rmse, c.rmse->interval.low);
   EXPECT_LT(rmse, c.rmse->interval.high);
   EXPECT_EQ(judged(claim).verdict, Verdict::stands) << said(judged(claim));
@@ -89,13 +89,13 @@ TEST(Certificate, ThereAndBackAgain) {
   for (const char* integrator : {"path", "raycast"}) {
     const Certificate c =
         claim_of(changed(things_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
-    const auto again = advice::certificate_from_json(advice::certificate_json(c), "test");
+    const auto again = advisor::certificate_from_json(advisor::certificate_json(c), "test");
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(advice::certificate_json(*again), advice::certificate_json(c));
+    EXPECT_EQ(advisor::certificate_json(*again), advisor::certificate_json(c));
     EXPECT_EQ(again->rmse->interval.high, c.rmse->interval.high);
   }
   for (const char* wrong : {"", "{}", "[1]", "{\"bias\":3}"}) {
-    const auto none = advice::certificate_from_json(wrong, "a.exr");
+    const auto none = advisor::certificate_from_json(wrong, "a.exr");
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().fault, Fault::input);
   }
@@ -145,8 +145,8 @@ TEST(Certify, ABiasedPictureWhoseStatementHidesItFalls) {
   // Its own noise, stated for a method that misses nothing.
   render::Session session({2});
   const film::Film film = rendered(cut, 64);
-  const advice::Evidence evidence{film.error(), film::relative_error(film), {}, {}, {}};
-  claim.certificate = advice::certificate(session, cornell(32), evidence, 1, go_on);
+  const advisor::Evidence evidence{film.error(), film::relative_error(film), {}, {}, {}};
+  claim.certificate = advisor::certificate(session, cornell(32), evidence, 1, go_on);
   const Finding finding = judged(claim);
   EXPECT_EQ(finding.verdict, Verdict::falls);
   EXPECT_TRUE(std::ranges::any_of(finding.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
@@ -181,9 +181,9 @@ TEST(TrueError, NeedsNoTruth) {
   auto other = d;
   other.seed = 9;
   const auto picture = film::radiance_of(rendered(d, 8));
-  const auto exact = measure::metrics_of(picture, film::radiance_of(rendered(other, 4096)));
+  const auto exact = metrics::metrics_of(picture, film::radiance_of(rendered(other, 4096)));
   other.seed = 10;
-  const auto rough = advice::true_error(picture, rendered(other, 64));
+  const auto rough = advisor::true_error(picture, rendered(other, 64));
   EXPECT_NEAR(rough.absolute.value, exact.mse, 4 * rough.absolute.standard_error + 0.02 * exact.mse);
   EXPECT_LT(rough.absolute.standard_error, 0.3 * exact.mse);
 }

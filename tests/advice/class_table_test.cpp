@@ -6,22 +6,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advisor/declared_paths.h"
 #include "advice/things.h"
+#include "advisor/declared_paths.h"
 #include "advisor/reference_method.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::test {
 namespace {
 
-using advice::ClassTable;
-using advice::TableOptions;
+using advisor::ClassTable;
+using advisor::TableOptions;
 using transport::Automaton;
 using transport::PathExpression;
 
 ClassTable table_of(const render::Document& d, const TableOptions& options = {}) {
   render::Session session({2});
-  return advice::class_table(session, d, options, go_on);
+  return advisor::class_table(session, d, options, go_on);
 }
 
 std::vector<std::string> classes_of(const ClassTable& table) {
@@ -35,8 +35,8 @@ void expect_partition(const std::vector<std::string>& classes, const Automaton& 
   for (const auto& paths : classes) {
     const auto expression = PathExpression::parse_paths(paths);
     ASSERT_TRUE(expression) << paths << ' ' << expression.error().message;
-    EXPECT_TRUE(advice::without(expression->automaton(), rest).empty()) << paths << " overlaps";
-    rest = advice::without(rest, expression->automaton());
+    EXPECT_TRUE(advisor::without(expression->automaton(), rest).empty()) << paths << " overlaps";
+    rest = advisor::without(rest, expression->automaton());
   }
   EXPECT_TRUE(rest.empty()) << expression_of(rest);
 }
@@ -55,8 +55,8 @@ TEST(ClassTable, RowsPartThePathsAndAddUpToThePicture) {
     }
     EXPECT_NEAR(sum, table.total.energy.mean, 1e-5 * sum);
     // The same random numbers make the same picture.
-    const auto film = rendered(advice::trusted(d), table.samples);
-    const auto whole = advice::energy_of(film);
+    const auto film = rendered(advisor::trusted(d), table.samples);
+    const auto whole = advisor::energy_of(film);
     EXPECT_EQ(whole.mean, table.total.energy.mean);
     for (size_t i = 0; i < pixels.size(); ++i)
       ASSERT_NEAR(pixels[i], whole.picture->first[i], 1e-4 * whole.picture->first[i] + 1e-6);
@@ -86,7 +86,7 @@ TEST(ClassTable, RowsDoNotStraddleWhatMethodsFind) {
   for (const auto& info : integrator::integrator_infos())
     for (const auto& row : table.rows) {
       const Automaton paths = PathExpression::parse_paths(row.paths)->automaton();
-      const Automaton found = advice::common(paths, advice::declared(info).paths);
+      const Automaton found = advisor::common(paths, advisor::declared(info).paths);
       EXPECT_TRUE(found.empty() || found == paths) << info.name << ' ' << row.paths;
     }
 }
@@ -98,9 +98,9 @@ TEST(ClassTable, StandardErrorsAreThoseOfRepeats) {
   std::vector<double> means;
   double claimed = 0;
   for (int i = 0; i < kRepeats; ++i) {
-    auto again = changed(advice::trusted(d), "film.paths", "EDD+L");
+    auto again = changed(advisor::trusted(d), "film.paths", "EDD+L");
     again.seed = 100 + static_cast<uint64_t>(i);
-    const auto energy = advice::energy_of(rendered(again, 8));
+    const auto energy = advisor::energy_of(rendered(again, 8));
     means.push_back(energy.mean), claimed += sqr(energy.standard_error) / kRepeats;
   }
   double mean = 0, squares = 0;
@@ -154,24 +154,24 @@ TEST(ClassTable, GetsBetterAsItIsMadeAndMayBeCutShort) {
   render::Session session({2});
   std::vector<size_t> rows;
   size_t asked = 0;
-  const auto table = advice::class_table(
+  const auto table = advisor::class_table(
       session, things_under(true, true, false, 24), {}, [&](double, const std::string&) { return ++asked < 2000; },
       [&](const ClassTable& t) { rows.push_back(t.rows.size()); });
   EXPECT_GT(rows.size(), 3u);
   EXPECT_TRUE(std::ranges::is_sorted(rows));
-  const auto cut = advice::class_table(session, cornell(64), {}, [](double, const std::string&) { return false; });
+  const auto cut = advisor::class_table(session, cornell(64), {}, [](double, const std::string&) { return false; });
   EXPECT_FALSE(cut.finished);
 }
 
 TEST(ClassEnergy, RmsIsThatOfThePictureWithoutItsNoise) {
-  auto d = advice::trusted(cornell(32));
-  const auto noisy = advice::energy_of(rendered(d, 32));
+  auto d = advisor::trusted(cornell(32));
+  const auto noisy = advisor::energy_of(rendered(d, 32));
   const auto clean = rendered(d, 1024);
   double squares = 0;
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x)
       for (int c = 0; c < 3; ++c) squares += sqr(double{clean.mean(x, y)[c]}) / (3 * 32 * 32);
-  EXPECT_NEAR(advice::rms_of({&noisy, 1}), std::sqrt(squares), 0.02 * std::sqrt(squares));
+  EXPECT_NEAR(advisor::rms_of({&noisy, 1}), std::sqrt(squares), 0.02 * std::sqrt(squares));
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(SquaresToCosineHemisphere, ManyGoWhereEachGoesAlone) {
   alignas(64) std::array<float, 80> u0{}, u1{};
   const auto points = random_points(kPoints);
   for (size_t i = 0; i < kPoints; ++i) u0[i] = points[i].x, u1[i] = points[i].y;
-  WideVec3<80> directions;
+  Vec3Lanes<80> directions;
   squares_to_cosine_hemisphere(u0.data(), u1.data(), kPoints, directions);
   for (size_t i = 0; i < kPoints; ++i) EXPECT_EQ(directions[i], square_to_cosine_hemisphere(points[i]));
 }

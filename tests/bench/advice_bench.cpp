@@ -12,8 +12,8 @@
 #include <cstdlib>
 
 #include "advisor/advisor.h"
-#include "advisor/true_error.h"
 #include "advisor/reference_method.h"
+#include "advisor/true_error.h"
 #include "bench/benchmark.h"
 #include "bench/summary.h"
 #include "film/film_image.h"
@@ -40,17 +40,17 @@ double tau(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 void compare_ranking(render::Session& session, const render::Document& d, const bench::Reference& reference) {
-  std::vector<bench::Method> methods;
-  for (auto& method : advice::candidates(d))
+  std::vector<bench::MethodSpec> methods;
+  for (auto& method : advisor::candidates(d))
     if (integrator::find_integrator(method.document.method.integrator)->bias == integrator::Bias::unbiased)
       methods.push_back(method);
   const auto outcome = bench::run(session, {methods, kBudget, 0, kRepeats, 7}, reference, go_on);
   std::vector<double> rmse;
   for (const auto& result : outcome.methods) rmse.push_back(bench::summary_of(result, reference, {}).rmse);
   const double best = *std::ranges::min_element(rmse);
-  advice::Question question;
+  advisor::Question question;
   question.target = best, question.pilot_seconds = 0.5;
-  const auto ranking = advice::advise(session, d, question, go_on);
+  const auto ranking = advisor::advise(session, d, question, go_on);
   std::vector<double> seconds(methods.size(), INFINITY);
   double of_top = INFINITY;
   for (size_t i = 0; i < methods.size(); ++i)
@@ -84,7 +84,7 @@ std::vector<Look> long_run(render::Session& session, render::Document d, const f
     bench::wait_for(session, version, [](const render::Status&) { return true; });
     film = session.film_copy(), seconds += session.status().seconds;
     looks.push_back(
-        {samples, seconds, advice::true_error(film::radiance_of(film), reference).absolute.root(), film.error()});
+        {samples, seconds, advisor::true_error(film::radiance_of(film), reference).absolute.root(), film.error()});
   }
   return looks;
 }
@@ -105,7 +105,7 @@ struct Score {
   int trials = 0, good = 0, held = 0;
 
   void replay(const std::vector<Look>& looks, bool independent, bool in_samples) {
-    render::Forecast forecast(independent);
+    render::TimeEstimator forecast(independent);
     for (size_t i = 0; i < looks.size(); ++i) {
       const Look& look = looks[i];
       forecast.add(look.samples, in_samples ? look.samples : look.seconds, look.error);

@@ -35,12 +35,12 @@ void cover(const std::string& scene, int renderings) {
     const auto& rgb = picture.find("")->pixels;
     const auto error = film.error();
     const auto relative = *film::relative_error(film);
-    const auto true_error = advice::true_error(rgb, reference);
+    const auto true_error = advisor::true_error(rgb, reference);
     held += holds(error.rmse_interval, true_error.absolute.root());
     held_relative += holds(relative.interval, true_error.relative.value);
     width += error.rmse_interval.high / error.rmse_interval.low / renderings;
     width_relative += relative.interval.high / relative.interval.low / renderings;
-    unchanged += advice::changed_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
+    unchanged += advisor::changed_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
   }
   std::printf(
       "%-60s RMSE held %d, relMSE held %d, blocks unsuspected %d of %d; high / low %.3f, %.3f; reference %.2g\n",

@@ -17,11 +17,11 @@ namespace etendue::test {
 namespace {
 
 namespace fs = std::filesystem;
-using bench::Contest;
-using bench::ContestPlan;
+using bench::LiveBenchmark;
+using bench::LiveBenchmarkPlan;
 using bench::Rule;
-using Phase = bench::ContestSnapshot::Phase;
-using Snapshot = std::shared_ptr<const bench::ContestSnapshot>;
+using Phase = bench::LiveBenchmarkSnapshot::Phase;
+using Snapshot = std::shared_ptr<const bench::LiveBenchmarkSnapshot>;
 
 bool go_on(double, const std::string&) { return true; }
 
@@ -38,8 +38,8 @@ class Folder {
   fs::path path_;
 };
 
-ContestPlan plan_of(const render::Document& d, const std::string& methods) {
-  ContestPlan plan;
+LiveBenchmarkPlan plan_of(const render::Document& d, const std::string& methods) {
+  LiveBenchmarkPlan plan;
   plan.methods = *bench::parse_methods(methods, d);
   plan.threads = 2;
   return plan;
@@ -48,16 +48,16 @@ ContestPlan plan_of(const render::Document& d, const std::string& methods) {
 // A contest whose snapshots can be waited for.
 class Watched {
  public:
-  explicit Watched(ContestPlan plan) : contest_(std::move(plan), [this] { wake(); }) {}
-  Contest& contest() { return contest_; }
+  explicit Watched(LiveBenchmarkPlan plan) : contest_(std::move(plan), [this] { wake(); }) {}
+  LiveBenchmark& contest() { return contest_; }
 
   template <class F>
-  Snapshot until(F&& wanted) {
+  Snapshot until(F&& keep_going) {
     Snapshot s;
     std::unique_lock lock(mutex_);
     const bool came = woken_.wait_for(lock, std::chrono::seconds(120), [&] {
       s = contest_.snapshot();
-      return wanted(*s);
+      return keep_going(*s);
     });
     EXPECT_TRUE(came);
     return s;
@@ -74,7 +74,7 @@ class Watched {
 
   std::mutex mutex_;
   std::condition_variable woken_;
-  Contest contest_;  // last: it wakes
+  LiveBenchmark contest_;  // last: it wakes
 };
 
 bench::Reference reference_of(const render::Document& d, uint32_t samples) {
@@ -83,9 +83,9 @@ bench::Reference reference_of(const render::Document& d, uint32_t samples) {
 }
 
 // Against a reference that stays, the same numbers as in a bench, and the same pictures.
-TEST(Contest, MeasuresWhatABenchMeasures) {
+TEST(LiveBenchmark, MeasuresWhatABenchMeasures) {
   const auto d = cornell(12);
-  ContestPlan plan = plan_of(d, "path,path-pure:sampler=random");
+  LiveBenchmarkPlan plan = plan_of(d, "path,path-pure:sampler=random");
   plan.rule = Rule::equal_samples, plan.samples = 12, plan.repeats = 3, plan.seed = 7;
   plan.reference = reference_of(d, 64);
   render::Session session({2});
@@ -115,14 +115,14 @@ TEST(Contest, MeasuresWhatABenchMeasures) {
   }
 }
 
-TEST(Contest, TakesTheReferencesNoiseOffTheErrors) {
+TEST(LiveBenchmark, TakesTheReferencesNoiseOffTheErrors) {
   const auto d = cornell(12);
-  ContestPlan plan = plan_of(d, "path");
+  LiveBenchmarkPlan plan = plan_of(d, "path");
   plan.rule = Rule::equal_samples, plan.samples = 8, plan.repeats = 1;
   plan.reference = reference_of(d, 64);
   Watched watched(plan);
   const auto s = watched.until(Phase::done);
-  const auto expected = measure::without_noise(s->methods[0].measured, *plan.reference->noise);
+  const auto expected = metrics::without_noise(s->methods[0].measured, *plan.reference->noise);
   for (size_t i = 0; i < expected.repeats[0].points.size(); ++i)
     EXPECT_EQ(s->methods[0].corrected.repeats[0].points[i].mse, expected.repeats[0].points[i].mse);
   EXPECT_EQ(s->reference_error, plan.reference->standard_error());
@@ -130,7 +130,8 @@ TEST(Contest, TakesTheReferencesNoiseOffTheErrors) {
 }
 
 // Whether somebody had a turn between the two; and whether it was theirs.
-bool checked_turn(const bench::ContestSnapshot& before, const bench::ContestSnapshot& after, double budget) {
+bool checked_turn(const bench::LiveBenchmarkSnapshot& before, const bench::LiveBenchmarkSnapshot& after,
+                  double budget) {
   double sum = 0, least = INFINITY;
   for (const auto& m : before.methods) {
     sum += m.seconds;
@@ -150,15 +151,15 @@ bool checked_turn(const bench::ContestSnapshot& before, const bench::ContestSnap
 }
 
 // Whoever has a turn had the least seconds before it, and the reference less than all of them together.
-TEST(Contest, TurnsAreFairInSeconds) {
-  ContestPlan plan = plan_of(cornell(24), "path,path-pure:sampler=random,path:max-depth=2");
+TEST(LiveBenchmark, TurnsAreFairInSeconds) {
+  LiveBenchmarkPlan plan = plan_of(cornell(24), "path,path-pure:sampler=random,path:max-depth=2");
   plan.seconds = 0.3, plan.repeats = 1;
   std::mutex mutex;
-  std::unique_ptr<Contest> contest;
+  std::unique_ptr<LiveBenchmark> contest;
   std::vector<Snapshot> all;
   {
     const std::lock_guard lock(mutex);
-    contest = std::make_unique<Contest>(plan, [&] {
+    contest = std::make_unique<LiveBenchmark>(plan, [&] {
       const std::lock_guard inner(mutex);
       all.push_back(contest->snapshot());
     });
@@ -175,8 +176,8 @@ TEST(Contest, TurnsAreFairInSeconds) {
   for (const auto& m : all.back()->methods) EXPECT_GT(m.seconds, 0);
 }
 
-TEST(Contest, EqualSamplesEndAtEqualSamples) {
-  ContestPlan plan = plan_of(cornell(16), "path,path-pure,path:max-depth=2");
+TEST(LiveBenchmark, EqualSamplesEndAtEqualSamples) {
+  LiveBenchmarkPlan plan = plan_of(cornell(16), "path,path-pure,path:max-depth=2");
   plan.rule = Rule::equal_samples, plan.samples = 21, plan.repeats = 2;
   Watched watched(plan);
   const auto s = watched.until(Phase::done);
@@ -188,8 +189,8 @@ TEST(Contest, EqualSamplesEndAtEqualSamples) {
 }
 
 // 64 times the samples are an eighth of the error by chance alone, and less with Sobol points.
-TEST(Contest, ErrorsFall) {
-  ContestPlan plan = plan_of(cornell(32), "path,path:sampler=random");
+TEST(LiveBenchmark, ErrorsFall) {
+  LiveBenchmarkPlan plan = plan_of(cornell(32), "path,path:sampler=random");
   plan.rule = Rule::equal_samples, plan.samples = 64, plan.repeats = 2;
   plan.reference = reference_of(cornell(32), 2048);
   Watched watched(plan);
@@ -202,8 +203,8 @@ TEST(Contest, ErrorsFall) {
   }
 }
 
-TEST(Contest, AfterTheEndItGoesOnToTwiceTheBudget) {
-  ContestPlan plan = plan_of(cornell(12), "path,path-pure");
+TEST(LiveBenchmark, AfterTheEndItGoesOnToTwiceTheBudget) {
+  LiveBenchmarkPlan plan = plan_of(cornell(12), "path,path-pure");
   plan.rule = Rule::equal_samples, plan.samples = 6, plan.repeats = 2;
   Watched watched(plan);
   const auto before = watched.until(Phase::done);
@@ -218,8 +219,8 @@ TEST(Contest, AfterTheEndItGoesOnToTwiceTheBudget) {
     }
 }
 
-TEST(Contest, StopsAtOnceAndGoesOn) {
-  ContestPlan plan = plan_of(cornell(64), "path,path-pure");
+TEST(LiveBenchmark, StopsAtOnceAndGoesOn) {
+  LiveBenchmarkPlan plan = plan_of(cornell(64), "path,path-pure");
   plan.seconds = 1e6;
   Watched watched(plan);
   watched.until([](const auto& s) { return s.methods[1].samples >= 2; });
@@ -231,23 +232,23 @@ TEST(Contest, StopsAtOnceAndGoesOn) {
 }
 
 // A sample of this picture takes longer than anybody waits for a button: the end must not wait for one.
-TEST(Contest, ItsEndDoesNotWaitForASample) {
-  ContestPlan plan = plan_of(cornell(2048), "path");
+TEST(LiveBenchmark, ItsEndDoesNotWaitForASample) {
+  LiveBenchmarkPlan plan = plan_of(cornell(2048), "path");
   plan.threads = 1;
   plan.reference = bench::Reference{};
   plan.reference->picture.width = plan.reference->picture.height = 2048;
   plan.reference->picture.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(size_t{2048} * 2048 * 3)});
-  auto contest = std::make_unique<Contest>(plan, nullptr);
+  auto contest = std::make_unique<LiveBenchmark>(plan, nullptr);
   contest->stop();
   contest.reset();
 }
 
-TEST(Contest, TheReferenceIsTakenUpExtendedAndKept) {
+TEST(LiveBenchmark, TheReferenceIsTakenUpExtendedAndKept) {
   const Folder cache;
   const auto d = cornell(16);
   render::Session session({1});
   const auto brief = bench::made_reference(session, d, {0, 4}, cache.path(), go_on);
-  ContestPlan plan = plan_of(d, "path:sampler=random");
+  LiveBenchmarkPlan plan = plan_of(d, "path:sampler=random");
   plan.rule = Rule::equal_samples, plan.samples = 256, plan.repeats = 2, plan.cache = cache.path();
   uint32_t samples = 0;
   {
@@ -264,12 +265,12 @@ TEST(Contest, TheReferenceIsTakenUpExtendedAndKept) {
   EXPECT_EQ(kept.rgb(), bench::made_reference(session, d, {0, samples}, {}, go_on).rgb());
 }
 
-TEST(Contest, WhatDoesNotFitIntoMemoryIsNotBegun) {
+TEST(LiveBenchmark, WhatDoesNotFitIntoMemoryIsNotBegun) {
   render::Document d = cornell(8);
   d.width = d.height = 2048;
-  ContestPlan plan = plan_of(d, "path,path-pure");
+  LiveBenchmarkPlan plan = plan_of(d, "path,path-pure");
   plan.repeats = 100;
-  Contest contest(plan, nullptr);
+  LiveBenchmark contest(plan, nullptr);
   contest.stop();
   EXPECT_EQ(contest.snapshot()->repeats, 4);
 }

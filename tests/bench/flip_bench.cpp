@@ -15,7 +15,7 @@ void flip(benchmark::State& state) {
     a[i] = to_unit_float(hash_combine(1, static_cast<uint32_t>(i)));
     b[i] = to_unit_float(hash_combine(2, static_cast<uint32_t>(i)));
   }
-  for (auto _ : state) benchmark::DoNotOptimize(measure::flip_map(kSide, kSide, a, b));
+  for (auto _ : state) benchmark::DoNotOptimize(metrics::flip_map(kSide, kSide, a, b));
   state.SetItemsProcessed(state.iterations() * kSide * kSide);
 }
 BENCHMARK(flip)->Unit(benchmark::kMillisecond);

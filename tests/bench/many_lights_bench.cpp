@@ -11,8 +11,8 @@
 #include <cstring>
 #include <random>
 
-#include "bench/timed_render.h"
 #include "bench/method_spec.h"
+#include "bench/timed_render.h"
 #include "metrics/convergence.h"
 #include "scene/builtin/many_lights.h"
 
@@ -47,7 +47,7 @@ double squared_error(const film::Film& film, const film::Film& reference) {
   return sum / (kSize * kSize);
 }
 
-struct Turn {
+struct TaskContext {
   double error, seconds;
 };
 
@@ -57,14 +57,14 @@ class Hall {
     compiled_ = scene::compile(document_.scene, document_.camera, nullptr);
   }
 
-  Turn turn(const std::string& method, uint64_t seed, uint32_t samples, const film::Film* reference) {
-    bench::Lane lane(with_method(document_, method, seed), compiled_);
+  TaskContext turn(const std::string& method, uint64_t seed, uint32_t samples, const film::Film* reference) {
+    bench::TimedRender lane(with_method(document_, method, seed), compiled_);
     lane.run(workers_, samples, 1e9, [] { return true; });
     return {reference ? squared_error(lane.film(), *reference) : 0, lane.seconds()};
   }
 
   film::Film reference(const std::string& method, uint32_t samples) {
-    bench::Lane lane(with_method(document_, method, 7), compiled_);
+    bench::TimedRender lane(with_method(document_, method, 7), compiled_);
     lane.run(workers_, samples, 1e9, [] { return true; });
     return lane.film();
   }
@@ -74,7 +74,7 @@ class Hall {
  private:
   render::Document document_;
   std::shared_ptr<const scene::CompiledScene> compiled_;
-  render::Workers workers_{1};
+  render::ThreadPool workers_{1};
 };
 
 void compare(int lamps, const std::string& method, int turns, uint32_t reference_samples) {
@@ -83,8 +83,8 @@ void compare(int lamps, const std::string& method, int turns, uint32_t reference
   std::vector<double> error, time, efficiency;
   for (int i = 0; i < turns; ++i) {
     const auto seed = static_cast<uint64_t>(100 + i);
-    const Turn power = hall.turn(method + ":lights=one", seed, kSamples, &reference);
-    const Turn tree = hall.turn(method + ":lights=tree", seed, kSamples, &reference);
+    const TaskContext power = hall.turn(method + ":lights=one", seed, kSamples, &reference);
+    const TaskContext tree = hall.turn(method + ":lights=tree", seed, kSamples, &reference);
     error.push_back(power.error / tree.error), time.push_back(tree.seconds / power.seconds);
     efficiency.push_back(error.back() / time.back());
   }
@@ -118,7 +118,7 @@ class Choices {
 
  private:
   static constexpr size_t kCount = 4096;
-  WideVec3<kCount> from_;
+  Vec3Lanes<kCount> from_;
   alignas(64) std::array<float, kCount> choice_{}, u0_{}, u1_{};
   std::vector<LightSample> samples_{kCount};
 };
@@ -137,7 +137,7 @@ class UnderALamp {
   }
 
   // Variance of an estimate from one sample, and its time.
-  Turn turn(LightStrategy strategy, uint32_t seed) {
+  TaskContext turn(LightStrategy strategy, uint32_t seed) {
     constexpr int kRepeats = 64;
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(0, kOneMinusEpsilon);
@@ -159,7 +159,7 @@ class UnderALamp {
 
  private:
   static constexpr size_t kCount = 1024;
-  WideVec3<kCount> from_;
+  Vec3Lanes<kCount> from_;
   alignas(64) std::array<float, kCount> choice_{}, u0_{}, u1_{};
   std::vector<LightSample> samples_{kCount};
   LightTable table_;
@@ -171,7 +171,7 @@ void directions(int turns) {
     const auto place = std::make_unique<UnderALamp>(height);
     std::vector<double> points, seen, time;
     for (int i = 0; i < turns; ++i) {
-      const Turn a = place->turn(LightStrategy::as_emitted, 2), b = place->turn(LightStrategy::one, 3);
+      const TaskContext a = place->turn(LightStrategy::as_emitted, 2), b = place->turn(LightStrategy::one, 3);
       points.push_back(a.error), seen.push_back(b.error), time.push_back(b.seconds / a.seconds);
     }
     using measure::quantile;

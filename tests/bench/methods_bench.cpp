@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <deque>
 
-#include "bench/timed_render.h"
 #include "bench/method_spec.h"
+#include "bench/timed_render.h"
 #include "bench/work_rig.h"
 
 namespace etendue {
@@ -21,11 +21,11 @@ constexpr int kTurns = 8;
 constexpr double kSeconds = 0.25;  // with a film, and as long without
 
 struct Contender {
-  Contender(const bench::Method& method, const std::shared_ptr<const scene::CompiledScene>& scene)
+  Contender(const bench::MethodSpec& method, const std::shared_ptr<const scene::CompiledScene>& scene)
       : name(method.name), lane(method.document, scene), rig(method.document, scene) {}
 
   std::string name;
-  bench::Lane lane;
+  bench::TimedRender lane;
   WorkRig rig;
   std::vector<double> rays, samples;  // per second, by turn
   double seconds = 0;
@@ -40,7 +40,7 @@ double median_ratio(const std::vector<double>& a, const std::vector<double>& b) 
   return ratios[ratios.size() / 2];
 }
 
-void take_turn(render::Workers& workers, Contender& c) {
+void take_turn(render::ThreadPool& workers, Contender& c) {
   const double before = c.lane.seconds(), rays = c.lane.rays_per_second() * c.seconds;
   const uint32_t samples = c.lane.samples();
   c.lane.run(workers, UINT32_MAX, kSeconds, [] { return true; });
@@ -81,8 +81,8 @@ int run(const std::string& scene, int width, int height, const std::vector<std::
     if (!method) return std::fprintf(stderr, "%s\n", method.error().message.c_str()), 2;
     contenders.emplace_back(*method, compiled);
   }
-  render::Workers workers(1);
-  for (int turn = 0; turn < kTurns; ++turn)
+  render::ThreadPool workers(1);
+  for (int task_context = 0; task_context < kTurns; ++task_context)
     for (Contender& c : contenders) take_turn(workers, c);
   std::printf("%s, %d x %d\n%-34s %8s %7s %8s %9s %11s %7s\n", scene.c_str(), width, height, "method", "Mrays/s",
               "ratio", "apart, %", "ratio w/o", "samples/s", "ratio");

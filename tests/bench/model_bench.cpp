@@ -40,7 +40,7 @@ class Bench {
       const Cost a = cost_of(small), b = cost_of(large);
       seconds.push_back(b.seconds / a.seconds), instructions.push_back(b.instructions / a.instructions);
     }
-    using measure::quantile;
+    using metrics::quantile;
     std::printf("%-24s %-14s %6.3f  (%5.3f to %5.3f) %12.4f\n", scene.c_str(), what.c_str(), quantile(seconds, 0.5),
                 quantile(seconds, 0.1), quantile(seconds, 0.9), quantile(instructions, 0.5));
     std::fflush(stdout);

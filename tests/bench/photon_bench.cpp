@@ -33,7 +33,7 @@ class Rig {
         sampler_(make_sampler("sobol")),
         camera_(document_.camera, kSize, kSize),
         path_(integrator::make_integrator("path")),
-        work_(path_->begin(pass(), nullptr)) {
+        work_(path_->begin(context(), nullptr)) {
     sampler_->prepare(0, 64);
   }
 
@@ -59,11 +59,11 @@ class Rig {
     PhotonEmission emission(plan, sample);
     uint64_t rays = 0;
     const double tracing = seconds([&] {
-      for (int i = 0; i < plan.tasks(); ++i) rays += *emission.run(pass(), PhotonEmission::kTrace, i, {});
+      for (int i = 0; i < plan.tasks(); ++i) rays += *emission.run(context(), PhotonEmission::kTrace, i, {});
     });
     const double ordering = seconds([&] {
       emission.finish(PhotonEmission::kTrace);
-      for (int i = 0; i < photon::PhotonMap::kPieces; ++i) emission.run(pass(), PhotonEmission::kOrder, i, {});
+      for (int i = 0; i < photon::PhotonMap::kPieces; ++i) emission.run(context(), PhotonEmission::kOrder, i, {});
       emission.finish(PhotonEmission::kOrder);
     });
     const photon::PhotonMap& map = emission.map();
@@ -79,7 +79,9 @@ class Rig {
   }
 
  private:
-  integrator::Pass pass() const { return {scene_.get(), &model_, sampler_.get(), &camera_, &filter_, 0, kSize, kSize}; }
+  integrator::RenderContext context() const {
+    return {scene_.get(), &model_, sampler_.get(), &camera_, &filter_, 0, kSize, kSize};
+  }
 
   render::Document document_;
   std::shared_ptr<const scene::CompiledScene> scene_;
@@ -88,7 +90,7 @@ class Rig {
   CameraRays camera_;
   film::Filter filter_;
   std::unique_ptr<integrator::Integrator> path_;
-  std::unique_ptr<integrator::Work> work_;
+  std::unique_ptr<integrator::RenderState> work_;
 };
 
 void run() {
@@ -97,9 +99,9 @@ void run() {
   for (const int emitted : {10'000, 100'000, 500'000}) {
     double paths = 0, rays = 0, ordering = 1e9, lookup = 1e9;
     size_t stored = 0;
-    for (uint32_t turn = 0; turn < 5; ++turn) {
-      paths = std::max(paths, rig.paths(turn));
-      const Rig::Photons found = rig.photons(emitted, turn);
+    for (uint32_t task_context = 0; task_context < 5; ++task_context) {
+      paths = std::max(paths, rig.paths(task_context));
+      const Rig::Photons found = rig.photons(emitted, task_context);
       rays = std::max(rays, found.rays_per_second), ordering = std::min(ordering, found.ordering);
       lookup = std::min(lookup, found.microseconds_a_lookup), stored = found.stored;
     }

@@ -1,6 +1,6 @@
 // A bench from end to end on small pictures, at equal samples: curves are the same each time, but for their seconds.
-#include "bench/benchmark.h"
 #include "base/base64.h"
+#include "bench/benchmark.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -26,7 +26,7 @@ constexpr double kReferenceSeconds = 20;
 
 bool go_on(double, const std::string&) { return true; }
 
-std::string with_error(const measure::Figure& f) {
+std::string with_error(const metrics::Figure& f) {
   char text[48];
   std::snprintf(text, sizeof text, "%.3f +- %.3f", f.value, f.standard_error);
   return text;
@@ -54,7 +54,7 @@ bench::Reference constant(double radiance, int size) {
   const auto count = static_cast<size_t>(size) * static_cast<size_t>(size) * 3;
   reference.picture.width = reference.picture.height = size;
   reference.picture.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(count, static_cast<float>(radiance))});
-  reference.noise = measure::ReferenceNoise{};
+  reference.noise = metrics::ReferenceNoise{};
   return reference;
 }
 
@@ -76,8 +76,8 @@ int biases(render::Session& session, const char* chart) {
                 summary.bias.standard_error, -std::pow(kAlbedo, depths[i]) / (1 - kAlbedo), summary.rmse);
   }
   if (!chart) return 0;
-  const measure::ChartOptions options{"A furnace, paths cut after 6, 4 and 2 edges", measure::Abscissa::samples};
-  const std::string svg = measure::svg_chart(bench::corrected_curves(outcome, reference), options);
+  const metrics::ChartOptions options{"A furnace, paths cut after 6, 4 and 2 edges", metrics::Abscissa::samples};
+  const std::string svg = metrics::svg_chart(bench::corrected_curves(outcome, reference), options);
   return write_file(chart, svg.data(), svg.size()) ? 0 : 4;
 }
 

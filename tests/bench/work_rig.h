@@ -34,7 +34,7 @@ class WorkRig {
         camera_(document.camera, width_, height_, scene_->camera_motion()),
         filter_(document.filter),
         splats_only_(integrator::find_integrator(document.method.integrator)->accumulation ==
-                     integrator::Sampling::only_splats),
+                     integrator::Accumulation::splats_only),
         picture_(static_cast<size_t>(width_) * static_cast<size_t>(height_)) {
     work_ = integrator_->begin(
         {scene_.get(), &model_, sampler_.get(), &camera_, &filter_, document.seed, width_, height_}, nullptr);
@@ -44,13 +44,13 @@ class WorkRig {
   // One sample of all pixels.
   void step() {
     constexpr uint32_t kTable = 64;
-    const uint32_t of_half = sample_ / film::kReplicates;
+    const uint32_t of_half = sample_ / film::kHalves;
     if (of_half % kTable == 0) sampler_->prepare(of_half, kTable);
     const std::vector<integrator::Phase> phases = work_->phases(sample_);
     for (size_t i = 0; i < phases.size(); ++i) {
       measure(phases[i].name, [&] {
         uint64_t rays = 0;
-        for (int task = 0; task < phases[i].tasks; ++task) rays += *work_->run(sample_, i, task, turn_);
+        for (int task = 0; task < phases[i].tasks; ++task) rays += *work_->run(sample_, i, task, task_context_);
         work_->finish(sample_, i);
         return rays;
       });
@@ -75,7 +75,7 @@ class WorkRig {
       for (int x = 0; x < width_; x += PixelBlock::kWidth) {
         const PixelBlock block{x, y, std::min(PixelBlock::kWidth, width_ - x),
                                std::min(PixelBlock::kHeight, height_ - y), sample_};
-        rays += *work_->sample(block, out, turn_);
+        rays += *work_->sample(block, out, task_context_);
       }
     return rays;
   }
@@ -103,11 +103,11 @@ class WorkRig {
   CameraRays camera_;
   film::Filter filter_;
   bool splats_only_;
-  std::unique_ptr<integrator::Work> work_;
+  std::unique_ptr<integrator::RenderState> work_;
   uint32_t sample_ = 0;
   Stopwatch watch_;
   film::Splats splats_;
-  integrator::Turn turn_{nullptr, &splats_, &watch_};
+  integrator::TaskContext task_context_{nullptr, &splats_, &watch_};
   std::vector<Rgb> picture_;
   std::vector<Part> parts_;
 };

@@ -9,9 +9,9 @@
 namespace etendue::film {
 namespace {
 
-TEST(Cascades, AnEvenPictureIsShownAsItIs) {
+TEST(FireflyCascades, AnEvenPictureIsShownAsItIs) {
   for (const float value : {0.0f, 1e-6f, 0.01f, 0.7f, 8.0f, 5e4f, 1e9f}) {
-    Cascades cascades(3, 3);
+    FireflyCascades cascades(3, 3);
     for (uint32_t s = 1; s <= 16; ++s) {
       for (int i = 0; i < 9; ++i) cascades.add(i % 3, i / 3, Rgb(value, 0.5f * value, 0));
       for (int i = 0; i < 9; ++i) EXPECT_NEAR(cascades.shown(i % 3, i / 3, s).r, value, 1e-5f * value) << s;
@@ -19,17 +19,17 @@ TEST(Cascades, AnEvenPictureIsShownAsItIs) {
   }
 }
 
-TEST(Cascades, SamplesThatComeTogetherAreThoseThatComeAlone) {
-  Cascades alone(1, 1), together(1, 1);
+TEST(FireflyCascades, SamplesThatComeTogetherAreThoseThatComeAlone) {
+  FireflyCascades alone(1, 1), together(1, 1);
   for (int i = 0; i < 20; ++i) alone.add(0, 0, Rgb(2));
   together.add(0, 0, Rgb(2), 20);
   EXPECT_NEAR(alone.shown(0, 0, 20).r, together.shown(0, 0, 20).r, 1e-5f);
 }
 
-TEST(Cascades, AFireflyIsGoneAndItsNeighboursAreNot) {
+TEST(FireflyCascades, AFireflyIsGoneAndItsNeighboursAreNot) {
   std::mt19937 engine(1);
   std::uniform_real_distribution<float> uniform(0, 1);
-  Cascades cascades(9, 9);
+  FireflyCascades cascades(9, 9);
   constexpr uint32_t kSamples = 32;
   for (uint32_t s = 0; s < kSamples; ++s)
     for (int i = 0; i < 81; ++i) cascades.add(i % 9, i / 9, Rgb(uniform(engine)));
@@ -42,10 +42,10 @@ TEST(Cascades, AFireflyIsGoneAndItsNeighboursAreNot) {
 }
 
 // One sample in fifty is a thousand times as bright as the others: less and less of it is held back.
-TEST(Cascades, TendToTheMean) {
+TEST(FireflyCascades, TendToTheMean) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<float> uniform(0, 1);
-  Cascades cascades(8, 8);
+  FireflyCascades cascades(8, 8);
   double sum = 0, last = 1;
   uint32_t samples = 0;
   for (const uint32_t target : {16U, 128U, 1024U, 8192U}) {
@@ -65,8 +65,8 @@ TEST(Cascades, TendToTheMean) {
   EXPECT_LT(last, 1e-3);
 }
 
-TEST(Cascades, BordersAndClearedRows) {
-  Cascades cascades(2, 2);
+TEST(FireflyCascades, BordersAndClearedRows) {
+  FireflyCascades cascades(2, 2);
   cascades.add(0, 0, Rgb(500)), cascades.add(1, 1, Rgb(1), 8);
   EXPECT_LT(cascades.shown(0, 0, 8).r, 1.0f);
   EXPECT_NEAR(cascades.shown(1, 1, 8).r, 1, 1e-5f);

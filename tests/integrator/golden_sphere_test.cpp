@@ -73,11 +73,11 @@ constexpr Way kWays[] = {{"path-pure", "power", [](double) { return 1.0; }},
                          {"path", "maximum", [](double) { return 0.0; }}};
 
 // Of the means of pixels, and the standard error of that.
-struct Spread {
+struct TileVariance {
   double variance = 0, error = 0;
 };
 
-Spread spread_of(const film::Film& film, double mean) {
+TileVariance spread_of(const film::Film& film, double mean) {
   double squares = 0, fourths = 0;
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) {
@@ -96,12 +96,12 @@ void expect_moments(const render::Document& document, uint32_t samples, const Mo
                     const std::string& what, int pictures = 1) {
   auto d = document;
   double sum = 0, squared_error = 0;
-  Spread spread;
+  TileVariance spread;
   for (; d.seed < static_cast<uint64_t>(pictures); ++d.seed) {
     const film::Film film = test::rendered(d, samples);
     const auto mean = test::mean_of(film);
     sum += mean.value / pictures, squared_error += sqr(mean.standard_error / pictures);
-    const Spread one = spread_of(film, expected.mean);
+    const TileVariance one = spread_of(film, expected.mean);
     spread.variance += one.variance / pictures, spread.error += sqr(one.error / pictures);
   }
   EXPECT_NEAR(sum, expected.mean, kSigmas * std::sqrt(squared_error) + kTriangles * expected.mean) << what;
@@ -227,8 +227,8 @@ TEST(GoldenSphere, BidirectionalPathTracing) {
         const double hit = std::pow(kShare, power), splat = splats ? std::pow(density, -power) : 0;
         double sum = 0;
         for (int k = 2; k <= kLongest; ++k) {
-          const double all = k - 1 + hit + splat, worth = sqr(std::pow(kAlbedo, k - 1) / all);
-          sum += worth * (sqr(hit) * kShare * (1 - kShare) + sqr(kShare * splat) * (density - 1.0 / kPixels));
+          const double all = k - 1 + hit + splat, weight = sqr(std::pow(kAlbedo, k - 1) / all);
+          sum += weight * (sqr(hit) * kShare * (1 - kShare) + sqr(kShare * splat) * (density - 1.0 / kPixels));
         }
         return sum;
       });
@@ -243,15 +243,15 @@ TEST(GoldenSphere, BidirectionalPathTracing) {
 TEST(GoldenSphere, EachConnectionIsConstant) {
   constexpr double kShare = 0.02, kAlbedo = 0.7, kCloseTogether = 1e-3;
   const auto place = with(short_paths("bdpt", kShare, kAlbedo), "weighted", "off");
-  const auto worth = [](int s, int t) { return kShare * std::pow(kAlbedo, s + t - 2); };
+  const auto weight = [](int s, int t) { return kShare * std::pow(kAlbedo, s + t - 2); };
   for (int s = 1; s <= 3; ++s)
     for (int t = 2; t <= 3; ++t) {
       const std::string technique = std::to_string(s) + ',' + std::to_string(t);
       const auto mean = test::mean_of(test::rendered(with(place, "only", technique), 4));
-      EXPECT_NEAR(mean.value, worth(s, t), 4.5 * mean.standard_error + kTriangles * worth(s, t)) << technique;
-      EXPECT_LT(4 * mean.variance, kCloseTogether * sqr(worth(s, t))) << technique;
+      EXPECT_NEAR(mean.value, weight(s, t), 4.5 * mean.standard_error + kTriangles * weight(s, t)) << technique;
+      EXPECT_LT(4 * mean.variance, kCloseTogether * sqr(weight(s, t))) << technique;
     }
-  expect_moments(with(place, "only", "0,4"), 64, {worth(0, 4), sqr(worth(0, 4)) * (1 - kShare) / kShare}, "0,4");
+  expect_moments(with(place, "only", "0,4"), 64, {weight(0, 4), sqr(weight(0, 4)) * (1 - kShare) / kShare}, "0,4");
 }
 
 // Each virtual light y_j is worth a rho^(j+1) / n in all pixels, but for roulette: the number of lights on one of n

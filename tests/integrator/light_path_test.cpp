@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "integrator/mlt/mutation_chain.h"
 #include "integrator/mlt/bootstrap_paths.h"
+#include "integrator/mlt/mutation_chain.h"
 #include "support/places.h"
 
 namespace etendue {
@@ -30,13 +30,13 @@ struct Place {
         model(transport::model_for(*scene)),
         camera(d.camera, d.width, d.height),
         filter(d.filter),
-        pass{scene.get(), &model, nullptr, &camera, &filter, 0, d.width, d.height} {}
+        context{scene.get(), &model, nullptr, &camera, &filter, 0, d.width, d.height} {}
 
   std::shared_ptr<const scene::CompiledScene> scene;
   transport::Model model;
   CameraRays camera;
   film::Filter filter;
-  integrator::Pass pass;
+  integrator::RenderContext context;
 };
 
 std::vector<std::pair<const char*, render::Document>> places() {
@@ -59,7 +59,7 @@ MutationPlan plan_with(std::array<float, integrator::kMutations> weights) {
 TEST(LightPaths, FromNothingAreWorthThePicture) {
   for (const auto& [name, d] : places()) {
     const Place place(d);
-    PathSpace<M> space(place.pass);
+    PathSpace<M> space(place.context);
     LightPath<M> path;
     film::SplatFilter filter(place.filter, d.width, d.height);
     PathCandidates<M> paths(0);
@@ -67,10 +67,10 @@ TEST(LightPaths, FromNothingAreWorthThePicture) {
     double sum = 0, squares = 0;
     for (int i = 0; i < kPaths; ++i) {
       ChainRandom random(mix_bits(uint64_t{7} + static_cast<uint64_t>(i)));
-      double worth = paths.draw(space, random, path);
-      const auto to = worth > 0 ? filter.choose(path.raster, random.next_2d()) : std::nullopt;
-      worth = to ? worth * double{to->weight} * double{average(path.color)} : 0;
-      sum += worth, squares += sqr(worth);
+      double weight = paths.draw(space, random, path);
+      const auto to = weight > 0 ? filter.choose(path.raster, random.next_2d()) : std::nullopt;
+      weight = to ? weight * double{to->weight} * double{average(path.color)} : 0;
+      sum += weight, squares += sqr(weight);
     }
     const double pixels = d.width * d.height, mean = sum / kPaths,
                  error = std::sqrt((squares / kPaths - sqr(mean)) / kPaths);
@@ -140,7 +140,7 @@ double log_contribution_outside(const LightPath<M>& x, int l, int m) {
 TEST(LightPaths, TentativeDensityTwoWays) {
   for (const auto& [name, d] : places()) {
     const Place place(d);
-    PathSpace<M> space(place.pass);
+    PathSpace<M> space(place.context);
     LightPath<M> x;
     PathCandidates<M> paths(0);
     const double area = double{space.picture_area()};
@@ -184,7 +184,7 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
   std::array<int, integrator::kMutations> found{};
   for (const auto& [name, d] : places()) {
     const Place place(d);
-    PathSpace<M> space(place.pass);
+    PathSpace<M> space(place.context);
     LightPath<M> x, y;
     PathCandidates<M> paths(0);
     const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
@@ -251,7 +251,7 @@ TEST(LightPaths, LengthsInTheGoldenSphere) {
   constexpr double kRho = 0.5;
   const Place place(test::golden_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
   const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
-  integrator::MutationRunner<M> runner(place.pass, plan);
+  integrator::MutationRunner<M> runner(place.context, plan);
   constexpr int kBatches = 24, kSteps = 20000, kLongest = 5;
   std::array<double, kLongest + 1> sum{}, squares{};
   film::Splats splats;

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <random>
 
-#include "integrator/markov_chain/seed_selection.h"
 #include "integrator/markov_chain/chain_state.h"
+#include "integrator/markov_chain/seed_selection.h"
 
 namespace etendue::integrator {
 namespace {
@@ -112,10 +112,10 @@ Interval integral_near_one(int iterations, bool chosen) {
   std::uniform_real_distribution<double> uniform;
   double sum = 0, squares = 0;
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<float> worth(kCandidates);
+    std::vector<float> weight(kCandidates);
     double total = 0;
-    for (float& w : worth) w = static_cast<float>(uniform(engine)), total += double{w};
-    auto starts = choose_starts(worth, kChains, uniform(engine));
+    for (float& w : weight) w = static_cast<float>(uniform(engine)), total += double{w};
+    auto starts = choose_starts(weight, kChains, uniform(engine));
     EXPECT_EQ(starts.size(), kChains);
     if (!chosen)
       for (size_t i = 0; i < kChains; ++i) starts[i] = static_cast<uint32_t>(i);
@@ -123,7 +123,7 @@ Interval integral_near_one(int iterations, bool chosen) {
     double found = 0;
     const auto record = [&](double x, double n) { found += x >= 0.9 ? n : 0; };
     for (const uint32_t start : starts) {
-      double x = double{worth[start]};
+      double x = double{weight[start]};
       Stay stay;
       for (int i = 0; i < iterations; ++i) {
         double y = std::abs(x + 0.1 * uniform(engine) - 0.05);
@@ -152,8 +152,8 @@ TEST(Metropolis, StartsLeaveNothingInTheMean) {
 }
 
 TEST(Metropolis, StartsFollowTheirShares) {
-  const std::vector<float> worth{0, 1, 0, 2.5f, 0.5f, 0};
-  EXPECT_EQ(choose_starts(worth, 8, 0.5), (std::vector<uint32_t>{1, 1, 3, 3, 3, 3, 3, 4}));
+  const std::vector<float> weight{0, 1, 0, 2.5f, 0.5f, 0};
+  EXPECT_EQ(choose_starts(weight, 8, 0.5), (std::vector<uint32_t>{1, 1, 3, 3, 3, 3, 3, 4}));
   EXPECT_TRUE(choose_starts(std::vector<float>(5, 0), 8, 0.5).empty());
 }
 

@@ -19,7 +19,7 @@ std::vector<std::string> unbiased_integrators(const render::Document& document) 
   render::Document d = document;
   for (const auto& info : integrator::integrator_infos()) {
     d.method.integrator = info.name;
-    if (info.bias == integrator::Bias::unbiased && render::obstacle(d, *scene).empty() &&
+    if (info.bias == integrator::Bias::unbiased && render::incompatibility(d, *scene).empty() &&
         transport::PathExpression::parse_paths(info.paths)->automaton() == all)
       names.push_back(info.name);
   }

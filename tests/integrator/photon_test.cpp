@@ -27,10 +27,11 @@ class Emitted {
         model_(transport::model_for(*scene_, {}, paths)),
         rays_(camera_, 8, 8),
         emission_(plan, 0) {
-    const integrator::Pass pass{scene_.get(), &model_, &sampler_, &rays_, &filter_, 1, 8, 8};
-    for (int i = 0; i < plan.tasks(); ++i) emission_.run(pass, integrator::PhotonEmission::kTrace, i, {});
+    const integrator::RenderContext context{scene_.get(), &model_, &sampler_, &rays_, &filter_, 1, 8, 8};
+    for (int i = 0; i < plan.tasks(); ++i) emission_.run(context, integrator::PhotonEmission::kTrace, i, {});
     emission_.finish(integrator::PhotonEmission::kTrace);
-    for (int i = 0; i < photon::PhotonMap::kPieces; ++i) emission_.run(pass, integrator::PhotonEmission::kOrder, i, {});
+    for (int i = 0; i < photon::PhotonMap::kPieces; ++i)
+      emission_.run(context, integrator::PhotonEmission::kOrder, i, {});
     emission_.finish(integrator::PhotonEmission::kOrder);
   }
 

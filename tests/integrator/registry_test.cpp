@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "integrator/integrator.h"
 #include "integrator/bdpt/techniques.h"
+#include "integrator/integrator.h"
 #include "render/incompatibility.h"
 #include "scene/compiled_scene.h"
 #include "support/scenes.h"
@@ -47,7 +47,7 @@ TEST(Registry, TechniquesAreChosenByParametersOfTheMethod) {
 }
 
 std::string obstacle_of(const render::Document& d) {
-  return render::obstacle(d, *scene::compile(d.scene, d.camera, nullptr));
+  return render::incompatibility(d, *scene::compile(d.scene, d.camera, nullptr));
 }
 
 render::Document under_a_point() {
@@ -58,7 +58,7 @@ render::Document under_a_point() {
 }
 
 // What is hindered is black, and says so to the last of them.
-TEST(Obstacle, IsThereWhereAMethodFindsNothing) {
+TEST(Incompatibility, IsThereWhereAMethodFindsNothing) {
   auto parallel = test::cornell(16);
   parallel = *render::with_text(parallel, "camera.projection", "orthographic");
   for (const auto& place : {test::cornell(16), parallel, under_a_point()}) {
@@ -67,15 +67,15 @@ TEST(Obstacle, IsThereWhereAMethodFindsNothing) {
       auto d = place;
       d.method.integrator = info.name;
       const double mean = test::mean_of(test::rendered(d, 4)).value;
-      const std::string obstacle = obstacle_of(d);
-      EXPECT_EQ(mean > 0, obstacle.empty()) << info.name << ' ' << obstacle;
-      clear += obstacle.empty();
+      const std::string incompatibility = obstacle_of(d);
+      EXPECT_EQ(mean > 0, incompatibility.empty()) << info.name << ' ' << incompatibility;
+      clear += incompatibility.empty();
     }
     EXPECT_GT(clear, 0u);
   }
 }
 
-TEST(Obstacle, SaysWhatToDo) {
+TEST(Incompatibility, SaysWhatToDo) {
   auto d = test::cornell(16);
   d.method.integrator = "light-pure";
   EXPECT_NE(obstacle_of(d).find("camera.lens-radius"), std::string::npos) << obstacle_of(d);
@@ -88,9 +88,11 @@ TEST(Obstacle, SaysWhatToDo) {
   EXPECT_NE(obstacle_of(d).find("film.paths"), std::string::npos);
 }
 
-TEST(Obstacle, OfAdaptiveSamplingAreAllMethodsThatDoNotGoPixelByPixel) {
+TEST(Incompatibility, OfAdaptiveSamplingAreAllMethodsThatDoNotGoPixelByPixel) {
   for (const auto& info : integrator::integrator_infos())
-    EXPECT_EQ(render::adaptive_obstacle(info.name).empty(), info.accumulation == integrator::Sampling::pixels) << info.name;
+    EXPECT_EQ(render::adaptive_incompatibility(info.name).empty(),
+              info.accumulation == integrator::Accumulation::per_pixel)
+        << info.name;
 }
 
 }  // namespace

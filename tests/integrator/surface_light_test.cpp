@@ -88,9 +88,9 @@ TEST(SurfaceLight, ShinesFromTheSidesItHas) {
     const auto turned = above(1, kPi);
     EXPECT_EQ(irradiance(test::by(point_of_floor(light, turned), "path"), 64).value, 0);
     light.two_sided = true;
-    const Mean front = irradiance(point_of_floor(light, above(1)), 256),
+    const Mean paths = irradiance(point_of_floor(light, above(1)), 256),
                back = irradiance(point_of_floor(light, turned), 256);
-    EXPECT_NEAR(front.value, back.value, 4 * std::hypot(front.standard_error, back.standard_error));
+    EXPECT_NEAR(paths.value, back.value, 4 * std::hypot(paths.standard_error, back.standard_error));
     EXPECT_GT(back.value, 0.3);
   }
 }

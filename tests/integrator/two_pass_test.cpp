@@ -95,7 +95,7 @@ TEST(TwoPass, PointsAreThereToBeLookedAt) {
     const auto points = session.points();
     ASSERT_TRUE(points) << variant.integrator;
     EXPECT_GT(points->size(), 3U) << variant.integrator;
-    EXPECT_LE(points->size(), integrator::Work::kMostPoints);
+    EXPECT_LE(points->size(), integrator::RenderState::kMostPoints);
     EXPECT_GT(session.status().memory, 0U);
   }
   render::Session session({.threads = 1});

@@ -20,7 +20,7 @@ EmissiveTriangle triangle(const Vec3& p0, const Vec3& p1, const Vec3& p2, float 
 
 struct Queries {
   static constexpr size_t kCount = 150;  // more than one batch, no whole number of registers
-  WideVec3<160> from;
+  Vec3Lanes<160> from;
   alignas(64) std::array<float, 160> choice{}, u0{}, u1{};
 
   explicit Queries(const Vec3& around) {

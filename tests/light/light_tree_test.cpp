@@ -237,7 +237,7 @@ struct Table {
 
 struct Queries {
   static constexpr size_t kCount = 1000, kRoom = 1008;
-  WideVec3<kRoom> from;
+  Vec3Lanes<kRoom> from;
   alignas(64) std::array<float, kRoom> choice{}, u0{}, u1{};
 
   Queries() {

@@ -138,7 +138,7 @@ TEST(SphericalTriangle, IsSampledWhereItLooksLarge) {
   bounds.extend(Vec3(-5)), bounds.extend(Vec3(5));
   const LightTable table({panel}, {}, Environment{}, bounds);
   constexpr size_t kCount = 992;
-  auto from = std::make_unique<WideVec3<kCount>>();
+  auto from = std::make_unique<Vec3Lanes<kCount>>();
   std::vector<float> zero(kCount, 0), u0(kCount), u1(kCount);
   std::mt19937 engine(5);
   std::uniform_real_distribution<float> uniform(0, kOneMinusEpsilon);

@@ -1,6 +1,5 @@
 #include "looks/assets.h"
 
-
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -78,7 +77,7 @@ void take_sample_image(View& view) {
 }
 
 // A camera that sees everything from one side.
-Camera framed(const scene::Scene& scene, const Vec3& from) {
+Camera needs_tangent(const scene::Scene& scene, const Vec3& from) {
   constexpr float kFov = kPi / 4;
   const Bounds bounds = scene::world_bounds(scene);
   return look_at(bounds.center() + from * (bounds.radius() / std::sin(kFov / 2)), bounds.center(), Vec3(0, 1, 0), kFov);
@@ -159,7 +158,7 @@ Result<render::Document> open(const View& view, int size, bool environment_visib
   if (d && !environment_visible) d = render::with(*d, "environment.visible", false);
   if (!d) return d.error();
   if (!view.pictures.empty()) as_published(view, *d);
-  if (view.from) d->camera = framed(*d->scene, *view.from);
+  if (view.from) d->camera = needs_tangent(*d->scene, *view.from);
   if (view.camera) d->camera = *view.camera;
   d->filter = film::FilterKind::box;
   d->display.curve = image::ToneCurve::aces;

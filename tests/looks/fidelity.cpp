@@ -29,7 +29,7 @@ double brightness(const Picture& picture) {
 }
 
 double flip(const Picture& a, const Picture& b) {
-  return measure::mean_of(measure::flip_map(a.width, a.height, linear_of(a), linear_of(b)));
+  return metrics::mean_of(metrics::flip_map(a.width, a.height, linear_of(a), linear_of(b)));
 }
 
 Picture shown(const film::Film& film, float exposure, image::ToneCurve curve) {

@@ -129,12 +129,12 @@ int make_table(const std::vector<Reference>& references, const std::string& out,
     rejected += report_rejected(reference.view.name, film);
     image::LayeredImage ours{film.width(), film.height(), {{"", {"R", "G", "B"}, pixels_of(film)}}, {}};
     const image::LayeredImage linear = shrunk(*full, film.width());
-    const auto metrics = measure::compare(ours, linear);
+    const auto metrics = metrics::compare(ours, linear);
     if (!metrics) return std::printf("%s\n", metrics.error().message.c_str()), 3;
     std::printf("%-30s %10.4f %10.5f %10.5f\n", reference.view.name.c_str(),
                 mean(ours.layers[0].pixels) / mean(linear.find("")->pixels), metrics->relmse, metrics->rmse);
     const Picture mine = displayed(ours, *document), theirs = displayed(linear, *document);
-    const Picture difference{ours.width, ours.height, measure::heat_map(ours, linear)};
+    const Picture difference{ours.width, ours.height, metrics::heat_map(ours, linear)};
     sheet.add(&mine, reference.view.name), sheet.add(&theirs, "reference"), sheet.add(&difference, "difference");
   }
   if (const int failed = save(sheet, out)) return failed;

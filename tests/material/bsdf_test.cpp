@@ -44,13 +44,13 @@ std::vector<Case> cases() {
   return list;
 }
 
-LobeMix<Rgb> lobes_of(const Material& material) {
-  LobeMix<Rgb> lobes;
+StandardLobes<Rgb> lobes_of(const Material& material) {
+  StandardLobes<Rgb> lobes;
   add_lobes(SurfaceMaterial(material, {}), {}, lobes);
   return lobes;
 }
 
-bool has_delta(const LobeMix<Rgb>& lobes, const Vec3& wo) {
+bool has_delta(const StandardLobes<Rgb>& lobes, const Vec3& wo) {
   Draw draw(1);
   for (int i = 0; i < 256; ++i) {
     LobeSample<Rgb> s;
@@ -171,7 +171,7 @@ TEST(Bsdf, ReciprocalUpToTheSquaredIndexLaw) {
   }
 }
 
-double albedo(const LobeMix<Rgb>& lobes, const Vec3& wo, double& error) {
+double albedo(const StandardLobes<Rgb>& lobes, const Vec3& wo, double& error) {
   Draw draw(11);
   double sum = 0, squares = 0;
   constexpr int kN = 20'000;
@@ -230,7 +230,7 @@ TEST(Anisotropy, TextureTurnsAndWeakensTheFactors) {
   texture.image = image;
   Material textured = brushed(0.8f, 0.3f);
   textured.anisotropy_texture.texture = 0;
-  LobeMix<Rgb> lobes;
+  StandardLobes<Rgb> lobes;
   add_lobes(SurfaceMaterial(textured, {texture}), {}, lobes);
   const auto expected = lobes_of(brushed(0.2f, 0.3f + kPi / 2));
   const Vec3 a = direction(30, 1), b = direction(50, 4);

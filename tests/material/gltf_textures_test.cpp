@@ -112,14 +112,14 @@ TEST(GltfTextures, CoatHasANormalOfItsOwn) {
   Material m;
   m.clearcoat = 1, m.normal_texture.texture = 0;
   SurfaceMaterial surface(m, textures);
-  EXPECT_TRUE(surface.bent_coat);
+  EXPECT_TRUE(surface.coat_normal_mapped);
   EXPECT_EQ(surface.coat_normal_at({}), Vec3(0, 0, 1));
   m.clearcoat_normal_texture.texture = 0, m.clearcoat_normal_scale = 0.5f;
   surface = SurfaceMaterial(m, textures);
   const Vec3 expected = glm::normalize(Vec3((2 * kR - 1) * 0.5f, (2 * kG - 1) * 0.5f, 0.2f));
   EXPECT_LT(glm::length(surface.coat_normal_at({}) - expected), 1e-3f);
   m.normal_texture.texture = m.clearcoat_normal_texture.texture = -1;
-  EXPECT_FALSE(SurfaceMaterial(m, textures).bent_coat);
+  EXPECT_FALSE(SurfaceMaterial(m, textures).coat_normal_mapped);
 }
 
 }  // namespace

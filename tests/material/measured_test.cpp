@@ -266,7 +266,7 @@ double error_of(const Table& table, const AllLobes<Rgb>& lobes) {
 }
 
 TEST(BrdfTable, LambertIsExactAndGlossyLobesGetBetter) {
-  const auto lambert = lobes_of(*make_reflection("lambert"), Rgb(1));
+  const auto lambert = lobes_of(*make_bsdf_model("lambert"), Rgb(1));
   for (const int steps : {2, 7, 24})
     EXPECT_LT(error_of(BrdfTable::measured(function_of(lambert), steps, 8, true), lambert), 1e-6);
   const auto glossy = lobes_of(*model_with("modified-phong", {{"exponent", "10"}}), Rgb(1));
@@ -350,7 +350,7 @@ TEST(TableSource, IsAModelWithSettingsOrAFile) {
 }
 
 TEST(Harmonics, OneBandIsEnoughForLambertAndMoreForGloss) {
-  const auto lambert = lobes_of(*make_reflection("lambert"), Rgb(1));
+  const auto lambert = lobes_of(*make_bsdf_model("lambert"), Rgb(1));
   const HarmonicBrdf flat(function_of(lambert), 1);
   EXPECT_LT(error_of(flat, lambert), 1e-5);
   EXPECT_EQ(flat.clamped(), 0);

@@ -17,7 +17,7 @@ using test::ModelCase;
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names;
-  for (const auto& info : reflection_infos()) names.emplace_back(info.description.name);
+  for (const auto& info : bsdf_model_infos()) names.emplace_back(info.description.name);
   return names;
 }
 

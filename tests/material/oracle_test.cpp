@@ -1,9 +1,9 @@
 // The numbers of the thesis's chapter 4, and those that follow from its formulas, as the models here give them.
 #include <gtest/gtest.h>
 
-#include "bsdf/microfacet/energy_compensation.h"
-#include "bsdf/lobes/vgroove_microfacet.h"
 #include "bsdf/lobes/thin_dielectric.h"
+#include "bsdf/lobes/vgroove_microfacet.h"
+#include "bsdf/microfacet/energy_compensation.h"
 #include "support/model_cases.h"
 #include "support/sphere_partition.h"
 
@@ -128,10 +128,10 @@ std::vector<AlbedoRow> albedo_rows() {
 test::ModelPtr model_of(const char* name, Settings settings) {
   test::ModelPtr preset;
   std::erase_if(settings, [&](const auto& s) {
-    if (s.first == "preset") preset = with_preset(make_reflection(name), s.second);
+    if (s.first == "preset") preset = with_preset(make_bsdf_model(name), s.second);
     return s.first == "preset";
   });
-  auto model = preset ? preset : make_reflection(name);
+  auto model = preset ? preset : make_bsdf_model(name);
   for (const auto& [knob, text] : specular_only(settings)) {
     const auto parameters = model->parameters();
     model = model->with(knob, *parse_value(*find_parameter(parameters, knob), text));
@@ -232,8 +232,8 @@ TEST(ModifiedPhong, AlbedoIsMonotone) {
 }
 
 // Item 39, and with all of it at other angles: nothing is lost in clear glass.
-TEST(Pane, LetsThroughWhatBothInterfacesLeave) {
-  Pane<Rgb> pane;
+TEST(ThinDielectric, LetsThroughWhatBothInterfacesLeave) {
+  ThinDielectric<Rgb> pane;
   EXPECT_NEAR(pane.parts(1).passed.r, 0.923077, 1e-6);
   EXPECT_NEAR(pane.parts(1).reflected.r, 0.076923, 1e-6);
   for (const float c : {1.0f, 0.7f, 0.3f, 0.05f, 1e-3f, 0.0f}) {
@@ -247,7 +247,7 @@ TEST(Pane, LetsThroughWhatBothInterfacesLeave) {
 
 // Ashikhmin and Shirley's own example of how the diffuse part gives way.
 TEST(AshikhminShirley, Albedos) {
-  const auto lobes = lobes_of(*make_reflection("ashikhmin-shirley"), Rgb(1));
+  const auto lobes = lobes_of(*make_bsdf_model("ashikhmin-shirley"), Rgb(1));
   const std::pair<float, double> all[] = {{0.0f, .5082}, {30.0f, .4940}, {60.0f, .4315}, {80.0f, .3950}};
   for (const auto& [theta, expected] : all) EXPECT_NEAR(albedo(lobes, direction(theta, 0)), expected, 1e-4) << theta;
 }
@@ -298,7 +298,7 @@ TEST(Schlick, GainsAtGrazingAngles) {
 
 // Facets that are perfect mirrors give back all light once what they scatter again is counted: to 1 %, also where they
 // are narrow one way and wide the other.
-TEST(FacetEnergy, GivesBackWhatIsLost) {
+TEST(MicrofacetEnergy, GivesBackWhatIsLost) {
   const std::pair<const char*, const char*> slopes[] = {{"0.02", "0.02"}, {"0.1", "0.1"}, {"0.3", "0.3"},
                                                         {"1", "1"},       {"0.1", "0.8"}, {"0.5", "0"}};
   for (const char* facets : {"ggx", "beckmann"})
@@ -336,11 +336,11 @@ TEST(Beckmann, ErrorFunctionIsInverted) {
 // Facets and a mirror are the same where slopes vanish.
 TEST(Mirror, IsTheLimitOfFacets) {
   const Vec3 wo = direction(50);
-  const auto mirror = lobes_of(*with_preset(make_reflection("fresnel-mirror"), "copper"), Rgb(1));
+  const auto mirror = lobes_of(*with_preset(make_bsdf_model("fresnel-mirror"), "copper"), Rgb(1));
   for (const char* name : {"cook-torrance", "torrance-sparrow"}) {
     Settings smooth{{"preset", "copper"}};
     for (const char* knob : {"m", "alpha-x", "alpha-y"})
-      if (find_parameter(make_reflection(name)->info().parameters, knob)) smooth.emplace_back(knob, "0");
+      if (find_parameter(make_bsdf_model(name)->info().parameters, knob)) smooth.emplace_back(knob, "0");
     const auto lobes = lobes_of(*model_of(name, smooth));
     Deltas<Rgb> expected, found;
     mirror.add_deltas(wo, Transport::radiance, expected), lobes.add_deltas(wo, Transport::radiance, found);
@@ -351,9 +351,9 @@ TEST(Mirror, IsTheLimitOfFacets) {
 }
 
 TEST(Presets, AreRecognised) {
-  for (const auto& info : reflection_infos())
+  for (const auto& info : bsdf_model_infos())
     for (const auto& preset : info.presets) {
-      const auto model = with_preset(make_reflection(info.description.name), preset.name);
+      const auto model = with_preset(make_bsdf_model(info.description.name), preset.name);
       EXPECT_EQ(preset_of(*model), preset.name) << info.description.name;
     }
 }

@@ -9,7 +9,7 @@
 namespace etendue::test {
 namespace {
 
-using namespace measure;
+using namespace metrics;
 
 MethodCurves power_law(const std::string& name, double scale, double slope, int repeats = 3) {
   MethodCurves method{name, {}};

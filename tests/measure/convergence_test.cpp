@@ -10,7 +10,7 @@
 namespace etendue::test {
 namespace {
 
-using namespace measure;
+using namespace metrics;
 
 // error = scale * seconds^slope, log-spaced, with 100 samples a second.
 ErrorCurve power_law(double scale, double slope, int points = 12) {

@@ -10,10 +10,10 @@
 namespace etendue::test {
 namespace {
 
-using measure::flip_map;
-using measure::Kernel;
-using measure::mean_of;
-using measure::Plane;
+using metrics::flip_map;
+using metrics::Kernel;
+using metrics::mean_of;
+using metrics::Plane;
 
 using Pixels = std::vector<float>;
 
@@ -135,19 +135,19 @@ TEST(Flip, LooksThroughTheToneCurveAndTheExposure) {
     return image;
   };
   const auto at = [&](float exposure, image::ToneCurve curve) {
-    return mean_of(*flip_map(layered(4), layered(8), {exposure, curve, measure::kPixelsPerDegree}));
+    return mean_of(*flip_map(layered(4), layered(8), {exposure, curve, metrics::kPixelsPerDegree}));
   };
   EXPECT_EQ(at(0, image::ToneCurve::none), 0);  // both are white
   EXPECT_GT(at(-4, image::ToneCurve::none), 0.3);
   EXPECT_GT(at(0, image::ToneCurve::aces), 0);
-  EXPECT_FALSE(flip_map(layered(1), image::LayeredImage(), measure::Look()));
+  EXPECT_FALSE(flip_map(layered(1), image::LayeredImage(), metrics::Look()));
 }
 
 double sum_of(const std::vector<float>& taps) { return std::accumulate(taps.begin(), taps.end(), 0.0); }
 
 TEST(FlipFilters, ContrastWeightsAddUpToOne) {
-  for (const double resolution : {20.0, measure::kPixelsPerDegree, 150.0})
-    for (const auto& filter : measure::contrast_filters(resolution)) {
+  for (const double resolution : {20.0, metrics::kPixelsPerDegree, 150.0})
+    for (const auto& filter : metrics::contrast_filters(resolution)) {
       double sum = 0;
       for (const Kernel& kernel : filter.gaussians) sum += sum_of(kernel.taps) * sum_of(kernel.taps);
       EXPECT_NEAR(sum, 1, 1e-6);
@@ -156,7 +156,7 @@ TEST(FlipFilters, ContrastWeightsAddUpToOne) {
 
 // sigma = sqrt(b / (2 pi^2)) degrees: 1.03, 1.10, 3.02 and 2.39 pixels of 67 a degree.
 TEST(FlipFilters, ContrastWidthsAreThePublishedOnes) {
-  const auto filters = measure::contrast_filters(measure::kPixelsPerDegree);
+  const auto filters = metrics::contrast_filters(metrics::kPixelsPerDegree);
   const auto sigma = [](const Kernel& k) {
     const auto middle = static_cast<size_t>(k.radius());
     return std::sqrt(-0.5 / std::log(static_cast<double>(k.taps[middle + 1] / k.taps[middle])));
@@ -173,7 +173,7 @@ TEST(FlipFilters, ContrastWidthsAreThePublishedOnes) {
 }
 
 TEST(FlipFilters, DerivativesAreBalanced) {
-  const auto k = measure::feature_kernels(measure::kPixelsPerDegree);
+  const auto k = metrics::feature_kernels(metrics::kPixelsPerDegree);
   EXPECT_EQ(k.gaussian.radius(), 9);
   EXPECT_NEAR(sum_of(k.gaussian.taps), 1, 1e-6);
   for (const Kernel* kernel : {&k.edge, &k.point}) {
@@ -188,8 +188,8 @@ TEST(Separable, EqualsTheDirectSum) {
   const int w = 23, h = 17;
   Plane in(w, h);
   for (size_t i = 0; i < in.values.size(); ++i) in.values[i] = to_unit_float(mix_bits(static_cast<uint32_t>(i)));
-  const auto k = measure::feature_kernels(40);
-  const Plane out = measure::filtered(in, k.edge, k.point);
+  const auto k = metrics::feature_kernels(40);
+  const Plane out = metrics::filtered(in, k.edge, k.point);
   const int r = k.edge.radius();
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x) {
@@ -206,8 +206,8 @@ TEST(Separable, EqualsTheDirectSum) {
 TEST(Separable, KernelsMayBeWiderThanThePicture) {
   Plane in(2, 1);
   in.values = {1, 1};
-  const auto k = measure::feature_kernels(measure::kPixelsPerDegree);
-  for (const float v : measure::filtered(in, k.gaussian, k.gaussian).values) EXPECT_NEAR(v, 1, 1e-5);
+  const auto k = metrics::feature_kernels(metrics::kPixelsPerDegree);
+  for (const float v : metrics::filtered(in, k.gaussian, k.gaussian).values) EXPECT_NEAR(v, 1, 1e-5);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace etendue::test {
 namespace {
 
 using image::LayeredImage;
-using measure::heat_map;
-using measure::HeatMap;
+using metrics::heat_map;
+using metrics::HeatMap;
 
 LayeredImage row(std::vector<float> rgb) {
   LayeredImage image;
@@ -43,7 +43,7 @@ TEST(HeatMap, RelativeErrorsAreRelativeToThePixel) {
 
 TEST(HeatMap, NumbersArePaintedAsTheyAre) {
   const float map[] = {0, 1};
-  EXPECT_EQ(measure::painted(map), (std::vector<uint8_t>{68, 1, 84, 253, 231, 37}));
+  EXPECT_EQ(metrics::painted(map), (std::vector<uint8_t>{68, 1, 84, 253, 231, 37}));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace etendue::test {
 namespace {
 
 using image::LayeredImage;
-using measure::compare;
+using metrics::compare;
 
 LayeredImage picture(int width, int height, std::vector<float> rgb) {
   LayeredImage image;

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace etendue::measure {
+namespace etendue::film {
 namespace {
 
 // Strictly between zero and one.
@@ -245,4 +245,4 @@ TEST(Tail, EdgesAreSaid) {
 }
 
 }  // namespace
-}  // namespace etendue::measure
+}  // namespace etendue::film

@@ -94,7 +94,7 @@ TEST(Photon, DirectionsArePackedCloseToWhatTheyWere) {
 TEST(Photon, ManyDirectionsArePackedAsEachAlone) {
   constexpr size_t kCount = 75;  // no whole number of registers
   Numbers random(3);
-  WideVec3<80> v{};
+  Vec3Lanes<80> v{};
   std::array<uint32_t, 80> packed{};
   for (size_t i = 0; i < kCount; ++i) v.set(i, square_to_sphere(random.pair()));
   packed_directions(v, kCount, 10, packed.data());

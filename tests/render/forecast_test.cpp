@@ -14,13 +14,13 @@ film::ErrorEstimate estimate(double rmse, double relative) {
   return e;
 }
 
-Forecast with_slope(double slope, double relative) {
-  Forecast forecast;
+TimeEstimator with_slope(double slope, double relative) {
+  TimeEstimator forecast;
   for (uint32_t n = 2; n <= 256; n *= 2) forecast.add(n, 0.01 * n, estimate(std::pow(n, slope), relative));
   return forecast;
 }
 
-TEST(Forecast, FollowsAKnownCurve) {
+TEST(TimeEstimator, FollowsAKnownCurve) {
   // Half the error takes four times the samples: 7.68 more seconds.
   const auto random = with_slope(-0.5, 0.01).until(std::pow(256, -0.5) / 2, 2.56);
   ASSERT_TRUE(random);
@@ -33,21 +33,21 @@ TEST(Forecast, FollowsAKnownCurve) {
   EXPECT_NEAR(steep->seconds, 1.52 * 2.56, 0.2 * 1.52 * 2.56);
 }
 
-TEST(Forecast, IsWiderWhereErrorsAreVaguer) {
+TEST(TimeEstimator, IsWiderWhereErrorsAreVaguer) {
   const double target = std::pow(256, -0.5) / 4;
   const auto sure = with_slope(-0.5, 0.01).until(target, 2.56), vague = with_slope(-0.5, 0.4).until(target, 2.56);
   ASSERT_TRUE(sure && vague);
   EXPECT_GT(vague->interval.high - vague->interval.low, 1.5 * (sure->interval.high - sure->interval.low));
 }
 
-TEST(Forecast, KnowsNothingBeforeTheFirstError) {
-  Forecast forecast;
+TEST(TimeEstimator, KnowsNothingBeforeTheFirstError) {
+  TimeEstimator forecast;
   EXPECT_FALSE(forecast.until(0.1, 0));
   forecast.add(1, 0.1, {});
   EXPECT_FALSE(forecast.until(0.1, 0.1));
 }
 
-TEST(Forecast, HasNothingLeftOnceTheErrorIsThere) {
+TEST(TimeEstimator, HasNothingLeftOnceTheErrorIsThere) {
   const auto there = with_slope(-0.5, 0.1).until(0.5, 2.56);
   ASSERT_TRUE(there);
   EXPECT_EQ(there->seconds, 0);

@@ -18,33 +18,33 @@ namespace etendue::render {
 namespace {
 
 // A picture whose samples are made up: radiance of a pixel, drawn with a uniform number.
-std::shared_ptr<const Health> health_of_made_up(int width, int height, uint32_t samples,
-                                                const std::function<float(int, int, double)>& radiance,
-                                                uint64_t seed = 1) {
+std::shared_ptr<const Reliability> health_of_made_up(int width, int height, uint32_t samples,
+                                                     const std::function<float(int, int, double)>& radiance,
+                                                     uint64_t seed = 1) {
   film::Film film(width, height);
-  TileTails tails(width, height);
+  TailStatistics tails(width, height);
   std::mt19937_64 engine(seed);
   const auto uniform = [&] { return (static_cast<double>(engine() >> 12) + 0.5) * 0x1p-52; };
   for (uint32_t s = 0; s < samples; ++s)
-    for (int y = 0; y < height; y += TileTails::kHeight)
-      for (int x = 0; x < width; x += TileTails::kWidth) {
-        const integrator::PixelBlock block{x, y, std::min(TileTails::kWidth, width - x),
-                                           std::min(TileTails::kHeight, height - y), s};
+    for (int y = 0; y < height; y += TailStatistics::kHeight)
+      for (int x = 0; x < width; x += TailStatistics::kWidth) {
+        const integrator::PixelBlock block{x, y, std::min(TailStatistics::kWidth, width - x),
+                                           std::min(TailStatistics::kHeight, height - y), s};
         std::vector<Rgb> colors;
         for (int v = y; v < y + block.height; ++v)
           for (int u = x; u < x + block.width; ++u) colors.emplace_back(radiance(u, v, uniform()));
         tails.add(block, colors, film);
       }
-  std::vector<measure::Tail> reports;
+  std::vector<film::Tail> reports;
   for (const auto& tail : tails.tails()) reports.push_back(tail.report());
   const auto all = static_cast<uint64_t>(samples) * film.pixels().size();
-  return health_of(tails, reports, film.rejected(), all, [] { return true; });
+  return reliability_of(tails, reports, film.rejected(), all, [] { return true; });
 }
 
 float even(double u) { return static_cast<float>(u); }
 float pareto(double u, double alpha) { return static_cast<float>(std::pow(u, -1 / alpha)); }
 
-TEST(Health, WhatIsBrightButCertainIsNoTail) {
+TEST(Reliability, WhatIsBrightButCertainIsNoTail) {
   const auto h =
       health_of_made_up(40, 20, 64, [](int x, int y, double u) { return x == 7 && y == 3 ? 1e6f : even(u); });
   EXPECT_EQ(h->verdict, Verdict::healthy);
@@ -56,7 +56,7 @@ TEST(Health, WhatIsBrightButCertainIsNoTail) {
 }
 
 // A hundred tiles, ten of which have k = 1. Missed are those whose vov happens to be below its limit, one in five.
-TEST(Health, HeavyTilesAreFoundAmongOthers) {
+TEST(Reliability, HeavyTilesAreFoundAmongOthers) {
   int found = 0, alarms = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     const auto h = health_of_made_up(
@@ -70,7 +70,7 @@ TEST(Health, HeavyTilesAreFoundAmongOthers) {
 }
 
 // k = 0.4 everywhere: some tiles look heavy by chance, which nobody is told.
-TEST(Health, ChanceAloneIsNoAlarm) {
+TEST(Reliability, ChanceAloneIsNoAlarm) {
   int looking = 0;
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     const auto h = health_of_made_up(
@@ -82,24 +82,24 @@ TEST(Health, ChanceAloneIsNoAlarm) {
   EXPECT_GT(looking, 0);
 }
 
-TEST(Health, OneFireflyMakesThePictureDoubtful) {
+TEST(Reliability, OneFireflyMakesThePictureDoubtful) {
   int drawn = 0;
   const auto h = health_of_made_up(64, 32, 32, [&](int, int, double u) { return ++drawn == 30'000 ? 1e4f : even(u); });
   EXPECT_EQ(h->verdict, Verdict::doubtful);
   EXPECT_GT(h->tail.vov, 0.9);
 }
 
-TEST(Health, RefusedSamplesAreNoZeroesInTheDark) {
+TEST(Reliability, RefusedSamplesAreNoZeroesInTheDark) {
   const auto h = health_of_made_up(32, 16, 32, [](int x, int, double u) { return x == 3 ? -1 : even(u); });
   EXPECT_EQ(h->verdict, Verdict::unreliable);
   EXPECT_NE(h->reason.find("3.1 %"), std::string::npos) << h->reason;
   EXPECT_TRUE(std::isfinite(h->tail.vov));
 }
 
-TEST(Health, IsTheSameForAnyNumberOfThreads) {
+TEST(Reliability, IsTheSameForAnyNumberOfThreads) {
   auto d = test::cornell(70);
   d.limits.samples = 20;
-  std::vector<std::shared_ptr<const Health>> all;
+  std::vector<std::shared_ptr<const Reliability>> all;
   for (const int threads : {1, 2, 7}) {
     Session session({.threads = threads});
     session.submit(d);
@@ -117,7 +117,7 @@ TEST(Health, IsTheSameForAnyNumberOfThreads) {
 }
 
 // Coarse frames are not watched, an edit begins anew, and a film from a file was not seen growing.
-TEST(Health, CoversTheSamplesOfThisPicture) {
+TEST(Reliability, CoversTheSamplesOfThisPicture) {
   Session session({.threads = 2, .interactive = true, .publish_interval = 0.005});
   for (const int size : {40, 40, 33}) {
     auto d = test::cornell(size);
@@ -149,7 +149,7 @@ Document nan_in_a_sky() {
   return test::document(std::move(scene), look_at({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2.5f), 48, 48);
 }
 
-TEST(Rejected, TheFirstAreTheSameForAnyNumberOfThreadsAndInACheckpoint) {
+TEST(InvalidSamples, TheFirstAreTheSameForAnyNumberOfThreadsAndInACheckpoint) {
   const auto one = test::rendered(nan_in_a_sky(), 3, 1).rejected();
   ASSERT_EQ(one.first.size(), film::kFirstRejections);
   EXPECT_EQ(one.first[0].sample, 0U);

@@ -26,7 +26,7 @@ class Editor {
     const std::string section = kind == "method" ? d.method.integrator : kind == "sampler" ? d.method.sampler : kind;
     const auto list = render::bindings(d, section);
     if (list.empty()) return d;
-    const render::Binding& b = list[below(list.size())];
+    const render::DocumentParameter& b = list[below(list.size())];
     const auto changed = render::with(d, b.info.name, value_of(b.info));
     return changed && is_small(*changed) ? *changed : d;
   }

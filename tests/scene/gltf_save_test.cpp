@@ -1,12 +1,12 @@
 // What is saved and opened again is what it was.
-#include "image/image.h"
 #include "bsdf/bsdf_model.h"
+#include "image/image.h"
 #include "render/scene_saving.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf_builder.h"
-#include "scene/gltf/write.h"
-#include "scene/scene_compare.h"
 #include "scene/builtin/shapes.h"
+#include "scene/gltf/write.h"
+#include "scene/gltf_builder.h"
+#include "scene/scene_compare.h"
 #include "scene/variants.h"
 #include "support/scenes.h"
 
@@ -298,16 +298,16 @@ TEST_F(Saving, PicturesAreTheSameToTheBit) {
 }
 
 // Every reflection model with every preset and both ends of each parameter, as values of their own.
-TEST_F(Saving, ReflectionModels) {
+TEST_F(Saving, BsdfModels) {
   scene::Scene before = scene::find_builtin("cornell")->make();
-  const auto add = [&](std::shared_ptr<const Reflection> model) {
+  const auto add = [&](std::shared_ptr<const BsdfModel> model) {
     Material m;
     m.name = "model " + std::to_string(before.materials.size());
-    m.reflection.model = std::move(model);
+    m.model.model = std::move(model);
     before.materials.push_back(m);
   };
-  for (const ReflectionInfo& info : reflection_infos()) {
-    const auto usual = make_reflection(info.description.name);
+  for (const BsdfModelInfo& info : bsdf_model_infos()) {
+    const auto usual = make_bsdf_model(info.description.name);
     add(usual);
     for (const ModelPreset& preset : info.presets) add(with_preset(usual, preset.name));
     for (const ParameterInfo& p : info.parameters) {
@@ -320,7 +320,7 @@ TEST_F(Saving, ReflectionModels) {
 
 TEST_F(Saving, ReflectionModelsThatAreNotKnown) {
   scene::Scene before = scene::find_builtin("cornell")->make();
-  before.materials[0].reflection.model = make_reflection("phong");
+  before.materials[0].model.model = make_bsdf_model("phong");
   json file = description(before);
   auto& extension = file["materials"][0]["extensions"]["ETENDUE_transport"];
   extension["parameters"]["exponent"] = 1e9;
@@ -328,13 +328,13 @@ TEST_F(Saving, ReflectionModelsThatAreNotKnown) {
   std::ofstream(folder_ / "described.gltf") << file;
   auto opened = scene::load_gltf(folder_ / "described.gltf");
   ASSERT_TRUE(opened) << opened.error().message;
-  EXPECT_TRUE(opened->materials[0].reflection == before.materials[0].reflection);
+  EXPECT_TRUE(opened->materials[0].model == before.materials[0].model);
   EXPECT_EQ(opened->warnings.size(), 2u);
   extension["model"] = "fong";
   std::ofstream(folder_ / "described.gltf") << file;
   opened = scene::load_gltf(folder_ / "described.gltf");
   ASSERT_TRUE(opened) << opened.error().message;
-  EXPECT_FALSE(opened->materials[0].reflection);
+  EXPECT_FALSE(opened->materials[0].model);
   ASSERT_EQ(opened->warnings.size(), 1u);
   EXPECT_NE(opened->warnings[0].find("fong"), std::string::npos);
 }

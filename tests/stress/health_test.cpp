@@ -28,7 +28,7 @@ int count(render::Document d, const std::string& method, uint32_t samples, Verdi
 }
 
 // k = 1: missed in 6 % at most at 64 samples a pixel, in 20 % at 16.
-TEST(Health, InfiniteVarianceIsCalledUnreliable) {
+TEST(Reliability, InfiniteVarianceIsCalledUnreliable) {
   const auto d = wall_on_a_light(Lab({}), 12);
   for (const char* method : {"raycast:lights=one", "raycast:lights=one:sampler=random"}) {
     EXPECT_GE(count(d, method, 64, Verdict::unreliable), 94) << method;
@@ -38,7 +38,7 @@ TEST(Health, InfiniteVarianceIsCalledUnreliable) {
 
 // An even light whose samples share with the directions of the BSDF, and scenes that are known to be tame: no false
 // alarm in 600.
-TEST(Health, WhatIsBoundedIsHealthy) {
+TEST(Reliability, WhatIsBoundedIsHealthy) {
   const auto inside = look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1);
   for (const uint32_t samples : {16U, 64U}) {
     EXPECT_EQ(count(wall_on_a_light(Lab({}), 1), "path", samples, Verdict::healthy), kRuns) << samples;
@@ -47,7 +47,7 @@ TEST(Health, WhatIsBoundedIsHealthy) {
   }
 }
 
-TEST(Health, TooFewSamplesAreNoVerdict) {
+TEST(Reliability, TooFewSamplesAreNoVerdict) {
   EXPECT_EQ(count(test::cornell(16), "path", 9, Verdict::unknown), kRuns);
   EXPECT_EQ(count(test::cornell(16), "path", 10, Verdict::unknown), 0);
 }

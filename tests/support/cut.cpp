@@ -25,7 +25,7 @@ void expect_same_bits_after_a_cut(render::Document d, const std::string& what) {
       while (first.status().samples < 2) std::this_thread::yield();
     else
       first.finish();
-    render::Start copy = first.start_copy();
+    render::ResumePoint copy = first.start_copy();
     ASSERT_TRUE(
         render::write_checkpoint(path, {render::state_json(d, 4), std::move(copy.film), 1, std::move(copy.work)}));
     auto read = render::read_checkpoint(path);

@@ -11,7 +11,7 @@
 
 namespace etendue::test {
 
-using ModelPtr = std::shared_ptr<const Reflection>;
+using ModelPtr = std::shared_ptr<const BsdfModel>;
 
 struct ModelCase {
   std::string name;  // the model's and what was set
@@ -21,7 +21,7 @@ struct ModelCase {
 
 inline const Rgb kModelBase{0.8f, 0.6f, 0.4f};
 
-inline AllLobes<Rgb> lobes_of(const Reflection& model, const Rgb& base = kModelBase) {
+inline AllLobes<Rgb> lobes_of(const BsdfModel& model, const Rgb& base = kModelBase) {
   AllLobes<Rgb> lobes;
   model.add_lobes(base, lobes);
   return lobes;
@@ -29,7 +29,7 @@ inline AllLobes<Rgb> lobes_of(const Reflection& model, const Rgb& base = kModelB
 
 // A model with some of its knobs set; an unknown name or value is a mistake of the test.
 inline ModelPtr model_with(std::string_view name, const std::vector<std::pair<std::string, std::string>>& settings) {
-  ModelPtr model = make_reflection(name);
+  ModelPtr model = make_bsdf_model(name);
   for (const auto& [knob, text] : settings) {
     const auto parameters = model->parameters();
     const ParameterInfo* p = find_parameter(parameters, knob);
@@ -54,9 +54,9 @@ inline ModelPtr with_number(ModelPtr model, const std::string& name, const Value
 // Calls use(name, model) for a model as it is, with each knob at both its ends or at each of its options, and with each
 // of its presets.
 template <class Use>
-void for_each_setting(const ReflectionInfo& info, Use&& use) {
+void for_each_setting(const BsdfModelInfo& info, Use&& use) {
   const std::string name = info.description.name;
-  const ModelPtr usual = make_reflection(name);
+  const ModelPtr usual = make_bsdf_model(name);
   use(name, usual);
   for (const auto& p : info.parameters) {
     if (p.name.ends_with(".g") || p.name.ends_with(".b")) continue;
@@ -82,7 +82,7 @@ void for_each_setting(const ReflectionInfo& info, Use&& use) {
 
 inline std::vector<ModelCase> cases_of(std::string_view model) {
   std::vector<ModelCase> cases;
-  for_each_setting(*find_reflection(model), [&](const std::string& name, const ModelPtr& set) {
+  for_each_setting(*find_bsdf_model(model), [&](const std::string& name, const ModelPtr& set) {
     cases.push_back({name, set, lobes_of(*set)});
   });
   return cases;
@@ -91,7 +91,7 @@ inline std::vector<ModelCase> cases_of(std::string_view model) {
 // Of all models together.
 inline size_t count_cases() {
   size_t count = 0;
-  for (const auto& info : reflection_infos())
+  for (const auto& info : bsdf_model_infos())
     for_each_setting(info, [&](const std::string&, const ModelPtr&) { ++count; });
   return count;
 }

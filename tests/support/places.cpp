@@ -100,8 +100,8 @@ namespace {
 Material modelled(const char* model, std::initializer_list<std::pair<const char*, Value>> settings) {
   Material m;
   m.base_color = {0.7f, 0.5f, 0.4f};
-  m.reflection.model = make_reflection(model);
-  for (const auto& [name, value] : settings) m.reflection.model = m.reflection->with(name, value);
+  m.model.model = make_bsdf_model(model);
+  for (const auto& [name, value] : settings) m.model.model = m.model->with(name, value);
   return m;
 }
 

@@ -12,9 +12,9 @@ namespace etendue::transport {
 namespace {
 
 // An expression as a tree, its own text, and the set of places where a match that starts at `from` can end.
-struct Tree {
+struct BranchingPaths {
   char kind;  // a letter or '.', or one of & | * + ? [
-  std::vector<Tree> parts;
+  std::vector<BranchingPaths> parts;
 
   std::string text() const {
     switch (kind) {
@@ -74,11 +74,11 @@ struct Tree {
   bool matches(const std::string& word) const { return ends(word, 0).contains(word.size()); }
 };
 
-Tree random_tree(std::mt19937& random, int depth) {
+BranchingPaths random_tree(std::mt19937& random, int depth) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   if (depth == 0 || below(5) == 0) return {"ELDGS." [below(6)], {}};
   const char kind = "&&&||*+?["[below(9)];
-  std::vector<Tree> parts{random_tree(random, depth - 1)};
+  std::vector<BranchingPaths> parts{random_tree(random, depth - 1)};
   if (kind == '&' || kind == '|') parts.push_back(random_tree(random, depth - 1));
   return {kind, parts};
 }
@@ -104,12 +104,12 @@ Automaton automaton(const std::string& text) {
 }
 
 // The tree of E(...)L, so that a fair share of random words are paths.
-Tree as_path(Tree inner) { return {'&', {{'E', {}}, {'&', {std::move(inner), {'L', {}}}}}}; }
+BranchingPaths as_path(BranchingPaths inner) { return {'&', {{'E', {}}, {'&', {std::move(inner), {'L', {}}}}}}; }
 
 TEST(PathExpression, RandomExpressionsMatchWhatTheirDefinitionMatches) {
   std::mt19937 random(7);
   for (int i = 0; i < 12; ++i) {
-    Tree tree = random_tree(random, 4);
+    BranchingPaths tree = random_tree(random, 4);
     if (i % 2) tree = as_path(tree);
     const Automaton a = automaton(tree.text());
     for_all_words(7, [&](const std::string& word) {
@@ -117,7 +117,7 @@ TEST(PathExpression, RandomExpressionsMatchWhatTheirDefinitionMatches) {
     });
   }
   for (int i = 0; i < 400; ++i) {
-    Tree tree = random_tree(random, 5);
+    BranchingPaths tree = random_tree(random, 5);
     if (i % 2) tree = as_path(tree);
     const auto e = PathExpression::parse(tree.text());
     if (!e) {

@@ -3,8 +3,8 @@
 //   f = strength F(wo.h) D G2 / (4 |n.wo| |n.wi|) m(wo) m(wi),    m(w) = min(1, |n.w| / |z.w|)
 //
 // n is the coat's normal, z the shading normal. Reciprocal; m keeps the coat from sending out more than it gets where n
-// is not z. Schlick's F is that of an index of 1.5. CoverLayer (cover.h) is what it leaves to what lies below: there
-// the extension takes the angle to the normal, here that to the facet, as the layers below do. Sampled by visible
+// is not z. Schlick's F is that of an index of 1.5. DielectricCoating (cover.h) is what it leaves to what lies below:
+// there the extension takes the angle to the normal, here that to the facet, as the layers below do. Sampled by visible
 // normals.
 #pragma once
 #include "base/frame.h"
@@ -15,7 +15,7 @@ namespace etendue {
 inline constexpr float kCoatF0 = 0.04f;
 
 template <class Color>
-struct Coat {
+struct Clearcoat {
   float strength = 1;
   Frame frame;  // of its normal, in that of the surface
   Ggx facets;

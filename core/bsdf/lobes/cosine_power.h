@@ -39,19 +39,19 @@ struct CosinePower : OpaqueLobe<ColorType, CosinePower<ColorType>> {
 };
 
 // The knobs that the Phong models share, and a lobe on Lambert's.
-struct PhongKnobs {
+struct PhongParameters {
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular;
   Number<float> exponent{"exponent", "Exponent",        20, {0, 1e5f}, "n: 1 is matte, above 100 glossy",
                          "",         Scale::logarithmic};
 
-  explicit PhongKnobs(const char* doc_of_specular)
+  explicit PhongParameters(const char* doc_of_specular)
       : specular{"specular", "Specular", Vec3(0.3f), {0, 1}, doc_of_specular} {}
   auto parameters() { return std::tie(diffuse, specular, exponent); }
 
   // `scale` is what the cosine's power is multiplied by where rho_s is one.
-  template <class Mix>
-  void add_lobes(const Rgb& base, float scale, bool over_cosine, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, float scale, bool over_cosine, LobeSet& lobes) const {
     lobes.add(Lambert<Rgb>{base * diffuse});
     CosinePower<Rgb> lobe;
     lobe.scale = rgb_of(specular) * scale, lobe.exponent = exponent, lobe.over_cosine = over_cosine;

@@ -11,7 +11,7 @@
 namespace etendue {
 
 template <class Color, class Fresnel>
-struct DiffuseThrough {
+struct DiffuseTransmission {
   Color color{0};
   Fresnel layer;
 

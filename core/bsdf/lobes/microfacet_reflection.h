@@ -20,7 +20,7 @@ float facet_visibility(const Facets& facets, const Vec3& o, const Vec3& i) {
 }
 
 template <class ColorType, class FacetsType>
-struct FacetReflection : OpaqueLobe<ColorType, FacetReflection<ColorType, FacetsType>> {
+struct MicrofacetReflection : OpaqueLobe<ColorType, MicrofacetReflection<ColorType, FacetsType>> {
   ColorType tint{1};
   FresnelTerm<ColorType> fresnel;
   FacetsType facets;

@@ -40,7 +40,7 @@ struct Sheen : OpaqueLobe<ColorType, Sheen<ColorType>> {
 };
 
 // What it takes from the layers below: `max(color)` of what a white one sends back.
-struct SheenLayer {
+struct SheenCoating {
   float strength = 0;
   float roughness = 1;
 

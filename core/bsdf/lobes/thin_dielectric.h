@@ -14,7 +14,7 @@
 namespace etendue {
 
 template <class Color>
-struct Pane : DeltaLobe<Color> {
+struct ThinDielectric : DeltaLobe<Color> {
   Color tint{1};
   float eta = 1.5f;
 

@@ -11,7 +11,7 @@
 namespace etendue {
 
 template <class Color, class Fresnel = SchlickFresnel<Color>>
-struct ThinSheet : Fresnel {
+struct ThinTransmission : Fresnel {
   Color tint{1};
   float share = 1;
   Ggx facets;

@@ -14,7 +14,7 @@
 namespace etendue {
 
 template <class ColorType>
-struct GrooveReflection : OpaqueLobe<ColorType, GrooveReflection<ColorType>> {
+struct VGrooveMicrofacet : OpaqueLobe<ColorType, VGrooveMicrofacet<ColorType>> {
   static constexpr int kMost = 3;
 
   ColorType tint{1};

@@ -66,13 +66,13 @@ std::vector<std::string> words_of(std::string_view text) {
 
 bool names_model(std::string_view source) {
   const auto words = words_of(source);
-  return !words.empty() && find_reflection(words[0]) != nullptr;
+  return !words.empty() && find_bsdf_model(words[0]) != nullptr;
 }
 
 // The model that a source names, with its settings.
-Result<std::shared_ptr<const Reflection>> model_of(std::string_view source) {
+Result<std::shared_ptr<const BsdfModel>> model_of(std::string_view source) {
   const auto words = words_of(source);
-  auto model = make_reflection(words[0]);
+  auto model = make_bsdf_model(words[0]);
   for (size_t k = 1; k < words.size(); ++k) {
     const size_t equals = std::min(words[k].find('='), words[k].size());
     const std::string knob = words[k].substr(0, equals);

@@ -29,8 +29,8 @@ float albedo(const Facets& facets, const Vec3& o) {
   return static_cast<float>(sum / count);
 }
 
-float albedo(FacetKind kind, float alpha_x, float alpha_y, const Vec3& o) {
-  if (kind == FacetKind::ggx) return albedo(Ggx{alpha_x, alpha_y}, o);
+float albedo(MicrofacetDistribution kind, float alpha_x, float alpha_y, const Vec3& o) {
+  if (kind == MicrofacetDistribution::ggx) return albedo(Ggx{alpha_x, alpha_y}, o);
   return albedo(Beckmann{alpha_x, alpha_y}, o);
 }
 
@@ -42,7 +42,7 @@ Vec3 direction(float cosine, float share, bool x_is_wider) {
 
 }  // namespace
 
-FacetEnergy::FacetEnergy(FacetKind kind, float alpha_x, float alpha_y)
+MicrofacetEnergy::MicrofacetEnergy(MicrofacetDistribution kind, float alpha_x, float alpha_y)
     : azimuths_(alpha_x == alpha_y ? 1 : 17), x_is_wider_(alpha_x >= alpha_y) {
   const auto steps = static_cast<float>(std::max(1, azimuths_ - 1));
   for (int a = 0; a < azimuths_; ++a)
@@ -63,7 +63,7 @@ FacetEnergy::FacetEnergy(FacetKind kind, float alpha_x, float alpha_y)
   mean_lost_ = static_cast<float>(sum / (kCosineSteps * kAzimuthSteps));
 }
 
-float FacetEnergy::lost(const Vec3& w) const {
+float MicrofacetEnergy::lost(const Vec3& w) const {
   const float x = std::sqrt(std::clamp(w.z, 0.0f, 1.0f)) * (kCosines - 1);
   const int k = std::min(static_cast<int>(x), kCosines - 2);
   const float t = x - static_cast<float>(k);
@@ -78,13 +78,13 @@ float FacetEnergy::lost(const Vec3& w) const {
   return row(a) + (row(a + 1) - row(a)) * (y - static_cast<float>(a));
 }
 
-const FacetEnergy& FacetEnergy::of(FacetKind kind, float alpha_x, float alpha_y) {
-  using Key = std::tuple<FacetKind, float, float>;
+const MicrofacetEnergy& MicrofacetEnergy::of(MicrofacetDistribution kind, float alpha_x, float alpha_y) {
+  using Key = std::tuple<MicrofacetDistribution, float, float>;
   static std::mutex mutex;
-  static std::map<Key, std::unique_ptr<const FacetEnergy>> tables;
+  static std::map<Key, std::unique_ptr<const MicrofacetEnergy>> tables;
   const std::scoped_lock lock(mutex);
   auto& table = tables[Key{kind, alpha_x, alpha_y}];
-  if (!table) table = std::make_unique<const FacetEnergy>(kind, alpha_x, alpha_y);
+  if (!table) table = std::make_unique<const MicrofacetEnergy>(kind, alpha_x, alpha_y);
   return *table;
 }
 

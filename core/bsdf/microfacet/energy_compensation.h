@@ -12,14 +12,14 @@
 
 namespace etendue {
 
-enum class FacetKind : uint8_t { ggx, beckmann };
+enum class MicrofacetDistribution : uint8_t { ggx, beckmann };
 
-class FacetEnergy {
+class MicrofacetEnergy {
  public:
   // Any thread may ask. Widths must not be below kSmoothAlpha.
-  static const FacetEnergy& of(FacetKind kind, float alpha_x, float alpha_y);
+  static const MicrofacetEnergy& of(MicrofacetDistribution kind, float alpha_x, float alpha_y);
 
-  FacetEnergy(FacetKind kind, float alpha_x, float alpha_y);
+  MicrofacetEnergy(MicrofacetDistribution kind, float alpha_x, float alpha_y);
 
   // 1 - E for a direction above the surface in the axes of the widths, and the mean of that, weighted by the cosine.
   float lost(const Vec3& w) const;
@@ -37,10 +37,10 @@ class FacetEnergy {
 template <class ColorType>
 struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, Scatter::diffuse> {
   ColorType scale{0};  // tint F_ms / (pi (1 - <E>))
-  const FacetEnergy* energy = nullptr;
+  const MicrofacetEnergy* energy = nullptr;
   Vec2 along{1, 0};
 
-  static FacetCompensation of(const FacetEnergy& energy, const Vec2& along, const ColorType& tint,
+  static FacetCompensation of(const MicrofacetEnergy& energy, const Vec2& along, const ColorType& tint,
                               const FresnelTerm<ColorType>& fresnel) {
     FacetCompensation lobe;
     lobe.energy = &energy, lobe.along = along;

@@ -72,7 +72,7 @@ struct CoupledDiffuse : OpaqueLobe<ColorType, CoupledDiffuse<ColorType>, Scatter
 };
 
 struct AshikhminShirleyModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "ashikhmin-shirley", "Ashikhmin-Shirley", ModelClass::phenomenological,
       "An anisotropic Phong lobe about the half vector with Schlick's Fresnel term, and a diffuse part that gets what "
       "it leaves (2000). Reciprocal; conserves energy.",
@@ -89,8 +89,8 @@ struct AshikhminShirleyModel {
                    "",   Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, specular, nu, nv); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     const Rgb f0 = rgb_of(specular);
     CoupledDiffuse<Rgb> under;
     under.scale = base * diffuse * (Rgb(1) - f0);

@@ -36,7 +36,7 @@ struct HalfVectorPower : OpaqueLobe<ColorType, HalfVectorPower<ColorType>> {
 };
 
 struct BlinnPhongModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "blinn-phong", "Blinn-Phong", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s <N,H>^n / cos_i with the unit half vector H. Neither reciprocal nor energy conserving; "
       "without "
@@ -52,8 +52,8 @@ struct BlinnPhongModel {
   Toggle over_cosine{"over-cosine", "Over the cosine", true, "Divide by the cosine of incidence, as Phong's BRDF does"};
   auto parameters() { return std::tie(diffuse, specular, exponent, over_cosine); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(Lambert<Rgb>{base * diffuse});
     HalfVectorPower<Rgb> lobe;
     lobe.scale = rgb_of(specular), lobe.exponent = exponent, lobe.over_cosine = over_cosine;

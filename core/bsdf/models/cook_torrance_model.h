@@ -15,14 +15,14 @@
 namespace etendue {
 
 struct CookTorranceModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "cook-torrance", "Cook-Torrance", ModelClass::physical,
       "f = rho_d/pi + rho_s F G D/(4 cos_i cos_o) with the masking of V-shaped grooves and up to three scales of "
       "roughness. Reciprocal; loses energy with roughness, and gains it if G is left out.",
       "normals by D (for the Gaussian by theta exp(-theta^2/m^2)); weight F G <o,h>/(cos_h cos_o), not bounded at "
       "grazing angles; what leaves below the surface is absorbed"};
   template <class Color>
-  using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, GrooveReflection<Color>>;
+  using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, VGrooveMicrofacet<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.2f, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(0.8f), {0, 1}, "rho_s: a factor on what the facets reflect"};
@@ -40,10 +40,10 @@ struct CookTorranceModel {
   }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (diffuse > 0) lobes.add(Lambert<Rgb>{base * diffuse});
-    GrooveReflection<Rgb> grooves;
+    VGrooveMicrofacet<Rgb> grooves;
     grooves.tint = rgb_of(specular), grooves.fresnel = fresnel.term(), grooves.masked = masked;
     float smooth = 0;
     const float total = 1 + weight2 + weight3;

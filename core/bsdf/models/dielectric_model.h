@@ -10,7 +10,7 @@
 namespace etendue {
 
 struct DielectricModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "dielectric", "Dielectric (glass, water)", ModelClass::physical,
       "Reflection and refraction with exact Fresnel terms; GGX facets where it is rough (Walter et al. 2007). "
       "Reciprocal up to the eta^2 law; polished it loses nothing.",
@@ -24,8 +24,8 @@ struct DielectricModel {
   auto parameters() { return std::tie(eta, roughness); }
   static std::vector<ModelPreset> presets() { return dielectric_presets(); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     Dielectric<Rgb> lobe;
     lobe.tint = base, lobe.eta = eta;
     lobe.facets.alpha_x = lobe.facets.alpha_y = roughness;

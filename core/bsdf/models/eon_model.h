@@ -8,7 +8,7 @@
 namespace etendue {
 
 struct EonModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "eon", "Oren-Nayar, energy-preserving (EON)", ModelClass::physical,
       "Fujii's form of Oren and Nayar's model and a lobe for the light that is scattered again (Portsmouth, Kutz, Hill "
       "2025). Reciprocal; gives back all light for rho = 1.",
@@ -20,8 +20,8 @@ struct EonModel {
   Number<float> roughness{"roughness", "Roughness", 0.5f, {0, 1}, "0 is Lambert's model, 1 the steepest grooves"};
   auto parameters() { return std::tie(diffuse, roughness); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     Eon<Rgb> lobe;
     lobe.albedo = base * diffuse, lobe.roughness = roughness;
     lobes.add(lobe);

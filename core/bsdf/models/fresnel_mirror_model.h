@@ -9,7 +9,7 @@
 namespace etendue {
 
 struct FresnelMirrorModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "fresnel-mirror", "Mirror, Fresnel", ModelClass::idealised,
       "f = F(cos_i) delta(wi - mirrored wo)/cos_i: polished metal, or the reflection of a polished dielectric whose "
       "inside is black. Reciprocal; its albedo is F.",
@@ -21,8 +21,8 @@ struct FresnelMirrorModel {
   auto parameters() { return fresnel.parameters(); }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(Mirror<Rgb>{{}, base, fresnel.term()});
   }
 };

@@ -57,7 +57,7 @@ struct GeneralisedCosineKnobs {
 };
 
 struct LafortuneModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "lafortune", "Lafortune", ModelClass::phenomenological,
       "f = rho_d/pi + sum rho_j (Cx o_x i_x + Cy o_y i_y + Cz o_z i_z)^n: up to three lobes, mirror-like, off-specular "
       "or "
@@ -90,8 +90,8 @@ struct LafortuneModel {
     return std::tuple_cat(std::tie(diffuse), first.parameters(), second.parameters(), third.parameters());
   }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(Lambert<Rgb>{base * diffuse});
     for (const GeneralisedCosineKnobs* knobs : {&first, &second, &third})
       if (knobs->any()) lobes.add(knobs->lobe());

@@ -8,7 +8,7 @@
 namespace etendue {
 
 struct LambertModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "lambert", "Lambert", ModelClass::idealised,
       "f = rho/pi: the same radiance to all directions. Reciprocal, conserves energy for rho up to 1.",
       "by the cosine, which is its own lobe exactly"};
@@ -18,8 +18,8 @@ struct LambertModel {
   Number<float> diffuse{"diffuse", "Diffuse", 1, {0, 1}, "Reflectance rho, as a factor on the base colour"};
   auto parameters() { return std::tie(diffuse); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(Lambert<Rgb>{base * diffuse});
   }
 };

@@ -11,7 +11,7 @@
 namespace etendue {
 
 struct MerlModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "merl", "Measured (MERL database)", ModelClass::measured,
       "A measured isotropic material from a .binary file (Matusik et al. 2003), times the base colour. Reciprocal.",
       "by a table of its own values, 24 x 96 x 64 cells, with a twentieth by the cosine"};
@@ -24,8 +24,8 @@ struct MerlModel {
   const SampledBrdf<MerlBrdf>* data = nullptr;  // kept for good
   void prepare() { data = merl_data(file); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (data)
       lobes.add(MeasuredLobe<Rgb, SampledBrdf<MerlBrdf>>::of(*data, base));
     else

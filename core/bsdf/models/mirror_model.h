@@ -8,7 +8,7 @@
 namespace etendue {
 
 struct MirrorModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "mirror", "Mirror, ideal", ModelClass::idealised,
       "f = delta(wi - mirrored wo)/cos_i, times the base colour. Reciprocal, loses nothing where that is white.",
       "the one direction there is"};
@@ -18,8 +18,8 @@ struct MirrorModel {
   Number<float> reflectance{"reflectance", "Reflectance", 1, {0, 1}, "A factor on the base colour"};
   auto parameters() { return std::tie(reflectance); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(Mirror<Rgb>{{}, base * reflectance, {}});
   }
 };

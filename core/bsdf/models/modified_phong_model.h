@@ -9,8 +9,8 @@
 
 namespace etendue {
 
-struct ModifiedPhongModel : PhongKnobs {
-  static constexpr ModelDescription kDescription{
+struct ModifiedPhongModel : PhongParameters {
+  static constexpr BsdfModelDescription kDescription{
       "modified-phong", "Phong, modified (Lafortune and Willems)", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s (n + 2)/(2 pi) cos^n about the mirrored direction. Reciprocal; conserves energy for rho_d "
       "+ "
@@ -19,11 +19,11 @@ struct ModifiedPhongModel : PhongKnobs {
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 
-  ModifiedPhongModel() : PhongKnobs("rho_s: the albedo of the lobe at normal incidence") {}
+  ModifiedPhongModel() : PhongParameters("rho_s: the albedo of the lobe at normal incidence") {}
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
-    PhongKnobs::add_lobes(base, (exponent + 2) / (2 * kPi), false, lobes);
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
+    PhongParameters::add_lobes(base, (exponent + 2) / (2 * kPi), false, lobes);
   }
 };
 

@@ -10,7 +10,7 @@
 namespace etendue {
 
 struct OrenNayarModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "oren-nayar", "Oren-Nayar (qualitative)", ModelClass::physical,
       "f = rho/pi (A + B max(0, cos dphi) sin a tan b): Lambertian grooves (1994). Reciprocal; its albedo exceeds rho "
       "by "
@@ -24,8 +24,8 @@ struct OrenNayarModel {
   Number<float> sigma{"sigma", "Slope", 0.35f, {0, 1.5707963f}, "Standard deviation of the slope angle", "rad"};
   auto parameters() { return std::tie(diffuse, sigma); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(OrenNayar<Rgb>::of_slope(base * diffuse, sigma));
   }
 };

@@ -27,7 +27,7 @@ struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, Scatter::diffuse>
 };
 
 struct Phong1975Model {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "phong-1975", "Phong shading (1975)", ModelClass::phenomenological,
       "pi f cos_i = C (cos_i (1 - d) + d) + W cos^n: the historical shading of intensities. Neither reciprocal nor "
       "energy "
@@ -43,8 +43,8 @@ struct Phong1975Model {
   Number<float> exponent{"exponent", "Exponent", 5, {0, 1e5f}, "n, between 1 and 10 in 1975", "", Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, even, weight, exponent); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     const Rgb c = base * diffuse;
     lobes.add(Lambert<Rgb>{c * (1 - even)});
     if (even > 0) {

@@ -10,8 +10,8 @@
 
 namespace etendue {
 
-struct PhongModel : PhongKnobs {
-  static constexpr ModelDescription kDescription{
+struct PhongModel : PhongParameters {
+  static constexpr BsdfModelDescription kDescription{
       "phong", "Phong (BRDF)", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s cos^n / cos_i about the mirrored direction. Not reciprocal, and its albedo exceeds any "
       "bound "
@@ -20,11 +20,11 @@ struct PhongModel : PhongKnobs {
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 
-  PhongModel() : PhongKnobs("rho_s: the height of the lobe, in 1/sr") {}
+  PhongModel() : PhongParameters("rho_s: the height of the lobe, in 1/sr") {}
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
-    PhongKnobs::add_lobes(base, 1, true, lobes);
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
+    PhongParameters::add_lobes(base, 1, true, lobes);
   }
 };
 

@@ -8,8 +8,8 @@
 
 namespace etendue {
 
-struct ReciprocalPhongModel : PhongKnobs {
-  static constexpr ModelDescription kDescription{
+struct ReciprocalPhongModel : PhongParameters {
+  static constexpr BsdfModelDescription kDescription{
       "reciprocal-phong", "Phong, reciprocal", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s cos^n about the mirrored direction. Reciprocal; conserves energy only where rho_d + 2 pi "
       "rho_s/(n + 2) is at most 1.",
@@ -17,11 +17,11 @@ struct ReciprocalPhongModel : PhongKnobs {
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
 
-  ReciprocalPhongModel() : PhongKnobs("rho_s: the height of the lobe, in 1/sr") {}
+  ReciprocalPhongModel() : PhongParameters("rho_s: the height of the lobe, in 1/sr") {}
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
-    PhongKnobs::add_lobes(base, 1, false, lobes);
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
+    PhongParameters::add_lobes(base, 1, false, lobes);
   }
 };
 

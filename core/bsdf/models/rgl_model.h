@@ -11,7 +11,7 @@
 namespace etendue {
 
 struct RglModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "rgl", "Measured (RGL database)", ModelClass::measured,
       "A measured isotropic material from a file whose name ends in _rgb.bsdf (Dupuy and Jakob 2018), times the base "
       "colour. About reciprocal, as measurements are.",
@@ -25,8 +25,8 @@ struct RglModel {
   const RglBrdf* data = nullptr;  // kept for good
   void prepare() { data = rgl_data(file); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (data)
       lobes.add(MeasuredLobe<Rgb, RglBrdf>::of(*data, base));
     else

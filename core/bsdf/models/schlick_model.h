@@ -100,7 +100,7 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
 };
 
 struct SchlickModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "schlick", "Schlick", ModelClass::phenomenological,
       "One or two layers of S(u) D: Schlick's Fresnel term times a rational lobe from mirror-like to diffuse (1994). "
       "Reciprocal; gains energy at grazing angles, least where self-shadowed light is lost.",
@@ -120,16 +120,16 @@ struct SchlickModel {
   Toggle blend{"blend", "Mirror to diffuse", true, "Weights a, b, c by roughness; without them D is the lobe B alone"};
   auto parameters() { return std::tie(color, r, p, two, under_color, under_r, under_p, shadow, blend); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     const Rgb above = rgb_of(color);
     add_layer({above, Rgb(0), false}, r, p, lobes);
     if (two) add_layer({base * under_color, above, true}, under_r, under_p, lobes);
   }
 
  private:
-  template <class Mix>
-  void add_layer(const SchlickSpectrum<Rgb>& spectrum, float rough, float isotropy, Mix& lobes) const {
+  template <class LobeSet>
+  void add_layer(const SchlickSpectrum<Rgb>& spectrum, float rough, float isotropy, LobeSet& lobes) const {
     constexpr float kLeast = 1e-6f;  // below it Z is narrower than directions are exact
     SchlickLayer<Rgb> layer;
     layer.spectrum = spectrum, layer.shadow = shadow, layer.r = std::max(rough, kLeast), layer.p = isotropy;

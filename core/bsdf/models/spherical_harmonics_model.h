@@ -13,7 +13,7 @@
 namespace etendue {
 
 struct SphericalHarmonicsModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "spherical-harmonics", "Spherical harmonics", ModelClass::measured,
       "An isotropic model or table projected on so many bands of spherical harmonics in both directions, times the "
       "base "
@@ -38,8 +38,8 @@ struct SphericalHarmonicsModel {
   const SampledBrdf<HarmonicBrdf>* data = nullptr;  // kept for good
   void prepare() { data = harmonic_data(source, bands); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (data)
       lobes.add(MeasuredLobe<Rgb, SampledBrdf<HarmonicBrdf>>::of(*data, base));
     else

@@ -12,7 +12,7 @@
 namespace etendue {
 
 struct TabulatedModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "tabulated", "Tabulated (virtual gonioreflectometer)", ModelClass::measured,
       "A model measured at equal steps of its angles and read back by interpolation, or a table from a file, times the "
       "base colour. Reciprocal where its source is.",
@@ -38,8 +38,8 @@ struct TabulatedModel {
   const SampledBrdf<BrdfTable>* data = nullptr;  // kept for good
   void prepare() { data = table_data(source, polar, azimuths); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (data)
       lobes.add(MeasuredLobe<Rgb, SampledBrdf<BrdfTable>>::of(*data, base));
     else

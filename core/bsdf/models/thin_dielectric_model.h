@@ -8,22 +8,22 @@
 
 namespace etendue {
 
-struct ThinSheetModel {
-  static constexpr ModelDescription kDescription{
+struct ThinDielectricModel {
+  static constexpr BsdfModelDescription kDescription{
       "thin-sheet", "Thin sheet of glass", ModelClass::idealised,
       "Two interfaces and all reflections between them: T = (1 - F)/(1 + F), R = 2F/(1 + F) for clear glass, by "
       "polarisation. The base colour is what one crossing at a right angle leaves. Reciprocal, R + T = 1 if white.",
       "reflection or transmission by their shares"};
   template <class Color>
-  using Lobes = std::tuple<Pane<Color>>;
+  using Lobes = std::tuple<ThinDielectric<Color>>;
 
   Number<float> eta{"eta", "Index", 1.5f, {1, 4}, "Index of refraction of the sheet over that around it"};
   auto parameters() { return std::tie(eta); }
   static std::vector<ModelPreset> presets() { return dielectric_presets(); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
-    lobes.add(Pane<Rgb>{{}, base, eta});
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
+    lobes.add(ThinDielectric<Rgb>{{}, base, eta});
   }
 };
 

@@ -14,7 +14,7 @@
 namespace etendue {
 
 struct TorranceSparrowModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "torrance-sparrow", "Torrance-Sparrow (GGX, Beckmann)", ModelClass::physical,
       "f = rho_d/pi + rho_s F D G2/(4 cos_o cos_i) with Smith's height-correlated masking, and a lobe for light that "
       "is "
@@ -22,12 +22,13 @@ struct TorranceSparrowModel {
       "normals that the viewer sees, F G2/G1 is the weight; what leaves below the surface is absorbed. The lobe of "
       "multiple scattering falls back to the cosine"};
   template <class Color>
-  using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, FacetReflection<Color, Ggx>, FacetReflection<Color, Beckmann>,
-                           FacetCompensation<Color>>;
+  using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, MicrofacetReflection<Color, Ggx>,
+                           MicrofacetReflection<Color, Beckmann>, FacetCompensation<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(1), {0, 1}, "rho_s: a factor on what the facets reflect"};
-  Choice<FacetKind> distribution{"distribution", "Facets", FacetKind::ggx, "GGX has longer tails than Beckmann"};
+  Choice<MicrofacetDistribution> distribution{"distribution", "Facets", MicrofacetDistribution::ggx,
+                                              "GGX has longer tails than Beckmann"};
   Number<float> alpha_x{"alpha-x", "Slope along", 0.3f, {0, 1}, "alpha of the facets along the tangent; 0 is a mirror"};
   Number<float> alpha_y{"alpha-y", "Slope across", 0.3f, {0, 1}, "alpha of the facets across the tangent"};
   Number<float> rotation{"rotation", "Rotation", 0, {-180, 180}, "Of the two axes, counter-clockwise from the tangent",
@@ -41,18 +42,18 @@ struct TorranceSparrowModel {
   }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 
-  const FacetEnergy* energy = nullptr;  // where multiple scattering is given back; kept for good
+  const MicrofacetEnergy* energy = nullptr;  // where multiple scattering is given back; kept for good
   void prepare() {
     const bool smooth = alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha;
-    energy = multiple && !smooth ? &FacetEnergy::of(distribution, groove(alpha_x), groove(alpha_y)) : nullptr;
+    energy = multiple && !smooth ? &MicrofacetEnergy::of(distribution, groove(alpha_x), groove(alpha_y)) : nullptr;
   }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (diffuse > 0) lobes.add(Lambert<Rgb>{base * diffuse});
     if (alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha)
       lobes.add(Mirror<Rgb>{{}, rgb_of(specular), fresnel.term()});
-    else if (distribution == FacetKind::ggx)
+    else if (distribution == MicrofacetDistribution::ggx)
       add_facets<Ggx>(lobes);
     else
       add_facets<Beckmann>(lobes);
@@ -61,9 +62,9 @@ struct TorranceSparrowModel {
  private:
   static float groove(float alpha) { return std::max(alpha, kLeastGroove); }
 
-  template <class Facets, class Mix>
-  void add_facets(Mix& lobes) const {
-    FacetReflection<Rgb, Facets> lobe;
+  template <class Facets, class LobeSet>
+  void add_facets(LobeSet& lobes) const {
+    MicrofacetReflection<Rgb, Facets> lobe;
     lobe.tint = rgb_of(specular), lobe.fresnel = fresnel.term();
     lobe.facets.alpha_x = groove(alpha_x), lobe.facets.alpha_y = groove(alpha_y);
     const float turn = rotation * (kPi / 180);
@@ -76,6 +77,6 @@ struct TorranceSparrowModel {
 }  // namespace etendue
 
 template <>
-struct etendue::Options<etendue::FacetKind> {
+struct etendue::Options<etendue::MicrofacetDistribution> {
   static constexpr std::array<etendue::Option, 2> kOptions{{{"ggx", "GGX"}, {"beckmann", "Beckmann"}}};
 };

@@ -14,7 +14,7 @@
 namespace etendue {
 
 struct WardModel {
-  static constexpr ModelDescription kDescription{
+  static constexpr BsdfModelDescription kDescription{
       "ward", "Ward", ModelClass::phenomenological,
       "f = rho_d/pi + rho_s exp(-tan^2 (cos^2 phi/a_x^2 + sin^2 phi/a_y^2))/(4 pi a_x a_y sqrt(cos_i cos_o)), or two "
       "later forms. Reciprocal; only the bounded form conserves energy at grazing angles.",
@@ -34,8 +34,8 @@ struct WardModel {
   Choice<WardForm> form{"form", "Form", WardForm::ward, "What stands under the Gaussian"};
   auto parameters() { return std::tie(diffuse, specular, alpha_x, alpha_y, rotation, form); }
 
-  template <class Mix>
-  void add_lobes(const Rgb& base, Mix& lobes) const {
+  template <class LobeSet>
+  void add_lobes(const Rgb& base, LobeSet& lobes) const {
     if (diffuse > 0) lobes.add(Lambert<Rgb>{base * diffuse});
     const Rgb tint = rgb_of(specular);
     if (alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha) return lobes.add(Mirror<Rgb>{{}, tint, {}});

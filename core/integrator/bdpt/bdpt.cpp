@@ -18,7 +18,7 @@ namespace etendue::integrator {
 
 Result<void> accepts_techniques(std::string_view text);
 
-class Bdpt final : public Method<Bdpt> {
+class Bdpt final : public IntegratorBase<Bdpt> {
  public:
   static IntegratorInfo info() {
     return {
@@ -36,7 +36,7 @@ class Bdpt final : public Method<Bdpt> {
             "caustics seen in mirrors or through glass: found by chance alone, and never if the light is a point; "
             "scenes "
             "whose lights are far from what is seen",
-        .accumulation = Sampling::splats,
+        .accumulation = Accumulation::with_splats,
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
     };
@@ -73,18 +73,18 @@ class Bdpt final : public Method<Bdpt> {
   Toggle weighted{"weighted", "Weighted", true,
                   "Off: each technique counts in full, so that several that find a path count it several times"};
 
-  auto knobs() { return std::tie(max_depth, heuristic, roulette_start, reuse, without, only, weighted); }
+  auto parameters() { return std::tie(max_depth, heuristic, roulette_start, reuse, without, only, weighted); }
 
-  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const override;
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
 };
 namespace {
 
 Techniques parsed(const std::string& text) { return *Techniques::parse(text); }
 
-class Samples final : public Work {
+class Samples final : public RenderState {
  public:
-  Samples(const Bdpt& method, const Pass& pass)
-      : pass_(pass),
+  Samples(const Bdpt& method, const RenderContext& context)
+      : context_(context),
         plan_{method.heuristic,
               method.max_depth,
               method.roulette_start,
@@ -92,16 +92,19 @@ class Samples final : public Work {
               parsed(method.only),
               method.weighted,
               method.reuse,
-              pass.model->classes ? std::optional<transport::ClassJoin>(*pass.model->paths) : std::nullopt} {}
+              context.model->classes ? std::optional<transport::ClassJoin>(*context.model->paths) : std::nullopt} {}
 
-  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {
-    return transport::with_model(*pass_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, turn); });
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                 const TaskContext& task_context) override {
+    return transport::with_model(*context_.model,
+                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
  private:
   template <class M>
-  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
-    using Walks = Bidirectional<M>;
+  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
+                                      const TaskContext& task_context) const {
+    using Walks = BidirectionalSampler<M>;
     static thread_local const auto walks = std::make_unique<Walks>();
     std::array<Rgb, size_t{Walks::kWidth} * Walks::kHeight> part;
     uint64_t rays = 0;
@@ -109,7 +112,7 @@ class Samples final : public Work {
       for (int left = 0; left < block.width; left += Walks::kWidth) {
         const PixelBlock piece{block.x + left, block.y + top, std::min(Walks::kWidth, block.width - left),
                                std::min(Walks::kHeight, block.height - top), block.sample};
-        const auto traced = walks->sample(pass_, plan_, piece, part, turn);
+        const auto traced = walks->sample(context_, plan_, piece, part, task_context);
         if (!traced) return {};
         rays += *traced;
         const Rgb* next = part.data();
@@ -119,8 +122,8 @@ class Samples final : public Work {
     return rays;
   }
 
-  const Pass pass_;
-  const BidirectionalPlan plan_;
+  const RenderContext context_;
+  const BidirectionalOptions plan_;
 };
 
 }  // namespace
@@ -130,8 +133,8 @@ Result<void> accepts_techniques(std::string_view text) {
   return parsed ? Result<void>() : parsed.error();
 }
 
-std::unique_ptr<Work> Bdpt::begin(const Pass& pass, const Work*) const {
-  return std::make_unique<Samples>(*this, pass);
+std::unique_ptr<RenderState> Bdpt::begin(const RenderContext& context, const RenderState*) const {
+  return std::make_unique<Samples>(*this, context);
 }
 
 Registration bdpt() { return registration<Bdpt>(); }

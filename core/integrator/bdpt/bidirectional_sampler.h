@@ -11,7 +11,7 @@
 namespace etendue::integrator {
 
 // What all blocks of a picture share.
-struct BidirectionalPlan {
+struct BidirectionalOptions {
   transport::MisHeuristic heuristic;
   int max_depth, roulette_start;
   Techniques without, only;
@@ -23,32 +23,33 @@ struct BidirectionalPlan {
 };
 
 template <class M>
-class Bidirectional {
+class BidirectionalSampler {
  public:
-  using Front = transport::Front<M>;
+  using PathWavefront = transport::PathWavefront<M>;
   using Color = typename M::Color;
-  using Start = typename LightWalks<M>::Start;
+  using Start = typename LightSubpaths<M>::Start;
   // Walks that go side by side: fewer than a front holds, so that what is kept of them stays near the processor.
   static constexpr int kWidth = 16, kHeight = 16;
 
-  std::optional<uint64_t> sample(const Pass& pass, const BidirectionalPlan& plan, const PixelBlock& block,
-                                 std::span<Rgb> radiance, const Turn& turn) {
-    pass_ = &pass, plan_ = &plan, techniques_ = {};
-    pixels_ = static_cast<float>(pass.width) * static_cast<float>(pass.height);
-    const BlockOrder order(block);
-    Splatter splatter(pass, turn, 1 / pixels_);
+  std::optional<uint64_t> sample(const RenderContext& context, const BidirectionalOptions& plan,
+                                 const PixelBlock& block, std::span<Rgb> radiance, const TaskContext& task_context) {
+    context_ = &context, plan_ = &plan, techniques_ = {};
+    pixels_ = static_cast<float>(context.width) * static_cast<float>(context.height);
+    const PixelOrder order(block);
+    Splatter splatter(context, task_context, 1 / pixels_);
     if (!plan.reuse) draw_ends(block, order);
     const auto number_of = [&](int i) {
-      return static_cast<uint32_t>((block.y + order.y(i)) * pass_->width + block.x + order.x(i));
+      return static_cast<uint32_t>((block.y + order.y(i)) * context_->width + block.x + order.x(i));
     };
-    walks_.launch(pass, block.sample, order.size(), turn, light_, number_of, [&](const Start& start, Vec2 lens) {
-      begin_light(start, lens, splatter);
-      return techniques_.empty() || technique(start.path).s > 1;
-    });
+    walks_.launch(context, block.sample, order.size(), task_context, light_, number_of,
+                  [&](const Start& start, Vec2 lens) {
+                    begin_light(start, lens, splatter);
+                    return techniques_.empty() || technique(start.path).s > 1;
+                  });
     shoot(splatter);
-    if (light_.given_up()) return {};
+    if (light_.cancelled()) return {};
     // What is to be connected must be there at one time.
-    launch_camera_walks(pass, block, order, turn, camera_, walks_.times());
+    launch_camera_paths(context, block, order, task_context, camera_, walks_.times());
     gather();
     const auto rays = collect(camera_, order, radiance);
     if (!rays) return {};
@@ -57,32 +58,33 @@ class Bidirectional {
 
   // What paths of these numbers, kWidth x kHeight at most, bring to the picture, each with the density that its numbers
   // have: where all of them are equally likely, the mean over many is the picture.
-  std::optional<uint64_t> evaluate(const Pass& pass, const BidirectionalPlan& plan, const GivenPaths& given,
-                                   std::span<film::Splats> found, const Turn& turn) {
-    pass_ = &pass, plan_ = &plan, techniques_ = given.techniques;
-    pixels_ = Plane(pass).area();
-    Splatter splatter(pass, found);
-    light_.begin(*pass.scene, *given.light, 0, turn.wanted, pass.model->moving);
+  std::optional<uint64_t> evaluate(const RenderContext& context, const BidirectionalOptions& plan,
+                                   const PrimarySamplePaths& given, std::span<film::Splats> found,
+                                   const TaskContext& task_context) {
+    context_ = &context, plan_ = &plan, techniques_ = given.techniques;
+    pixels_ = Plane(context).area();
+    Splatter splatter(context, found);
+    light_.begin(*context.scene, *given.light, 0, task_context.keep_going, context.model->moving);
     for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_bits()));
     walks_.launch_added(
-        pass, light_,
+        context, light_,
         [&](const Start& start, Vec2 lens) {
           begin_light(start, lens, splatter);
           return techniques_.empty() || technique(start.path).s > 1;
         },
         [&](int path) { return needs_light(path); });
     shoot(splatter);
-    if (light_.given_up()) return {};
+    if (light_.cancelled()) return {};
     std::array<Vec2, kPaths> rasters;
-    launch_given_walks(
-        pass, given, turn, camera_, rasters, [&](int i) { return techniques_.empty() || technique(i).t > 1; },
-        walks_.times());
+    launch_primary_sample_paths(
+        context, given, task_context, camera_, rasters,
+        [&](int i) { return techniques_.empty() || technique(i).t > 1; }, walks_.times());
     gather();
-    if (camera_.given_up()) return {};
+    if (camera_.cancelled()) return {};
     for (int i = 0; i < camera_.size(); ++i) {
       if (!techniques_.empty() && technique(i).t < 2) continue;
       if (!is_black(camera_.state(i).radiance))
-        splatter.add(i, rasters[static_cast<size_t>(i)], camera_.world(i), camera_.state(i).radiance * pixels_);
+        splatter.add(i, rasters[static_cast<size_t>(i)], camera_.opacity_seed(i), camera_.state(i).radiance * pixels_);
     }
     return camera_.rays_traced() + light_.rays_traced() + connection_rays_ + splatter.finish();
   }
@@ -93,7 +95,7 @@ class Bidirectional {
   using MisRule = transport::MisRule;
   using Vertex = LightVertex<M>;
   static constexpr size_t kPaths = size_t{kWidth} * kHeight;
-  static constexpr size_t kArrivals = Front::kArrivals;
+  static constexpr size_t kHitsAtATime = PathWavefront::kHitsAtATime;
   template <class T>
   using PerPath = std::array<T, kPaths>;
 
@@ -102,11 +104,11 @@ class Bidirectional {
 
   // Without reuse each path is a connection of two ends alone. The numbers of vertices are geometric, so that every
   // technique has its turn; it then counts for the others of its kind that have none.   thesis 9.3.1, (9.36)-(9.75)
-  void draw_ends(const PixelBlock& block, const BlockOrder& order) {
-    const int least = pass_->camera->can_be_hit() ? 0 : 1;
+  void draw_ends(const PixelBlock& block, const PixelOrder& order) {
+    const int least = context_->camera->can_be_hit() ? 0 : 1;
     for (int i = 0; i < order.size(); ++i) {
-      const uint32_t replicate = block.sample % film::kReplicates;
-      const uint32_t seed = pixel_seed(pass_->seed, block.x + order.x(i), block.y + order.y(i), replicate);
+      const uint32_t half_buffer = block.sample % film::kHalves;
+      const uint32_t seed = pixel_seed(context_->seed, block.x + order.x(i), block.y + order.y(i), half_buffer);
       const uint32_t first = mix_bits(path_seed(seed, block.sample) + 0x2545f491U);
       const auto path = static_cast<size_t>(i);
       gain_[path] = 1;
@@ -136,23 +138,23 @@ class Bidirectional {
     pool_.clear();
     last_.fill(nullptr);
     const MisRule rule = light_rule();
-    while (light_.advance()) {
-      if (pass_->camera->can_be_hit())
-        escape_through_lens(*pass_, walks_, light_, splatter,
+    while (light_.trace()) {
+      if (context_->camera->can_be_hit())
+        escape_through_lens(*context_, walks_, light_, splatter,
                             [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
-      while (light_.arrive()) {
-        if (pass_->camera->can_be_hit())
-          pass_through_lens(*pass_, walks_, light_, splatter,
+      while (light_.next_hits()) {
+        if (context_->camera->can_be_hit())
+          pass_through_lens(*context_, walks_, light_, splatter,
                             [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
         if (light_.length() == 1) walks_.dim_first_vertices(light_);
         note_arrivals(light_, light_chains_, rule);
         if (plan_->too_long(light_.length() + 1)) continue;
         connect_to_camera(
-            *pass_, walks_, light_, splatter,
+            *context_, walks_, light_, splatter,
             [&](int i, const CameraRays::View& view) { return weight_to_camera(i, view); },
             [&](int i) { return counts(light_.path_at(i), light_.length() + 1, 1); });
         keep_vertices();
-        transport::scatter_some(
+        transport::sample_bsdf_where(
             light_, plan_->roulette_start, Transport::importance,
             [&](int i) { return techniques_.empty() || light_.length() + 1 < technique(light_.path_at(i)).s; },
             [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
@@ -167,7 +169,7 @@ class Bidirectional {
     chain.leave(e.density.second, start.point ? std::abs(glm::dot(start.point->ng, e.direction)) : 1.0f);
     if (plan_->too_long(1) || !counts(start.path, 1, 1)) return;
     see_light<M>(
-        *pass_, start, lens, light_.world(start.path), splatter,
+        *context_, start, lens, light_.opacity_seed(start.path), splatter,
         [&](float pixels, const Vec3& wi, float distance) { return weight_of_view(start, pixels, wi, distance); });
   }
 
@@ -176,8 +178,8 @@ class Bidirectional {
     const EmissionDensity& light = start.emission.density;
     const float hit = possible(0, 2) ? light_rule().ratio(pixels / pixels_ / light.first) : 0;
     float fall = 0;
-    if (pass_->camera->can_be_hit() && possible(2, 0)) {
-      const float cosine = pass_->camera->cosine(-wi, start.emission.time), area = pass_->camera->lens_area();
+    if (context_->camera->can_be_hit() && possible(2, 0)) {
+      const float cosine = context_->camera->cosine(-wi, start.emission.time), area = context_->camera->lens_area();
       fall = light.infinite ? light.second * cosine : side_density(start, wi) * cosine / sqr(distance);
       fall = camera_rule().ratio(fall * area);
     }
@@ -187,7 +189,7 @@ class Bidirectional {
   // Of a direction in which a triangle shines, per solid angle.
   float side_density(const Start& start, const Vec3& wi) const {
     const Emission& e = start.emission;
-    return pass_->scene->lights().density_of_triangle(e.light, glm::dot(start.point->ng, wi), e.time).second;
+    return context_->scene->lights().density_of_triangle(e.light, glm::dot(start.point->ng, wi), e.time).second;
   }
 
   // The walk fell onto the lens: t = 0.
@@ -196,7 +198,7 @@ class Bidirectional {
     if (plan_->too_long(light_.length()) || !counts(path, s, 0)) return 0;
     MisChain chain = light_chains_[static_cast<size_t>(path)];
     const MisVertex on_lens = chain.arrive(light_rule(), sqr(a.distance), a.cosine);
-    const float sum = light_sum(on_lens, s - 1, last_[static_cast<size_t>(path)], 1 / pass_->camera->lens_area(),
+    const float sum = light_sum(on_lens, s - 1, last_[static_cast<size_t>(path)], 1 / context_->camera->lens_area(),
                                 a.density / pixels_, 0);
     return weight(path, s, 0, sum, 0);
   }
@@ -211,15 +213,15 @@ class Bidirectional {
     const float lights = light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_[static_cast<size_t>(path)],
                                    view.importance * cosine / pixels_, bsdf.pdf(view.wi, wo), 1);
     float lens = 0;
-    if (pass_->camera->can_be_hit() && possible(s + 1, 0)) {
-      const float distance = view.distance, c = pass_->camera->cosine(-view.wi, light_.state_at(i).time);
-      lens = camera_rule().ratio(bsdf.pdf(wo, view.wi) * c / sqr(distance) * pass_->camera->lens_area());
+    if (context_->camera->can_be_hit() && possible(s + 1, 0)) {
+      const float distance = view.distance, c = context_->camera->cosine(-view.wi, light_.state_at(i).time);
+      lens = camera_rule().ratio(bsdf.pdf(wo, view.wi) * c / sqr(distance) * context_->camera->lens_area());
     }
     return weight(path, s, 1, lights, lens);
   }
 
   void keep_vertices() {
-    for (int i = 0; i < light_.arrived(); ++i) {
+    for (int i = 0; i < light_.hit_count(); ++i) {
       if (!light_.bsdf(i).has_non_delta()) {
         // What cannot be connected still belongs to the densities of what comes after.
         if (plan_->without.empty()) continue;
@@ -245,24 +247,24 @@ class Bidirectional {
     connection_rays_ = 0;
     for (int i = 0; i < camera_.size(); ++i) {
       MisChain& chain = camera_chains_[static_cast<size_t>(i)];
-      const bool hit = pass_->camera->can_be_hit();
-      chain.start(hit ? 1 / pass_->camera->lens_area() : 1, hit, false);
+      const bool hit = context_->camera->can_be_hit();
+      chain.start(hit ? 1 / context_->camera->lens_area() : 1, hit, false);
     }
     const MisRule rule = camera_rule();
-    while (camera_.advance()) {
-      transport::add_environment_weighed(camera_, [&](int i) { return weight_of_escape(i); });
-      while (camera_.arrive()) {
+    while (camera_.trace()) {
+      transport::add_environment_weighted(camera_, [&](int i) { return weight_of_escape(i); });
+      while (camera_.next_hits()) {
         if (camera_.length() == 1) leave_lens();
         note_arrivals(camera_, camera_chains_, rule);
         if (!plan_->without.empty()) remember_camera_vertices();
-        transport::add_emission_weighed(camera_, [&](int i) { return weight_of_emission(i); });
+        transport::add_emission_weighted(camera_, [&](int i) { return weight_of_emission(i); });
         if (plan_->too_long(camera_.length() + 1)) continue;
-        transport::add_direct_light_weighed(
+        transport::add_direct_light_weighted(
             camera_, transport::Shadows::cast,
             [&](int i, const LightSample& light, const auto& value) { return weight_of_light(i, light, value.pdf); },
             [&](int i) { return counts(camera_.path_at(i), 1, camera_.length() + 1); });
         connect_vertices();
-        transport::scatter_some(
+        transport::sample_bsdf_where(
             camera_, plan_->roulette_start, Transport::radiance,
             [&](int i) { return techniques_.empty() || camera_.length() + 1 < technique(camera_.path_at(i)).t; },
             [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
@@ -273,20 +275,21 @@ class Bidirectional {
 
   // Directions through the lens have the density of the picture's pixels.
   void leave_lens() {
-    for (int i = 0; i < camera_.arrived(); ++i) {
+    for (int i = 0; i < camera_.hit_count(); ++i) {
       const auto& state = camera_.state_at(i);
       const Vec3 direction = -camera_.wo(i);
       const float distance = glm::distance(state.from, camera_.point(i).position);
-      const float density = pass_->camera->pixels_per_area(direction, distance, state.time) * sqr(distance) / pixels_;
+      const float density =
+          context_->camera->pixels_per_area(direction, distance, state.time) * sqr(distance) / pixels_;
       camera_chains_[static_cast<size_t>(camera_.path_at(i))].leave(density,
-                                                                    pass_->camera->cosine(direction, state.time));
+                                                                    context_->camera->cosine(direction, state.time));
     }
   }
 
   void remember_camera_vertices() {
     const auto length = static_cast<size_t>(camera_.length());
     if (history_.size() < length) history_.resize(length);
-    for (int i = 0; i < camera_.arrived(); ++i)
+    for (int i = 0; i < camera_.hit_count(); ++i)
       history_[length - 1][static_cast<size_t>(camera_.path_at(i))] = camera_vertices_[static_cast<size_t>(i)];
   }
 
@@ -294,24 +297,24 @@ class Bidirectional {
     const int t = camera_.length() + 1, path = camera_.path_at(i);
     if (plan_->too_long(t - 1) || !counts(path, 0, t)) return 0;
     const scene::SurfacePoint& point = camera_.point(i);
-    const uint32_t light = pass_->scene->light_at(point);
+    const uint32_t light = context_->scene->light_at(point);
     if (light == scene::InstanceData::kNotALight) return weight(path, 0, t, 0, 0);
-    const auto d =
-        pass_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)), camera_.state_at(i).time);
+    const auto d = context_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)),
+                                                                 camera_.state_at(i).time);
     return weight(path, 0, t, 0,
                   camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
   }
 
   float weight_of_escape(int i) {
-    const int t = camera_.length() + 1, path = camera_.path_of_escape(i);
+    const int t = camera_.length() + 1, path = camera_.path_of_miss(i);
     if (plan_->too_long(t - 1) || !counts(path, 0, t)) return 0;
-    const Vec3& direction = camera_.escape_direction(i);
-    const auto d = pass_->scene->lights().density_of_escape(direction);
+    const Vec3& direction = camera_.miss_direction(i);
+    const auto d = context_->scene->lights().density_of_escape(direction);
     MisChain chain = camera_chains_[static_cast<size_t>(path)];
     if (camera_.length() == 1) {
       // From the lens to infinity: (1, 1) is the only other one.
-      const float pixels = pass_->camera->pixels_per_area(direction, 1, camera_.escapee(i).time) / pixels_;
-      const bool seen = pass_->camera->can_see_infinity() && possible(1, 1);
+      const float pixels = context_->camera->pixels_per_area(direction, 1, camera_.missed_path(i).time) / pixels_;
+      const bool seen = context_->camera->can_see_infinity() && possible(1, 1);
       return weight(path, 0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
     }
     const MisVertex far = chain.arrive_at_infinity(camera_rule());
@@ -323,7 +326,7 @@ class Bidirectional {
     const int t = camera_.length() + 1, path = camera_.path_at(i);
     const scene::SurfacePoint& point = camera_.point(i);
     const float cosine = std::abs(glm::dot(point.ng, light.wi));
-    const EmissionDensity d = pass_->scene->lights().density_of(light, camera_.state_at(i).time);
+    const EmissionDensity d = context_->scene->lights().density_of(light, camera_.state_at(i).time);
     const float hits = light.delta || !possible(0, t + 1) ? 0.0f : light_rule().ratio(pdf / light.pdf);
     const float back = d.second * (d.infinite ? cosine : cosine / sqr(light.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, back,
@@ -333,7 +336,7 @@ class Bidirectional {
 
   // Every vertex of the walk from the light with the present one of the camera's.
   void connect_vertices() {
-    for (int i = 0; i < camera_.arrived(); ++i) {
+    for (int i = 0; i < camera_.hit_count(); ++i) {
       if (!camera_.bsdf(i).has_non_delta()) continue;
       for (const Vertex* v = last_[static_cast<size_t>(camera_.path_at(i))]; v; v = v->before)
         if (v->bsdf.has_non_delta() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
@@ -366,7 +369,7 @@ class Bidirectional {
     value *= transport::transmittance<M>(z, wi, distance);
     if constexpr (M::kClasses) value *= share(i, y, wi);
     if (is_black(value)) return;
-    const uint32_t seed = camera_.world(path) + static_cast<uint32_t>(64 * s + t);
+    const uint32_t seed = camera_.opacity_seed(path) + static_cast<uint32_t>(64 * s + t);
     Connected& connected = connections_.add(ray_to(z, wi, distance), state.time, seed);
     connected.path = static_cast<uint16_t>(path);
     connected.value = value;
@@ -387,28 +390,29 @@ class Bidirectional {
   }
 
   void settle() {
-    connection_rays_ +=
-        connections_.settle(*pass_->scene, [this](const Connected& c) { camera_.state(c.path).radiance += c.value; });
+    connection_rays_ += connections_.settle(*context_->scene,
+                                            [this](const Connected& c) { camera_.state(c.path).radiance += c.value; });
   }
 
   // ---- Of either kind.
 
-  void note_arrivals(Front& front, PerPath<MisChain>& chains, const MisRule& rule) {
-    auto& vertices = &front == &light_ ? light_vertices_ : camera_vertices_;
-    for (int i = 0; i < front.arrived(); ++i) {
-      const scene::SurfacePoint& point = front.point(i);
-      const Vec3 edge = point.position - front.state_at(i).from;
-      vertices[static_cast<size_t>(i)] = chains[static_cast<size_t>(front.path_at(i))].arrive(
-          rule, length_squared(edge), std::abs(glm::dot(point.ng, front.wo(i))));
+  void note_arrivals(PathWavefront& paths, PerPath<MisChain>& chains, const MisRule& rule) {
+    auto& vertices = &paths == &light_ ? light_vertices_ : camera_vertices_;
+    for (int i = 0; i < paths.hit_count(); ++i) {
+      const scene::SurfacePoint& point = paths.point(i);
+      const Vec3 edge = point.position - paths.state_at(i).from;
+      vertices[static_cast<size_t>(i)] = chains[static_cast<size_t>(paths.path_at(i))].arrive(
+          rule, length_squared(edge), std::abs(glm::dot(point.ng, paths.wo(i))));
     }
   }
 
-  void note_scatter(Front& front, PerPath<MisChain>& chains, const MisRule& rule, int i, const LobeSample<Color>& s) {
-    auto& vertices = &front == &light_ ? light_vertices_ : camera_vertices_;
-    const Vec3& ng = front.point(i).ng;
-    const float cos_o = std::abs(glm::dot(ng, front.wo(i))), cos_i = std::abs(glm::dot(ng, s.wi));
-    MisChain& chain = chains[static_cast<size_t>(front.path_at(i))];
-    chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : front.bsdf(i).pdf(s.wi, front.wo(i)),
+  void note_scatter(PathWavefront& paths, PerPath<MisChain>& chains, const MisRule& rule, int i,
+                    const LobeSample<Color>& s) {
+    auto& vertices = &paths == &light_ ? light_vertices_ : camera_vertices_;
+    const Vec3& ng = paths.point(i).ng;
+    const float cos_o = std::abs(glm::dot(ng, paths.wo(i))), cos_i = std::abs(glm::dot(ng, s.wi));
+    MisChain& chain = chains[static_cast<size_t>(paths.path_at(i))];
+    chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : paths.bsdf(i).pdf(s.wi, paths.wo(i)),
                   s.delta);
     chain.leave(s.delta ? cos_i : s.pdf_solid_angle, cos_i);
   }
@@ -456,18 +460,18 @@ class Bidirectional {
     Color value;
   };
 
-  const Pass* pass_ = nullptr;
-  const BidirectionalPlan* plan_ = nullptr;
+  const RenderContext* context_ = nullptr;
+  const BidirectionalOptions* plan_ = nullptr;
   std::span<const Technique> techniques_;  // that each path is found by alone; empty: all
   std::array<Technique, kPaths> drawn_;    // where ends alone are connected
   PerPath<float> gain_;                    // one over the probability of drawing them
   float pixels_ = 1;                       // of the picture
-  Front light_, camera_;
-  LightWalks<M> walks_;
+  PathWavefront light_, camera_;
+  LightSubpaths<M> walks_;
   VertexPool<M> pool_;
   PerPath<const Vertex*> last_;
   PerPath<MisChain> light_chains_, camera_chains_;
-  std::array<MisVertex, kArrivals> light_vertices_, camera_vertices_;  // of the present arrivals
+  std::array<MisVertex, kHitsAtATime> light_vertices_, camera_vertices_;  // of the present arrivals
   std::vector<PerPath<MisVertex>> history_;  // the camera's vertices by length, where techniques are left out
   transport::Connections<Connected> connections_;
   uint64_t connection_rays_ = 0;

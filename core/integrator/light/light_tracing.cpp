@@ -8,7 +8,7 @@
 
 namespace etendue::integrator {
 
-class Light final : public Shooting<Light> {
+class LightTracing final : public LightPathIntegrator<LightTracing> {
  public:
   static IntegratorInfo info() {
     return {
@@ -23,7 +23,7 @@ class Light final : public Shooting<Light> {
         .limitations =
             "what the camera sees in mirrors and through glass: black; views of a small part of what is lit: few walks "
             "come by",
-        .accumulation = Sampling::only_splats,
+        .accumulation = Accumulation::splats_only,
         .shortcut = '5',
     };
   }
@@ -31,27 +31,28 @@ class Light final : public Shooting<Light> {
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() { return std::tie(max_depth, roulette_start); }
+  auto parameters() { return std::tie(max_depth, roulette_start); }
 
   template <class M>
-  void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec2 lens, uint32_t seed,
+  void see_light(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens, uint32_t seed,
                  Splatter& splatter) const {
-    integrator::see_light<M>(pass, start, lens, seed, splatter, [](auto&&...) { return 1.0f; });
+    integrator::see_light<M>(context, start, lens, seed, splatter, [](auto&&...) { return 1.0f; });
   }
 
   template <class M>
-  void estimate(const Pass& pass, LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter) const {
+  void estimate(const RenderContext& context, LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+                Splatter& splatter) const {
     using namespace transport;
-    while (front.advance())
-      while (front.arrive()) {
-        if (front.length() == 1) walks.dim_first_vertices(front);
-        if (at_limit(front.length())) continue;
-        connect_to_camera(pass, walks, front, splatter, [](int, const auto&) { return 1.0f; });
-        scatter(front, roulette_start, Transport::importance);
+    while (paths.trace())
+      while (paths.next_hits()) {
+        if (paths.length() == 1) walks.dim_first_vertices(paths);
+        if (at_max_depth(paths.length())) continue;
+        connect_to_camera(context, walks, paths, splatter, [](int, const auto&) { return 1.0f; });
+        sample_bsdf(paths, roulette_start, Transport::importance);
       }
   }
 };
 
-Registration light_tracing() { return registration<Light>(); }
+Registration light_tracing() { return registration<LightTracing>(); }
 
 }  // namespace etendue::integrator

@@ -8,7 +8,7 @@
 
 namespace etendue::integrator {
 
-class LightPure final : public Shooting<LightPure> {
+class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
  public:
   static IntegratorInfo info() {
     return {
@@ -22,40 +22,41 @@ class LightPure final : public Shooting<LightPure> {
         .cost = "1 ray per vertex; a picture beside the film",
         .limitations =
             "the lens is small: noise grows as one over its area; through a pinhole or in a parallel projection: never",
-        .accumulation = Sampling::only_splats,
+        .accumulation = Accumulation::splats_only,
     };
   }
 
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() { return std::tie(max_depth, roulette_start); }
+  auto parameters() { return std::tie(max_depth, roulette_start); }
 
-  std::string obstacle(const Pass& pass) const override {
-    if (pass.camera->can_be_hit()) return {};
-    if (!pass.camera->has_lens()) return "no light can fall onto a pinhole: set camera.lens-radius";
+  std::string incompatibility(const RenderContext& context) const override {
+    if (context.camera->can_be_hit()) return {};
+    if (!context.camera->has_lens()) return "no light can fall onto a pinhole: set camera.lens-radius";
     return "no light can fall onto this lens: take a perspective camera without a near plane";
   }
 
   template <class M>
-  void see_light(const Pass&, const typename LightWalks<M>::Start&, Vec2, uint32_t, Splatter&) const {}
+  void see_light(const RenderContext&, const typename LightSubpaths<M>::Start&, Vec2, uint32_t, Splatter&) const {}
 
   template <class M>
-  void estimate(const Pass& pass, LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter) const {
+  void estimate(const RenderContext& context, LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+                Splatter& splatter) const {
     using namespace transport;
     const auto all = [](int, const auto&) { return 1.0f; };
-    while (front.advance()) {
-      escape_through_lens(pass, walks, front, splatter, all);
-      while (front.arrive()) {
-        pass_through_lens(pass, walks, front, splatter, all);
-        if (at_limit(front.length())) continue;
-        if (front.length() == 1) walks.dim_first_vertices(front);
-        scatter(front, roulette_start, Transport::importance);
+    while (paths.trace()) {
+      escape_through_lens(context, walks, paths, splatter, all);
+      while (paths.next_hits()) {
+        pass_through_lens(context, walks, paths, splatter, all);
+        if (at_max_depth(paths.length())) continue;
+        if (paths.length() == 1) walks.dim_first_vertices(paths);
+        sample_bsdf(paths, roulette_start, Transport::importance);
       }
     }
   }
 };
 
-Registration pure_light_tracing() { return registration<LightPure>(); }
+Registration pure_light_tracing() { return registration<PureLightTracing>(); }
 
 }  // namespace etendue::integrator

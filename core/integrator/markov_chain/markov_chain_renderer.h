@@ -63,11 +63,11 @@ struct ChainTally {
 };
 
 // What the chains of a half have in common.
-struct Era {
+struct Epoch {
   uint64_t key = 0;          // random, the same for all eras
   uint64_t first = 0;        // of its candidates: there were as many in the eras before
   uint64_t drawn = 0;        // candidates, in all eras
-  double worth = 0;          // mean of its candidates
+  double weight = 0;         // mean of its candidates
   double worth_earlier = 0;  // sum of those before
   uint32_t since = 0;        // the step of the half that the first era began with
   bool started = false;      // there are chains
@@ -77,13 +77,13 @@ struct Era {
 };
 
 // What is found out about candidates; their kinds are those that a law knows.
-struct Candidates {
-  std::span<float> worth;
+struct BootstrapSamples {
+  std::span<float> weight;
   std::span<uint16_t> kinds;
 };
 
 template <class Kernel>
-class ChainWork final : public Work {
+class MarkovChainRenderState final : public RenderState {
  public:
   static constexpr int kGroupSize = [] {
     if constexpr (requires { Kernel::kGroupSize; })
@@ -92,8 +92,8 @@ class ChainWork final : public Work {
       return 256;
   }();
 
-  ChainWork(const Pass& pass, Kernel kernel)
-      : pass_(pass), kernel_(std::move(kernel)), halves_(film::kReplicates, Half(kernel_.era())) {
+  MarkovChainRenderState(const RenderContext& context, Kernel kernel)
+      : context_(context), kernel_(std::move(kernel)), halves_(film::kHalves, Half(kernel_.epoch())) {
     const int groups = (kernel_.chains() + kGroupSize - 1) / kGroupSize;
     for (Half& half : halves_) half.groups.resize(static_cast<size_t>(groups));
   }
@@ -101,7 +101,7 @@ class ChainWork final : public Work {
   std::vector<Phase> phases(uint32_t sample) override {
     Half& half = half_of(sample);
     half.before = half.now, half.sample = sample;
-    const uint32_t step = sample / film::kReplicates;
+    const uint32_t step = sample / film::kHalves;
     if (half.now.drawn == 0) open(half, sample);
     mutations_ = mutations_of(step);
     std::vector<Phase> list;
@@ -116,13 +116,13 @@ class ChainWork final : public Work {
     return list;
   }
 
-  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn) override {
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
     Half& half = half_of(sample);
     const auto index = static_cast<size_t>(task);
-    if (seeding_ && phase == 0) return weigh(half, index, turn);
+    if (seeding_ && phase == 0) return weigh(half, index, task_context);
     if (!half.now.started) return 0;
     const size_t part = phase - (seeding_ ? 1 : 0);
-    return mutate(half, half.groups[index], task, part, turn);
+    return mutate(half, half.groups[index], task, part, task_context);
   }
 
   void finish(uint32_t sample, size_t phase) override {
@@ -182,8 +182,8 @@ class ChainWork final : public Work {
 
  private:
   using Group = typename Kernel::Group;
-  using Era = typename Kernel::Era;
-  static constexpr bool kLearns = requires(Era era) { era.law; };
+  using Epoch = typename Kernel::Epoch;
+  static constexpr bool kLearns = requires(Epoch epoch) { epoch.law; };
   static constexpr uint64_t kLayout = 0x32534e4941484345;  // "ECHAINS2"
   // Mutations of a chain in one phase: what is found in between is kept in lists.
   static constexpr int kPart = 16;
@@ -196,96 +196,97 @@ class ChainWork final : public Work {
     std::vector<uint64_t> starts;
   };
   struct Half {
-    explicit Half(const Era& era) : now(era), before(era) {}
+    explicit Half(const Epoch& epoch) : now(epoch), before(epoch) {}
 
-    Era now, before;
+    Epoch now, before;
     uint32_t sample = kNoSample;
     std::vector<Member> groups;
   };
 
-  Half& half_of(uint32_t sample) { return halves_[sample % film::kReplicates]; }
+  Half& half_of(uint32_t sample) { return halves_[sample % film::kHalves]; }
 
   // The key knows the sample, so that a half that starts anew (a film goes on whose chains are lost) does not repeat
   // itself.
   void open(Half& half, uint32_t sample) {
-    half.now.since = sample / film::kReplicates;
-    half.now.key = mix_bits(mix_bits(pass_.seed + 0x3c6ef372fe94f82bULL) ^ sample);
+    half.now.since = sample / film::kHalves;
+    half.now.key = mix_bits(mix_bits(context_.seed + 0x3c6ef372fe94f82bULL) ^ sample);
   }
 
   // Before this step.
-  bool is_over(const Era& era, uint32_t step) const {
-    return uint64_t{step - era.since} * static_cast<uint64_t>(pass_.width) * static_cast<uint64_t>(pass_.height) >=
-           Kernel::kMutationsPerCandidate * era.drawn;
+  bool is_over(const Epoch& epoch, uint32_t step) const {
+    return uint64_t{step - epoch.since} * static_cast<uint64_t>(context_.width) *
+               static_cast<uint64_t>(context_.height) >=
+           Kernel::kMutationsPerCandidate * epoch.drawn;
   }
 
   // Of the next era.
-  size_t candidates_of(const Era& era) const {
+  size_t candidates_of(const Epoch& epoch) const {
     const auto least = static_cast<uint64_t>(kernel_.candidates());
-    return std::clamp(era.drawn, least, std::max(least, kMostCandidates));
+    return std::clamp(epoch.drawn, least, std::max(least, kMostCandidates));
   }
 
   // Of every chain; together as many as there are pixels, on average over the steps.
   int mutations_of(uint32_t step) const {
-    const int64_t pixels = int64_t{pass_.width} * pass_.height, chains = kernel_.chains(), n = step;
+    const int64_t pixels = int64_t{context_.width} * context_.height, chains = kernel_.chains(), n = step;
     return static_cast<int>((n + 1) * pixels / chains - n * pixels / chains);
   }
 
-  std::optional<uint64_t> weigh(const Half& half, size_t task, const Turn& turn) {
+  std::optional<uint64_t> weigh(const Half& half, size_t task, const TaskContext& task_context) {
     const size_t first = task * kGroupSize;
     const size_t count = std::min<size_t>(kGroupSize, worth_.size() - first);
-    Candidates candidates{std::span(worth_).subspan(first, count), {}};
+    BootstrapSamples candidates{std::span(worth_).subspan(first, count), {}};
     if constexpr (kLearns) candidates.kinds = std::span(kinds_).subspan(first, count);
-    return kernel_.weigh(half.now, half.now.drawn + first, candidates, turn);
+    return kernel_.weigh(half.now, half.now.drawn + first, candidates, task_context);
   }
 
   void found_candidates(Half& half) {
-    Era& era = half.now;
-    era.worth_earlier += era.worth * static_cast<double>(era.drawn - era.first);
-    era.first = era.drawn, era.drawn += worth_.size();
+    Epoch& epoch = half.now;
+    epoch.worth_earlier += epoch.weight * static_cast<double>(epoch.drawn - epoch.first);
+    epoch.first = epoch.drawn, epoch.drawn += worth_.size();
     double sum = 0;
     for (const float w : worth_) sum += double{w};
-    era.worth = sum / static_cast<double>(worth_.size());
-    if constexpr (kLearns) era.law.note(worth_, kinds_);
-    const double u = static_cast<double>(mix_bits(era.key ^ era.first) >> 11) * 0x1p-53;
+    epoch.weight = sum / static_cast<double>(worth_.size());
+    if constexpr (kLearns) epoch.law.note(worth_, kinds_);
+    const double u = static_cast<double>(mix_bits(epoch.key ^ epoch.first) >> 11) * 0x1p-53;
     const auto starts = choose_starts(worth_, static_cast<size_t>(kernel_.chains()), u);
     // Neighbours in the list are alike: they are dealt out to the groups in turn.
     for (size_t i = 0; i < starts.size(); ++i)
-      half.groups[i % half.groups.size()].starts.push_back(era.first + starts[i]);
-    era.started = !starts.empty();
+      half.groups[i % half.groups.size()].starts.push_back(epoch.first + starts[i]);
+    epoch.started = !starts.empty();
   }
 
-  std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const Turn& turn) {
+  std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const TaskContext& task_context) {
     const bool first = m.sample != half.sample;
-    if (first) keep(m.now, m.before, turn), m.sample = half.sample;
+    if (first) keep(m.now, m.before, task_context), m.sample = half.sample;
     // A task that was given up is done again.
     static thread_local Group kept;
-    if (part > 0) keep(m.now, kept, turn);
-    const auto rays = move_on(half, m, index, part, turn);
+    if (part > 0) keep(m.now, kept, task_context);
+    const auto rays = move_on(half, m, index, part, task_context);
     if (!rays) m.now = part > 0 ? kept : m.before;
     if (rays) m.starts.clear();
     return rays;
   }
 
-  static void keep(const Group& group, Group& kept, const Turn& turn) {
-    const Stopwatch::Lap lap(turn.bookkeeping);
+  static void keep(const Group& group, Group& kept, const TaskContext& task_context) {
+    const Stopwatch::Lap lap(task_context.overhead_timer);
     kept = group;
   }
 
-  std::optional<uint64_t> move_on(Half& half, Member& m, int index, size_t part, const Turn& turn) {
+  std::optional<uint64_t> move_on(Half& half, Member& m, int index, size_t part, const TaskContext& task_context) {
     uint64_t rays = 0;
     if (!m.starts.empty()) {
-      const auto started = kernel_.start(half.now, m.now, index, m.starts, turn);
+      const auto started = kernel_.start(half.now, m.now, index, m.starts, task_context);
       if (!started) return {};
       rays += *started;
     }
     const int mutations = std::min(kPart, mutations_ - static_cast<int>(part) * kPart);
     const float scale = 1 / (static_cast<float>(kernel_.chains()) * static_cast<float>(mutations_));
-    const auto mutated = kernel_.mutate(half.now, m.now, index, mutations, scale, turn);
+    const auto mutated = kernel_.mutate(half.now, m.now, index, mutations, scale, task_context);
     if (!mutated) return {};
     return rays + *mutated;
   }
 
-  const Pass pass_;
+  const RenderContext context_;
   const Kernel kernel_;
   std::vector<Half> halves_;
   // Of the candidates that are being looked at.

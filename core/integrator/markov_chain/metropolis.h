@@ -28,13 +28,13 @@ class Stay {
  public:
   // leave(iterations) records the state that the chain leaves, pass(iterations) a proposal that it does not go to.
   // `more` is what the proposal counts besides.
-  template <class Leave, class Pass>
-  void take(const Verdict& verdict, Leave&& leave, Pass&& pass, double more = 0) {
+  template <class Leave, class RenderContext>
+  void take(const Verdict& verdict, Leave&& leave, RenderContext&& context, double more = 0) {
     iterations_ += 1 - verdict.acceptance;
     if (verdict.accepted)
       leave(std::exchange(iterations_, verdict.acceptance + more));
     else if (verdict.acceptance + more > 0)
-      pass(verdict.acceptance + more);
+      context(verdict.acceptance + more);
   }
   // To be recorded for the present state at the end.
   double settle() { return std::exchange(iterations_, 0.0); }

@@ -17,16 +17,16 @@ namespace etendue::integrator {
 
 // The candidates at which so many chains start, in ascending order, each as often as its share asks for, rounded up or
 // down; `u` is uniform in [0, 1). None if no candidate is worth anything.
-inline std::vector<uint32_t> choose_starts(std::span<const float> worth, size_t chains, double u) {
+inline std::vector<uint32_t> choose_starts(std::span<const float> weight, size_t chains, double u) {
   double total = 0;
-  for (const float w : worth) total += double{w};
+  for (const float w : weight) total += double{w};
   std::vector<uint32_t> chosen;
   if (!(total > 0)) return chosen;
   chosen.reserve(chains);
   double sum = 0;
-  for (size_t i = 0; i < worth.size(); ++i) {
-    if (!(worth[i] > 0)) continue;
-    sum += double{worth[i]};
+  for (size_t i = 0; i < weight.size(); ++i) {
+    if (!(weight[i] > 0)) continue;
+    sum += double{weight[i]};
     while (chosen.size() < chains &&
            (static_cast<double>(chosen.size()) + u) * total < sum * static_cast<double>(chains))
       chosen.push_back(static_cast<uint32_t>(i));

@@ -41,16 +41,16 @@ class PathCandidates {
     from_camera_.time = from_light_.time = path_.time = space.choose_time(random);
     walk_from_camera(lengths_.choose(random), space, random);
     walk_from_light(lengths_.choose(random), space, random);
-    double worth = 0;
+    double weight = 0;
     const int longest = most_ > 0 ? std::min(most_, seen_ + lit_ + 1) : seen_ + lit_ + 1;
     for (int k = 1; k <= longest; ++k)
       for (int c = -1; c < std::min(k, lit_); ++c) {
         if (!assemble(k, c, space, random)) continue;
         const double w = 1 / density_over_f(space);
-        worth += w;
-        if (double{random.next()} * worth < w) chosen = path_;
+        weight += w;
+        if (double{random.next()} * weight < w) chosen = path_;
       }
-    return worth;
+    return weight;
   }
 
  private:
@@ -67,8 +67,8 @@ class PathCandidates {
       found = space.scatter_to_light(i, random, walk);
     }
     const int last = std::max(i - 1, 0);
-    escaped_ = std::isinf(walk[last].length);
-    seen_ = vertices - last - (found && !escaped_ ? 0 : 1);
+    miss_count_ = std::isinf(walk[last].length);
+    seen_ = vertices - last - (found && !miss_count_ ? 0 : 1);
   }
   void walk_from_light(int vertices, PathSpace<M>& space, ChainRandom& random) {
     LightPath<M>& walk = from_light_;
@@ -82,7 +82,7 @@ class PathCandidates {
 
   // The path of k edges whose connection is edge c; false if there is none, or it has no contribution.
   bool assemble(int k, int c, PathSpace<M>& space, ChainRandom& random) {
-    if (k - 1 - c > seen_ + (c < 0 && escaped_ ? 1 : 0)) return false;
+    if (k - 1 - c > seen_ + (c < 0 && miss_count_ ? 1 : 0)) return false;
     path_.resize(k);
     path_.raster = from_camera_.raster, path_.lens = from_camera_.lens;
     const int shift = from_camera_.edges() - k;
@@ -102,8 +102,8 @@ class PathCandidates {
   int most_;
   WalkLengths lengths_;
   LightPath<M> from_camera_, from_light_, path_;
-  int seen_ = 0, lit_ = 0;  // vertices of either
-  bool escaped_ = false;    // the walk from the camera
+  int seen_ = 0, lit_ = 0;   // vertices of either
+  bool miss_count_ = false;  // the walk from the camera
 };
 
 }  // namespace etendue::integrator

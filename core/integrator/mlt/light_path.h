@@ -118,10 +118,10 @@ class LightPath {
     if (i < 0) return light.extended ? 1 : 0;
     const int last = edges() - 1;
     if ((i > 0 && (*this)[i].delta) || (i < last && (*this)[i + 1].delta)) return 0;
-    double worth = cosine_to_camera(i);
-    if (i > 0) worth *= (*this)[i].value / cosine_to_light(i);
-    worth *= i == last ? double{importance} : spread(i) * (*this)[i + 1].value;
-    return worth > 0 ? 1 / worth : 0;
+    double weight = cosine_to_camera(i);
+    if (i > 0) weight *= (*this)[i].value / cosine_to_light(i);
+    weight *= i == last ? double{importance} : spread(i) * (*this)[i + 1].value;
+    return weight > 0 ? 1 / weight : 0;
   }
 
   // The density of all vertices between l and m, over f, summed over all ways to find them by a walk from either end

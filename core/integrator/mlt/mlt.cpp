@@ -13,7 +13,7 @@
 
 namespace etendue::integrator {
 
-class Mlt final : public Method<Mlt> {
+class Mlt final : public IntegratorBase<Mlt> {
  public:
   static IntegratorInfo info() {
     return {
@@ -32,7 +32,7 @@ class Mlt final : public Method<Mlt> {
             "simple scenes, where samples that depend on each other are worse than others; paths that no chain starts "
             "from stay missing or spotty for long; point lights seen in mirrors by way of something that scatters: "
             "never",
-        .accumulation = Sampling::only_splats,
+        .accumulation = Accumulation::splats_only,
         .shortcut = '7',
     };
   }
@@ -66,9 +66,9 @@ class Mlt final : public Method<Mlt> {
                         {0, 1},
                         "How often: the point of the picture is chosen anew, all parts of the picture alike"};
 
-  auto knobs() { return std::tie(max_depth, chains, candidates, bidirectional, lens, caustic, chain, subpath); }
+  auto parameters() { return std::tie(max_depth, chains, candidates, bidirectional, lens, caustic, chain, subpath); }
 
-  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const override;
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
 };
 namespace {
 
@@ -102,7 +102,7 @@ template <class M>
 class MutationKernel {
  public:
   using Group = MutationGroup<M>;
-  using Era = integrator::Era;
+  using Epoch = integrator::Epoch;
   static constexpr int kGroupSize = 16;
   static constexpr uint64_t kMutationsPerCandidate = 40;
   static constexpr std::array<MutationKind, kMutations> kKinds{
@@ -112,65 +112,68 @@ class MutationKernel {
        {"multi-chain", "Multi-chain perturbations that were accepted"},
        {"lens-subpath", "Lens subpath mutations that were accepted"}}};
 
-  MutationKernel(const Mlt& method, const Pass& pass) : method_(&method), pass_(pass), plan_(plan_of(method, pass)) {}
+  MutationKernel(const Mlt& method, const RenderContext& context)
+      : method_(&method), context_(context), plan_(plan_of(method, context)) {}
 
-  Era era() const { return {}; }
-  int chains() const { return std::min<int>(method_->chains, pass_.width * pass_.height); }
+  Epoch epoch() const { return {}; }
+  int chains() const { return std::min<int>(method_->chains, context_.width * context_.height); }
   int candidates() const {
-    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * pass_.width * pass_.height));
+    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * context_.width * context_.height));
   }
 
-  std::optional<uint64_t> weigh(const Era& era, uint64_t first, const Candidates& candidates, const Turn& turn) const {
-    if (!is_wanted(turn)) return {};
-    PathSpace<M> space(pass_);
+  std::optional<uint64_t> weigh(const Epoch& epoch, uint64_t first, const BootstrapSamples& candidates,
+                                const TaskContext& task_context) const {
+    if (!should_continue(task_context)) return {};
+    PathSpace<M> space(context_);
     PathCandidates<M> paths(method_->max_depth);
     LightPath<M> path;
-    for (size_t i = 0; i < candidates.worth.size(); ++i) {
-      ChainRandom random = random_of_candidate(era, first + i);
-      candidates.worth[i] = static_cast<float>(paths.draw(space, random, path));
+    for (size_t i = 0; i < candidates.weight.size(); ++i) {
+      ChainRandom random = random_of_candidate(epoch, first + i);
+      candidates.weight[i] = static_cast<float>(paths.draw(space, random, path));
     }
     return space.take_rays();
   }
 
-  std::optional<uint64_t> start(const Era& era, Group& group, int index, std::span<const uint64_t> candidates,
-                                const Turn&) const {
-    PathSpace<M> space(pass_);
+  std::optional<uint64_t> start(const Epoch& epoch, Group& group, int index, std::span<const uint64_t> candidates,
+                                const TaskContext&) const {
+    PathSpace<M> space(context_);
     PathCandidates<M> paths(method_->max_depth);
     group.chains.resize(candidates.size());
     for (size_t i = 0; i < candidates.size(); ++i) {
       MutationChain<M>& chain = group.chains[i];
-      ChainRandom random = random_of_candidate(era, candidates[i]);
+      ChainRandom random = random_of_candidate(epoch, candidates[i]);
       paths.draw(space, random, chain.path);
       chain.shape = shape_of(chain.path);
-      chain.random = ChainRandom(~era.key ^ mix_bits(era.first + number_of(index, i) + 1));
+      chain.random = ChainRandom(~epoch.key ^ mix_bits(epoch.first + number_of(index, i) + 1));
     }
     return space.take_rays();
   }
 
-  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, float scale,
-                                 const Turn& turn) const {
-    if (!is_wanted(turn)) return {};
-    MutationRunner<M> runner(pass_, plan_);
+  std::optional<uint64_t> mutate(const Epoch& epoch, Group& group, int index, int mutations, float scale,
+                                 const TaskContext& task_context) const {
+    if (!should_continue(task_context)) return {};
+    MutationRunner<M> runner(context_, plan_);
     const auto count = [&](Mutation m, const Verdict& v) { group.tally.kinds[static_cast<size_t>(m)].count(v); };
-    const float of_path = scale * static_cast<float>(era.worth);
+    const float of_path = scale * static_cast<float>(epoch.weight);
     for (size_t i = 0; i < group.chains.size(); ++i) {
       MutationChain<M>& chain = group.chains[i];
       const uint32_t number = number_of(index, i);
       if (std::exchange(chain.bare, false) && runner.space().rebuild(chain.path)) chain.shape = shape_of(chain.path);
       const auto point = [&] {
-        return stratified_point(number, static_cast<uint32_t>(chains()), chain.rounds++, era.key);
+        return stratified_point(number, static_cast<uint32_t>(chains()), chain.rounds++, epoch.key);
       };
-      for (int n = 0; n < mutations; ++n) runner.step(chain, of_path, point, count, *turn.splats);
-      runner.settle(chain, of_path, *turn.splats);
+      for (int n = 0; n < mutations; ++n) runner.step(chain, of_path, point, count, *task_context.splats);
+      runner.settle(chain, of_path, *task_context.splats);
     }
     return runner.space().take_rays();
   }
 
  private:
-  static MutationPlan plan_of(const Mlt& method, const Pass& pass) {
+  static MutationPlan plan_of(const Mlt& method, const RenderContext& context) {
     // The largest move goes over five percent of the picture's area.
-    const float widest = std::sqrt(0.05f * static_cast<float>(pass.width) * static_cast<float>(pass.height) / kPi);
-    const Bounds& bounds = pass.scene->bounds();
+    const float widest =
+        std::sqrt(0.05f * static_cast<float>(context.width) * static_cast<float>(context.height) / kPi);
+    const Bounds& bounds = context.scene->bounds();
     return {MutationChoice({method.bidirectional, method.lens, method.caustic, method.chain, method.subpath}),
             EdgeCounts(method.max_depth),
             {0.1f, std::max(widest, 1.0f)},
@@ -178,8 +181,8 @@ class MutationKernel {
             bounds.empty() ? 1.0f : std::max(glm::distance(bounds.min, bounds.max), 1e-3f)};
   }
 
-  static ChainRandom random_of_candidate(const Era& era, uint64_t candidate) {
-    return ChainRandom(era.key ^ mix_bits(candidate + 1));
+  static ChainRandom random_of_candidate(const Epoch& epoch, uint64_t candidate) {
+    return ChainRandom(epoch.key ^ mix_bits(candidate + 1));
   }
 
   // Of a chain among all of the half.
@@ -188,15 +191,15 @@ class MutationKernel {
   }
 
   const Mlt* method_;
-  Pass pass_;
+  RenderContext context_;
   MutationPlan plan_;
 };
 
 }  // namespace
 
-std::unique_ptr<Work> Mlt::begin(const Pass& pass, const Work*) const {
-  return transport::with_model(*pass.model, [&]<class M>(M) -> std::unique_ptr<Work> {
-    return std::make_unique<ChainWork<MutationKernel<M>>>(pass, MutationKernel<M>(*this, pass));
+std::unique_ptr<RenderState> Mlt::begin(const RenderContext& context, const RenderState*) const {
+  return transport::with_model(*context.model, [&]<class M>(M) -> std::unique_ptr<RenderState> {
+    return std::make_unique<MarkovChainRenderState<MutationKernel<M>>>(context, MutationKernel<M>(*this, context));
   });
 }
 

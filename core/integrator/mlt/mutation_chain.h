@@ -62,8 +62,8 @@ class MutationRunner {
  public:
   using Counts = std::array<Acceptance, kMutations>;
 
-  MutationRunner(const Pass& pass, const MutationPlan& plan)
-      : plan_(&plan), space_(pass), filter_(*pass.filter, pass.width, pass.height) {}
+  MutationRunner(const RenderContext& context, const MutationPlan& plan)
+      : plan_(&plan), space_(context), filter_(*context.filter, context.width, context.height) {}
 
   PathSpace<M>& space() { return space_; }
 

@@ -25,11 +25,11 @@ class PathSpace {
   using Vertex = PathVertex<M>;
   using Color = typename M::Color;
 
-  explicit PathSpace(const Pass& pass)
-      : pass_(&pass),
-        scene_(pass.scene),
-        margin_(pass.filter->radius()),
-        size_(Vec2(static_cast<float>(pass.width), static_cast<float>(pass.height)) + 2 * margin_) {
+  explicit PathSpace(const RenderContext& context)
+      : context_(&context),
+        scene_(context.scene),
+        margin_(context.filter->radius()),
+        size_(Vec2(static_cast<float>(context.width), static_cast<float>(context.height)) + 2 * margin_) {
     if constexpr (M::kClasses) shares_.resize(automaton().size()), moved_.resize(automaton().size());
   }
 
@@ -41,11 +41,11 @@ class PathSpace {
   }
 
   const scene::CompiledScene& scene() const { return *scene_; }
-  const CameraRays& camera() const { return *pass_->camera; }
+  const CameraRays& camera() const { return *context_->camera; }
   uint64_t take_rays() { return std::exchange(rays_, 0); }
 
   // When the path is: light is at all of its vertices at once.
-  float choose_time(ChainRandom& random) const { return pass_->model->moving ? random.next() : 0; }
+  float choose_time(ChainRandom& random) const { return context_->model->moving ? random.next() : 0; }
 
   // ---- Walks from the light.
 
@@ -177,7 +177,7 @@ class PathSpace {
   }
 
  private:
-  const transport::Automaton& automaton() const { return pass_->model->paths->automaton(); }
+  const transport::Automaton& automaton() const { return context_->model->paths->automaton(); }
 
   static bool sample(Vertex& x, const Vec3& wo, Transport mode, ChainRandom& random, LobeSample<Color>& s) {
     const float choice = random.next();
@@ -198,7 +198,7 @@ class PathSpace {
   }
 
   void place(Vertex& x, float time) const {
-    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point, pass_->model->moving ? &time : nullptr);
+    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point, context_->model->moving ? &time : nullptr);
     transport::build_bsdf<M>(x.point, x.bsdf);
   }
 
@@ -382,7 +382,7 @@ class PathSpace {
     return sum;
   }
 
-  const Pass* pass_;
+  const RenderContext* context_;
   const scene::CompiledScene* scene_;
   float margin_;
   Vec2 size_;

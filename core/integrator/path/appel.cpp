@@ -7,7 +7,7 @@
 
 namespace etendue::integrator {
 
-class Appel final : public Gathering<Appel> {
+class Appel final : public CameraPathIntegrator<Appel> {
  public:
   static IntegratorInfo info() {
     return {
@@ -25,16 +25,16 @@ class Appel final : public Gathering<Appel> {
 
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
-  auto knobs() { return std::tie(max_depth, lights); }
+  auto parameters() { return std::tie(max_depth, lights); }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    while (front.advance()) {
-      add_environment(front);
-      while (front.arrive()) {
-        add_emission(front);
-        if (!at_limit(front.length())) add_direct_light(front, lights, {});
+    while (paths.trace()) {
+      add_environment(paths);
+      while (paths.next_hits()) {
+        add_emission(paths);
+        if (!at_max_depth(paths.length())) add_direct_light(paths, lights, {});
       }
     }
   }

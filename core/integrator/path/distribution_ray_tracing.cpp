@@ -10,7 +10,7 @@
 
 namespace etendue::integrator {
 
-class Distribution final : public Gathering<Distribution> {
+class DistributionRayTracing final : public CameraPathIntegrator<DistributionRayTracing> {
  public:
   static IntegratorInfo info() {
     return {
@@ -40,20 +40,20 @@ class Distribution final : public Gathering<Distribution> {
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() {
+  auto parameters() {
     return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, roulette_start);
   }
 
-  std::string obstacle(const Pass& pass) const override {
-    return shadow_rays ? std::string() : obstacle_to_meeting_lights(pass);
+  std::string incompatibility(const RenderContext& context) const override {
+    return shadow_rays ? std::string() : incompatibility_with_point_lights(context);
   }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::PathWavefront<M>& paths) const {
     if (shadow_rays)
-      gather(front, transport::Combination(heuristic));
+      gather(paths, transport::Combination(heuristic));
     else
-      gather(front, transport::Combination());
+      gather(paths, transport::Combination());
   }
 
  private:
@@ -65,22 +65,22 @@ class Distribution final : public Gathering<Distribution> {
   }
 
   template <class M>
-  void gather(transport::Front<M>& front, const transport::Combination& shared) const {
+  void gather(transport::PathWavefront<M>& paths, const transport::Combination& shared) const {
     using namespace transport;
-    auto& tree = Tree<M>::on(front);
-    while (tree.advance()) {
-      const int branches = branches_at(front.length());
-      add_environment(front, shared, lights);
-      while (front.arrive()) {
-        add_emission(front, shared, lights);
-        if (at_limit(front.length())) continue;
-        if (shadow_rays) add_direct_light(front, lights, shared, Shadows::cast, static_cast<float>(branches));
+    auto& tree = BranchingPaths<M>::on(paths);
+    while (tree.trace()) {
+      const int branches = branches_at(paths.length());
+      add_environment(paths, shared, lights);
+      while (paths.next_hits()) {
+        add_emission(paths, shared, lights);
+        if (at_max_depth(paths.length())) continue;
+        if (shadow_rays) add_direct_light(paths, lights, shared, Shadows::cast, static_cast<float>(branches));
         tree.branch(branches, roulette_start);
       }
     }
   }
 };
 
-Registration distribution_ray_tracing() { return registration<Distribution>(); }
+Registration distribution_ray_tracing() { return registration<DistributionRayTracing>(); }
 
 }  // namespace etendue::integrator

@@ -8,7 +8,7 @@
 
 namespace etendue::integrator {
 
-class Path final : public Gathering<Path> {
+class PathTracing final : public CameraPathIntegrator<PathTracing> {
  public:
   static IntegratorInfo info() {
     return {
@@ -24,7 +24,7 @@ class Path final : public Gathering<Path> {
             "caustics of small lights: EDS+L is found only when a walk happens to end on the light; point lights "
             "behind "
             "glass: never",
-        .accumulation = Sampling::pixels,
+        .accumulation = Accumulation::per_pixel,
         .shortcut = '4',
     };
   }
@@ -35,23 +35,23 @@ class Path final : public Gathering<Path> {
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() { return std::tie(max_depth, heuristic, lights, roulette_start); }
+  auto parameters() { return std::tie(max_depth, heuristic, lights, roulette_start); }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    while (front.advance()) {
-      add_environment(front, heuristic, lights);
-      while (front.arrive()) {
-        add_emission(front, heuristic, lights);
-        if (at_limit(front.length())) continue;
-        add_direct_light(front, lights, heuristic);
-        scatter(front, roulette_start);
+    while (paths.trace()) {
+      add_environment(paths, heuristic, lights);
+      while (paths.next_hits()) {
+        add_emission(paths, heuristic, lights);
+        if (at_max_depth(paths.length())) continue;
+        add_direct_light(paths, lights, heuristic);
+        sample_bsdf(paths, roulette_start);
       }
     }
   }
 };
 
-Registration path_tracing() { return registration<Path>(); }
+Registration path_tracing() { return registration<PathTracing>(); }
 
 }  // namespace etendue::integrator

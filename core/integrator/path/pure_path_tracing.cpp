@@ -7,7 +7,7 @@
 
 namespace etendue::integrator {
 
-class PathPure final : public Gathering<PathPure> {
+class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
  public:
   static IntegratorInfo info() {
     return {
@@ -22,7 +22,7 @@ class PathPure final : public Gathering<PathPure> {
         .limitations =
             "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: "
             "never",
-        .accumulation = Sampling::pixels,
+        .accumulation = Accumulation::per_pixel,
         .shortcut = '3',
     };
   }
@@ -30,23 +30,25 @@ class PathPure final : public Gathering<PathPure> {
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() { return std::tie(max_depth, roulette_start); }
+  auto parameters() { return std::tie(max_depth, roulette_start); }
 
-  std::string obstacle(const Pass& pass) const override { return obstacle_to_meeting_lights(pass); }
+  std::string incompatibility(const RenderContext& context) const override {
+    return incompatibility_with_point_lights(context);
+  }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    while (front.advance()) {
-      add_environment(front);
-      while (front.arrive()) {
-        add_emission(front);
-        if (!at_limit(front.length())) scatter(front, roulette_start);
+    while (paths.trace()) {
+      add_environment(paths);
+      while (paths.next_hits()) {
+        add_emission(paths);
+        if (!at_max_depth(paths.length())) sample_bsdf(paths, roulette_start);
       }
     }
   }
 };
 
-Registration pure_path_tracing() { return registration<PathPure>(); }
+Registration pure_path_tracing() { return registration<PurePathTracing>(); }
 
 }  // namespace etendue::integrator

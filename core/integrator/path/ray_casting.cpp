@@ -8,7 +8,7 @@
 
 namespace etendue::integrator {
 
-class Raycast final : public Gathering<Raycast> {
+class RayCasting final : public CameraPathIntegrator<RayCasting> {
  public:
   static IntegratorInfo info() {
     return {
@@ -21,7 +21,7 @@ class Raycast final : public Gathering<Raycast> {
         .bias = Bias::biased,
         .cost = "1 ray per sample",
         .limitations = "everything indirect, every shadow; point lights are invisible without the local model",
-        .accumulation = Sampling::pixels,
+        .accumulation = Accumulation::per_pixel,
         .shortcut = '1',
     };
   }
@@ -31,24 +31,24 @@ class Raycast final : public Gathering<Raycast> {
 
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
-  auto knobs() { return std::tie(max_depth, local, lights); }
+  auto parameters() { return std::tie(max_depth, local, lights); }
 
-  std::string obstacle(const Pass& pass) const override {
-    return local ? std::string() : obstacle_to_meeting_lights(pass);
+  std::string incompatibility(const RenderContext& context) const override {
+    return local ? std::string() : incompatibility_with_point_lights(context);
   }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    if (!front.advance()) return;
-    add_environment(front);
-    while (front.arrive()) {
-      add_emission(front);
-      if (local && !at_limit(1)) add_direct_light(front, lights, {}, Shadows::ignored);
+    if (!paths.trace()) return;
+    add_environment(paths);
+    while (paths.next_hits()) {
+      add_emission(paths);
+      if (local && !at_max_depth(1)) add_direct_light(paths, lights, {}, Shadows::ignored);
     }
   }
 };
 
-Registration ray_casting() { return registration<Raycast>(); }
+Registration ray_casting() { return registration<RayCasting>(); }
 
 }  // namespace etendue::integrator

@@ -9,7 +9,7 @@
 
 namespace etendue::integrator {
 
-class Whitted final : public Gathering<Whitted> {
+class Whitted final : public CameraPathIntegrator<Whitted> {
  public:
   static IntegratorInfo info() {
     return {
@@ -24,7 +24,7 @@ class Whitted final : public Gathering<Whitted> {
         .limitations =
             "light between diffuse or glossy surfaces, caustics: exactly zero; chains of mirrors beyond depth or "
             "threshold",
-        .accumulation = Sampling::pixels,
+        .accumulation = Accumulation::per_pixel,
         .shortcut = '2',
     };
   }
@@ -42,21 +42,21 @@ class Whitted final : public Gathering<Whitted> {
                           "Branches end when they carry less than this share of what they show: shorter trees, darker"};
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
-  auto knobs() { return std::tie(max_depth, threshold, lights); }
+  auto parameters() { return std::tie(max_depth, threshold, lights); }
 
   template <class M>
-  void estimate(transport::Front<M>& front) const {
+  void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
     const auto carries_enough = [&](const PathState<typename M::Color>& path, int) {
       return max_component(path.throughput) * path.eta_scale >= threshold;
     };
-    auto& tree = Tree<M>::on(front);
-    while (tree.advance()) {
-      add_environment(front);
-      while (front.arrive()) {
-        add_emission(front);
-        if (at_limit(front.length())) continue;
-        add_direct_light(front, lights, {});
+    auto& tree = BranchingPaths<M>::on(paths);
+    while (tree.trace()) {
+      add_environment(paths);
+      while (paths.next_hits()) {
+        add_emission(paths);
+        if (at_max_depth(paths.length())) continue;
+        add_direct_light(paths, lights, {});
         tree.follow_deltas(0, 0, carries_enough);
       }
     }

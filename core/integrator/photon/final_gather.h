@@ -11,7 +11,7 @@ template <class M>
 class FinalGather {
  public:
   using Color = typename M::Color;
-  using Front = transport::Front<M>;
+  using PathWavefront = transport::PathWavefront<M>;
 
   // A map and how it is looked up; a map that is null holds nothing.
   struct Source {
@@ -24,28 +24,28 @@ class FinalGather {
     global_ = global, caustics_ = caustics, rays_ = rays, near_ = near;
     rays_traced_ = 0, given_up_ = false;
   }
-  bool given_up() const { return given_up_; }
+  bool cancelled() const { return given_up_; }
   uint64_t rays_traced() const { return rays_traced_; }
 
   // What arrivals reflect of caustics.
-  template <class Wanted = transport::EveryArrival>
-  void add_caustics(Front& front, int before = 0, const Wanted& wanted = {}) const {
-    if (caustics_.view.map) add_nearest_photons(front, caustics_.view, caustics_.nearest, before, wanted);
+  template <class Selected = transport::EveryHit>
+  void add_caustics(PathWavefront& paths, int before = 0, const Selected& selected = {}) const {
+    if (caustics_.view.map) add_nearest_photons(paths, caustics_.view, caustics_.nearest, before, selected);
   }
 
   // What arrivals of walks from the camera reflect from wide surfaces.
-  void gather(const Pass& pass, const Turn& turn, Front& eye) {
-    begin_rays(pass, turn, eye);
-    for (int i = 0; i < eye.arrived(); ++i) {
-      if (!split().has_wide(eye.bsdf(i))) continue;
+  void gather(const RenderContext& context, const TaskContext& task_context, PathWavefront& eye) {
+    begin_rays(context, task_context, eye);
+    for (int i = 0; i < eye.hit_count(); ++i) {
+      if (!split().has_rough(eye.bsdf(i))) continue;
       for (int k = 0; k < rays_; ++k) {
         const auto number = static_cast<uint32_t>(eye.length() * rays_ + k);
-        origins_[static_cast<size_t>(front_.size())] = static_cast<uint8_t>(i);
-        front_.add(hash_combine(eye.state_at(i).seed, number));
-        if (front_.size() == Front::kCapacity) trace(turn, eye), begin_rays(pass, turn, eye);
+        origins_[static_cast<size_t>(paths_.size())] = static_cast<uint8_t>(i);
+        paths_.add(hash_combine(eye.state_at(i).seed, number));
+        if (paths_.size() == PathWavefront::kCapacity) trace(task_context, eye), begin_rays(context, task_context, eye);
       }
     }
-    if (front_.size() > 0) trace(turn, eye);
+    if (paths_.size() > 0) trace(task_context, eye);
   }
 
  private:
@@ -53,85 +53,85 @@ class FinalGather {
 
   const transport::LobeSplit& split() const { return global_.view.split; }
 
-  void begin_rays(const Pass& pass, const Turn& turn, const Front& eye) {
-    front_.begin(*pass.scene, *pass.sampler, eye.sample(), turn.wanted, pass.model->moving);
-    if constexpr (M::kClasses) front_.admit(pass.model->paths->automaton());
+  void begin_rays(const RenderContext& context, const TaskContext& task_context, const PathWavefront& eye) {
+    paths_.begin(*context.scene, *context.sampler, eye.sample(), task_context.keep_going, context.model->moving);
+    if constexpr (M::kClasses) paths_.filter_paths(context.model->paths->automaton());
   }
 
-  void trace(const Turn& turn, Front& eye) {
+  void trace(const TaskContext& task_context, PathWavefront& eye) {
     launch(eye);
-    while (!given_up_ && front_.advance())
-      while (!given_up_ && front_.arrive()) {
+    while (!given_up_ && paths_.trace())
+      while (!given_up_ && paths_.next_hits()) {
         look_up(eye.length());
-        given_up_ = !is_wanted(turn);
+        given_up_ = !should_continue(task_context);
       }
-    given_up_ = given_up_ || front_.given_up();
-    rays_traced_ += front_.rays_traced();
-    for (int i = 0; i < front_.size(); ++i) eye.state_at(origin(i)).radiance += front_.state(i).radiance;
+    given_up_ = given_up_ || paths_.cancelled();
+    rays_traced_ += paths_.rays_traced();
+    for (int i = 0; i < paths_.size(); ++i) eye.state_at(origin(i)).radiance += paths_.state(i).radiance;
   }
 
   int origin(int ray) const { return origins_[static_cast<size_t>(ray)]; }
 
-  void launch(Front& eye) {
-    const SampleTable& random = front_.draw_start(dimensions(0, kLobe + 1));
-    for (int ray = 0; ray < front_.size(); ++ray) {
+  void launch(PathWavefront& eye) {
+    const SampleTable& random = paths_.draw_start(dimensions(0, kLobe + 1));
+    for (int ray = 0; ray < paths_.size(); ++ray) {
       const int i = origin(ray);
       const auto at = [&](int dimension) {
         return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(ray)];
       };
-      front_.state(ray).radiance = Color(0);
+      paths_.state(ray).radiance = Color(0);
       LobeSample<Color> s;
       if (!eye.bsdf(i).sample(eye.wo(i), LobeDraw(at(kLobe), {at(0), at(1)}), Transport::radiance, s)) continue;
       if (!take_wide(eye, i, s)) continue;
       Ray along;
       eye.point(i).spawn(s.wi, along);
-      front_.launch(ray, along, eye.state_at(i).time);
-      auto &path = front_.state(ray), &from = eye.state_at(i);
+      paths_.launch(ray, along, eye.state_at(i).time);
+      auto &path = paths_.state(ray), &from = eye.state_at(i);
       const auto rays = static_cast<float>(rays_);
       path.throughput = from.throughput * s.weight / rays;
       path.eta_scale = from.eta_scale * sqr(s.eta) * rays;  // roulette takes the rays for one
       path.from = eye.point(i).position;
       path.all_specular = false;
       if constexpr (M::kClasses) {
-        front_.shares().take_over(ray, eye.shares(), eye.path_at(i));
+        paths_.shares().take_over(ray, eye.shares(), eye.path_at(i));
         scatter_wide(eye.bsdf(i), eye.wo(i), s, ray);
       }
     }
   }
 
-  bool take_wide(const Front& eye, int i, LobeSample<Color>& s) const {
+  bool take_wide(const PathWavefront& eye, int i, LobeSample<Color>& s) const {
     if (s.delta) return false;
     const Bsdf<M>& bsdf = eye.bsdf(i);
-    if (split().has_narrow_gloss(bsdf))
+    if (split().has_near_specular_gloss(bsdf))
       s.weight *= ratio(bsdf.eval_part(Scatter::diffuse, eye.wo(i), s.wi), bsdf.eval(eye.wo(i), s.wi));
     return !is_black(s.weight);
   }
 
   void scatter_wide(const Bsdf<M>& bsdf, const Vec3& wo, const LobeSample<Color>& s, int ray) {
-    if (split().has_narrow_gloss(bsdf))
-      front_.shares().scatter_by(ray, transport::Event::diffuse);
+    if (split().has_near_specular_gloss(bsdf))
+      paths_.shares().scatter_by(ray, transport::Event::diffuse);
     else
-      front_.shares().scatter(ray, bsdf, wo, s);
+      paths_.shares().scatter(ray, bsdf, wo, s);
   }
 
   void look_up(int before) {
     using namespace transport;
     const int longest = global_.view.longest;
-    if (longest > 0 && before + front_.length() >= longest) return;
+    if (longest > 0 && before + paths_.length() >= longest) return;
     bool any = false;
-    for (int i = 0; i < front_.arrived(); ++i) {
-      const float length = glm::distance(front_.state_at(i).from, front_.point(i).position);
+    for (int i = 0; i < paths_.hit_count(); ++i) {
+      const float length = glm::distance(paths_.state_at(i).from, paths_.point(i).position);
       any |= near_by_[static_cast<size_t>(i)] = length < near_;
     }
     const auto is_near = [this](int i) { return near_by_[static_cast<size_t>(i)]; };
     if (any) {
-      add_light_by_parts(front_, split(), LitParts::wide, is_near);
-      add_caustics(front_, before, is_near);
+      add_light_by_parts(paths_, split(), LitParts::rough, is_near);
+      add_caustics(paths_, before, is_near);
     }
-    add_nearest_photons(front_, global_.view, global_.nearest, before, [&](int i) { return !is_near(i); });
-    const TakeNarrow narrow{split()};
-    scatter(front_, 1, Transport::radiance, [&](Front& front, int i, LobeSample<Color>& s) {
-      return is_near(i) ? TakeAll()(front, i, s) : narrow(front, i, s);
+    add_nearest_photons(paths_, global_.view, global_.nearest, before, [&](int i) { return !is_near(i); });
+    const TakeNearSpecular narrow{split()};
+    sample_bsdf(paths_, 1, Transport::radiance, [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
+      return is_near(i) ? TakeAll()(paths, i, s) : narrow(paths, i, s);
     });
   }
 
@@ -140,9 +140,9 @@ class FinalGather {
   float near_ = 0;
   uint64_t rays_traced_ = 0;
   bool given_up_ = false;
-  Front front_;
-  std::array<uint8_t, Front::kCapacity> origins_;  // by ray: the camera's arrival that it left
-  std::array<bool, Front::kArrivals> near_by_{};
+  PathWavefront paths_;
+  std::array<uint8_t, PathWavefront::kCapacity> origins_;  // by ray: the camera's arrival that it left
+  std::array<bool, PathWavefront::kHitsAtATime> near_by_{};
 };
 
 }  // namespace etendue::integrator

@@ -2,7 +2,7 @@
 
 namespace etendue::photon {
 
-ETENDUE_WIDE void packed_directions(const WideVec3View& v, size_t count, int bits, uint32_t* packed) {
+ETENDUE_VECTORIZE void packed_directions(const WideVec3View& v, size_t count, int bits, uint32_t* packed) {
 #pragma GCC ivdep
   for (size_t i = 0; i < whole_registers(count); ++i) packed[i] = packed_direction(v[i], bits);
 }

@@ -33,15 +33,15 @@ class PhotonEmission {
     phases.push_back({"ordering photons", photon::PhotonMap::kPieces});
   }
 
-  std::optional<uint64_t> run(const Pass& pass, Step step, int task, const Turn& turn) {
+  std::optional<uint64_t> run(const RenderContext& context, Step step, int task, const TaskContext& task_context) {
     char& done = step == kTrace ? traced_[static_cast<size_t>(task)] : ordered_[static_cast<size_t>(task)];
     if (done) return 0;
     std::optional<uint64_t> rays = 0;
     if (step == kOrder)
       map_.build_piece(task);
     else
-      rays = transport::with_model(*pass.model, [&]<class M>(M) {
-        return trace_photons<M>(pass, sample_, plan_, task, turn, found_[static_cast<size_t>(task)]);
+      rays = transport::with_model(*context.model, [&]<class M>(M) {
+        return trace_photons<M>(context, sample_, plan_, task, task_context, found_[static_cast<size_t>(task)]);
       });
     done = rays.has_value();
     return rays;
@@ -85,7 +85,7 @@ class PhotonEmission {
 };
 
 // A look at some photons, thinned out evenly.
-inline void add_points(const photon::PhotonMap& map, size_t most, std::vector<PointOfLight>& points) {
+inline void add_points(const photon::PhotonMap& map, size_t most, std::vector<StoredPoint>& points) {
   const size_t apart = std::max<size_t>(1, (map.size() + most - 1) / std::max<size_t>(1, most));
   for (size_t i = 0; i < map.size(); i += apart) points.push_back({map[i].position(), map[i].power()});
 }

@@ -28,11 +28,10 @@ class PhotonReflection {
  public:
   using Color = typename M::Color;
 
-  PhotonReflection(transport::Front<M>& front, int arrival, const PhotonView& view, int edges)
-      : bsdf_(front.bsdf(arrival)), wo_(front.wo(arrival)), ng_(front.point(arrival).ng), view_(view), edges_(edges) {
+  PhotonReflection(transport::PathWavefront<M>& paths, int hit, const PhotonView& view, int edges)
+      : bsdf_(paths.bsdf(hit)), wo_(paths.wo(hit)), ng_(paths.point(hit).ng), view_(view), edges_(edges) {
     flat_ = bsdf_.frame().z == ng_;
-    if constexpr (M::kClasses)
-      transport::find_join_weights(front.shares(), front.path_at(arrival), *view.join, weights_);
+    if constexpr (M::kClasses) transport::find_join_weights(paths.shares(), paths.path_at(hit), *view.join, weights_);
   }
 
   // f Phi
@@ -54,7 +53,7 @@ class PhotonReflection {
   Color admitted(const Vec3& wi, const typename transport::JoinWeights<Color>::ByLetter& weight) const {
     Color f(0);
     if (bsdf_.scatters(Scatter::diffuse)) f = bsdf_.eval_part(Scatter::diffuse, wo_, wi) * weight.diffuse;
-    if (bsdf_.scatters(Scatter::glossy) && view_.split.gloss_is_wide(bsdf_))
+    if (bsdf_.scatters(Scatter::glossy) && view_.split.gloss_is_rough(bsdf_))
       f += bsdf_.eval_part(Scatter::glossy, wo_, wi) * weight.glossy;
     return f;
   }
@@ -76,38 +75,38 @@ struct NearestPhotons {
 };
 
 // Adds what the arrivals reflect. They are `before` more edges from the camera than the front says.
-template <class M, class Wanted = transport::EveryArrival>
-void add_nearest_photons(transport::Front<M>& front, const PhotonView& view, const NearestPhotons& nearest, int before,
-                         const Wanted& wanted = {}) {
+template <class M, class Selected = transport::EveryHit>
+void add_nearest_photons(transport::PathWavefront<M>& paths, const PhotonView& view, const NearestPhotons& nearest,
+                         int before, const Selected& selected = {}) {
   static thread_local std::vector<photon::Neighbour> room;
   const Stopwatch::Lap lap(view.watch);
-  for (int i = 0; i < front.arrived(); ++i) {
-    if (!wanted(i) || !view.split.has_wide(front.bsdf(i))) continue;
-    const scene::SurfacePoint& point = front.point(i);
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    if (!selected(i) || !view.split.has_rough(paths.bsdf(i))) continue;
+    const scene::SurfacePoint& point = paths.point(i);
     const auto around = view.map->nearest(point.position, point.ng, nearest.most, nearest.farthest2, room);
     if (around.photons.empty()) continue;
-    const PhotonReflection<M> reflection(front, i, view, before + front.length());
+    const PhotonReflection<M> reflection(paths, i, view, before + paths.length());
     typename M::Color sum(0);
     for (const photon::Neighbour& n : around.photons)
       sum += reflection.of((*view.map)[n.photon]) * kernel_weight(nearest.kernel, n.distance2 / around.radius2);
-    auto& path = front.state_at(i);
+    auto& path = paths.state_at(i);
     path.radiance += path.throughput * sum / (kPi * around.radius2);
   }
 }
 
 // The same with a radius that every arrival has of its own: `radius2(i)`.
 template <class M, class Radius2>
-void add_photons_within(transport::Front<M>& front, const PhotonView& view, const Radius2& radius2) {
+void add_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, const Radius2& radius2) {
   const Stopwatch::Lap lap(view.watch);
-  for (int i = 0; i < front.arrived(); ++i) {
-    if (!view.split.has_wide(front.bsdf(i))) continue;
-    const scene::SurfacePoint& point = front.point(i);
-    const PhotonReflection<M> reflection(front, i, view, front.length());
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    if (!view.split.has_rough(paths.bsdf(i))) continue;
+    const scene::SurfacePoint& point = paths.point(i);
+    const PhotonReflection<M> reflection(paths, i, view, paths.length());
     const float r2 = radius2(i);
     typename M::Color sum(0);
     view.map->for_each_within(point.position, point.ng, r2,
                               [&](const photon::Photon& photon, float) { sum += reflection.of(photon); });
-    auto& path = front.state_at(i);
+    auto& path = paths.state_at(i);
     path.radiance += path.throughput * sum / (kPi * r2);
   }
 }

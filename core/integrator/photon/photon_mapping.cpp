@@ -38,7 +38,7 @@ struct etendue::Options<etendue::integrator::PhotonUse> {
 
 namespace etendue::integrator {
 
-class PhotonMapping final : public Method<PhotonMapping> {
+class PhotonMapping final : public IntegratorBase<PhotonMapping> {
  public:
   static IntegratorInfo info() {
     return {
@@ -55,7 +55,7 @@ class PhotonMapping final : public Method<PhotonMapping> {
         .limitations =
             "however many samples: blurred caustics and contacts, blotches of too few photons; looked up directly also "
             "dark edges and leaks; glossy surfaces under the roughness limit see point lights only directly",
-        .accumulation = Sampling::pictures,
+        .accumulation = Accumulation::per_image,
         .shortcut = '8',
     };
   }
@@ -116,12 +116,12 @@ class PhotonMapping final : public Method<PhotonMapping> {
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
 
-  auto knobs() {
+  auto parameters() {
     return std::tie(max_depth, mode, photons, caustic_photons, nearest, beta, radius, kernel, roughness, gather, near,
                     renew, roulette_start);
   }
 
-  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const final;
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
  private:
   transport::LobeSplit split() const { return transport::LobeSplit(roughness); }
@@ -149,15 +149,15 @@ class PhotonMapping final : public Method<PhotonMapping> {
 };
 
 // Of each half of the film, a global map and one of caustics.
-class PhotonMapping::Maps final : public Work {
+class PhotonMapping::Maps final : public RenderState {
  public:
-  Maps(const PhotonMapping& method, const Pass& pass, const Maps* previous)
-      : method_(method), pass_(pass), size_(2 * pass.scene->bounds().radius()) {
-    if (pass.model->classes) join_.emplace(*pass.model->paths);
-    const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(pass);
-    for (uint32_t half = 0; half < film::kReplicates; ++half)
+  Maps(const PhotonMapping& method, const RenderContext& context, const Maps* previous)
+      : method_(method), context_(context), size_(2 * context.scene->bounds().radius()) {
+    if (context.model->classes) join_.emplace(*context.model->paths);
+    const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(context);
+    for (uint32_t half = 0; half < film::kHalves; ++half)
       for (const bool caustics : {false, true}) {
-        if (caustics && (method.direct() || pass.model->diffuse)) continue;
+        if (caustics && (method.direct() || context.model->diffuse)) continue;
         auto& mine = emissions_[half][caustics];
         const PhotonPlan plan = method.plan(caustics);
         if (reusable) mine = previous->emissions_[half][caustics];
@@ -168,7 +168,7 @@ class PhotonMapping::Maps final : public Work {
   std::vector<Phase> phases(uint32_t sample) override {
     std::vector<Phase> phases;
     running_.clear();
-    for (const auto& emission : emissions_[sample % film::kReplicates]) {
+    for (const auto& emission : emissions_[sample % film::kHalves]) {
       if (!emission) continue;
       if (renews()) emission->begin(emission->plan(), sample);
       if (emission->ready()) continue;
@@ -178,17 +178,19 @@ class PhotonMapping::Maps final : public Work {
     return phases;
   }
 
-  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn) override {
-    Pass pass = at_one_moment(pass_, sample);
-    if (!renews()) pass.sampler = &random_;
-    return running_[phase / 2]->run(pass, static_cast<PhotonEmission::Step>(phase % 2), task, turn);
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
+    RenderContext context = at_shared_time(context_, sample);
+    if (!renews()) context.sampler = &random_;
+    return running_[phase / 2]->run(context, static_cast<PhotonEmission::Step>(phase % 2), task, task_context);
   }
   void finish(uint32_t, size_t phase) override {
     running_[phase / 2]->finish(static_cast<PhotonEmission::Step>(phase % 2));
   }
 
-  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {
-    return transport::with_model(*pass_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, turn); });
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                 const TaskContext& task_context) override {
+    return transport::with_model(*context_.model,
+                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override {
@@ -198,8 +200,8 @@ class PhotonMapping::Maps final : public Work {
     return bytes;
   }
 
-  std::shared_ptr<const std::vector<PointOfLight>> points() const override {
-    auto points = std::make_shared<std::vector<PointOfLight>>();
+  std::shared_ptr<const std::vector<StoredPoint>> points() const override {
+    auto points = std::make_shared<std::vector<StoredPoint>>();
     for (const auto& emission : emissions_[0])
       if (emission && emission->ready()) add_points(emission->map(), kMostPoints / 2, *points);
     return points;
@@ -207,88 +209,91 @@ class PhotonMapping::Maps final : public Work {
 
  private:
   // What moves needs photons of its own time.
-  bool renews() const { return method_.renew || pass_.model->moving; }
+  bool renews() const { return method_.renew || context_.model->moving; }
 
-  bool same_light(const Pass& pass) const {
-    const transport::Model &a = *pass_.model, &b = *pass.model;
-    return pass.seed == pass_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.absorbing == b.absorbing &&
+  bool same_light(const RenderContext& context) const {
+    const transport::Model &a = *context_.model, &b = *context.model;
+    return context.seed == context_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.absorbing == b.absorbing &&
            a.classes == b.classes && (!a.classes || a.paths->automaton() == b.paths->automaton()) &&
-           pass.scene->same_light(*pass_.scene);
+           context.scene->same_light(*context_.scene);
   }
 
-  PhotonView view(uint32_t sample, bool caustics, const Turn& turn) const {
-    const auto& emission = emissions_[sample % film::kReplicates][caustics];
+  PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {
+    const auto& emission = emissions_[sample % film::kHalves][caustics];
     return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth,
-            turn.bookkeeping};
+            task_context.overhead_timer};
   }
 
   template <class M>
-  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
-    transport::Front<M>& front = front_of_thread<M>();
-    const BlockOrder order(block);
-    launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
+  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
+                                      const TaskContext& task_context) const {
+    transport::PathWavefront<M>& paths = thread_wavefront<M>();
+    const PixelOrder order(block);
+    launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
     if (method_.direct()) {
-      if (!estimate_directly(view(block.sample, false, turn), turn, front)) return {};
-      return collect(front, order, radiance);
+      if (!estimate_directly(view(block.sample, false, task_context), task_context, paths)) return {};
+      return collect(paths, order, radiance);
     }
     static thread_local const auto gatherer = std::make_unique<FinalGather<M>>();
-    gatherer->begin({view(block.sample, false, turn), method_.nearest_of(method_.photons, size_)},
-                    {view(block.sample, true, turn), method_.nearest_of(method_.caustic_photons, size_)},
+    gatherer->begin({view(block.sample, false, task_context), method_.nearest_of(method_.photons, size_)},
+                    {view(block.sample, true, task_context), method_.nearest_of(method_.caustic_photons, size_)},
                     method_.gather, method_.near * size_);
-    if (!estimate_in_terms(turn, *gatherer, front)) return {};
-    const auto rays = collect(front, order, radiance);
-    if (!rays || gatherer->given_up()) return {};
+    if (!estimate_in_terms(task_context, *gatherer, paths)) return {};
+    const auto rays = collect(paths, order, radiance);
+    if (!rays || gatherer->cancelled()) return {};
     return *rays + gatherer->rays_traced();
   }
 
   // False if nobody wants it any more: lookups take a while.
   template <class M>
-  bool estimate_directly(const PhotonView& view, const Turn& turn, transport::Front<M>& front) const {
+  bool estimate_directly(const PhotonView& view, const TaskContext& task_context,
+                         transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    while (front.advance()) {
-      add_environment(front, kPartsHeuristic);
-      while (front.arrive()) {
-        if (!is_wanted(turn)) return false;
-        add_emission(front, kPartsHeuristic);
-        if (method_.at_limit(front.length())) continue;
-        add_light_by_parts(front, view.split, LitParts::narrow);
-        add_nearest_photons(front, view, method_.nearest_of(method_.photons, size_), 0);
-        scatter(front, method_.roulette_start, Transport::radiance, TakeNarrow{view.split});
+    while (paths.trace()) {
+      add_environment(paths, kPartsHeuristic);
+      while (paths.next_hits()) {
+        if (!should_continue(task_context)) return false;
+        add_emission(paths, kPartsHeuristic);
+        if (method_.at_max_depth(paths.length())) continue;
+        add_light_by_parts(paths, view.split, LitParts::near_specular);
+        add_nearest_photons(paths, view, method_.nearest_of(method_.photons, size_), 0);
+        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{view.split});
       }
     }
     return true;
   }
 
   template <class M>
-  bool estimate_in_terms(const Turn& turn, FinalGather<M>& gatherer, transport::Front<M>& front) const {
+  bool estimate_in_terms(const TaskContext& task_context, FinalGather<M>& gatherer,
+                         transport::PathWavefront<M>& paths) const {
     using namespace transport;
     const LobeSplit split = method_.split();
-    while (front.advance()) {
-      add_environment(front, kPartsHeuristic);
-      while (front.arrive()) {
-        if (!is_wanted(turn)) return false;
-        add_emission(front, kPartsHeuristic);
-        if (method_.at_limit(front.length())) continue;
-        add_light_by_parts(front, split, LitParts::both);
-        gatherer.add_caustics(front);
-        gatherer.gather(pass_, turn, front);
-        scatter(front, method_.roulette_start, Transport::radiance, TakeNarrow{split});
+    while (paths.trace()) {
+      add_environment(paths, kPartsHeuristic);
+      while (paths.next_hits()) {
+        if (!should_continue(task_context)) return false;
+        add_emission(paths, kPartsHeuristic);
+        if (method_.at_max_depth(paths.length())) continue;
+        add_light_by_parts(paths, split, LitParts::both);
+        gatherer.add_caustics(paths);
+        gatherer.gather(context_, task_context, paths);
+        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{split});
       }
     }
     return true;
   }
 
   const PhotonMapping& method_;
-  const Pass pass_;
+  const RenderContext context_;
   const float size_;  // of the scene
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kReplicates> emissions_;
+  std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kHalves> emissions_;
   std::vector<PhotonEmission*> running_;  // one for two phases
 };
 
-std::unique_ptr<Work> PhotonMapping::begin(const Pass& pass, const Work* previous) const {
-  return std::make_unique<Maps>(*this, pass, dynamic_cast<const Maps*>(previous));
+std::unique_ptr<RenderState> PhotonMapping::begin(const RenderContext& context, const RenderState* previous) const {
+  return std::make_unique<Maps>(*this, context, dynamic_cast<const Maps*>(previous));
 }
 
 Registration photon_mapping() { return registration<PhotonMapping>(); }

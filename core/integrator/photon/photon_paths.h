@@ -33,69 +33,69 @@ struct PackedArrivals {
   std::array<uint32_t, kSize> normals, directions;
 
   template <class M>
-  explicit PackedArrivals(const transport::Front<M>& front) {
-    static_assert(kSize == transport::Front<M>::kArrivals);
-    WideVec3<kSize> normal, direction;
-    for (int i = 0; i < front.arrived(); ++i)
-      normal.set(static_cast<size_t>(i), front.point(i).ng), direction.set(static_cast<size_t>(i), front.wo(i));
-    const auto count = static_cast<size_t>(front.arrived());
+  explicit PackedArrivals(const transport::PathWavefront<M>& paths) {
+    static_assert(kSize == transport::PathWavefront<M>::kHitsAtATime);
+    Vec3Lanes<kSize> normal, direction;
+    for (int i = 0; i < paths.hit_count(); ++i)
+      normal.set(static_cast<size_t>(i), paths.point(i).ng), direction.set(static_cast<size_t>(i), paths.wo(i));
+    const auto count = static_cast<size_t>(paths.hit_count());
     photon::packed_directions(normal, count, photon::Photon::kNormalBits, normals.data());
     photon::packed_directions(direction, count, photon::Photon::kDirectionBits, directions.data());
   }
 };
 
 template <class M>
-void store_photons(const PhotonPlan& plan, const LightWalks<M>& walks, transport::Front<M>& front,
+void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
                    std::vector<photon::Photon>& photons) {
   using namespace transport;
-  if (front.length() < plan.shortest) return;
-  if constexpr (M::kClasses) front.draw(dimensions(vertex_dimension::kLightChoice, 1));
-  const PackedArrivals packed(front);
+  if (paths.length() < plan.shortest) return;
+  if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
+  const PackedArrivals packed(paths);
   const float share = 1 / static_cast<float>(plan.photons);
-  for (int i = 0; i < front.arrived(); ++i) {
-    if (!plan.split.has_wide(front.bsdf(i))) continue;
-    const int path = front.path_at(i);
-    auto power = front.state(path).throughput * (walks.flux(path) * share);
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    if (!plan.split.has_rough(paths.bsdf(i))) continue;
+    const int path = paths.path_at(i);
+    auto power = paths.state(path).throughput * (walks.flux(path) * share);
     uint8_t state = 0;
     if constexpr (M::kClasses) {
-      const auto drawn = draw_state(front.shares(), path, front.random(vertex_dimension::kLightChoice, i));
+      const auto drawn = draw_state(paths.shares(), path, paths.random(vertex_dimension::kLightChoice, i));
       if (is_black(drawn.weight)) continue;
       power *= drawn.weight, state = drawn.state;
     }
-    const auto arrival = static_cast<size_t>(i);
-    photons.emplace_back(front.point(i).position, packed.directions[arrival], packed.normals[arrival], power,
-                         front.length(), state);
+    const auto hit = static_cast<size_t>(i);
+    photons.emplace_back(paths.point(i).position, packed.directions[hit], packed.normals[hit], power, paths.length(),
+                         state);
   }
 }
 
 // Traces the photons of one task of a sample; the number of rays, or nothing if they were given up.
 template <class M>
-std::optional<uint64_t> trace_photons(const Pass& pass, uint32_t sample, const PhotonPlan& plan, int task,
-                                      const Turn& turn, std::vector<photon::Photon>& photons) {
+std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sample, const PhotonPlan& plan, int task,
+                                      const TaskContext& task_context, std::vector<photon::Photon>& photons) {
   using namespace transport;
-  static thread_local const auto walks = std::make_unique<LightWalks<M>>();
+  static thread_local const auto walks = std::make_unique<LightSubpaths<M>>();
   static thread_local std::vector<photon::Photon> stored;
-  Front<M>& front = front_of_thread<M>();
+  PathWavefront<M>& paths = thread_wavefront<M>();
   stored.clear();
   const int first = task * PhotonPlan::kTask;
   constexpr uint32_t kCaustics = 1U << 31;  // others than those of the global map
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCaustics : 0);
   walks->launch(
-      pass, sample, std::min(PhotonPlan::kTask, plan.photons - first), turn, front,
+      context, sample, std::min(PhotonPlan::kTask, plan.photons - first), task_context, paths,
       [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) { return true; });
-  while (front.advance())
-    while (front.arrive()) {
-      if (front.length() == 1) walks->dim_first_vertices(front);
-      store_photons(plan, *walks, front, stored);
-      if (plan.longest > 0 && front.length() >= plan.longest) continue;
+  while (paths.trace())
+    while (paths.next_hits()) {
+      if (paths.length() == 1) walks->dim_first_vertices(paths);
+      store_photons(plan, *walks, paths, stored);
+      if (plan.longest > 0 && paths.length() >= plan.longest) continue;
       if (plan.caustics)
-        scatter(front, 1, Transport::importance, TakeNarrow{plan.split, Transport::importance});
+        sample_bsdf(paths, 1, Transport::importance, TakeNearSpecular{plan.split, Transport::importance});
       else
-        scatter(front, 1, Transport::importance);
+        sample_bsdf(paths, 1, Transport::importance);
     }
-  if (front.given_up()) return {};
+  if (paths.cancelled()) return {};
   photons.assign(stored.begin(), stored.end());
-  return front.rays_traced();
+  return paths.rays_traced();
 }
 
 }  // namespace etendue::integrator

@@ -18,7 +18,7 @@
 
 namespace etendue::integrator {
 
-class ProgressivePhotonMapping final : public Method<ProgressivePhotonMapping> {
+class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMapping> {
  public:
   static IntegratorInfo info() {
     return {
@@ -37,7 +37,7 @@ class ProgressivePhotonMapping final : public Method<ProgressivePhotonMapping> {
             "at "
             "best: slower than unbiased methods where these find the light; views of a small part of what is lit: few "
             "photons come by",
-        .accumulation = Sampling::pictures,
+        .accumulation = Accumulation::per_image,
         .shortcut = '9',
     };
   }
@@ -60,11 +60,11 @@ class ProgressivePhotonMapping final : public Method<ProgressivePhotonMapping> {
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
 
-  using Method::at_limit;
+  using IntegratorBase::at_max_depth;
 
-  auto knobs() { return std::tie(max_depth, photons, alpha, radius, connect, roughness, roulette_start); }
+  auto parameters() { return std::tie(max_depth, photons, alpha, radius, connect, roughness, roulette_start); }
 
-  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const final;
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
   PhotonPlan plan(int pixels) const {
     PhotonPlan plan;
@@ -97,77 +97,81 @@ struct Footprint {
   float over(float length) const { return width + angle * length; }
 };
 
-class Progress final : public Work {
+class Progress final : public RenderState {
  public:
-  Progress(const ProgressivePhotonMapping& method, const Pass& pass)
+  Progress(const ProgressivePhotonMapping& method, const RenderContext& context)
       : method_(method),
-        pass_(pass),
-        footprint_(*pass.camera, pass.width, pass.height),
-        emission_(method.plan(pass.width * pass.height), 0) {
-    if (pass.model->classes) join_.emplace(*pass.model->paths);
+        context_(context),
+        footprint_(*context.camera, context.width, context.height),
+        emission_(method.plan(context.width * context.height), 0) {
+    if (context.model->classes) join_.emplace(*context.model->paths);
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kReplicates)));
+    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalves)));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;
   }
-  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const Turn& turn) override {
-    return emission_.run(at_one_moment(pass_, sample), static_cast<PhotonEmission::Step>(phase), task, turn);
+  std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
+    return emission_.run(at_shared_time(context_, sample), static_cast<PhotonEmission::Step>(phase), task,
+                         task_context);
   }
   void finish(uint32_t, size_t phase) override { emission_.finish(static_cast<PhotonEmission::Step>(phase)); }
 
-  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {
-    return transport::with_model(*pass_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, turn); });
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                 const TaskContext& task_context) override {
+    return transport::with_model(*context_.model,
+                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override { return emission_.memory(); }
 
-  std::shared_ptr<const std::vector<PointOfLight>> points() const override {
-    auto points = std::make_shared<std::vector<PointOfLight>>();
+  std::shared_ptr<const std::vector<StoredPoint>> points() const override {
+    auto points = std::make_shared<std::vector<StoredPoint>>();
     if (emission_.ready()) add_points(emission_.map(), kMostPoints, *points);
     return points;
   }
 
  private:
   template <class M>
-  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
-    transport::Front<M>& front = front_of_thread<M>();
-    const BlockOrder order(block);
-    launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
-    estimate(front, turn.bookkeeping);
-    return collect(front, order, radiance);
+  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
+                                      const TaskContext& task_context) const {
+    transport::PathWavefront<M>& paths = thread_wavefront<M>();
+    const PixelOrder order(block);
+    launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
+    estimate(paths, task_context.overhead_timer);
+    return collect(paths, order, radiance);
   }
 
   template <class M>
-  void estimate(transport::Front<M>& front, Stopwatch* watch) const {
+  void estimate(transport::PathWavefront<M>& paths, Stopwatch* watch) const {
     using namespace transport;
     const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, method_.max_depth,
                           watch};
-    static thread_local std::array<float, Front<M>::kCapacity> walked;  // metres, of each path
+    static thread_local std::array<float, PathWavefront<M>::kCapacity> walked;  // metres, of each path
     walked.fill(0);
     const auto radius2 = [&](int i) {
-      return sqr(radius_ * footprint_.over(walked[static_cast<size_t>(front.path_at(i))]));
+      return sqr(radius_ * footprint_.over(walked[static_cast<size_t>(paths.path_at(i))]));
     };
-    while (front.advance()) {
-      add_environment(front, kPartsHeuristic);
-      while (front.arrive()) {
-        add_emission(front, kPartsHeuristic);
-        if (method_.at_limit(front.length())) continue;
-        for (int i = 0; i < front.arrived(); ++i)
-          walked[static_cast<size_t>(front.path_at(i))] +=
-              glm::distance(front.state_at(i).from, front.point(i).position);
-        add_light_by_parts(front, view.split, method_.connect ? LitParts::both : LitParts::narrow);
-        add_photons_within(front, view, radius2);
-        scatter(front, method_.roulette_start, Transport::radiance, TakeNarrow{view.split});
+    while (paths.trace()) {
+      add_environment(paths, kPartsHeuristic);
+      while (paths.next_hits()) {
+        add_emission(paths, kPartsHeuristic);
+        if (method_.at_max_depth(paths.length())) continue;
+        for (int i = 0; i < paths.hit_count(); ++i)
+          walked[static_cast<size_t>(paths.path_at(i))] +=
+              glm::distance(paths.state_at(i).from, paths.point(i).position);
+        add_light_by_parts(paths, view.split, method_.connect ? LitParts::both : LitParts::near_specular);
+        add_photons_within(paths, view, radius2);
+        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{view.split});
       }
     }
   }
 
   const ProgressivePhotonMapping& method_;
-  const Pass pass_;
+  const RenderContext context_;
   const Footprint footprint_;
   PhotonEmission emission_;
   float radius_ = 0;  // pixels
@@ -176,8 +180,8 @@ class Progress final : public Work {
 
 }  // namespace
 
-std::unique_ptr<Work> ProgressivePhotonMapping::begin(const Pass& pass, const Work*) const {
-  return std::make_unique<Progress>(*this, pass);
+std::unique_ptr<RenderState> ProgressivePhotonMapping::begin(const RenderContext& context, const RenderState*) const {
+  return std::make_unique<Progress>(*this, context);
 }
 
 Registration progressive_photon_mapping() { return registration<ProgressivePhotonMapping>(); }

@@ -9,27 +9,27 @@ namespace etendue::integrator {
 enum class PrimaryForm { path, bidirectional, multiplexed };
 
 // One for each thread: what proposals of a group of chains find.
-class PrimaryPaths {
+class PrimarySampleTarget {
  public:
-  static constexpr size_t kLanes = PrimaryPoints::kLanes;
+  static constexpr size_t kLanes = PrimarySamplePoints::kLanes;
 
-  PrimaryProposals proposals;
+  PrimarySampleProposals proposals;
   std::array<uint64_t, kLanes> roots;      // of each point: the key of its last large step
   std::array<film::Splats, kLanes> found;  // what it brings to the picture
   std::array<float, kLanes> targets;       // and the luminance of that
   std::array<uint16_t, kLanes> kinds{};    // by which technique, in the multiplexed form
 
   // Of the first `lanes` proposals; the number of rays, or nothing if that was given up.
-  std::optional<uint64_t> evaluate(const Pass& pass, PrimaryForm form, const BidirectionalPlan& plan,
-                                   const TechniqueLaw& law, size_t lanes, const Turn& turn) {
+  std::optional<uint64_t> evaluate(const RenderContext& context, PrimaryForm form, const BidirectionalOptions& plan,
+                                   const TechniqueDistribution& law, size_t lanes, const TaskContext& task_context) {
     for (size_t i = 0; i < lanes; ++i) {
       found[i].clear();
       // The lane's bits tell samplers whose numbers are asked for.
       const auto world = static_cast<uint32_t>(mix_bits(roots[i] + 0xa0761d6478bd642fULL) >> 32);
-      seeds_[i] = (world & ~PrimaryProposals::kLaneBits) | static_cast<uint32_t>(i);
+      seeds_[i] = (world & ~PrimarySampleProposals::kLaneBits) | static_cast<uint32_t>(i);
     }
-    const auto rays =
-        transport::with_model(*pass.model, [&]<class M>(M) { return look<M>(pass, form, plan, law, lanes, turn); });
+    const auto rays = transport::with_model(
+        *context.model, [&]<class M>(M) { return look<M>(context, form, plan, law, lanes, task_context); });
     if (!rays) return {};
     for (size_t i = 0; i < lanes; ++i) measure(i);
     return rays;
@@ -39,50 +39,50 @@ class PrimaryPaths {
   static constexpr size_t kCamera = 0, kLight = 1, kBoth = 2;
 
   template <class M>
-  std::optional<uint64_t> look(const Pass& pass, PrimaryForm form, const BidirectionalPlan& plan,
-                               const TechniqueLaw& law, size_t lanes, const Turn& turn) {
-    GivenPaths given{&proposals.sampler(kCamera), &proposals.sampler(kLight), {seeds_.data(), lanes}};
-    if (form == PrimaryForm::path) return walk<M>(pass, plan, given, turn);
+  std::optional<uint64_t> look(const RenderContext& context, PrimaryForm form, const BidirectionalOptions& plan,
+                               const TechniqueDistribution& law, size_t lanes, const TaskContext& task_context) {
+    PrimarySamplePaths given{&proposals.sampler(kCamera), &proposals.sampler(kLight), {seeds_.data(), lanes}};
+    if (form == PrimaryForm::path) return walk<M>(context, plan, given, task_context);
     if (form == PrimaryForm::multiplexed) choose_techniques(law, lanes), given.techniques = techniques_;
-    static thread_local const auto walks = std::make_unique<Bidirectional<M>>();
-    const auto rays = walks->evaluate(pass, plan, given, found, turn);
+    static thread_local const auto walks = std::make_unique<BidirectionalSampler<M>>();
+    const auto rays = walks->evaluate(context, plan, given, found, task_context);
     if (!given.techniques.empty()) weigh_techniques(lanes);
     return rays;
   }
 
   template <class M>
-  std::optional<uint64_t> walk(const Pass& pass, const BidirectionalPlan& plan, const GivenPaths& given,
-                               const Turn& turn) {
-    transport::Front<M>& front = front_of_thread<M>();
+  std::optional<uint64_t> walk(const RenderContext& context, const BidirectionalOptions& plan,
+                               const PrimarySamplePaths& given, const TaskContext& task_context) {
+    transport::PathWavefront<M>& paths = thread_wavefront<M>();
     std::array<Vec2, kLanes> rasters;
-    launch_given_walks(pass, given, turn, front, rasters, [](int) { return true; });
-    estimate(plan, front);
-    if (front.given_up()) return {};
-    Splatter splatter(pass, found);
-    const float area = Plane(pass).area();
-    for (int i = 0; i < front.size(); ++i)
-      if (!is_black(front.state(i).radiance))
-        splatter.add(i, rasters[static_cast<size_t>(i)], front.world(i), front.state(i).radiance * area);
-    return front.rays_traced();
+    launch_primary_sample_paths(context, given, task_context, paths, rasters, [](int) { return true; });
+    estimate(plan, paths);
+    if (paths.cancelled()) return {};
+    Splatter splatter(context, found);
+    const float area = Plane(context).area();
+    for (int i = 0; i < paths.size(); ++i)
+      if (!is_black(paths.state(i).radiance))
+        splatter.add(i, rasters[static_cast<size_t>(i)], paths.opacity_seed(i), paths.state(i).radiance * area);
+    return paths.rays_traced();
   }
 
   // Path tracing with next event estimation, as in path/path_tracing.cpp.
   template <class M>
-  static void estimate(const BidirectionalPlan& plan, transport::Front<M>& front) {
+  static void estimate(const BidirectionalOptions& plan, transport::PathWavefront<M>& paths) {
     using namespace transport;
-    while (front.advance()) {
-      add_environment(front, plan.heuristic);
-      while (front.arrive()) {
-        add_emission(front, plan.heuristic);
-        if (plan.too_long(front.length() + 1)) continue;
-        add_direct_light(front, LightStrategy::automatic, plan.heuristic);
-        scatter(front, plan.roulette_start);
+    while (paths.trace()) {
+      add_environment(paths, plan.heuristic);
+      while (paths.next_hits()) {
+        add_emission(paths, plan.heuristic);
+        if (plan.too_long(paths.length() + 1)) continue;
+        add_direct_light(paths, LightStrategy::automatic, plan.heuristic);
+        sample_bsdf(paths, plan.roulette_start);
       }
     }
   }
 
   // The length stays as it is in between large steps.
-  void choose_techniques(const TechniqueLaw& law, size_t lanes) {
+  void choose_techniques(const TechniqueDistribution& law, size_t lanes) {
     const auto& choices = proposals.blocks({seeds_.data(), lanes}, kBoth, 0).values;
     for (size_t i = 0; i < lanes; ++i) {
       const auto length = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));

@@ -25,7 +25,7 @@ struct etendue::Options<etendue::integrator::PrimaryForm> {
 
 namespace etendue::integrator {
 
-class Pssmlt final : public Method<Pssmlt> {
+class Pssmlt final : public IntegratorBase<Pssmlt> {
  public:
   static IntegratorInfo info() {
     return {
@@ -44,7 +44,7 @@ class Pssmlt final : public Method<Pssmlt> {
         .limitations =
             "simple scenes, where samples of equal effort do better alone: neighbours in a chain are alike; noise in "
             "blotches that looks like structure",
-        .accumulation = Sampling::only_splats,
+        .accumulation = Accumulation::splats_only,
     };
   }
 
@@ -87,18 +87,18 @@ class Pssmlt final : public Method<Pssmlt> {
                              {1, 64},
                              "Earlier ends more paths: faster, noisier; its decisions are numbers as any other"};
 
-  auto knobs() {
+  auto parameters() {
     return std::tie(max_depth, form, large_steps, step, least_step, chains, candidates, combined, heuristic,
                     roulette_start);
   }
 
-  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const override;
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const override;
 };
 
 namespace {
 
-PrimaryPaths& paths_of_thread() {
-  static thread_local const auto paths = std::make_unique<PrimaryPaths>();
+PrimarySampleTarget& paths_of_thread() {
+  static thread_local const auto paths = std::make_unique<PrimarySampleTarget>();
   return *paths;
 }
 
@@ -114,7 +114,7 @@ struct PrimaryState {
 struct PrimaryGroup {
   ChainTally tally;
   uint64_t mutations = 0;
-  PrimaryPoints points;
+  PrimarySamplePoints points;
   std::vector<PrimaryState> states;
 
   void write(StateWriter& out) const {
@@ -128,7 +128,7 @@ struct PrimaryGroup {
     for (auto& blocks : points.streams)
       if (!in.list(blocks)) return false;
     uint64_t size = 0;
-    if (!in.value(size) || size > PrimaryPoints::kLanes) return false;
+    if (!in.value(size) || size > PrimarySamplePoints::kLanes) return false;
     states.resize(size);
     for (PrimaryState& s : states)
       if (!in.value(s.root) || !in.value(s.target) || !in.list(s.splats)) return false;
@@ -141,22 +141,22 @@ struct PrimaryGroup {
   }
 };
 
-struct PrimaryEra : Era {
-  TechniqueLaw law;
+struct PrimaryEpoch : Epoch {
+  TechniqueDistribution law;
 };
 
 class PrimaryKernel {
  public:
   using Group = PrimaryGroup;
-  using Era = PrimaryEra;
+  using Epoch = PrimaryEpoch;
   static constexpr uint64_t kMutationsPerCandidate = 10;
   static constexpr std::array<MutationKind, 2> kKinds{
       {{"large-steps", "Mutations that drew all numbers anew and were accepted"},
        {"small-steps", "Mutations that moved all numbers a little and were accepted"}}};
 
-  PrimaryKernel(const Pssmlt& method, const Pass& pass)
+  PrimaryKernel(const Pssmlt& method, const RenderContext& context)
       : method_(&method),
-        pass_(pass),
+        context_(context),
         plan_{method.heuristic,
               method.max_depth,
               method.roulette_start,
@@ -164,56 +164,58 @@ class PrimaryKernel {
               *Techniques::parse(""),
               true,
               true,
-              pass.model->classes ? std::optional<transport::ClassJoin>(*pass.model->paths) : std::nullopt} {}
+              context.model->classes ? std::optional<transport::ClassJoin>(*context.model->paths) : std::nullopt} {}
 
-  int chains() const { return std::min<int>(method_->chains, pass_.width * pass_.height); }
+  int chains() const { return std::min<int>(method_->chains, context_.width * context_.height); }
   int candidates() const {
-    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * pass_.width * pass_.height));
+    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * context_.width * context_.height));
   }
 
-  Era era() const { return {{}, TechniqueLaw(method_->max_depth, pass_.camera->can_be_hit())}; }
+  Epoch epoch() const { return {{}, TechniqueDistribution(method_->max_depth, context_.camera->can_be_hit())}; }
 
-  std::optional<uint64_t> weigh(const Era& era, uint64_t first, const Candidates& candidates, const Turn& turn) const {
-    PrimaryPaths& paths = paths_of_thread();
+  std::optional<uint64_t> weigh(const Epoch& epoch, uint64_t first, const BootstrapSamples& candidates,
+                                const TaskContext& task_context) const {
+    PrimarySampleTarget& paths = paths_of_thread();
     const auto rays = look_at(
-        era, paths, candidates.worth.size(), [&](size_t i) { return first + i; }, PrimaryPoints(), turn);
-    if (rays) std::copy_n(paths.targets.begin(), candidates.worth.size(), candidates.worth.begin());
+        epoch, paths, candidates.weight.size(), [&](size_t i) { return first + i; }, PrimarySamplePoints(),
+        task_context);
+    if (rays) std::copy_n(paths.targets.begin(), candidates.weight.size(), candidates.weight.begin());
     if (rays) std::copy_n(paths.kinds.begin(), candidates.kinds.size(), candidates.kinds.begin());
     return rays;
   }
 
-  std::optional<uint64_t> start(const Era& era, Group& group, int, std::span<const uint64_t> candidates,
-                                const Turn& turn) const {
-    PrimaryPaths& paths = paths_of_thread();
+  std::optional<uint64_t> start(const Epoch& epoch, Group& group, int, std::span<const uint64_t> candidates,
+                                const TaskContext& task_context) const {
+    PrimarySampleTarget& paths = paths_of_thread();
     group.points = {};
     const auto rays = look_at(
-        era, paths, candidates.size(), [&](size_t i) { return candidates[i]; }, group.points, turn);
+        epoch, paths, candidates.size(), [&](size_t i) { return candidates[i]; }, group.points, task_context);
     if (!rays) return {};
     group.states.resize(candidates.size());
     for (size_t i = 0; i < candidates.size(); ++i) go(paths, i, group);
     return rays;
   }
 
-  std::optional<uint64_t> mutate(const Era& era, Group& group, int index, int mutations, float scale,
-                                 const Turn& turn) const {
-    PrimaryPaths& paths = paths_of_thread();
-    const uint64_t group_key = mix_bits(era.key ^ mix_bits(static_cast<uint64_t>(index) + 1));
-    const Count count{scale, era, method_->combined ? double{method_->large_steps} : 0.0};
-    std::array<Stay, PrimaryPaths::kLanes> stays;
+  std::optional<uint64_t> mutate(const Epoch& epoch, Group& group, int index, int mutations, float scale,
+                                 const TaskContext& task_context) const {
+    PrimarySampleTarget& paths = paths_of_thread();
+    const uint64_t group_key = mix_bits(epoch.key ^ mix_bits(static_cast<uint64_t>(index) + 1));
+    const Count count{scale, epoch, method_->combined ? double{method_->large_steps} : 0.0};
+    std::array<Stay, PrimarySampleTarget::kLanes> stays;
     uint64_t rays = 0;
     for (int i = 0; i < mutations; ++i, ++group.mutations) {
       const uint64_t key = mix_bits(group_key + group.mutations);
-      propose(group, key, paths, turn);
-      const auto traced = paths.evaluate(pass_, method_->form, plan_, era.law, group.states.size(), turn);
+      propose(group, key, paths, task_context);
+      const auto traced = paths.evaluate(context_, method_->form, plan_, epoch.law, group.states.size(), task_context);
       if (!traced) return {};
       rays += *traced;
-      const Stopwatch::Lap lap(turn.bookkeeping);
+      const Stopwatch::Lap lap(task_context.overhead_timer);
       for (size_t lane = 0; lane < group.states.size(); ++lane)
-        decide(group, lane, key_of(key, lane), paths, stays[lane], count, *turn.splats);
+        decide(group, lane, key_of(key, lane), paths, stays[lane], count, *task_context.splats);
     }
-    const Stopwatch::Lap lap(turn.bookkeeping);
+    const Stopwatch::Lap lap(task_context.overhead_timer);
     for (size_t lane = 0; lane < group.states.size(); ++lane)
-      count.record(group.states[lane].splats, group.states[lane].target, stays[lane].settle(), *turn.splats);
+      count.record(group.states[lane].splats, group.states[lane].target, stays[lane].settle(), *task_context.splats);
     return rays;
   }
 
@@ -224,14 +226,15 @@ class PrimaryKernel {
   // the first era, when nothing else is known, the chains alone count.
   struct Count {
     float scale;
-    double worth, expected, large_steps;  // the last: share of all mutations, zero if they do not count
+    double mean_weight, expected, large_steps;  // the last: share of all mutations, zero if they do not count
 
-    Count(float s, const Era& era, double large)
-        : scale(s), worth(era.worth), expected(era.expected()), large_steps(large) {}
+    Count(float s, const Epoch& epoch, double large)
+        : scale(s), mean_weight(epoch.weight), expected(epoch.expected()), large_steps(large) {}
 
     void record(const film::Splats& splats, float target, double iterations, film::Splats& to) const {
       if (!(target > 0) || !(iterations > 0)) return;
-      const auto weight = static_cast<float>(iterations * worth / (double{target} + large_steps * expected)) * scale;
+      const auto weight =
+          static_cast<float>(iterations * mean_weight / (double{target} + large_steps * expected)) * scale;
       for (const film::Splat& splat : splats) to.push_back({splat.pixel, splat.radiance * weight});
     }
   };
@@ -240,19 +243,19 @@ class PrimaryKernel {
   bool is_large(uint64_t lane_key) const { return unit_double(mix_bits(lane_key ^ 1)) < double{method_->large_steps}; }
 
   template <class NumberOf>
-  std::optional<uint64_t> look_at(const Era& era, PrimaryPaths& paths, size_t count, NumberOf&& number_of,
-                                  const PrimaryPoints& points, const Turn& turn) const {
-    paths.proposals.begin(points, {method_->least_step, method_->step}, turn.bookkeeping);
+  std::optional<uint64_t> look_at(const Epoch& epoch, PrimarySampleTarget& paths, size_t count, NumberOf&& number_of,
+                                  const PrimarySamplePoints& points, const TaskContext& task_context) const {
+    paths.proposals.begin(points, {method_->least_step, method_->step}, task_context.overhead_timer);
     for (size_t i = 0; i < count; ++i) {
-      paths.roots[i] = mix_bits(era.key + (number_of(i) + 1) * 0xd1342543de82ef95ULL);
+      paths.roots[i] = mix_bits(epoch.key + (number_of(i) + 1) * 0xd1342543de82ef95ULL);
       paths.proposals.propose(i, paths.roots[i], true);
     }
-    return paths.evaluate(pass_, method_->form, plan_, era.law, count, turn);
+    return paths.evaluate(context_, method_->form, plan_, epoch.law, count, task_context);
   }
 
-  void propose(const Group& group, uint64_t key, PrimaryPaths& paths, const Turn& turn) const {
-    const Stopwatch::Lap lap(turn.bookkeeping);
-    paths.proposals.begin(group.points, {method_->least_step, method_->step}, turn.bookkeeping);
+  void propose(const Group& group, uint64_t key, PrimarySampleTarget& paths, const TaskContext& task_context) const {
+    const Stopwatch::Lap lap(task_context.overhead_timer);
+    paths.proposals.begin(group.points, {method_->least_step, method_->step}, task_context.overhead_timer);
     for (size_t lane = 0; lane < group.states.size(); ++lane) {
       const uint64_t lane_key = key_of(key, lane);
       const bool large = is_large(lane_key);
@@ -261,7 +264,7 @@ class PrimaryKernel {
     }
   }
 
-  void decide(Group& group, size_t lane, uint64_t lane_key, PrimaryPaths& paths, Stay& stay, const Count& count,
+  void decide(Group& group, size_t lane, uint64_t lane_key, PrimarySampleTarget& paths, Stay& stay, const Count& count,
               film::Splats& splats) const {
     const bool large = is_large(lane_key);
     const PrimaryState& present = group.states[lane];
@@ -271,12 +274,12 @@ class PrimaryKernel {
     stay.take(
         verdict, [&](double n) { count.record(present.splats, present.target, n, splats); },
         [&](double n) { count.record(paths.found[lane], target, n, splats); },
-        large && method_->combined && target > 0 ? count.expected / count.worth : 0.0);
+        large && method_->combined && target > 0 ? count.expected / count.mean_weight : 0.0);
     if (verdict.accepted) go(paths, lane, group);
   }
 
   // The chain goes to its proposal.
-  static void go(PrimaryPaths& paths, size_t lane, Group& group) {
+  static void go(PrimarySampleTarget& paths, size_t lane, Group& group) {
     paths.proposals.accept(lane, group.points);
     PrimaryState& state = group.states[lane];
     state.root = paths.roots[lane], state.target = paths.targets[lane];
@@ -284,14 +287,14 @@ class PrimaryKernel {
   }
 
   const Pssmlt* method_;
-  Pass pass_;
-  BidirectionalPlan plan_;
+  RenderContext context_;
+  BidirectionalOptions plan_;
 };
 
 }  // namespace
 
-std::unique_ptr<Work> Pssmlt::begin(const Pass& pass, const Work*) const {
-  return std::make_unique<ChainWork<PrimaryKernel>>(pass, PrimaryKernel(*this, pass));
+std::unique_ptr<RenderState> Pssmlt::begin(const RenderContext& context, const RenderState*) const {
+  return std::make_unique<MarkovChainRenderState<PrimaryKernel>>(context, PrimaryKernel(*this, context));
 }
 
 Registration pssmlt() { return registration<Pssmlt>(); }

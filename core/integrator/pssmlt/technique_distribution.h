@@ -34,11 +34,13 @@ class PathLengths {
   float all_;
 };
 
-class TechniqueLaw {
+class TechniqueDistribution {
  public:
   // Of paths of so many edges at most, 0 being no limit. A path of k edges can be found with 0 to k + 1 vertices from
   // the light, all of them only where walks may fall onto the lens.
-  TechniqueLaw(int longest, bool lens_can_be_hit) : lengths_(longest), most_more_(lens_can_be_hit ? 2 : 1) { renew(); }
+  TechniqueDistribution(int longest, bool lens_can_be_hit) : lengths_(longest), most_more_(lens_can_be_hit ? 2 : 1) {
+    renew();
+  }
 
   struct Choice {
     Technique technique;
@@ -61,9 +63,9 @@ class TechniqueLaw {
   }
 
   // What candidates of these kinds were worth.
-  void note(std::span<const float> worth, std::span<const uint16_t> kinds) {
-    for (size_t i = 0; i < worth.size(); ++i)
-      if (kinds[i] != kUnlisted) found_[kinds[i] / kColumns][kinds[i] % kColumns] += worth[i];
+  void note(std::span<const float> weight, std::span<const uint16_t> kinds) {
+    for (size_t i = 0; i < weight.size(); ++i)
+      if (kinds[i] != kUnlisted) found_[kinds[i] / kColumns][kinds[i] % kColumns] += weight[i];
   }
 
   // Makes the law follow what was noted.

@@ -10,8 +10,8 @@
 namespace etendue::integrator {
 
 // What stands in the way of walks that count light only where they meet it.
-inline std::string obstacle_to_meeting_lights(const Pass& pass) {
-  const LightTable& lights = pass.scene->lights();
+inline std::string incompatibility_with_point_lights(const RenderContext& context) {
+  const LightTable& lights = context.scene->lights();
   if (lights.placed().empty() || !lights.triangles().empty() || !lights.environment().black()) return {};
   return "no walk can meet a light without extent, and the scene has no others: take a method that samples lights";
 }
@@ -22,31 +22,32 @@ inline constexpr const char* kLightsDoc =
     "are asked more often than those far away";
 
 template <class Derived>
-class Gathering : public Method<Derived> {
+class CameraPathIntegrator : public IntegratorBase<Derived> {
  public:
-  std::unique_ptr<Work> begin(const Pass& pass, const Work*) const final {
-    return std::make_unique<Blocks>(this->self(), pass);
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState*) const final {
+    return std::make_unique<Blocks>(this->self(), context);
   }
 
  private:
   // Nothing but the walks of each block.
-  class Blocks final : public Work {
+  class Blocks final : public RenderState {
    public:
-    Blocks(const Derived& method, const Pass& pass) : method_(method), pass_(pass) {}
+    Blocks(const Derived& method, const RenderContext& context) : method_(method), context_(context) {}
 
-    std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {
-      return transport::with_model(*pass_.model, [&]<class M>(M) {
-        transport::Front<M>& front = front_of_thread<M>();
-        const BlockOrder order(block);
-        launch_camera_walks(pass_, block, order, turn, front);
-        method_.template estimate<M>(front);
-        return collect(front, order, radiance);
+    std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                   const TaskContext& task_context) override {
+      return transport::with_model(*context_.model, [&]<class M>(M) {
+        transport::PathWavefront<M>& paths = thread_wavefront<M>();
+        const PixelOrder order(block);
+        launch_camera_paths(context_, block, order, task_context, paths);
+        method_.template estimate<M>(paths);
+        return collect(paths, order, radiance);
       });
     }
 
    private:
     const Derived& method_;
-    const Pass pass_;
+    const RenderContext context_;
   };
 };
 

@@ -22,20 +22,20 @@ inline Ray ray_to(const scene::SurfacePoint& point, const Vec3& wi, float distan
 // the density of the light's point as a camera walk finds it, in pixels to an area of the light or to a solid angle,
 // and the direction to the camera.
 template <class M, class Weigh>
-void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec2 lens, uint32_t seed,
+void see_light(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens, uint32_t seed,
                Splatter& splatter, Weigh&& weigh) {
   const Emission& e = start.emission;
   if (e.density.delta || !(e.density.first > 0) || is_black(start.emitted)) return;
   if constexpr (M::kClasses)
-    if (!pass.model->paths->matches("EL")) return;
+    if (!context.model->paths->matches("EL")) return;
   if (e.density.infinite) {
-    if (!pass.scene->lights().environment().visible()) return;
-    const auto view = pass.camera->view_of_infinity(-e.direction, lens, e.time);
+    if (!context.scene->lights().environment().visible()) return;
+    const auto view = context.camera->view_of_infinity(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
     return splatter.connect(start.path, view->ray, e.time, seed, view->raster, start.emitted * value);
   }
-  const auto view = pass.camera->view(e.position, lens, e.time);
+  const auto view = context.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;
   const scene::SurfacePoint& point = *start.point;
   const float facing = glm::dot(point.front ? point.ng : -point.ng, view->wi);
@@ -50,27 +50,27 @@ void see_light(const Pass& pass, const typename LightWalks<M>::Start& start, Vec
 }
 
 // Connects those of the present vertices that are wanted; weigh(arrival, view).
-template <class M, class Weigh, class Wanted = transport::EveryArrival>
-void connect_to_camera(const Pass& pass, const LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter,
-                       Weigh&& weigh, const Wanted& wanted = {}) {
-  const bool lens = pass.camera->has_lens();
-  if (lens) front.draw(dimensions(vertex_dimension::kLightPoint, 2));
-  for (int i = 0; i < front.arrived(); ++i) {
-    if (!wanted(i)) continue;
-    const scene::SurfacePoint& point = front.point(i);
-    const Bsdf<M>& bsdf = front.bsdf(i);
+template <class M, class Weigh, class Selected = transport::EveryHit>
+void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+                       Splatter& splatter, Weigh&& weigh, const Selected& selected = {}) {
+  const bool lens = context.camera->has_lens();
+  if (lens) paths.draw(dimensions(vertex_dimension::kLightPoint, 2));
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    if (!selected(i)) continue;
+    const scene::SurfacePoint& point = paths.point(i);
+    const Bsdf<M>& bsdf = paths.bsdf(i);
     if (!bsdf.has_non_delta()) continue;
-    const int path = front.path_at(i);
-    const auto& state = front.state(path);
-    const Vec2 on_lens = lens ? front.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);
-    const auto view = pass.camera->view(point.position, on_lens, state.time);
+    const int path = paths.path_at(i);
+    const auto& state = paths.state(path);
+    const Vec2 on_lens = lens ? paths.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);
+    const auto view = context.camera->view(point.position, on_lens, state.time);
     if (!view || !splatter.reaches(view->raster)) continue;
-    auto f_cos = bsdf.evaluate(front.wo(i), view->wi, Transport::importance).f_cos;
-    if constexpr (M::kClasses) f_cos = front.shares().of_connection(path, bsdf, front.wo(i), view->wi, f_cos);
+    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, Transport::importance).f_cos;
+    if constexpr (M::kClasses) f_cos = paths.shares().of_connection(path, bsdf, paths.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
     const float weight = weigh(i, *view);
     if (weight == 0) continue;
-    const uint32_t seed = front.world(path) + static_cast<uint32_t>(front.length());
+    const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
     const auto through = transport::transmittance<M>(point, view->wi, view->distance);
     splatter.connect(path, ray_to(point, view->wi, view->distance), state.time, seed, view->raster,
                      state.throughput * f_cos * through * (walks.flux(path) * view->importance * weight));
@@ -79,32 +79,32 @@ void connect_to_camera(const Pass& pass, const LightWalks<M>& walks, transport::
 
 // The last segment of a walk may lead through the lens; weigh(path, arrival).
 template <class M, class Weigh>
-void fall_onto_lens(const Pass& pass, const LightWalks<M>& walks, transport::Front<M>& front, int path,
-                    const Vec3& direction, float length, Splatter& splatter, Weigh&& weigh) {
-  const auto& state = front.state(path);
+void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+                    int path, const Vec3& direction, float length, Splatter& splatter, Weigh&& weigh) {
+  const auto& state = paths.state(path);
   Ray ray;
   ray.origin = state.from, ray.direction = direction;
-  const auto arrival = pass.camera->arrival(ray, length, state.time);
-  if (!arrival || !splatter.reaches(arrival->raster)) return;
-  auto carried = transport::admitted(front, state, path) * (walks.flux(path) * arrival->importance);
-  if (front.length() == 1) carried *= front.scene().lights().window(walks.light(path), arrival->distance);
-  const uint32_t seed = front.world(path) + static_cast<uint32_t>(front.length());
-  splatter.add(path, arrival->raster, seed, carried * weigh(path, *arrival));
+  const auto hit = context.camera->arrival(ray, length, state.time);
+  if (!hit || !splatter.reaches(hit->raster)) return;
+  auto carried = transport::admitted(paths, state, path) * (walks.flux(path) * hit->importance);
+  if (paths.length() == 1) carried *= paths.scene().lights().window(walks.light(path), hit->distance);
+  const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
+  splatter.add(path, hit->raster, seed, carried * weigh(path, *hit));
 }
 
 // The same for all walks that were traced: before anything else is done with the vertices that were reached.
 template <class M, class Weigh>
-void escape_through_lens(const Pass& pass, const LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter,
-                         Weigh&& weigh) {
-  for (int i = 0; i < front.escaped(); ++i)
-    fall_onto_lens(pass, walks, front, front.path_of_escape(i), front.escape_direction(i), kInfinity, splatter, weigh);
+void escape_through_lens(const RenderContext& context, const LightSubpaths<M>& walks,
+                         transport::PathWavefront<M>& paths, Splatter& splatter, Weigh&& weigh) {
+  for (int i = 0; i < paths.miss_count(); ++i)
+    fall_onto_lens(context, walks, paths, paths.path_of_miss(i), paths.miss_direction(i), kInfinity, splatter, weigh);
 }
 template <class M, class Weigh>
-void pass_through_lens(const Pass& pass, const LightWalks<M>& walks, transport::Front<M>& front, Splatter& splatter,
-                       Weigh&& weigh) {
-  for (int i = 0; i < front.arrived(); ++i)
-    fall_onto_lens(pass, walks, front, front.path_at(i), -front.wo(i),
-                   glm::distance(front.state_at(i).from, front.point(i).position), splatter, weigh);
+void pass_through_lens(const RenderContext& context, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+                       Splatter& splatter, Weigh&& weigh) {
+  for (int i = 0; i < paths.hit_count(); ++i)
+    fall_onto_lens(context, walks, paths, paths.path_at(i), -paths.wo(i),
+                   glm::distance(paths.state_at(i).from, paths.point(i).position), splatter, weigh);
 }
 
 }  // namespace etendue::integrator

@@ -2,8 +2,8 @@
 //
 // Derived is a Method that offers
 //
-//   template <class M> void estimate(const Pass&, LightWalks<M>&, transport::Front<M>&, Splatter&) const
-//   template <class M> void see_light(const Pass&, const typename LightWalks<M>::Start&, Vec2 lens, uint32_t seed,
+//   template <class M> void estimate(const Pass&, LightSubpaths<M>&, transport::Front<M>&, Splatter&) const
+//   template <class M> void see_light(const Pass&, const typename LightSubpaths<M>::Start&, Vec2 lens, uint32_t seed,
 //                                     Splatter&) const
 //
 // which let the walks go, and look at their starts.
@@ -15,46 +15,49 @@
 namespace etendue::integrator {
 
 template <class Derived>
-class Shooting : public Method<Derived> {
+class LightPathIntegrator : public IntegratorBase<Derived> {
  public:
-  std::unique_ptr<Work> begin(const Pass& pass, const Work*) const final {
-    return std::make_unique<Paths>(this->self(), pass);
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState*) const final {
+    return std::make_unique<Paths>(this->self(), context);
   }
 
  private:
-  class Paths final : public Work {
+  class Paths final : public RenderState {
    public:
-    Paths(const Derived& method, const Pass& pass) : method_(method), pass_(pass) {}
+    Paths(const Derived& method, const RenderContext& context) : method_(method), context_(context) {}
 
-    std::vector<Phase> phases(uint32_t) override { return {{"tracing light paths", (paths() + kTask - 1) / kTask}}; }
+    std::vector<Phase> phases(uint32_t) override {
+      return {{"tracing light paths", (path_count() + kTask - 1) / kTask}};
+    }
 
-    std::optional<uint64_t> run(uint32_t sample, size_t, int task, const Turn& turn) override {
-      return transport::with_model(*pass_.model, [&]<class M>(M) { return run_with<M>(sample, task, turn); });
+    std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
+      return transport::with_model(*context_.model,
+                                   [&]<class M>(M) { return run_with<M>(sample, task, task_context); });
     }
 
    private:
     static constexpr int kTask = SampleTable::kPaths;
-    int paths() const { return pass_.width * pass_.height; }
+    int path_count() const { return context_.width * context_.height; }
 
     template <class M>
-    std::optional<uint64_t> run_with(uint32_t sample, int task, const Turn& turn) const {
-      static thread_local const auto walks = std::make_unique<LightWalks<M>>();
-      transport::Front<M>& front = front_of_thread<M>();
-      Splatter splatter(pass_, turn, 1 / static_cast<float>(paths()));
-      const int first = task * kTask, count = std::min(kTask, paths() - first);
+    std::optional<uint64_t> run_with(uint32_t sample, int task, const TaskContext& task_context) const {
+      static thread_local const auto walks = std::make_unique<LightSubpaths<M>>();
+      transport::PathWavefront<M>& paths = thread_wavefront<M>();
+      Splatter splatter(context_, task_context, 1 / static_cast<float>(path_count()));
+      const int first = task * kTask, count = std::min(kTask, path_count() - first);
       walks->launch(
-          pass_, sample, count, turn, front, [&](int i) { return static_cast<uint32_t>(first + i); },
-          [&](const typename LightWalks<M>::Start& start, Vec2 lens) {
-            method_.template see_light<M>(pass_, start, lens, front.state(start.path).seed + sample, splatter);
+          context_, sample, count, task_context, paths, [&](int i) { return static_cast<uint32_t>(first + i); },
+          [&](const typename LightSubpaths<M>::Start& start, Vec2 lens) {
+            method_.template see_light<M>(context_, start, lens, paths.state(start.path).seed + sample, splatter);
             return true;
           });
-      method_.template estimate<M>(pass_, *walks, front, splatter);
-      if (front.given_up()) return {};
-      return splatter.finish() + front.rays_traced();
+      method_.template estimate<M>(context_, *walks, paths, splatter);
+      if (paths.cancelled()) return {};
+      return splatter.finish() + paths.rays_traced();
     }
 
     const Derived& method_;
-    const Pass pass_;
+    const RenderContext context_;
   };
 };
 

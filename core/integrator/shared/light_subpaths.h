@@ -9,15 +9,15 @@
 namespace etendue::integrator {
 
 // The seed of a light path's random numbers in one half of the film.
-inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t replicate) {
+inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t half_buffer) {
   constexpr uint64_t kNoPixel = 0x6c62272e07bb0142;
-  return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kReplicates + replicate + kNoPixel) ^ path) >> 32);
+  return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalves + half_buffer + kNoPixel) ^ path) >> 32);
 }
 
 template <class M>
-class LightWalks {
+class LightSubpaths {
  public:
-  using Front = transport::Front<M>;
+  using PathWavefront = transport::PathWavefront<M>;
   using Color = typename M::Color;
 
   // Where a walk starts.
@@ -32,24 +32,25 @@ class LightWalks {
   // yet. begun(start, point of the lens) is called for each, those included that carry nothing, and says whether the
   // walk is to go on from there.
   template <class NumberOf, class Begun>
-  void launch(const Pass& pass, uint32_t sample, int count, const Turn& turn, Front& front, NumberOf&& number_of,
-              Begun&& begun) {
-    const uint32_t replicate = sample % film::kReplicates;
-    front.begin(*pass.scene, *pass.sampler, sample / film::kReplicates, turn.wanted, pass.model->moving);
-    for (int i = 0; i < count; ++i) front.add(light_path_seed(pass.seed, number_of(i), replicate));
-    launch_added(pass, front, begun, [](int) { return true; });
+  void launch(const RenderContext& context, uint32_t sample, int count, const TaskContext& task_context,
+              PathWavefront& paths, NumberOf&& number_of, Begun&& begun) {
+    const uint32_t half_buffer = sample % film::kHalves;
+    paths.begin(*context.scene, *context.sampler, sample / film::kHalves, task_context.keep_going,
+                context.model->moving);
+    for (int i = 0; i < count; ++i) paths.add(light_path_seed(context.seed, number_of(i), half_buffer));
+    launch_added(context, paths, begun, [](int) { return true; });
   }
 
   // The same for paths that were added to the front; those stay behind, and are not begun, for which wanted(path) says
   // no.
   template <class Begun, class Wanted>
-  void launch_added(const Pass& pass, Front& front, Begun&& begun, Wanted&& wanted) {
-    if constexpr (M::kClasses) front.admit_from_light(*pass.model->paths->from_light());
-    const int count = front.size();
+  void launch_added(const RenderContext& context, PathWavefront& paths, Begun&& begun, Wanted&& keep_going) {
+    if constexpr (M::kClasses) paths.filter_paths_from_light(*context.model->paths->from_light());
+    const int count = paths.size();
     using namespace emission_dimension;
-    const SampleTable& random = front.draw_start(
+    const SampleTable& random = paths.draw_start(
         dimensions(kPoint, 2) | dimensions(kDirection, 2) | dimensions(kChoice, 1) |
-        (pass.camera->has_lens() ? dimensions(kLens, 2) : 0) | (pass.draws_times() ? dimensions(kTime, 1) : 0));
+        (context.camera->has_lens() ? dimensions(kLens, 2) : 0) | (context.samples_time() ? dimensions(kTime, 1) : 0));
     const auto at = [&](int i, int dimension) {
       return random.values[static_cast<size_t>(dimension)][static_cast<size_t>(i)];
     };
@@ -61,20 +62,20 @@ class LightWalks {
                                    static_cast<size_t>(end - first), cosine_directions_);
       int size = 0;
       for (int i = first; i < end; ++i) {
-        const float time = pass.draws_times() ? at(i, kTime) : pass.moment.value_or(0.0f);
+        const float time = context.samples_time() ? at(i, kTime) : context.shared_time.value_or(0.0f);
         times_[static_cast<size_t>(i)] = time;
-        if (!wanted(i)) continue;
+        if (!keep_going(i)) continue;
         Start& start = starts_[static_cast<size_t>(size++)];
         start.path = i, start.point = nullptr;
         start.emission = {};
-        pass.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
-                                   cosine_directions_[static_cast<size_t>(i - first)]},
-                                  start.emission);
+        context.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
+                                      cosine_directions_[static_cast<size_t>(i - first)]},
+                                     start.emission);
       }
-      finish_starts(*pass.scene, size);
+      finish_starts(*context.scene, size);
       for (int k = 0; k < size; ++k) {
         const Start& start = starts_[static_cast<size_t>(k)];
-        if (begun(start, pass.camera->has_lens() ? pair(start.path, kLens) : Vec2(0))) launch_one(k, front);
+        if (begun(start, context.camera->has_lens() ? pair(start.path, kLens) : Vec2(0))) launch_one(k, paths);
       }
     }
   }
@@ -87,11 +88,11 @@ class LightWalks {
   uint32_t light(int path) const { return lights_[static_cast<size_t>(path)]; }
 
   // Point lights may lose light with the distance: to be called before anything else is done with the first vertices.
-  void dim_first_vertices(Front& front) const {
-    for (int i = 0; i < front.arrived(); ++i) {
-      auto& path = front.state_at(i);
+  void dim_first_vertices(PathWavefront& paths) const {
+    for (int i = 0; i < paths.hit_count(); ++i) {
+      auto& path = paths.state_at(i);
       path.throughput *=
-          front.scene().lights().window(light(front.path_at(i)), glm::distance(path.from, front.point(i).position));
+          paths.scene().lights().window(light(paths.path_at(i)), glm::distance(path.from, paths.point(i).position));
     }
   }
 
@@ -132,7 +133,7 @@ class LightWalks {
     if (start.point) start.point->spawn(e.direction, ray);
   }
 
-  void launch_one(int k, Front& front) {
+  void launch_one(int k, PathWavefront& paths) {
     const Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
     const auto path = static_cast<size_t>(start.path);
@@ -141,19 +142,19 @@ class LightWalks {
     const float most = max_component(flux);
     flux_[path] = most, lights_[path] = e.light;
     if (!(most > 0)) return;
-    front.launch(start.path, rays_[static_cast<size_t>(k)], e.time);
-    front.state(start.path).throughput = flux / most;
-    front.state(start.path).from = e.position;
+    paths.launch(start.path, rays_[static_cast<size_t>(k)], e.time);
+    paths.state(start.path).throughput = flux / most;
+    paths.state(start.path).from = e.position;
   }
 
   static constexpr int kBatch = 64;
 
   std::array<Start, kBatch> starts_;
   std::array<scene::SurfacePoint, kBatch> points_;
-  WideVec3<kBatch> cosine_directions_;
+  Vec3Lanes<kBatch> cosine_directions_;
   std::array<Ray, kBatch> rays_;
-  std::array<float, Front::kCapacity> flux_, times_;
-  std::array<uint32_t, Front::kCapacity> lights_;
+  std::array<float, PathWavefront::kCapacity> flux_, times_;
+  std::array<uint32_t, PathWavefront::kCapacity> lights_;
 };
 
 }  // namespace etendue::integrator

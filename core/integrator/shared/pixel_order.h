@@ -8,9 +8,9 @@
 
 namespace etendue::integrator {
 
-class BlockOrder {
+class PixelOrder {
  public:
-  explicit BlockOrder(const PixelBlock& block) : width_(block.width) {
+  explicit PixelOrder(const PixelBlock& block) : width_(block.width) {
     constexpr int kSquare = 4;
     for (int top = 0; top < block.height; top += kSquare)
       for (int left = 0; left < block.width; left += kSquare)

@@ -10,11 +10,17 @@ namespace etendue::integrator {
 // For one task. Contributions are those of one light path; `scale` makes a mean of them: one over the number of paths.
 class Splatter {
  public:
-  Splatter(const Pass& pass, const Turn& turn, float scale)
-      : scene_(*pass.scene), filter_(*pass.filter, pass.width, pass.height), lists_(turn.splats), scale_(scale) {}
+  Splatter(const RenderContext& context, const TaskContext& task_context, float scale)
+      : scene_(*context.scene),
+        filter_(*context.filter, context.width, context.height),
+        lists_(task_context.splats),
+        scale_(scale) {}
   // A list for each path.
-  Splatter(const Pass& pass, std::span<film::Splats> lists)
-      : scene_(*pass.scene), filter_(*pass.filter, pass.width, pass.height), lists_(lists.data()), apart_(true) {}
+  Splatter(const RenderContext& context, std::span<film::Splats> lists)
+      : scene_(*context.scene),
+        filter_(*context.filter, context.width, context.height),
+        lists_(lists.data()),
+        apart_(true) {}
 
   // Whether a point of the picture belongs to any of its pixels.
   bool reaches(Vec2 raster) const { return filter_.reaches(raster); }

@@ -20,7 +20,7 @@
 
 namespace etendue::integrator {
 
-class InstantGlobalIllumination final : public Method<InstantGlobalIllumination> {
+class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllumination> {
  public:
   static IntegratorInfo info() {
     return {
@@ -38,7 +38,7 @@ class InstantGlobalIllumination final : public Method<InstantGlobalIllumination>
             "caustics and whatever shines through glass onto what is seen: black; corners: splotches, or with a bound "
             "and without compensation too dark; glossy surfaces as virtual lights are taken for matt ones unless told "
             "otherwise",
-        .accumulation = Sampling::pictures,
+        .accumulation = Accumulation::per_image,
     };
   }
 
@@ -72,11 +72,13 @@ class InstantGlobalIllumination final : public Method<InstantGlobalIllumination>
   Number<int> roulette_start{
       "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
 
-  using Method::at_limit;
+  using IntegratorBase::at_max_depth;
 
-  auto knobs() { return std::tie(max_depth, light_paths, interleave, full, bound, compensate, renew, roulette_start); }
+  auto parameters() {
+    return std::tie(max_depth, light_paths, interleave, full, bound, compensate, renew, roulette_start);
+  }
 
-  std::unique_ptr<Work> begin(const Pass& pass, const Work* previous) const final;
+  std::unique_ptr<RenderState> begin(const RenderContext& context, const RenderState* previous) const final;
 
   VirtualLightPlan plan() const {
     VirtualLightPlan plan;
@@ -100,12 +102,12 @@ struct Lights {
   bool ready = false;
 };
 
-class VirtualLights final : public Work {
+class VirtualLights final : public RenderState {
  public:
-  VirtualLights(const InstantGlobalIllumination& method, const Pass& pass)
-      : method_(method), pass_(pass), plan_(method.plan()) {
-    if (pass.model->classes) join_.emplace(*pass.model->paths);
-    for (uint32_t half = 0; half < film::kReplicates; ++half) lights_[half].sample = half;
+  VirtualLights(const InstantGlobalIllumination& method, const RenderContext& context)
+      : method_(method), context_(context), plan_(method.plan()) {
+    if (context.model->classes) join_.emplace(*context.model->paths);
+    for (uint32_t half = 0; half < film::kHalves; ++half) lights_[half].sample = half;
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
@@ -116,12 +118,13 @@ class VirtualLights final : public Work {
     return {{"making virtual lights", plan_.tasks()}};
   }
 
-  std::optional<uint64_t> run(uint32_t sample, size_t, int task, const Turn& turn) override {
+  std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
     Lights& lights = lights_of(sample);
-    Pass pass = at_one_moment(pass_, sample);
-    if (!renews()) pass.sampler = &random_;
-    return transport::with_model(*pass_.model, [&]<class M>(M) {
-      return make_virtual_lights<M>(pass, lights.sample, plan_, task, turn, lights.found[static_cast<size_t>(task)]);
+    RenderContext context = at_shared_time(context_, sample);
+    if (!renews()) context.sampler = &random_;
+    return transport::with_model(*context_.model, [&]<class M>(M) {
+      return make_virtual_lights<M>(context, lights.sample, plan_, task, task_context,
+                                    lights.found[static_cast<size_t>(task)]);
     });
   }
 
@@ -132,8 +135,10 @@ class VirtualLights final : public Work {
     lights.ready = true;
   }
 
-  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) override {
-    return transport::with_model(*pass_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, turn); });
+  std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
+                                 const TaskContext& task_context) override {
+    return transport::with_model(*context_.model,
+                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
   size_t memory() const override {
@@ -145,8 +150,8 @@ class VirtualLights final : public Work {
     return count * sizeof(VirtualLight);
   }
 
-  std::shared_ptr<const std::vector<PointOfLight>> points() const override {
-    auto points = std::make_shared<std::vector<PointOfLight>>();
+  std::shared_ptr<const std::vector<StoredPoint>> points() const override {
+    auto points = std::make_shared<std::vector<StoredPoint>>();
     for (const VirtualLight& light : lights_[0].all)
       if (points->size() < kMostPoints) points->push_back({light.point.position, light.power});
     return points;
@@ -154,51 +159,53 @@ class VirtualLights final : public Work {
 
  private:
   // What moves needs lights of its own time.
-  bool renews() const { return method_.renew || pass_.model->moving; }
+  bool renews() const { return method_.renew || context_.model->moving; }
 
-  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kReplicates]; }
+  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kHalves]; }
   // Virtual lights are the second vertex at the earliest.
   bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
 
   template <class M>
-  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance, const Turn& turn) const {
-    transport::Front<M>& front = front_of_thread<M>();
-    const BlockOrder order(block);
-    launch_camera_walks(at_one_moment(pass_, block.sample), block, order, turn, front);
+  std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
+                                      const TaskContext& task_context) const {
+    transport::PathWavefront<M>& paths = thread_wavefront<M>();
+    const PixelOrder order(block);
+    launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
     static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
     const int side = method_.interleave;
     lighting->begin(
-        {lights_[block.sample % film::kReplicates].all, plan_.lambertian, method_.bound, method_.max_depth,
+        {lights_[block.sample % film::kHalves].all, plan_.lambertian, method_.bound, method_.max_depth,
          join_ ? &*join_ : nullptr},
         order.size(), [&](int i) {
           return static_cast<uint32_t>((block.y + order.y(i)) % side * side + (block.x + order.x(i)) % side);
         });
-    if (!estimate(turn, *lighting, front)) return {};
-    const auto rays = collect(front, order, radiance);
+    if (!estimate(task_context, *lighting, paths)) return {};
+    const auto rays = collect(paths, order, radiance);
     if (!rays) return {};
     return *rays + lighting->rays_traced();
   }
 
   // False if nobody wants it any more: a few vertices take a while.
   template <class M>
-  bool estimate(const Turn& turn, VirtualLighting<M>& lighting, transport::Front<M>& front) const {
+  bool estimate(const TaskContext& task_context, VirtualLighting<M>& lighting,
+                transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    static thread_local std::array<float, Front<M>::kCapacity> departures;  // cosines by which paths left
-    while (front.advance()) {
-      add_environment(front, kHeuristic);
-      while (front.arrive()) {
-        if (!is_wanted(turn)) return false;
-        add_emission(front, kHeuristic);
-        if (method_.at_limit(front.length())) continue;
-        weigh_by_loss(front, departures);
-        add_direct_light(front, LightStrategy::automatic, kHeuristic);
-        lighting.add(front);
-        scatter_noted(
-            front, method_.roulette_start, Transport::radiance,
+    static thread_local std::array<float, PathWavefront<M>::kCapacity> departures;  // cosines by which paths left
+    while (paths.trace()) {
+      add_environment(paths, kHeuristic);
+      while (paths.next_hits()) {
+        if (!should_continue(task_context)) return false;
+        add_emission(paths, kHeuristic);
+        if (method_.at_max_depth(paths.length())) continue;
+        weigh_by_loss(paths, departures);
+        add_direct_light(paths, LightStrategy::automatic, kHeuristic);
+        lighting.add(paths);
+        sample_bsdf_and_record(
+            paths, method_.roulette_start, Transport::radiance,
             [&](int i, const auto& s) {
-              departures[static_cast<size_t>(front.path_at(i))] = glm::dot(front.point(i).ng, s.wi);
+              departures[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
             },
-            [](Front<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
+            [](PathWavefront<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
       }
     }
     return true;
@@ -207,37 +214,37 @@ class VirtualLights final : public Work {
   // Mirrors from the camera on; from the first other vertex one step that may meet a light, and more where a bound
   // loses something, but not by mirrors: virtual lights are not connected through them.
   template <class M>
-  static bool goes_on(transport::Front<M>& front, int i, LobeSample<typename M::Color>& s) {
-    const auto& path = front.state_at(i);
-    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::TakeAll()(front, i, s);
+  static bool goes_on(transport::PathWavefront<M>& paths, int i, LobeSample<typename M::Color>& s) {
+    const auto& path = paths.state_at(i);
+    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::TakeAll()(paths, i, s);
   }
 
   // What virtual lights have done for the vertex before is not done again.
   template <class M>
-  void weigh_by_loss(transport::Front<M>& front, std::span<const float> departures) const {
+  void weigh_by_loss(transport::PathWavefront<M>& paths, std::span<const float> departures) const {
     const bool follows_bound = method_.bound > 0 && method_.compensate;
-    for (int i = 0; i < front.arrived(); ++i) {
-      auto& path = front.state_at(i);
+    for (int i = 0; i < paths.hit_count(); ++i) {
+      auto& path = paths.state_at(i);
       if (path.all_specular) continue;
-      const Vec3 d = front.point(i).position - path.from;
-      const float left = departures[static_cast<size_t>(front.path_at(i))];
-      const float geometry = geometry_term(left, glm::dot(front.point(i).ng, front.wo(i)), glm::dot(d, d));
+      const Vec3 d = paths.point(i).position - path.from;
+      const float left = departures[static_cast<size_t>(paths.path_at(i))];
+      const float geometry = geometry_term(left, glm::dot(paths.point(i).ng, paths.wo(i)), glm::dot(d, d));
       path.throughput *= follows_bound ? 1 - kept_of(geometry, method_.bound) : 0;
     }
   }
 
   const InstantGlobalIllumination& method_;
-  const Pass pass_;
+  const RenderContext context_;
   const VirtualLightPlan plan_;
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<Lights, film::kReplicates> lights_;
+  std::array<Lights, film::kHalves> lights_;
 };
 
 }  // namespace
 
-std::unique_ptr<Work> InstantGlobalIllumination::begin(const Pass& pass, const Work*) const {
-  return std::make_unique<VirtualLights>(*this, pass);
+std::unique_ptr<RenderState> InstantGlobalIllumination::begin(const RenderContext& context, const RenderState*) const {
+  return std::make_unique<VirtualLights>(*this, context);
 }
 
 Registration instant_global_illumination() { return registration<InstantGlobalIllumination>(); }

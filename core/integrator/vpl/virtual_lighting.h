@@ -16,7 +16,7 @@ template <class M>
 class VirtualLighting {
  public:
   using Color = typename M::Color;
-  using Front = transport::Front<M>;
+  using PathWavefront = transport::PathWavefront<M>;
 
   struct Options {
     std::span<const VirtualLight> lights;
@@ -35,18 +35,18 @@ class VirtualLighting {
   uint64_t rays_traced() const { return rays_traced_; }
 
   // Adds what all arrivals get. Light by light: its rays to neighbouring pixels lie close together.
-  void add(Front& front) {
-    find_weights(front);
+  void add(PathWavefront& paths) {
+    find_weights(paths);
     for (const VirtualLight& light : options_.lights) {
-      if (options_.longest > 0 && front.length() + 1 + light.length > options_.longest) continue;
+      if (options_.longest > 0 && paths.length() + 1 + light.length > options_.longest) continue;
       if (!options_.lambertian) transport::build_bsdf<M>(light.point, bsdf_);
-      for (int i = 0; i < front.arrived(); ++i) {
-        const auto path = static_cast<size_t>(front.path_at(i));
-        if (subsets_[path] == light.subset && front.bsdf(i).has_non_delta() && !is_black(front.state_at(i).throughput))
-          connect(front, i, light);
+      for (int i = 0; i < paths.hit_count(); ++i) {
+        const auto path = static_cast<size_t>(paths.path_at(i));
+        if (subsets_[path] == light.subset && paths.bsdf(i).has_non_delta() && !is_black(paths.state_at(i).throughput))
+          connect(paths, i, light);
       }
     }
-    settle(front);
+    settle(paths);
   }
 
  private:
@@ -60,42 +60,42 @@ class VirtualLighting {
   };
   struct Nothing {};
 
-  void settle(Front& front) {
+  void settle(PathWavefront& paths) {
     rays_traced_ +=
-        connections_.settle(front.scene(), [&](const Gain& gain) { front.state(gain.path).radiance += gain.radiance; });
+        connections_.settle(paths.scene(), [&](const Gain& gain) { paths.state(gain.path).radiance += gain.radiance; });
   }
 
-  void connect(Front& front, int i, const VirtualLight& light) {
-    const scene::SurfacePoint& point = front.point(i);
+  void connect(PathWavefront& paths, int i, const VirtualLight& light) {
+    const scene::SurfacePoint& point = paths.point(i);
     const Vec3 apart = light.point.position - point.position;
     const float distance2 = glm::dot(apart, apart);
     if (!(distance2 > 0)) return;
     const float distance = std::sqrt(distance2);
     const Vec3 w = apart / distance;
     const float cosine = glm::dot(light.point.ng, w);
-    const Color scattered = scattering(front, i, light, w, cosine);
+    const Color scattered = scattering(paths, i, light, w, cosine);
     if (is_black(scattered)) return;
     const float kept = kept_of(geometry_term(glm::dot(point.ng, w), cosine, distance2), options_.bound);
-    auto& path = front.state_at(i);
+    auto& path = paths.state_at(i);
     Ray ray;
     point.spawn_segment(w, distance, ray);
     const auto number = static_cast<uint32_t>(&light - options_.lights.data());
     const Color through = transport::transmittance<M>(point, w, distance);
-    Gain& gain = connections_.add(ray, path.time, path_seed(path.seed, front.sample()) + number);
-    gain.path = front.path_at(i);
+    Gain& gain = connections_.add(ray, path.time, path_seed(path.seed, paths.sample()) + number);
+    gain.path = paths.path_at(i);
     gain.radiance = path.throughput * scattered * through * light.power * (kept / distance2);
-    if (connections_.full()) settle(front);
+    if (connections_.full()) settle(paths);
   }
 
   // f cos at both ends, without what classes leave out.
-  Color scattering(Front& front, int i, const VirtualLight& light, const Vec3& w, float cosine) {
+  Color scattering(PathWavefront& paths, int i, const VirtualLight& light, const Vec3& w, float cosine) {
     if constexpr (!M::kClasses) {
-      const Color here = front.bsdf(i).evaluate(front.wo(i), w).f_cos;
+      const Color here = paths.bsdf(i).evaluate(paths.wo(i), w).f_cos;
       if (is_black(here)) return here;
       if (!options_.lambertian) return here * bsdf_.evaluate(light.wo, -w, Transport::importance).f_cos;
       return here * (std::max(0.0f, -cosine * light.side) * kInvPi);
     } else {
-      const Letters here = letters(front.bsdf(i), front.wo(i), w, Transport::radiance);
+      const Letters here = letters(paths.bsdf(i), paths.wo(i), w, Transport::radiance);
       const auto joined = [&](transport::Automaton::State state) {
         const auto& weight = weights_[static_cast<size_t>(i)].of[state];
         return here.diffuse * weight.diffuse + here.glossy * weight.glossy;
@@ -116,20 +116,20 @@ class VirtualLighting {
     return letters;
   }
 
-  void find_weights(Front& front) {
+  void find_weights(PathWavefront& paths) {
     if constexpr (M::kClasses)
-      for (int i = 0; i < front.arrived(); ++i)
-        transport::find_join_weights(front.shares(), front.path_at(i), *options_.join,
+      for (int i = 0; i < paths.hit_count(); ++i)
+        transport::find_join_weights(paths.shares(), paths.path_at(i), *options_.join,
                                      weights_[static_cast<size_t>(i)]);
   }
 
   Options options_;
   uint64_t rays_traced_ = 0;
   Bsdf<M> bsdf_;  // of the light at hand
-  std::array<uint32_t, Front::kCapacity> subsets_;
+  std::array<uint32_t, PathWavefront::kCapacity> subsets_;
   transport::Connections<Gain> connections_;
-  [[no_unique_address]] std::conditional_t<M::kClasses, std::array<transport::JoinWeights<Color>, Front::kArrivals>,
-                                           Nothing>
+  [[no_unique_address]] std::conditional_t<
+      M::kClasses, std::array<transport::JoinWeights<Color>, PathWavefront::kHitsAtATime>, Nothing>
       weights_;
 };
 

@@ -39,74 +39,74 @@ template <class M>
 class VirtualLightMaker {
  public:
   using Color = typename M::Color;
-  using Front = transport::Front<M>;
+  using PathWavefront = transport::PathWavefront<M>;
 
-  VirtualLightMaker(const VirtualLightPlan& plan, const LightWalks<M>& walks, int first,
+  VirtualLightMaker(const VirtualLightPlan& plan, const LightSubpaths<M>& walks, int first,
                     std::vector<VirtualLight>& lights)
       : plan_(plan), walks_(walks), first_(first), lights_(lights) {}
 
-  void add_arrivals(Front& front) {
-    for (int i = 0; i < front.arrived(); ++i)
-      if (front.bsdf(i).has_non_delta()) add(front, i, Color(1), 1);
+  void add_arrivals(PathWavefront& paths) {
+    for (int i = 0; i < paths.hit_count(); ++i)
+      if (paths.bsdf(i).has_non_delta()) add(paths, i, Color(1), 1);
   }
 
   // What `scatter` is given for Lambertian ones.
-  bool operator()(Front& front, int arrival, LobeSample<Color>& s) const {
-    const bool goes_on = transport::TakeAll()(front, arrival, s);
-    if (goes_on && !s.delta) add(front, arrival, s.weight, glm::dot(front.point(arrival).ng, s.wi) < 0 ? -1.0f : 1.0f);
+  bool operator()(PathWavefront& paths, int hit, LobeSample<Color>& s) const {
+    const bool goes_on = transport::TakeAll()(paths, hit, s);
+    if (goes_on && !s.delta) add(paths, hit, s.weight, glm::dot(paths.point(hit).ng, s.wi) < 0 ? -1.0f : 1.0f);
     return goes_on;
   }
 
  private:
-  void add(Front& front, int arrival, const Color& scattered, float side) const {
-    const int path = front.path_at(arrival);
+  void add(PathWavefront& paths, int hit, const Color& scattered, float side) const {
+    const int path = paths.path_at(hit);
     VirtualLight light;
-    light.point = front.point(arrival), light.wo = front.wo(arrival), light.side = side;
-    const float paths = static_cast<float>(plan_.paths) / static_cast<float>(plan_.subsets);
-    light.power = front.state(path).throughput * scattered * (walks_.flux(path) / paths);
-    light.length = front.length();
+    light.point = paths.point(hit), light.wo = paths.wo(hit), light.side = side;
+    const float subset_size = static_cast<float>(plan_.paths) / static_cast<float>(plan_.subsets);
+    light.power = paths.state(path).throughput * scattered * (walks_.flux(path) / subset_size);
+    light.length = paths.length();
     light.subset = static_cast<uint32_t>((first_ + path) % plan_.subsets);
     if constexpr (M::kClasses) {
-      const auto drawn =
-          transport::draw_state(front.shares(), path, front.random(vertex_dimension::kLightChoice, arrival));
+      const auto drawn = transport::draw_state(paths.shares(), path, paths.random(vertex_dimension::kLightChoice, hit));
       light.power *= drawn.weight, light.state = drawn.state;
     }
     if (!is_black(light.power)) lights_.push_back(light);
   }
 
   const VirtualLightPlan& plan_;
-  const LightWalks<M>& walks_;
+  const LightSubpaths<M>& walks_;
   int first_;
   std::vector<VirtualLight>& lights_;
 };
 
 // The lights of one task of a sample; the number of rays, or nothing if they were given up.
 template <class M>
-std::optional<uint64_t> make_virtual_lights(const Pass& pass, uint32_t sample, const VirtualLightPlan& plan, int task,
-                                            const Turn& turn, std::vector<VirtualLight>& lights) {
+std::optional<uint64_t> make_virtual_lights(const RenderContext& context, uint32_t sample, const VirtualLightPlan& plan,
+                                            int task, const TaskContext& task_context,
+                                            std::vector<VirtualLight>& lights) {
   using namespace transport;
-  static thread_local const auto walks = std::make_unique<LightWalks<M>>();
-  Front<M>& front = front_of_thread<M>();
+  static thread_local const auto walks = std::make_unique<LightSubpaths<M>>();
+  PathWavefront<M>& paths = thread_wavefront<M>();
   lights.clear();
   const int first = task * VirtualLightPlan::kTask;
   walks->launch(
-      pass, sample, std::min(VirtualLightPlan::kTask, plan.paths - first), turn, front,
+      context, sample, std::min(VirtualLightPlan::kTask, plan.paths - first), task_context, paths,
       [&](int i) { return static_cast<uint32_t>(first + i); }, [](auto&&...) { return true; });
   VirtualLightMaker<M> maker(plan, *walks, first, lights);
-  while (front.advance())
-    while (front.arrive()) {
-      if (front.length() == 1) walks->dim_first_vertices(front);
-      if (plan.longest > 0 && front.length() > plan.longest) continue;
-      if constexpr (M::kClasses) front.draw(dimensions(vertex_dimension::kLightChoice, 1));
+  while (paths.trace())
+    while (paths.next_hits()) {
+      if (paths.length() == 1) walks->dim_first_vertices(paths);
+      if (plan.longest > 0 && paths.length() > plan.longest) continue;
+      if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
       if (plan.lambertian) {
-        scatter(front, 1, Transport::importance, maker);
+        sample_bsdf(paths, 1, Transport::importance, maker);
       } else {
-        maker.add_arrivals(front);
-        scatter(front, 1, Transport::importance);
+        maker.add_arrivals(paths);
+        sample_bsdf(paths, 1, Transport::importance);
       }
     }
-  if (front.given_up()) return {};
-  return front.rays_traced();
+  if (paths.cancelled()) return {};
+  return paths.rays_traced();
 }
 
 }  // namespace etendue::integrator

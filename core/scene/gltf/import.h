@@ -29,8 +29,8 @@ std::vector<int> material_choices(const Document& document, const Scene& scene, 
 // ETENDUE_transport: the time, the variant and the environment of the whole scene; what belongs to one of its things.
 void import_transport(const Document& document, Scene& scene);
 // The reflection model of a material; none if there is none, or none of that name.
-ReflectionUse import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
-                                std::vector<std::string>& warnings);
+BsdfModelRef import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                               std::vector<std::string>& warnings);
 // What KHR_lights_punctual does not know of a light.
 void import_shape(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
                   std::vector<std::string>& warnings);

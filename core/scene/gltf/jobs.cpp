@@ -14,7 +14,7 @@
 namespace etendue::scene::gltf {
 namespace {
 
-Handover g_handover;
+TsanHandoff g_handoff;
 
 // Calls `work` here and on as many workers as there is work for.
 void on_workers(size_t most, const std::function<void()>& work) {
@@ -22,10 +22,10 @@ void on_workers(size_t most, const std::function<void()>& work) {
   tbb::task_group group;
   for (size_t i = 1; i < threads; ++i) {
     auto task = group.defer([&work] {
-      g_handover.take();
+      g_handoff.take();
       work();
     });
-    g_handover.give();
+    g_handoff.give();
     group.run(std::move(task));
   }
   work();

@@ -150,7 +150,7 @@ class MaterialImporter {
   }
 
   void extensions() {
-    to_.reflection = import_reflection(from_.extensions, where_, scene_.warnings);
+    to_.model = import_reflection(from_.extensions, where_, scene_.warnings);
     to_.unlit = extension_of(from_.extensions, "KHR_materials_unlit") != nullptr;
     if (const auto* e = extension_of(from_.extensions, "KHR_materials_ior")) {
       to_.ior = number_of(*e, "ior", 1.5f);

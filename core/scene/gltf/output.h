@@ -68,7 +68,7 @@ void write_animations(Output& out);
 // ETENDUE_transport; `folder` is where the file will be.
 void write_transport(Output& out, const std::filesystem::path& folder);
 void write_lens(Output& out, const Camera& camera, Json& object);
-void write_reflection(Output& out, const ReflectionUse& reflection, Json& object);
+void write_reflection(Output& out, const BsdfModelRef& reflection, Json& object);
 void write_shape(Output& out, const Light& light, Json& object);
 
 // The index of a material in the file, or -1 where the specification's default, which is not written, stands.

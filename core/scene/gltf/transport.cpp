@@ -86,13 +86,13 @@ Value value_of(const tinygltf::Value& value) {
 
 }  // namespace
 
-ReflectionUse import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
-                                std::vector<std::string>& warnings) {
+BsdfModelRef import_reflection(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                               std::vector<std::string>& warnings) {
   const auto* extension = extension_of(extensions, kTransport);
   if (!extension || !extension->Has("model")) return {};
   TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
   const std::string name = reader.text("model");
-  ReflectionUse use{make_reflection(name)};
+  BsdfModelRef use{make_bsdf_model(name)};
   if (!use) {
     reader.warn("model: there is no reflection model '" + name.substr(0, 40) + "'; the surface is glTF's own");
     return use;

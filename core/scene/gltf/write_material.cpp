@@ -16,7 +16,7 @@ class MaterialWriter {
     transmission();
     layers();
     if (m_.unlit) out_.extend(to_, "KHR_materials_unlit");
-    write_reflection(out_, m_.reflection, to_);
+    write_reflection(out_, m_.model, to_);
     return std::move(to_);
   }
 

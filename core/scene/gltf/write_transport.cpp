@@ -36,7 +36,7 @@ void write_transport(Output& out, const std::filesystem::path& folder) {
 }
 
 // With all parameters: what a model takes for usual may become another.
-void write_reflection(Output& out, const ReflectionUse& reflection, Json& object) {
+void write_reflection(Output& out, const BsdfModelRef& reflection, Json& object) {
   if (!reflection) return;
   Json parameters = Json::object();
   for (const ParameterInfo& p : reflection->parameters()) {

@@ -13,48 +13,48 @@
 namespace etendue::transport {
 
 template <class M>
-class Tree {
+class BranchingPaths {
  public:
   using Color = typename M::Color;
 
   // One for each thread: what waits needs room, which is kept.
-  static Tree& on(Front<M>& front) {
-    static thread_local Tree tree;
-    tree.begin(front);
+  static BranchingPaths& on(PathWavefront<M>& paths) {
+    static thread_local BranchingPaths tree;
+    tree.begin(paths);
     return tree;
   }
 
   // As Front::advance, of all branches; between two of them all arrivals are at the same distance. In the end the front
   // holds the paths that it was launched with, and they have what their trees found.
-  bool advance() {
-    if (front_->advance()) return true;
-    if (front_->given_up()) return false;
-    harvest();
-    if (plant()) return front_->advance();
-    restore_roots();
+  bool trace() {
+    if (paths_->trace()) return true;
+    if (paths_->cancelled()) return false;
+    collect();
+    if (load_batch()) return paths_->trace();
+    finish();
     return false;
   }
 
   // Every walk goes on in `count` directions, each of which carries an equal share. Where there is more than one, they
   // are of the surface without its deltas: those are followed too, one branch each with all of its weight (Remark 8.5).
   void branch(int count, int roulette_from) {
-    if (count == 1) return scatter(*front_, roulette_from);
-    const bool roulette = front_->length() >= roulette_from;
+    if (count == 1) return sample_bsdf(*paths_, roulette_from);
+    const bool roulette = paths_->length() >= roulette_from;
     const DimensionSet numbers = roulette ? dimensions(vertex_dimension::kRoulette, 1) : 0;
-    const auto lives = [&](PathState<Color>& path, int arrival) {
-      return !roulette || survives_roulette(path, front_->random(vertex_dimension::kRoulette, arrival));
+    const auto lives = [&](PathState<Color>& path, int hit) {
+      return !roulette || survives_roulette(path, paths_->random(vertex_dimension::kRoulette, hit));
     };
-    for (int twig = 0; twig < count; ++twig) {
-      front_->take_twig(static_cast<uint32_t>(twig));
-      front_->draw_lobes();
-      front_->draw(numbers);
-      for (int i = 0; i < front_->arrived(); ++i) {
+    for (int stream = 0; stream < count; ++stream) {
+      paths_->select_rng_stream(static_cast<uint32_t>(stream));
+      paths_->draw_lobes();
+      paths_->draw(numbers);
+      for (int i = 0; i < paths_->hit_count(); ++i) {
         LobeSample<Color> s;
-        if (!front_->bsdf(i).sample(front_->wo(i), front_->lobe_draw(i), Transport::radiance, s) || s.delta) continue;
+        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), Transport::radiance, s) || s.delta) continue;
         // All of them look for the same light, with so many times the density.
         const auto share = static_cast<float>(count);
         s.weight /= share, s.pdf_solid_angle *= share;
-        grow(i, s, share, lives);
+        enqueue(i, s, share, lives);
       }
     }
     follow_deltas(static_cast<uint32_t>(count), numbers, lives);
@@ -66,17 +66,17 @@ class Tree {
   void follow_deltas(uint32_t first_twig, DimensionSet numbers, Keep&& keep) {
     if constexpr (M::kDiffuse) return;
     int most = 0;
-    for (int i = 0; i < front_->arrived(); ++i) {
+    for (int i = 0; i < paths_->hit_count(); ++i) {
       Deltas<Color>& deltas = deltas_[static_cast<size_t>(i)];
-      deltas = front_->bsdf(i).deltas(front_->wo(i));
+      deltas = paths_->bsdf(i).deltas(paths_->wo(i));
       most = std::max(most, deltas.count);
     }
     for (int k = 0; k < most; ++k) {
-      front_->take_twig(first_twig + static_cast<uint32_t>(k));
-      front_->draw(numbers);
-      for (int i = 0; i < front_->arrived(); ++i) {
+      paths_->select_rng_stream(first_twig + static_cast<uint32_t>(k));
+      paths_->draw(numbers);
+      for (int i = 0; i < paths_->hit_count(); ++i) {
         const Deltas<Color>& deltas = deltas_[static_cast<size_t>(i)];
-        if (k < deltas.count) grow(i, deltas.lobes[static_cast<size_t>(k)], 1, keep);
+        if (k < deltas.count) enqueue(i, deltas.lobes[static_cast<size_t>(k)], 1, keep);
       }
     }
   }
@@ -95,8 +95,8 @@ class Tree {
     std::vector<Color> shares;
   };
 
-  void begin(Front<M>& front) {
-    front_ = &front, roots_ = front.size();
+  void begin(PathWavefront<M>& paths) {
+    paths_ = &paths, roots_ = paths.size();
     for (Level& level : levels_) level.branches.clear(), level.shares.clear();
     for (int i = 0; i < roots_; ++i) found_[static_cast<size_t>(i)] = Color(0), root_[static_cast<size_t>(i)] = id(i);
   }
@@ -105,22 +105,22 @@ class Tree {
 
   // A branch from an arrival. `share`: of so many alike this is one.
   template <class Keep>
-  void grow(int arrival, const LobeSample<Color>& s, float share, Keep&& keep) {
-    const int from = front_->path_at(arrival);
-    PathState<Color> path = front_->state(from);
+  void enqueue(int hit, const LobeSample<Color>& s, float share, Keep&& keep) {
+    const int from = paths_->path_at(hit);
+    PathState<Color> path = paths_->state(from);
     path.throughput *= s.weight;
     path.eta_scale *= sqr(s.eta) * share;
-    if (!keep(path, arrival)) return;
+    if (!keep(path, hit)) return;
     path.radiance = Color(0);
-    path.seed = front_->seed(arrival);
-    leave(path, front_->point(arrival).position, s);
+    path.seed = paths_->seed(hit);
+    leave(path, paths_->point(hit).position, s);
     if constexpr (M::kClasses) {
-      front_->shares().copy_to_branch(from);
-      if (!front_->shares().scatter(Shares::kBranch, front_->bsdf(arrival), front_->wo(arrival), s)) return;
+      paths_->shares().copy_to_branch(from);
+      if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s)) return;
     }
-    Level& level = level_at(front_->length());
-    level.branches.push_back({path, front_->ray_from(arrival, s.wi), root_[static_cast<size_t>(from)], {}});
-    if constexpr (M::kClasses) level.branches.back().kept = front_->shares().keep_branch(level.shares);
+    Level& level = level_at(paths_->length());
+    level.branches.push_back({path, paths_->ray_from(hit, s.wi), root_[static_cast<size_t>(from)], {}});
+    if constexpr (M::kClasses) level.branches.back().kept = paths_->shares().keep_branch(level.shares);
   }
 
   Level& level_at(int length) {
@@ -129,41 +129,41 @@ class Tree {
     return levels_[at];
   }
 
-  void harvest() {
-    for (int i = 0; i < front_->size(); ++i) found_[root_[static_cast<size_t>(i)]] += front_->state(i).radiance;
+  void collect() {
+    for (int i = 0; i < paths_->size(); ++i) found_[root_[static_cast<size_t>(i)]] += paths_->state(i).radiance;
   }
 
   // Fills the front with what waits farthest from the camera; false if nothing does.
-  bool plant() {
+  bool load_batch() {
     size_t length = levels_.size();
     while (length > 0 && levels_[length - 1].branches.empty()) --length;
     if (length == 0) return false;
     Level& level = levels_[--length];
-    front_->restart(static_cast<int>(length));
+    paths_->begin_batch(static_cast<int>(length));
     for (size_t n = std::min(level.branches.size(), root_.size()); n > 0; --n) {
       const Branch& branch = level.branches.back();
-      const int path = front_->resume(branch.path, branch.ray);
-      if constexpr (M::kClasses) front_->shares().give_back(branch.kept, level.shares, path);
+      const int path = paths_->add_resumed(branch.path, branch.ray);
+      if constexpr (M::kClasses) paths_->shares().give_back(branch.kept, level.shares, path);
       root_[static_cast<size_t>(path)] = branch.root;
       level.branches.pop_back();
     }
     return true;
   }
 
-  void restore_roots() {
-    front_->restart(0);
+  void finish() {
+    paths_->begin_batch(0);
     for (int i = 0; i < roots_; ++i) {
-      front_->add(0);
-      front_->state(i).radiance = found_[static_cast<size_t>(i)];
+      paths_->add(0);
+      paths_->state(i).radiance = found_[static_cast<size_t>(i)];
     }
   }
 
-  Front<M>* front_ = nullptr;
+  PathWavefront<M>* paths_ = nullptr;
   int roots_ = 0;
-  std::array<uint16_t, Front<M>::kCapacity> root_;  // of each path in the front
-  std::array<Color, Front<M>::kCapacity> found_;    // by each root
+  std::array<uint16_t, PathWavefront<M>::kCapacity> root_;  // of each path in the front
+  std::array<Color, PathWavefront<M>::kCapacity> found_;    // by each root
   std::vector<Level> levels_;
-  std::array<Deltas<Color>, Front<M>::kArrivals> deltas_;
+  std::array<Deltas<Color>, PathWavefront<M>::kHitsAtATime> deltas_;
 };
 
 }  // namespace etendue::transport

@@ -13,25 +13,25 @@ class LobeSplit {
   explicit LobeSplit(float roughness) : alpha_(sqr(roughness)) {}
 
   template <class M>
-  bool gloss_is_wide(const Bsdf<M>& bsdf) const {
+  bool gloss_is_rough(const Bsdf<M>& bsdf) const {
     if constexpr (M::kDiffuse)
       return true;
     else
       return bsdf.lobes.alpha() >= alpha_;
   }
   template <class M>
-  bool has_wide(const Bsdf<M>& bsdf) const {
-    return bsdf.scatters(Scatter::diffuse) || (bsdf.scatters(Scatter::glossy) && gloss_is_wide(bsdf));
+  bool has_rough(const Bsdf<M>& bsdf) const {
+    return bsdf.scatters(Scatter::diffuse) || (bsdf.scatters(Scatter::glossy) && gloss_is_rough(bsdf));
   }
   template <class M>
-  bool has_narrow_gloss(const Bsdf<M>& bsdf) const {
-    return bsdf.scatters(Scatter::glossy) && !gloss_is_wide(bsdf);
+  bool has_near_specular_gloss(const Bsdf<M>& bsdf) const {
+    return bsdf.scatters(Scatter::glossy) && !gloss_is_rough(bsdf);
   }
 
   // The wide part of f.
   template <class M>
   typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return has_narrow_gloss(bsdf) ? bsdf.eval_part(Scatter::diffuse, wo, wi, mode) : bsdf.eval(wo, wi, mode);
+    return has_near_specular_gloss(bsdf) ? bsdf.eval_part(Scatter::diffuse, wo, wi, mode) : bsdf.eval(wo, wi, mode);
   }
 
   friend bool operator==(const LobeSplit&, const LobeSplit&) = default;
@@ -41,41 +41,42 @@ class LobeSplit {
 };
 
 // A walk goes on by the narrow part alone.
-struct TakeNarrow {
+struct TakeNearSpecular {
   LobeSplit split;
   Transport mode = Transport::radiance;
 
   template <class M>
-  bool operator()(Front<M>& front, int arrival, LobeSample<typename M::Color>& s) const {
-    const Bsdf<M>& bsdf = front.bsdf(arrival);
+  bool operator()(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color>& s) const {
+    const Bsdf<M>& bsdf = paths.bsdf(hit);
     if (!s.delta) {
-      if (!split.has_narrow_gloss(bsdf)) return false;
-      const Vec3& wo = front.wo(arrival);
+      if (!split.has_near_specular_gloss(bsdf)) return false;
+      const Vec3& wo = paths.wo(hit);
       s.weight *= ratio(bsdf.eval_part(Scatter::glossy, wo, s.wi, mode), bsdf.eval(wo, s.wi, mode));
     }
     if constexpr (M::kClasses)
-      return front.shares().scatter_by(front.path_at(arrival), s.delta ? Event::specular : Event::glossy);
+      return paths.shares().scatter_by(paths.path_at(hit), s.delta ? Event::specular : Event::glossy);
     return true;
   }
 };
 
 // What is reflected of a sampled light: by the wide part, for which nothing else finds it, and by the narrow part, for
 // which the walk's own direction does too.
-enum class LitParts { narrow, wide, both };
+enum class LitParts { near_specular, rough, both };
 inline constexpr MisHeuristic kPartsHeuristic = MisHeuristic::power;
 
-template <class M, class Wanted = EveryArrival>
-void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, const Wanted& wanted = {}) {
+template <class M, class Selected = EveryHit>
+void add_light_by_parts(PathWavefront<M>& paths, const LobeSplit& split, LitParts lit, const Selected& selected = {}) {
   using Color = typename M::Color;
-  const scene::CompiledScene& scene = front.scene();
-  if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::narrow)) return;
-  const std::span<const LightSample> samples = front.sample_lights(LightStrategy::automatic);
-  for (int i = 0; i < front.arrived(); ++i) {
+  const scene::CompiledScene& scene = paths.scene();
+  if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::near_specular)) return;
+  const std::span<const LightSample> samples = paths.sample_lights(LightStrategy::automatic);
+  for (int i = 0; i < paths.hit_count(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
-    const Bsdf<M>& bsdf = front.bsdf(i);
-    const bool narrow_gloss = split.has_narrow_gloss(bsdf);
-    if (light.pdf == 0 || !wanted(i) || !(narrow_gloss || (lit != LitParts::narrow && split.has_wide(bsdf)))) continue;
-    const Vec3& wo = front.wo(i);
+    const Bsdf<M>& bsdf = paths.bsdf(i);
+    const bool narrow_gloss = split.has_near_specular_gloss(bsdf);
+    if (light.pdf == 0 || !selected(i) || !(narrow_gloss || (lit != LitParts::near_specular && split.has_rough(bsdf))))
+      continue;
+    const Vec3& wo = paths.wo(i);
     const auto whole = bsdf.evaluate(wo, light.wi);
     Color diffuse = whole.f_cos, glossy(0);
     if (bsdf.scatters(Scatter::glossy)) {
@@ -83,19 +84,19 @@ void add_light_by_parts(Front<M>& front, const LobeSplit& split, LitParts lit, c
       diffuse = bsdf.eval_part(Scatter::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
     }
     if constexpr (M::kClasses) {
-      diffuse *= front.shares().of_connection_by(front.path_at(i), Event::diffuse);
-      glossy *= front.shares().of_connection_by(front.path_at(i), Event::glossy);
+      diffuse *= paths.shares().of_connection_by(paths.path_at(i), Event::diffuse);
+      glossy *= paths.shares().of_connection_by(paths.path_at(i), Event::glossy);
     }
-    const float alone = lit == LitParts::narrow ? 0 : 1 / light.pdf;
+    const float alone = lit == LitParts::near_specular ? 0 : 1 / light.pdf;
     float of_gloss = alone;
     if (narrow_gloss)
-      of_gloss = lit == LitParts::wide ? 0
-                 : light.delta         ? 1 / light.pdf
-                                       : mis_weight_over_pdf(kPartsHeuristic, light.pdf, whole.pdf);
+      of_gloss = lit == LitParts::rough ? 0
+                 : light.delta          ? 1 / light.pdf
+                                        : mis_weight_over_pdf(kPartsHeuristic, light.pdf, whole.pdf);
     const Color reflected = diffuse * alone + glossy * of_gloss;
     if (is_black(reflected)) continue;
-    auto& path = front.state_at(i);
-    auto& gain = light.distance > 0 ? front.connect(i, light.wi, light.distance) : path.radiance;
+    auto& path = paths.state_at(i);
+    auto& gain = light.distance > 0 ? paths.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * reflected * scene.radiance_of(light);
   }
 }

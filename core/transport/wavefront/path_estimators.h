@@ -31,54 +31,55 @@ float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& sc
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
 template <class M>
-typename M::Color admitted(Front<M>& front, const PathState<typename M::Color>& path, int index) {
+typename M::Color admitted(PathWavefront<M>& paths, const PathState<typename M::Color>& path, int index) {
   if constexpr (M::kClasses)
-    return path.throughput * front.shares().of_end(index);
+    return path.throughput * paths.shares().of_end(index);
   else
     return path.throughput;
 }
 
 // Light that surfaces emit towards the walks, times weigh(arrival). An unlit surface shows itself and lights nothing.
 template <class M, class Weigh>
-void add_emission_weighed(Front<M>& front, Weigh&& weigh) {
-  const scene::CompiledScene& scene = front.scene();
-  for (int i = 0; i < front.arrived(); ++i) {
-    const scene::SurfacePoint& point = front.point(i);
-    if (!point.material->shines) continue;
-    auto& path = front.state_at(i);
+void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
+  const scene::CompiledScene& scene = paths.scene();
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    const scene::SurfacePoint& point = paths.point(i);
+    if (!point.material->emissive) continue;
+    auto& path = paths.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
-    const Rgb emitted = scene.emitted(point, front.wo(i));
+    const Rgb emitted = scene.emitted(point, paths.wo(i));
     if (is_black(emitted)) continue;
-    path.radiance += admitted(front, path, front.path_at(i)) * emitted * weigh(i);
+    path.radiance += admitted(paths, path, paths.path_at(i)) * emitted * weigh(i);
   }
 }
 
 template <class M>
-void add_emission(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::automatic) {
-  add_emission_weighed(
-      front, [&](int i) { return weight_of_hit(front.state_at(i), front.scene(), front.point(i), shared, strategy); });
+void add_emission(PathWavefront<M>& paths, Combination shared = {}, LightStrategy strategy = LightStrategy::automatic) {
+  add_emission_weighted(
+      paths, [&](int i) { return weight_of_hit(paths.state_at(i), paths.scene(), paths.point(i), shared, strategy); });
 }
 
 // Light from infinity along the last direction of the walks that left, times weigh(escape).
 template <class M, class Weigh>
-void add_environment_weighed(Front<M>& front, Weigh&& weigh) {
-  const LightTable& lights = front.scene().lights();
+void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
+  const LightTable& lights = paths.scene().lights();
   const EnvironmentMap& map = lights.environment();
-  if (map.black() || (front.length() == 1 && !map.visible())) return;
-  for (int i = 0; i < front.escaped(); ++i) {
-    auto& path = front.escapee(i);
-    const Vec3& direction = front.escape_direction(i);
-    path.radiance += admitted(front, path, front.path_of_escape(i)) * map.radiance(direction) * weigh(i);
+  if (map.black() || (paths.length() == 1 && !map.visible())) return;
+  for (int i = 0; i < paths.miss_count(); ++i) {
+    auto& path = paths.missed_path(i);
+    const Vec3& direction = paths.miss_direction(i);
+    path.radiance += admitted(paths, path, paths.path_of_miss(i)) * map.radiance(direction) * weigh(i);
   }
 }
 
 template <class M>
-void add_environment(Front<M>& front, Combination shared = {}, LightStrategy strategy = LightStrategy::automatic) {
-  const LightTable& lights = front.scene().lights();
-  add_environment_weighed(front, [&](int i) {
-    const float own = front.escapee(i).pdf;
+void add_environment(PathWavefront<M>& paths, Combination shared = {},
+                     LightStrategy strategy = LightStrategy::automatic) {
+  const LightTable& lights = paths.scene().lights();
+  add_environment_weighted(paths, [&](int i) {
+    const float own = paths.missed_path(i).pdf;
     if (!shared || own == 0) return 1.0f;
-    return mis_weight(*shared, own, lights.pdf_environment(front.escape_direction(i), strategy));
+    return mis_weight(*shared, own, lights.pdf_environment(paths.miss_direction(i), strategy));
   });
 }
 
@@ -86,69 +87,69 @@ void add_environment(Front<M>& front, Combination shared = {}, LightStrategy str
 enum class Shadows { cast, ignored };
 
 // Which of the present vertices a term is for: all of them, unless a method says otherwise.
-struct EveryArrival {
+struct EveryHit {
   constexpr bool operator()(int) const { return true; }
 };
 
 // Light from these points, one for each vertex that is wanted, times weigh(arrival, light sample, value of the
 // scattering function), which is a weight over the density of the sample.
-template <class M, class Weigh, class Wanted = EveryArrival>
-void add_light_samples_weighed(Front<M>& front, std::span<const LightSample> samples, Shadows shadows, Weigh&& weigh,
-                               const Wanted& wanted = {}) {
-  const scene::CompiledScene& scene = front.scene();
-  for (int i = 0; i < front.arrived(); ++i) {
-    if (!wanted(i)) continue;
+template <class M, class Weigh, class Selected = EveryHit>
+void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSample> samples, Shadows shadows,
+                                Weigh&& weigh, const Selected& selected = {}) {
+  const scene::CompiledScene& scene = paths.scene();
+  for (int i = 0; i < paths.hit_count(); ++i) {
+    if (!selected(i)) continue;
     const LightSample& light = samples[static_cast<size_t>(i)];
-    const Bsdf<M>& bsdf = front.bsdf(i);
+    const Bsdf<M>& bsdf = paths.bsdf(i);
     if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
-    auto scattered = bsdf.evaluate(front.wo(i), light.wi);
+    auto scattered = bsdf.evaluate(paths.wo(i), light.wi);
     if constexpr (M::kClasses)
-      scattered.f_cos = front.shares().of_connection(front.path_at(i), bsdf, front.wo(i), light.wi, scattered.f_cos);
+      scattered.f_cos = paths.shares().of_connection(paths.path_at(i), bsdf, paths.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
     const float weight = weigh(i, light, scattered);
     if (weight == 0) continue;
-    auto& path = front.state_at(i);
+    auto& path = paths.state_at(i);
     const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
-    auto& gain = can_be_shadowed ? front.connect(i, light.wi, light.distance) : path.radiance;
+    auto& gain = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
     gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
 }
 
 // `branches` is the number of directions that the walk then takes, each of which may find the same light.
 template <class M>
-void add_light_samples(Front<M>& front, std::span<const LightSample> samples, Combination shared, Shadows shadows,
-                       float branches) {
-  add_light_samples_weighed(front, samples, shadows, [&](int, const LightSample& light, const auto& scattered) {
+void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination shared,
+                       Shadows shadows, float branches) {
+  add_light_samples_weighted(paths, samples, shadows, [&](int, const LightSample& light, const auto& scattered) {
     return shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, branches * scattered.pdf) : 1 / light.pdf;
   });
 }
 
 // Next event estimation: one point on one light for each vertex, as it would be found by walks from the lights.
-template <class M, class Weigh, class Wanted = EveryArrival>
-void add_direct_light_weighed(Front<M>& front, Shadows shadows, Weigh&& weigh, const Wanted& wanted = {}) {
-  if (front.scene().lights().empty()) return;
-  add_light_samples_weighed(front, front.sample_lights(LightStrategy::as_emitted), shadows, weigh, wanted);
+template <class M, class Weigh, class Selected = EveryHit>
+void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
+  if (paths.scene().lights().empty()) return;
+  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::as_emitted), shadows, weigh, selected);
 }
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
 template <class M>
-void add_light_of_every_source(Front<M>& front, Combination shared, Shadows shadows = Shadows::cast,
+void add_light_of_every_source(PathWavefront<M>& paths, Combination shared, Shadows shadows = Shadows::cast,
                                float branches = 1) {
-  for (size_t source = 0; source < front.scene().lights().sources(); ++source) {
-    front.make_room_for_connections();
-    add_light_samples(front, front.sample_source(source), shared, shadows, branches);
+  for (size_t source = 0; source < paths.scene().lights().sources(); ++source) {
+    paths.reserve_connections();
+    add_light_samples(paths, paths.sample_source(source), shared, shadows, branches);
   }
-  front.take_twig(0);
+  paths.select_rng_stream(0);
 }
 
 template <class M>
-void add_direct_light(Front<M>& front, LightStrategy strategy, Combination shared, Shadows shadows = Shadows::cast,
-                      float branches = 1) {
-  if (front.scene().lights().empty()) return;
+void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combination shared,
+                      Shadows shadows = Shadows::cast, float branches = 1) {
+  if (paths.scene().lights().empty()) return;
   if (strategy == LightStrategy::every)
-    add_light_of_every_source(front, shared, shadows, branches);
+    add_light_of_every_source(paths, shared, shadows, branches);
   else
-    add_light_samples(front, front.sample_lights(strategy), shared, shadows, branches);
+    add_light_samples(paths, paths.sample_lights(strategy), shared, shadows, branches);
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
@@ -174,9 +175,8 @@ void leave(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s)
 // it.
 struct TakeAll {
   template <class M>
-  bool operator()(Front<M>& front, int arrival, LobeSample<typename M::Color>& s) const {
-    if constexpr (M::kClasses)
-      return front.shares().scatter(front.path_at(arrival), front.bsdf(arrival), front.wo(arrival), s);
+  bool operator()(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color>& s) const {
+    if constexpr (M::kClasses) return paths.shares().scatter(paths.path_at(hit), paths.bsdf(hit), paths.wo(hit), s);
     return true;
   }
 };
@@ -187,36 +187,38 @@ struct TakeAll {
 // Those for which goes_on(arrival) says no stay behind too. `note` is called with the arrival and its sample where the
 // walk goes on.
 template <class M, class GoesOn, class Note, class Take = TakeAll>
-void scatter_some(Front<M>& front, int roulette_from, Transport mode, GoesOn&& goes_on, Note&& note,
-                  const Take& take = {}) {
-  const bool roulette = front.length() >= roulette_from;
-  front.draw_lobes();
-  if (roulette) front.draw(dimensions(vertex_dimension::kRoulette, 1));
-  for (int i = 0; i < front.arrived(); ++i) {
+void sample_bsdf_where(PathWavefront<M>& paths, int roulette_from, Transport mode, GoesOn&& goes_on, Note&& note,
+                       const Take& take = {}) {
+  const bool roulette = paths.length() >= roulette_from;
+  paths.draw_lobes();
+  if (roulette) paths.draw(dimensions(vertex_dimension::kRoulette, 1));
+  for (int i = 0; i < paths.hit_count(); ++i) {
     if (!goes_on(i)) continue;
     LobeSample<typename M::Color> s;
-    if (!front.bsdf(i).sample(front.wo(i), front.lobe_draw(i), mode, s)) continue;
-    if (!take(front, i, s)) continue;
-    auto& path = front.state_at(i);
+    if (!paths.bsdf(i).sample(paths.wo(i), paths.lobe_draw(i), mode, s)) continue;
+    if (!take(paths, i, s)) continue;
+    auto& path = paths.state_at(i);
     path.throughput *= s.weight;
     if (mode == Transport::radiance) path.eta_scale *= sqr(s.eta);
-    if (roulette && !survives_roulette(path, front.random(vertex_dimension::kRoulette, i))) continue;
-    leave(path, front.point(i).position, s);
+    if (roulette && !survives_roulette(path, paths.random(vertex_dimension::kRoulette, i))) continue;
+    leave(path, paths.point(i).position, s);
     note(i, s);
-    front.depart(i, s.wi);
+    paths.continue_path(i, s.wi);
   }
 }
 
 template <class M, class Note, class Take = TakeAll>
-void scatter_noted(Front<M>& front, int roulette_from, Transport mode, Note&& note, const Take& take = {}) {
-  scatter_some(
-      front, roulette_from, mode, [](int) { return true; }, note, take);
+void sample_bsdf_and_record(PathWavefront<M>& paths, int roulette_from, Transport mode, Note&& note,
+                            const Take& take = {}) {
+  sample_bsdf_where(
+      paths, roulette_from, mode, [](int) { return true; }, note, take);
 }
 
 template <class M, class Take = TakeAll>
-void scatter(Front<M>& front, int roulette_from, Transport mode = Transport::radiance, const Take& take = {}) {
-  scatter_noted(
-      front, roulette_from, mode, [](int, const auto&) {}, take);
+void sample_bsdf(PathWavefront<M>& paths, int roulette_from, Transport mode = Transport::radiance,
+                 const Take& take = {}) {
+  sample_bsdf_and_record(
+      paths, roulette_from, mode, [](int, const auto&) {}, take);
 }
 
 }  // namespace etendue::transport

@@ -42,27 +42,27 @@ struct alignas(64) PathState {
 static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<StandardVacuum<false>>>);
 
 template <class M>
-class Front {
+class PathWavefront {
  public:
   using Color = typename M::Color;
-  static constexpr int kCapacity = SampleTable::kPaths, kArrivals = 64;
+  static constexpr int kCapacity = SampleTable::kPaths, kHitsAtATime = 64;
   // Twigs up to here are branches of paths, those beyond are lights.
   static constexpr uint32_t kMostBranches = 256;
 
   // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
   // `timed`: walks have times.
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
-             const std::function<bool()>* wanted = nullptr, bool timed = false) {
+             const std::function<bool()>* keep_going = nullptr, bool timed = false) {
     timed_ = timed;
-    wanted_ = wanted, given_up_ = false;
+    wanted_ = keep_going, given_up_ = false;
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
-    size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = length_ = 0;
+    size_ = travelling_ = reached_ = visited_ = hit_count_ = miss_count_ = connections_ = depth_ = 0;
     rays_traced_ = 0;
     seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_bits();
     coherent_ = false;
   }
   // Walks that are launched start close together and go about the same way: neighbours may be traced as one.
-  void expect_coherence() { coherent_ = true; }
+  void assume_coherent() { coherent_ = true; }
 
   // Adds a path for the pixel with this seed; the next number is its own.
   void add(uint32_t pixel_seed) { states_[static_cast<size_t>(size_++)].seed = pixel_seed; }
@@ -74,8 +74,8 @@ class Front {
     return random_;
   }
   // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
-  void admit(const Automaton& classes) { shares_.begin(classes); }
-  void admit_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
+  void filter_paths(const Automaton& classes) { shares_.begin(classes); }
+  void filter_paths_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
   void launch(int path, const Ray& ray, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
     state(path).start(ray.origin, time);
@@ -83,12 +83,12 @@ class Front {
   }
 
   // Takes other paths in place of all that came to their end; those are at a vertex of so many edges from the camera.
-  void restart(int length) {
-    size_ = travelling_ = reached_ = visited_ = arrived_ = escaped_ = connections_ = 0;
-    length_ = length;
+  void begin_batch(int length) {
+    size_ = travelling_ = reached_ = visited_ = hit_count_ = miss_count_ = connections_ = 0;
+    depth_ = length;
   }
   // Returns the path's number.
-  int resume(const PathState<Color>& path, const Ray& ray) {
+  int add_resumed(const PathState<Color>& path, const Ray& ray) {
     state(size_) = path;
     travel(size_, ray);
     return size_++;
@@ -100,82 +100,82 @@ class Front {
   const scene::CompiledScene& scene() const { return *scene_; }
 
   // Traces all rays that travel, and those that connections asked for; false if no walk goes on.
-  bool advance() {
-    settle_connections();
+  bool trace() {
+    resolve_connections();
     if (travelling_ == 0 || given_up_) return false;
     given_up_ = wanted_ && !(*wanted_)();
     if (given_up_) return false;
-    ++length_;
-    trace();
+    ++depth_;
+    trace_rays();
     return true;
   }
 
   // Takes the next of the vertices that were reached; false if there are none left. A few at a time, so that what is
   // known of them stays near the processor.
-  bool arrive() {
-    visited_ += arrived_;
-    arrived_ = std::min(kArrivals, reached_ - visited_);
-    if (arrived_ == 0) return false;
+  bool next_hits() {
+    visited_ += hit_count_;
+    hit_count_ = std::min(kHitsAtATime, reached_ - visited_);
+    if (hit_count_ == 0) return false;
     shade();
     drawn_ = 0;
     return true;
   }
 
   // What decides, with a number for each of its rays, where the path passes through by stochastic opacity.
-  uint32_t world(int path) const { return path_seed(states_[static_cast<size_t>(path)].seed & world_bits_, sample_); }
+  uint32_t opacity_seed(int path) const {
+    return path_seed(states_[static_cast<size_t>(path)].seed & world_bits_, sample_);
+  }
 
   // The walks were ended before their time: what they found is no estimate.
-  bool given_up() const { return given_up_; }
+  bool cancelled() const { return given_up_; }
 
   // The index of the present sample within the pixels' sequence.
   uint32_t sample() const { return sample_; }
 
   // Edges from where the walks started to the present vertices.
-  int length() const { return length_; }
+  int length() const { return depth_; }
 
   // The vertices that `arrive` took.
-  int arrived() const { return arrived_; }
-  int path_at(int arrival) const { return reached_by_[static_cast<size_t>(visited_ + arrival)]; }
-  PathState<Color>& state_at(int arrival) { return state(path_at(arrival)); }
-  const scene::SurfacePoint& point(int arrival) const { return points_[static_cast<size_t>(arrival)]; }
-  const Bsdf<M>& bsdf(int arrival) const { return bsdfs_[static_cast<size_t>(arrival)]; }
-  const Vec3& wo(int arrival) const { return wo_[static_cast<size_t>(visited_ + arrival)]; }
+  int hit_count() const { return hit_count_; }
+  int path_at(int hit) const { return reached_by_[static_cast<size_t>(visited_ + hit)]; }
+  PathState<Color>& state_at(int hit) { return state(path_at(hit)); }
+  const scene::SurfacePoint& point(int hit) const { return points_[static_cast<size_t>(hit)]; }
+  const Bsdf<M>& bsdf(int hit) const { return bsdfs_[static_cast<size_t>(hit)]; }
+  const Vec3& wo(int hit) const { return wo_[static_cast<size_t>(visited_ + hit)]; }
   // From here on the numbers of the present vertices are those of one of their twigs: 0 is the path itself, any other
   // has a seed of its own, which paths that branch off there inherit.
-  void take_twig(uint32_t twig) {
+  void select_rng_stream(uint32_t stream) {
     drawn_ = 0;
-    for (int i = 0; i < arrived_; ++i) {
+    for (int i = 0; i < hit_count_; ++i) {
       const uint32_t seed = state_at(i).seed;
       // Twigs of the same path at other vertices are others.
       constexpr uint32_t kLengths = 1024;
       pixel_seeds_[static_cast<size_t>(i)] =
-          twig == 0 ? seed : hash_combine(seed, twig * kLengths + static_cast<uint32_t>(length_) % kLengths);
+          stream == 0 ? seed : hash_combine(seed, stream * kLengths + static_cast<uint32_t>(depth_) % kLengths);
     }
   }
-  uint32_t seed(int arrival) const { return pixel_seeds_[static_cast<size_t>(arrival)]; }
+  uint32_t seed(int hit) const { return pixel_seeds_[static_cast<size_t>(hit)]; }
 
   // Draws these of the numbers that the present vertices own, for `random` to give out.
   void draw(DimensionSet wanted) {
     if ((wanted & ~drawn_) == 0) return;
-    drawn_ |= draw({pixel_seeds_.data(), static_cast<size_t>(arrived_)}, static_cast<uint32_t>(length_), wanted);
+    drawn_ |= draw({pixel_seeds_.data(), static_cast<size_t>(hit_count_)}, static_cast<uint32_t>(depth_), wanted);
   }
   // Draws the numbers of `lobe_draw`.
   void draw_lobes() {
     using namespace vertex_dimension;
     draw(dimensions(kBsdfDirection, 2) | (M::kDiffuse ? 0 : dimensions(kBsdfLobe, 1)));
     squares_to_cosine_hemisphere(random_.values[kBsdfDirection].data(), random_.values[kBsdfDirection + 1].data(),
-                                 static_cast<size_t>(arrived_), cosine_directions_);
+                                 static_cast<size_t>(hit_count_), cosine_directions_);
   }
   // Number `dimension` of the block that the vertex owns.
-  float random(int dimension, int arrival) const {
-    return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(arrival)];
+  float random(int dimension, int hit) const {
+    return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(hit)];
   }
-  Vec2 random_2d(int dimension, int arrival) const {
-    return Vec2(random(dimension, arrival), random(dimension + 1, arrival));
-  }
-  LobeDraw lobe_draw(int arrival) const {
-    return {M::kDiffuse ? 0 : random(vertex_dimension::kBsdfLobe, arrival),
-            random_2d(vertex_dimension::kBsdfDirection, arrival), cosine_directions_[static_cast<size_t>(arrival)]};
+  Vec2 random_2d(int dimension, int hit) const { return Vec2(random(dimension, hit), random(dimension + 1, hit)); }
+  LobeDraw lobe_draw(int hit) const {
+    return {M::kDiffuse ? 0 : random(vertex_dimension::kBsdfLobe, hit),
+            random_2d(vertex_dimension::kBsdfDirection, hit), cosine_directions_[static_cast<size_t>(hit)]};
   }
 
   // Which part of what the walks carry belongs to the classes that are asked for; empty in a model without classes.
@@ -188,38 +188,38 @@ class Front {
   }
   // A point on one of the light table's sources for each arrival, from numbers of a twig of its own but for the first.
   std::span<const LightSample> sample_source(size_t source) {
-    take_twig(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
+    select_rng_stream(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
     scene_->lights().sample_source(source, draw_lights(), light_samples_.data());
     return light_samples_;
   }
 
   // The paths that the last advance found to leave the scene.
-  int escaped() const { return escaped_; }
-  int path_of_escape(int i) const { return escapes_[static_cast<size_t>(i)]; }
-  PathState<Color>& escapee(int i) { return state(path_of_escape(i)); }
-  const Vec3& escape_direction(int i) const { return escape_directions_[static_cast<size_t>(i)]; }
+  int miss_count() const { return miss_count_; }
+  int path_of_miss(int i) const { return misses_[static_cast<size_t>(i)]; }
+  PathState<Color>& missed_path(int i) { return state(path_of_miss(i)); }
+  const Vec3& miss_direction(int i) const { return miss_directions_[static_cast<size_t>(i)]; }
 
   // The path goes on from an arrival in this direction.
-  void depart(int arrival, const Vec3& direction) { travel(path_at(arrival), ray_from(arrival, direction)); }
-  Ray ray_from(int arrival, const Vec3& direction) const {
+  void continue_path(int hit, const Vec3& direction) { travel(path_at(hit), ray_from(hit, direction)); }
+  Ray ray_from(int hit, const Vec3& direction) const {
     Ray ray;
-    point(arrival).spawn(direction, ray);
+    point(hit).spawn(direction, ray);
     return ray;
   }
 
   // A sum, zero at first, that the path gains unless something lies between the arrival and `distance` along
   // `direction`; decided for all at once by the next `advance`.
-  Color& connect(int arrival, const Vec3& direction, float distance) {
+  Color& connect(int hit, const Vec3& direction, float distance) {
     const auto slot = static_cast<size_t>(connections_++);
     Ray ray;
-    point(arrival).spawn_segment(direction, distance, ray);
+    point(hit).spawn_segment(direction, distance, ray);
     connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
-    connected_[slot] = static_cast<uint16_t>(path_at(arrival));
+    connected_[slot] = static_cast<uint16_t>(path_at(hit));
     return contributions_[slot] = Color(0);
   }
   // Decides about those so far at once if there is no room for one more from every arrival.
-  void make_room_for_connections() {
-    if (connections_ + arrived_ > kCapacity) settle_connections();
+  void reserve_connections() {
+    if (connections_ + hit_count_ > kCapacity) resolve_connections();
   }
 
  private:
@@ -247,7 +247,7 @@ class Front {
             numbers(vertex_dimension::kLightChoice),
             numbers(vertex_dimension::kLightPoint),
             numbers(vertex_dimension::kLightPoint + 1),
-            static_cast<size_t>(arrived_),
+            static_cast<size_t>(hit_count_),
             times_of_arrivals()};
   }
 
@@ -255,7 +255,7 @@ class Front {
   void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
     for (int i = 0; seeded_ && i < count; ++i) {
       const auto lane = static_cast<size_t>(i);
-      lane_seeds_[lane] = world(paths[lane]) + static_cast<uint32_t>(length_) + salt;
+      lane_seeds_[lane] = opacity_seed(paths[lane]) + static_cast<uint32_t>(depth_) + salt;
     }
   }
 
@@ -267,16 +267,17 @@ class Front {
   }
   const float* times_of_arrivals() const { return timed_ ? times_.data() : nullptr; }
 
-  void trace();
+  void trace_rays();
   void trace_connections();
-  void settle_connections();
+  void resolve_connections();
   void shade();
   void absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const;
 
   const scene::CompiledScene* scene_ = nullptr;
   const Sampler* sampler_ = nullptr;
   uint32_t sample_ = 0, world_bits_ = ~0U;
-  int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, arrived_ = 0, escaped_ = 0, connections_ = 0, length_ = 0;
+  int size_ = 0, travelling_ = 0, reached_ = 0, visited_ = 0, hit_count_ = 0, miss_count_ = 0, connections_ = 0,
+      depth_ = 0;
   uint64_t rays_traced_ = 0;
   bool seeded_ = false, timed_ = false, coherent_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
@@ -288,17 +289,17 @@ class Front {
   PerPath<Hit> hits_;
   PerPath<Vec3> wo_;
   // By arrival (random numbers before the first: by path).
-  std::array<scene::SurfacePoint, kArrivals> points_;
-  std::array<Bsdf<M>, kArrivals> bsdfs_;
-  std::array<uint32_t, kArrivals> pixel_seeds_;
-  std::array<float, kArrivals> times_;
+  std::array<scene::SurfacePoint, kHitsAtATime> points_;
+  std::array<Bsdf<M>, kHitsAtATime> bsdfs_;
+  std::array<uint32_t, kHitsAtATime> pixel_seeds_;
+  std::array<float, kHitsAtATime> times_;
   SampleTable random_;
   DimensionSet drawn_ = 0;
-  WideVec3<kArrivals> cosine_directions_, positions_;
-  std::array<LightSample, kArrivals> light_samples_;
+  Vec3Lanes<kHitsAtATime> cosine_directions_, positions_;
+  std::array<LightSample, kHitsAtATime> light_samples_;
   // By escape.
-  PerPath<uint16_t> escapes_;
-  PerPath<Vec3> escape_directions_;
+  PerPath<uint16_t> misses_;
+  PerPath<Vec3> miss_directions_;
   // In the order they travel.
   PerPath<uint16_t> travellers_;
   Packets travelling_packets_;
@@ -312,15 +313,15 @@ class Front {
 };
 
 template <class M>
-void Front<M>::trace() {
+void PathWavefront<M>::trace_rays() {
   seed_lanes(travellers_, travelling_, 0);
   time_lanes(travellers_, travelling_, travelling_packets_);
   for (int first = 0; first < travelling_; first += RayPacket::kSize)
     scene_->intersect(travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)],
-                      std::min(RayPacket::kSize, travelling_ - first), coherent_ && length_ == 1,
+                      std::min(RayPacket::kSize, travelling_ - first), coherent_ && depth_ == 1,
                       &lane_seeds_[static_cast<size_t>(first)]);
   rays_traced_ += static_cast<uint64_t>(travelling_);
-  reached_ = visited_ = arrived_ = escaped_ = 0;
+  reached_ = visited_ = hit_count_ = miss_count_ = 0;
   for (int i = 0; i < travelling_; ++i) {
     const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
     const int lane = i % RayPacket::kSize;
@@ -330,17 +331,17 @@ void Front<M>::trace() {
       packet.get(lane, hits_[slot]);
       wo_[slot] = -packet.direction(lane);
     } else {
-      const auto slot = static_cast<size_t>(escaped_++);
-      escapes_[slot] = travellers_[static_cast<size_t>(i)];
-      escape_directions_[slot] = packet.direction(lane);
+      const auto slot = static_cast<size_t>(miss_count_++);
+      misses_[slot] = travellers_[static_cast<size_t>(i)];
+      miss_directions_[slot] = packet.direction(lane);
     }
   }
   travelling_ = 0;
 }
 
 template <class M>
-void Front<M>::shade() {
-  const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(arrived_);
+void PathWavefront<M>::shade() {
+  const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(hit_count_);
   for (size_t i = 0; timed_ && i < count; ++i) times_[i] = states_[reached_by_[first + i]].time;
   scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), times_of_arrivals());
   for (size_t i = 0; i < count; ++i) {
@@ -353,12 +354,12 @@ void Front<M>::shade() {
 }
 
 template <class M>
-void Front<M>::absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const {
+void PathWavefront<M>::absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const {
   if (!point.front) state.throughput *= inner_transmittance<Color>(point, distance);
 }
 
 template <class M>
-void Front<M>::settle_connections() {
+void PathWavefront<M>::resolve_connections() {
   trace_connections();
   for (int i = 0; i < connections_; ++i) {
     const auto slot = static_cast<size_t>(i);
@@ -369,7 +370,7 @@ void Front<M>::settle_connections() {
 }
 
 template <class M>
-void Front<M>::trace_connections() {
+void PathWavefront<M>::trace_connections() {
   seed_lanes(connected_, connections_, 0x5bd1e995U);
   time_lanes(connected_, connections_, connecting_);
   for (int first = 0; first < connections_; first += RayPacket::kSize)

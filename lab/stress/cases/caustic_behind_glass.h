@@ -35,7 +35,7 @@ inline void caustic_behind_glass(Lab& lab) {
 }
 
 inline constexpr Case kCausticBehindGlass{
-    "caustic-behind-glass", Kind::blind_spots,
+    "caustic-behind-glass", Kind::missing_paths,
     "No technique makes a path from a point light through glass onto something and through glass to a pinhole: that "
     "part is black unless photons are laid down there, while the caustic itself appears",
     caustic_behind_glass};

@@ -17,7 +17,7 @@ inline void caustic_of_a_point_light(Lab& lab) {
     lab.expect_zero(method, "", lab.mean(Lab::with_method(d, method), 64).value);
 }
 
-inline constexpr Case kCausticOfAPointLight{"caustic-of-a-point-light", Kind::blind_spots,
+inline constexpr Case kCausticOfAPointLight{"caustic-of-a-point-light", Kind::missing_paths,
                                             "No walk from the camera can end on a point, and a connection to it is "
                                             "blocked by the glass: the caustic is missing "
                                             "without a trace of noise",

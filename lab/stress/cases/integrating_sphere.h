@@ -22,7 +22,7 @@ inline void integrating_sphere(Lab& lab) {
 }
 
 inline constexpr Case kIntegratingSphere{
-    "integrating-sphere", Kind::blind_spots,
+    "integrating-sphere", Kind::missing_paths,
     "Of light that is sent on and on between white walls, classic ray tracing finds the first reflection: 1 - albedo "
     "of it, and of the rest exactly nothing",
     integrating_sphere};

@@ -27,7 +27,7 @@ inline void lens_too_small_to_hit(Lab& lab) {
 }
 
 inline constexpr Case kLensTooSmallToHit{
-    "lens-too-small-to-hit", Kind::blind_spots,
+    "lens-too-small-to-hit", Kind::missing_paths,
     "A walk falls onto the lens with a probability that shrinks as its area, and the variance grows as one over it; "
     "onto a pinhole it never falls",
     lens_too_small_to_hit};

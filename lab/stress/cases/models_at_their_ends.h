@@ -7,10 +7,10 @@ namespace etendue::stress {
 
 // Pairs of directions that formulas with half vectors, cosines below them and powers of cosines stumble over: straight
 // through, straight back, mirrored, along the surface.
-inline size_t failures_at_odd_pairs(const audit::Lobes& lobes) {
+inline size_t failures_at_odd_pairs(const bsdf_analysis::Lobes& lobes) {
   size_t failures = 0;
   for (const double degrees : {0.0, 1e-4, 30.0, 45.0, 89.99, 90.0, 150.0}) {
-    const Vec3 wo = audit::direction(degrees, 20);
+    const Vec3 wo = bsdf_analysis::direction(degrees, 20);
     const Vec3 flat(0, 1, 0), barely = glm::normalize(Vec3(0, 1, 1e-7f));
     for (const Vec3& wi : {-wo, wo, Vec3(-wo.x, -wo.y, wo.z), Vec3(wo.x, wo.y, -wo.z), flat, barely})
       for (const auto mode : {Transport::radiance, Transport::importance}) {
@@ -22,16 +22,16 @@ inline size_t failures_at_odd_pairs(const audit::Lobes& lobes) {
   return failures;
 }
 
-inline size_t failures_of(const Reflection& model) {
-  audit::Lobes lobes;
+inline size_t failures_of(const BsdfModel& model) {
+  bsdf_analysis::Lobes lobes;
   model.add_lobes(Rgb(0.8f, 0.6f, 0.4f), lobes);
-  const audit::Plausibility p = audit::plausibility(lobes, {});
+  const bsdf_analysis::Plausibility p = bsdf_analysis::plausibility(lobes, {});
   return failures_at_odd_pairs(lobes) + p.not_finite + (p.least < 0);
 }
 
 inline void models_at_their_ends(Lab& lab) {
-  for (const ReflectionInfo& info : reflection_infos()) {
-    const auto usual = make_reflection(info.description.name);
+  for (const BsdfModelInfo& info : bsdf_model_infos()) {
+    const auto usual = make_bsdf_model(info.description.name);
     size_t failures = failures_of(*usual);
     for (const ParameterInfo& p : info.parameters) {
       if (p.type != ParameterType::number && p.type != ParameterType::integer) continue;

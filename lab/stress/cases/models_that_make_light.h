@@ -31,11 +31,11 @@ inline void models_that_make_light(Lab& lab) {
       {"ward", lobe_of_one({{"alpha-x", 0.5}, {"alpha-y", 0.5}}), 89.9, 1.484},
   };
   for (const auto& row : rows) {
-    auto model = make_reflection(row.model);
+    auto model = make_bsdf_model(row.model);
     for (const auto& [name, value] : row.settings) model = model->with(name, value);
-    audit::Lobes lobes;
+    bsdf_analysis::Lobes lobes;
     model->add_lobes(Rgb(1), lobes);
-    const audit::Albedo found = audit::albedo_at(lobes, row.degrees, {20, 1 << 16});
+    const bsdf_analysis::Albedo found = bsdf_analysis::albedo_at(lobes, row.degrees, {20, 1 << 16});
     lab.expect_near(row.model, "albedo at " + number(row.degrees) + " degrees", static_cast<double>(found.value.g),
                     row.albedo, (4.5 * found.error + 5e-4 * row.albedo) / row.albedo);
   }

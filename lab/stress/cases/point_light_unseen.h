@@ -14,7 +14,7 @@ inline void point_light_unseen(Lab& lab) {
 }
 
 inline constexpr Case kPointLightUnseen{
-    "point-light-unseen", Kind::blind_spots,
+    "point-light-unseen", Kind::missing_paths,
     "A walk meets a point with probability zero; a connection finds it always, with rho/pi I/r^2", point_light_unseen};
 
 }  // namespace etendue::stress

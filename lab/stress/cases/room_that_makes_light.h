@@ -8,13 +8,13 @@ inline void room_that_makes_light(Lab& lab) {
   const auto room = [&](const char* model, double specular) {
     scene::Scene scene;
     Material wall = scene::diffuse(Rgb(0), Rgb(1));
-    wall.reflection.model = make_reflection(model);
+    wall.model.model = make_bsdf_model(model);
     if (specular > 0) {
-      auto& m = wall.reflection.model;
+      auto& m = wall.model.model;
       for (const char* band : {"specular.r", "specular.g", "specular.b"}) m = m->with(band, specular);
       m = m->with("exponent", 1.0);
     } else {
-      wall.reflection.model = wall.reflection.model->with("diffuse", 0.5);
+      wall.model.model = wall.model.model->with("diffuse", 0.5);
       wall.base_color = Rgb(1);
     }
     scene::add(scene, scene::cube(1, true), wall);
