@@ -88,7 +88,7 @@ void compare(int lamps, const std::string& method, int turns, uint32_t reference
     error.push_back(power.error / tree.error), time.push_back(tree.seconds / power.seconds);
     efficiency.push_back(error.back() / time.back());
   }
-  using measure::quantile;
+  using metrics::quantile;
   std::printf("%7d  %-20s %9.2f %9.3f %11.2f  (%.2f to %.2f)\n", lamps, method.c_str(), quantile(error, 0.5),
               quantile(time, 0.5), quantile(efficiency, 0.5), quantile(efficiency, 0.1), quantile(efficiency, 0.9));
   std::fflush(stdout);
@@ -174,7 +174,7 @@ void directions(int turns) {
       const TaskContext a = place->turn(LightStrategy::as_emitted, 2), b = place->turn(LightStrategy::one, 3);
       points.push_back(a.error), seen.push_back(b.error), time.push_back(b.seconds / a.seconds);
     }
-    using measure::quantile;
+    using metrics::quantile;
     std::printf("%7.2f %16.5f %16.5f %10.2f\n", static_cast<double>(height), quantile(points, 0.5), quantile(seen, 0.5),
                 quantile(time, 0.5));
   }
@@ -198,7 +198,7 @@ void costs(int turns) {
       rows[k].picture_power.push_back(seconds("appel:lights=one"));
       rows[k].picture_tree.push_back(seconds("appel:lights=tree"));
     }
-  const auto median = [](const std::vector<double>& v) { return measure::quantile(v, 0.5); };
+  const auto median = [](const std::vector<double>& v) { return metrics::quantile(v, 0.5); };
   std::printf("\n%7s %18s %18s %16s %22s %22s\n", "lamps", "by power, ns", "by the tree, ns", "tree over one",
               "picture, tree over one", "tree over power");
   for (size_t k = 0; k < counts.size(); ++k)
