@@ -26,6 +26,9 @@ AllLobes<Rgb>::AllLobes() { AllLobesAccess::create(*this); }
 void AllLobes<Rgb>::clear() { lobe_set(*this).clear(); }
 bool AllLobes<Rgb>::empty() const { return lobe_set(*this).empty(); }
 int AllLobes<Rgb>::size() const { return lobe_set(*this).size(); }
+void AllLobes<Rgb>::set_relative_eta(float eta, float outside_eta) {
+  lobe_set(*this).set_relative_eta(eta, outside_eta);
+}
 bool AllLobes<Rgb>::has_non_delta() const { return lobe_set(*this).has_non_delta(); }
 float AllLobes<Rgb>::alpha() const { return lobe_set(*this).alpha(); }
 bool AllLobes<Rgb>::scatters(Scatter letter) const { return lobe_set(*this).scatters(letter); }

@@ -25,6 +25,7 @@ class AllLobes<Rgb> {
   void clear();
   bool empty() const;
   int size() const;
+  void set_relative_eta(float eta, float outside_eta);
   bool has_non_delta() const;
   float alpha() const;
   bool scatters(Scatter letter) const;

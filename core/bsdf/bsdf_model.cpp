@@ -54,6 +54,12 @@ class BsdfModelOf final : public BsdfModel {
   }
   void sketch(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
   bool solid() const override { return is_solid<Model>(); }
+  float index_of_refraction() const override {
+    if constexpr (is_solid<Model>())
+      return model_.eta;
+    else
+      return 1;
+  }
 
  private:
   static constexpr bool kPrepares = requires(Model model) { model.prepare(); };

@@ -54,6 +54,8 @@ class BsdfModel {
   virtual void sketch(AllLobes<Rgb>& lobes) const = 0;
   // Light passes through it into a solid body, whose colour is the material's attenuation.
   virtual bool solid() const = 0;
+  // The index of refraction of the solid body; 1 where there is none.
+  virtual float index_of_refraction() const = 0;
 
  protected:
   BsdfModel() = default;

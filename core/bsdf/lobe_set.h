@@ -68,6 +68,17 @@ class LobeSet {
     covers_.add(count_, layer);
   }
 
+  // The surface lies in a medium: boundaries of solids have this index of refraction, inside over outside.
+  void set_relative_eta(float eta, float outside_eta) {
+    for (int i = 0; i < count_; ++i)
+      std::visit(
+          [&](auto& lobe) {
+            if constexpr (requires { lobe.set_relative_eta(eta, outside_eta); })
+              lobe.set_relative_eta(eta, outside_eta);
+          },
+          lobes_[static_cast<size_t>(i)]);
+  }
+
   // True if there is a lobe that a light sample can be combined with.
   bool has_non_delta() const {
     for (int i = 0; i < count_; ++i)

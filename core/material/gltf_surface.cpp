@@ -42,6 +42,7 @@ Ggx facets_at(const SurfaceMaterial& material, const TexturePoint& point, float 
 struct Numbers {
   Rgb base{0};
   float metallic = 0, roughness = 1, specular = 1, transmission = 0;
+  Rgb specular_color{1};
   Rgb f0{0};  // of the dielectric, with its strength
   Ggx facets;
 
@@ -62,8 +63,8 @@ struct Numbers {
   n.metallic = unit(metallic);
   n.specular = scaled(m.specular, material.specular, point, 3);
   n.transmission = unit(scaled(m.transmission, material.transmission, point, 0));
-  const Rgb specular_color = scaled(m.specular_color, material.specular_color, point);
-  n.f0 = unit(specular_color * (m.ior == 0 ? 1.0f : f0_from_ior(m.ior))) * n.specular;
+  n.specular_color = scaled(m.specular_color, material.specular_color, point);
+  n.f0 = unit(n.specular_color * (m.ior == 0 ? 1.0f : f0_from_ior(m.ior))) * n.specular;
   n.facets = facets_at(material, point, n.roughness);
   return n;
 }
@@ -143,7 +144,7 @@ FilmFresnel<Rgb> film_fresnel(const SurfaceMaterial& material, const TexturePoin
 
 void set_boundary(const Material& m, const Numbers& n, const FilmFresnel<Rgb>& fresnel, TintedBoundary<Rgb>& boundary) {
   boundary.clear_f0 = f0_from_ior(m.ior == 0 ? 1e4f : m.ior);
-  boundary.f0 = n.f0, boundary.f90 = n.specular;
+  boundary.tint = n.specular_color, boundary.f0 = n.f0, boundary.f90 = n.specular;
   boundary.film = fresnel.film, boundary.strength = fresnel.strength;
 }
 

@@ -18,6 +18,8 @@
 #include "material/surface_material.h"
 #include "scene/build_report.h"
 #include "scene/scene.h"
+#include "scene/solids.h"
+#include "scene/start_media.h"
 
 namespace etendue::scene {
 
@@ -33,6 +35,7 @@ struct InstanceData {
   uint32_t node = 0;                  // the object that a user picks
   float focus = 0;                    // of what it emits, see Light
   uint32_t first_light = kNotALight;  // light number of its first triangle
+  uint32_t solid = kNoSolid;          // number of the solid that it bounds
   // How it moves, or null; all the rest is as it is at the opening. One that deforms is in world space then.
   std::shared_ptr<const Motion> motion = nullptr;
   // A light that is a sphere or a disk; the mesh is only as large as it then.
@@ -52,6 +55,9 @@ struct SurfacePoint {
   float offset = 0;    // how far rounding may have put `position` off the surface, metres
   bool front = true;   // the side the ray came from
   Vec3 coat{0, 0, 1};  // normal of the clear coat in the shading frame, where it is another one
+  // The media on both sides, null for a vacuum; only set in transport models with media.
+  const Solid* outside = nullptr;
+  const Solid* inside = nullptr;
 
   // What a direction gets of the radiance that is emitted along the normal.
   float beam(const Vec3& direction) const {
@@ -95,6 +101,10 @@ class CompiledScene final : public OpacityTest {
     accel_->occluded(packet, count, opacity(), seeds);
   }
 
+  // The same, but rays stop at boundaries of solids whatever their opacity; `stops` decides about it.
+  Hit intersect_solids(const Ray& ray, uint32_t ray_seed, float time) const;
+  void intersect_solids(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const;
+
   // Where rays hit, one point for each; wo[i] points back along the ray of hits[i], which was at times[i]. Without
   // times all is as it was at the opening.
   void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
@@ -127,6 +137,23 @@ class CompiledScene final : public OpacityTest {
   }
 
   const LightTable& lights() const { return *lights_; }
+  // Empty where no path needs a medium state.
+  const Solids& solids() const { return *solids_; }
+  // As Solids::find_interface.
+  bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& found) const {
+    return solids_->find_interface(*instances_, stack, time, hit, found);
+  }
+  // The solids that contain the start of a camera ray.
+  MediumStack media_at_camera(const Ray& ray, float time) const {
+    return start_media_->at_camera(*solids_, *instances_, ray, time);
+  }
+  // The solids around the start of a ray that leaves a light; `point` is that of a triangle. `origin` lies off its
+  // surface, on the side that the ray leaves by.
+  void find_media_at_light(const Emission& emission, const SurfacePoint* point, const Vec3& origin,
+                           MediumInterface& found) const {
+    start_media_->find_at_light(*solids_, *instances_, *lights_, emission, point, origin, found);
+  }
+
   const Camera& camera() const { return camera_; }
   const std::vector<InstanceData>& instances() const { return *instances_; }
   const std::vector<SurfaceMaterial>& materials() const { return *materials_; }
@@ -157,6 +184,8 @@ class CompiledScene final : public OpacityTest {
   std::shared_ptr<const std::vector<SurfaceMaterial>> materials_;
   std::shared_ptr<const std::vector<Texture>> textures_;
   std::shared_ptr<const LightTable> lights_;
+  std::shared_ptr<const Solids> solids_;
+  std::shared_ptr<const StartMedia> start_media_;
   std::vector<std::shared_ptr<const MeshAccel>>
       mesh_accels_;  // one per instance, null where it stands in the top level
   Camera camera_;

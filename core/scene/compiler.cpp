@@ -4,6 +4,7 @@
 
 #include "light/light_points.h"
 #include "scene/compiled_scene.h"
+#include "scene/facet.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
 #include "scene/shutter.h"
@@ -33,8 +34,10 @@ class Compiler {
     const auto start = std::chrono::steady_clock::now();
     geometry();
     materials();
+    solids();
     lights();
     result_->camera_motion_ = shutter_.motion_of(result_->camera_);
+    start_media();
     result_->report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result_;
   }
@@ -238,6 +241,47 @@ class Compiler {
     r.report_.materials_built = true;
   }
 
+  // Solids depend on where their boundaries are and on a few values of their materials.
+  bool same_solids() const {
+    if (!previous_ || result_->report_.top_level_built) return false;
+    if (!result_->report_.materials_built) return true;
+    const std::vector<SurfaceMaterial>&a = *result_->materials_, &b = *previous_->materials_;
+    return std::ranges::equal(a, b, [](const SurfaceMaterial& x, const SurfaceMaterial& y) {
+      const Material &m = x.description, &n = y.description;
+      return m.solid() == n.solid() &&
+             (!m.solid() ||
+              (m.model == n.model && m.ior == n.ior && m.unlit == n.unlit && m.alpha == n.alpha &&
+               m.attenuation_color == n.attenuation_color && m.attenuation_distance == n.attenuation_distance &&
+               x.emissive == y.emissive && x.transparent == y.transparent && bool{x.base_color} == bool{y.base_color}));
+    });
+  }
+
+  void solids() {
+    if (same_solids()) {
+      result_->solids_ = previous_->solids_;
+      return;
+    }
+    if (std::ranges::none_of(*result_->instances_, [&](const InstanceData& i) {
+          return i.solid != kNoSolid || (*result_->materials_)[i.material].description.solid();
+        })) {
+      result_->solids_ = std::make_shared<Solids>();
+      return;
+    }
+    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_);
+    result_->instances_ = std::move(instances);
+  }
+
+  // What surrounds the camera and the lights.
+  void start_media() {
+    const CompiledScene& r = *result_;
+    const bool same = previous_ && r.solids_ == previous_->solids_;
+    const std::shared_ptr<const StartMedia> before = same ? previous_->start_media_ : nullptr;
+    result_->start_media_ =
+        std::make_shared<StartMedia>(*r.solids_, *r.instances_, *r.lights_, r.camera_, r.camera_motion_ != nullptr,
+                                     same && r.lights_ == previous_->lights_ ? before.get() : nullptr);
+  }
+
   // The light tables depend on where emitters are, on what they emit, and on the lights and the environment.
   bool same_lights() const {
     if (!previous_ || result_->report_.top_level_built) return false;
@@ -292,7 +336,7 @@ class Compiler {
     e.instance = i, e.triangle = t;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
     e.moving = instance.motion != nullptr, e.focus = instance.focus;
-    e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
+    e.place(facet_of(instance, t, 0.5f));
     if (material.emission) {
       Rgb sum(0);
       constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
@@ -313,14 +357,6 @@ class Compiler {
     e.place_round(static_cast<int>(rounds.size()), round.shape);
     rounds.push_back(std::move(round));
     return e;
-  }
-
-  static Facet facet(const InstanceData& instance, const Triangle& t) {
-    const auto corner = [&](size_t k) {
-      const Vec3& p = instance.mesh->positions[t[k]];
-      return instance.identity ? p : Vec3(instance.to_world * Vec4(p, 1));
-    };
-    return {corner(0), corner(1), corner(2), instance.mirrored ? -1.0f : 1.0f};
   }
 
   std::vector<PlacedLight> placed_lights() {

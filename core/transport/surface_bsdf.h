@@ -6,6 +6,15 @@
 
 namespace etendue::transport {
 
+// Boundaries of solids refract by the ratio of the media on both sides. What glTF's opaque layers, coats and thin walls
+// reflect is as it is in air.
+template <class M>
+void set_media(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
+  if (point.instance->solid == scene::kNoSolid || !point.outside) return;
+  const float inside = point.inside ? point.inside->eta : 1;
+  bsdf.lobes.set_relative_eta(inside / point.outside->eta, point.outside->eta);
+}
+
 // M is a transport model (model_types.h). The BSDF refers to the point's normals: the point must outlive it and stay in
 // its place.
 template <class M>
@@ -16,6 +25,7 @@ void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
               point.material->coat_normal_mapped ? point.coat : Vec3(0, 0, 1));
   else
     add_lobes(*point.material, point.texture, bsdf.lobes);
+  if constexpr (M::kMedia) set_media(point, bsdf);
 }
 
 }  // namespace etendue::transport

@@ -4,10 +4,10 @@
 //   f_t = (1 - F) D G2 |wo.h| |wi.h| / (|cos_o cos_i| (wo.h + eta wi.h)^2)  [x 1/eta'^2 for radiance]   Walter et al.
 //   2007
 //
-// F is exact, or what a film and KHR_materials_specular make of it (boundary.h). `eta` is inside (z < 0) over outside
-// (z > 0). Radiance is compressed on refraction, power is not: thesis (4.128), (4.137), erratum E8. Smooth boundaries
-// are a pair of deltas. Reciprocal up to the eta^2 law; conserves energy (facets lose what is scattered more than
-// once). Sampling: visible normals, then reflection or refraction by F.
+// F is exact, or what a film and KHR_materials_specular make of it (dielectric_boundary.h). `eta` is inside (z < 0)
+// over outside (z > 0), of the media on both sides. Radiance is compressed on refraction, power is not: thesis (4.128),
+// (4.137), erratum E8. Smooth boundaries are a pair of deltas. Reciprocal up to the eta^2 law; conserves energy (facets
+// lose what is scattered more than once). Sampling: visible normals, then reflection or refraction by F.
 #pragma once
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric_boundary.h"
@@ -22,6 +22,12 @@ struct Dielectric : Boundary {
   float eta = 1.5f;
   float share = 1;  // the weight of this lobe in the surface's mix
   Ggx facets;
+
+  // For a boundary between two media, neither of which is a vacuum.
+  void set_relative_eta(float relative, float outside_eta) {
+    eta = relative;
+    this->set_media(relative, outside_eta);
+  }
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth() || eta == 1; }
@@ -103,7 +109,13 @@ struct Dielectric : Boundary {
  private:
   static Incidence incidence(const Vec3& wo, float cosine, float e) {
     Incidence at;
-    at.f = fresnel_dielectric(cosine, e, at.refracted);
+    if (e == 1) {
+      // Exactly no boundary: rounding would leave a reflection, and bend the path.
+      at.f = 0;
+      at.refracted = cosine;
+    } else {
+      at.f = fresnel_dielectric(cosine, e, at.refracted);
+    }
     at.outer = wo.z > 0 ? cosine : at.refracted;
     return at;
   }

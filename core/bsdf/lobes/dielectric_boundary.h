@@ -13,6 +13,7 @@ struct Incidence {
 
 template <class Color>
 struct ClearBoundary {
+  void set_media(float, float) {}
   Color reflectance(const Incidence& at) const { return Color(at.f); }
   float kept(const Incidence& at) const { return at.f; }
   float reflect_share(const Incidence& at) const { return at.f; }  // when sampling
@@ -22,10 +23,20 @@ struct ClearBoundary {
 template <class Color>
 struct TintedBoundary {
   float clear_f0 = 0.04f;  // of the index of refraction alone
-  Color f0{0.04f};
-  float f90 = 1;
+  Color tint{1};           // of the reflection at normal incidence
+  Color f0{0.04f};         // the same of the tinted boundary
+  float f90 = 1;           // strength of the reflection
   ThinFilm film;
   float strength = 0;  // of the film
+
+  // Tint and strength scale what the relative index reflects, as the extension says of a boundary to air: an index of 1
+  // reflects nothing. Interference in the film depends on ratios of indices and on wavelengths in the outer medium.
+  void set_media(float relative_eta, float outside_eta) {
+    clear_f0 = f0_from_ior(relative_eta);
+    for (int k = 0; k < 3; ++k) f0[k] = std::clamp(tint[k] * clear_f0, 0.0f, 1.0f) * f90;
+    film.ior /= outside_eta;
+    film.thickness *= outside_eta;
+  }
 
   Color reflectance(const Incidence& at) const {
     if (at.f >= 1) return Color(1);
@@ -36,7 +47,9 @@ struct TintedBoundary {
   }
   float kept(const Incidence& at) const { return max_component(reflectance(at)); }
   float reflect_share(const Incidence& at) const {
-    return at.f >= 1 ? 1.0f : std::clamp(average(reflectance(at)), 0.05f, 0.95f);
+    if (at.f >= 1) return 1;
+    const float share = average(reflectance(at));
+    return share > 0 ? std::clamp(share, 0.05f, 0.95f) : 0;
   }
 };
 

@@ -1,30 +1,64 @@
-// Solids of glass in each other, and side by side without a gap.
+// Solids of glass in each other, and side by side without a gap, before a plate of light.
 #pragma once
+#include <cmath>
+#include <vector>
+
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void nested_glass(Lab& lab) {
-  scene::Scene nested = sky();
-  scene::add(nested, scene::sphere(1, 48, false), scene::glass(1.33f));
-  scene::add(nested, scene::sphere(0.6f, 48, false), scene::glass(1.8f));
-  scene::Scene touching = sky();
-  for (const float x : {-1.0f, 1.0f}) {
-    Mat4 place(1);
-    place[3] = Vec4(x, 0, 0, 1);
-    scene::add(touching, scene::cube(1, false), scene::glass(1.5f), place);
+// What parallel clear layers leave of light that meets them head-on, all reflections between them included. `indices`
+// are those of the media in order.
+inline double layers_transmission(const std::vector<double>& indices) {
+  double ratio = 0;  // of what is reflected to what passes: it adds up over the boundaries
+  for (size_t i = 1; i < indices.size(); ++i) {
+    const double r = std::pow((indices[i - 1] - indices[i]) / (indices[i - 1] + indices[i]), 2);
+    ratio += r / (1 - r);
   }
-  const Camera camera = look_at({1, 2, 6}, {0, 0, 0}, {0, 1, 0}, 0.2f);
-  for (const auto& [point, scene] : {std::pair{"one in the other", nested}, {"face to face", touching}}) {
+  return 1 / (1 + ratio);
+}
+
+// A plate of radiance one that faces up, so far below the origin. All else is black.
+inline void add_plate(scene::Scene& scene, float depth) {
+  Mat4 place(1);
+  place[3] = Vec4(0, -depth, 0, 1);
+  scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0), Rgb(1)), place);
+}
+
+inline void nested_glass(Lab& lab) {
+  constexpr double kWater = 1.33, kDense = 1.8;
+  const auto solid = [](double index) { return scene::glass(static_cast<float>(index)); };
+  scene::Scene nested;
+  scene::add(nested, scene::cube(1, false), solid(kWater));
+  scene::add(nested, scene::cube(0.6f, false), solid(kDense));
+  scene::Scene touching;
+  for (const float y : {-1.0f, 1.0f}) {
+    Mat4 place(1);
+    place[3] = Vec4(0, y, 0, 1);
+    scene::add(touching, scene::cube(1, false), solid(y < 0 ? kWater : kDense), place);
+  }
+  scene::Scene same;
+  scene::add(same, scene::cube(1, false), solid(kDense));
+  scene::add(same, scene::cube(0.6f, false), solid(kDense));
+  const struct {
+    const char* point;
+    scene::Scene& scene;
+    std::vector<double> indices;
+  } arrangements[] = {{"one in the other", nested, {1, kWater, kDense, kWater, 1}},
+                      {"face to face", touching, {1, kDense, kWater, 1}},
+                      {"one in its like", same, {1, kDense, 1}}};
+  const Camera camera = look_at({0.013f, 4, 0.017f}, {0.013f, 0, 0.017f}, {0, 0, 1}, 1e-4f);
+  for (const auto& [point, scene, indices] : arrangements) {
+    add_plate(scene, 3);
     const auto d = lab.document(scene, camera);
     for (const auto& method : unbiased_methods())
-      lab.expect_mean(method, point, lab.mean(Lab::with_method(d, method), 128), 1);
+      lab.expect_mean(method, point, lab.mean(Lab::with_method(d, method), 256), layers_transmission(indices));
   }
 }
 
 inline constexpr Case kNestedGlass{"nested-glass", Kind::geometry,
-                                   "However clear solids stand to each other, none of a uniform sky is lost: every "
-                                   "surface that is entered is left, even where two lie in one plane",
+                                   "Between solids that lie in each other or touch light meets the ratio of their "
+                                   "indices, head-on (n1 - n2)^2 / (n1 + n2)^2; like in like is not there",
                                    nested_glass};
 
 }  // namespace etendue::stress
