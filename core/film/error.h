@@ -20,10 +20,10 @@ struct ErrorEstimate {
   Interval rmse_interval;
   // A rough one without an interval: it divides by the picture where relMSE divides by the truth, and is up to a third
   // too low. To state one, see relative_error.h, which takes longer.
-  double rough_relmse = 0;
+  double approximate_relmse = 0;
   // By how much the RMSE of another picture, made in the same way with other random numbers, differs from this one's: a
   // standard deviation in parts of it. About 1/2 where a few pixels make all of the error.
-  double scatter = 0;
+  double rmse_variation = 0;
   bool known = false;  // false until every pixel has a sample in both halves
 };
 

@@ -20,7 +20,7 @@
 
 namespace etendue::film {
 
-inline constexpr uint32_t kHalves = 2;
+inline constexpr uint32_t kHalfBuffers = 2;
 
 class Film {
  public:
@@ -34,7 +34,7 @@ class Film {
   bool add(int x, int y, uint32_t half_buffer, const Rgb& radiance) {
     Pixel& pixel = at(x, y);
     if (!is_radiance(radiance)) [[unlikely]] {
-      rejected_.count(x, y, pixel.count[half_buffer] * kHalves + half_buffer, radiance);
+      rejected_.count(x, y, pixel.count[half_buffer] * kHalfBuffers + half_buffer, radiance);
       // It counts as a sample of value zero: leaving it out would favour what cannot be computed.
       ++pixel.count[half_buffer];
       return false;
@@ -46,10 +46,10 @@ class Film {
   }
 
   uint32_t samples(int x, int y) const;
-  uint32_t samples_of_half(int x, int y, uint32_t half_buffer) const { return at(x, y).count[half_buffer]; }
+  uint32_t half_buffer_samples(int x, int y, uint32_t half_buffer) const { return at(x, y).count[half_buffer]; }
   Rgb mean(int x, int y) const;
   // Of one half; it must have a sample there.
-  Rgb mean_of_half(int x, int y, uint32_t half_buffer) const;
+  Rgb half_buffer_mean(int x, int y, uint32_t half_buffer) const;
   // The standard error of `mean`, squared, per channel; zero while a half is empty.
   Rgb variance_of_mean(int x, int y) const;
 
@@ -57,12 +57,12 @@ class Film {
   // The same in pieces.
   RowError error_of_row(int y) const;
   ErrorEstimate error(std::span<const RowError> rows) const;
-  InvalidSamples rejected() const { return rejected_.get(); }
+  InvalidSamples invalid_samples() const { return rejected_.get(); }
 
   // Everything the film knows, for checkpoints.
   struct Pixel {
-    std::array<std::array<double, 3>, kHalves> sum{};
-    std::array<uint32_t, kHalves> count{};
+    std::array<std::array<double, 3>, kHalfBuffers> sum{};
+    std::array<uint32_t, kHalfBuffers> count{};
   };
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
@@ -90,7 +90,7 @@ class Film {
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
   std::optional<TileVariance> spread_;
-  RejectionCounter rejected_;
+  InvalidSampleCounter rejected_;
 };
 
 }  // namespace etendue::film

@@ -21,7 +21,7 @@ std::vector<float> radiance_of(const Film& film) {
   return each_pixel(film, [&](int x, int y) { return film.mean(x, y); });
 }
 
-image::LayeredImage picture_of(const Film& film) {
+image::LayeredImage layered_image_of(const Film& film) {
   image::LayeredImage picture;
   picture.width = film.width(), picture.height = film.height();
   picture.layers.push_back({"", {"R", "G", "B"}, radiance_of(film)});

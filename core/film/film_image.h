@@ -9,6 +9,6 @@ namespace etendue::film {
 std::vector<float> radiance_of(const Film& film);
 
 // The beauty layer, and a layer "variance": the squared standard error of each channel.
-image::LayeredImage picture_of(const Film& film);
+image::LayeredImage layered_image_of(const Film& film);
 
 }  // namespace etendue::film

@@ -17,31 +17,31 @@ constexpr bool is_radiance(const Rgb& c) {
   return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMost && c.g <= kMost && c.b <= kMost;
 }
 
-enum class Flaw { nan, infinite, negative };
-std::string_view flaw_name(Flaw flaw);
+enum class InvalidReason { nan, infinite, negative };
+std::string_view reason_name(InvalidReason reason);
 
-struct Rejection {
+struct InvalidSample {
   int x = 0, y = 0;
   uint32_t sample = 0;  // counted from zero in its pixel
-  Flaw flaw = Flaw::nan;
+  InvalidReason reason = InvalidReason::nan;
 
-  friend bool operator==(const Rejection&, const Rejection&) = default;
+  friend bool operator==(const InvalidSample&, const InvalidSample&) = default;
 };
 
 struct InvalidSamples {
   uint64_t nan = 0, infinite = 0, negative = 0;
-  std::vector<Rejection> first;  // kFirstRejections of them at most, by sample, row and column
+  std::vector<InvalidSample> first;  // kListedInvalidSamples of them at most, by sample, row and column
 
   uint64_t total() const { return nan + infinite + negative; }
 };
-inline constexpr size_t kFirstRejections = 8;
+inline constexpr size_t kListedInvalidSamples = 8;
 
 // Counts them from many threads. Which are the first does not depend on who comes first.
-class RejectionCounter {
+class InvalidSampleCounter {
  public:
-  RejectionCounter() = default;
-  RejectionCounter(const RejectionCounter& other) { set(other.get()); }
-  RejectionCounter& operator=(const RejectionCounter& other) {
+  InvalidSampleCounter() = default;
+  InvalidSampleCounter(const InvalidSampleCounter& other) { set(other.get()); }
+  InvalidSampleCounter& operator=(const InvalidSampleCounter& other) {
     if (this != &other) set(other.get());
     return *this;
   }
@@ -57,7 +57,7 @@ class RejectionCounter {
   std::atomic<uint64_t> nan_{0}, infinite_{0}, negative_{0};
   std::atomic<uint64_t> last_{kNone};  // place of the last one listed, once the list is full
   mutable std::mutex mutex_;
-  std::vector<Rejection> first_;
+  std::vector<InvalidSample> first_;
 };
 
 }  // namespace etendue::film
