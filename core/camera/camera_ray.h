@@ -45,27 +45,27 @@ class CameraRays {
 
   // The same of a direction, where the scene is infinitely far away: the ray to it starts on the lens, and importance
   // is in pixels per solid angle. Nothing if the camera looks elsewhere, or sees one direction alone.
-  struct FarView {
+  struct DirectionView {
     Vec2 raster;
     Ray ray;
     float importance;
   };
-  bool can_see_infinity() const { return !parallel() && !std::isfinite(camera_.far_clip); }
-  std::optional<FarView> view_of_infinity(const Vec3& direction, Vec2 lens, float time = 0) const;
+  bool sees_environment() const { return !parallel() && !std::isfinite(camera_.far_clip); }
+  std::optional<DirectionView> view_direction(const Vec3& direction, Vec2 lens, float time = 0) const;
 
   // Whether light can come to the lens by chance. Not through a point, not where each point of the picture takes one
   // direction alone, and not where the camera begins to see beyond its lens only.
   bool can_be_hit() const { return has_lens() && !parallel() && camera_.near_clip == 0; }
   // A ray that falls onto the lens from the front before it is `length` long, and what it sees; nothing if it misses,
   // or if it cannot hit.
-  struct Arrival {
+  struct LensHit {
     Vec2 raster;
     float distance;    // of the lens along the ray
     float importance;  // pixels per m^2 sr: what the ray's watts are multiplied by
     float cosine;      // to the axis
     float density;     // pixels per solid angle at the lens: that of `ray`'s directions
   };
-  std::optional<Arrival> arrival(const Ray& ray, float length, float time = 0) const;
+  std::optional<LensHit> intersect_lens(const Ray& ray, float length, float time = 0) const;
   float lens_area() const { return kPi * sqr(camera_.lens_radius); }
 
   // `ray` for many; the arrays have room for whole registers. `times` is only read if the camera moves.

@@ -57,14 +57,15 @@ std::optional<CameraRays::View> CameraRays::view(const Vec3& point, Vec2 lens, f
   return view;
 }
 
-std::optional<CameraRays::FarView> CameraRays::view_of_infinity(const Vec3& direction, Vec2 lens, float time) const {
+std::optional<CameraRays::DirectionView> CameraRays::view_direction(const Vec3& direction, Vec2 lens,
+                                                                    float time) const {
   const Mat4 placed = to_world(time);
   const Mat3 rotation(placed);
   const Vec3 local = glm::transpose(rotation) * direction;
   const float cosine = -local.z;
-  if (!can_see_infinity() || !(cosine > 0)) return {};
+  if (!sees_environment() || !(cosine > 0)) return {};
   const Vec2 on_lens = point_of_lens(lens);
-  FarView view;
+  DirectionView view;
   view.raster = raster_of(local, on_lens);
   view.ray.origin = Vec3(placed * Vec4(on_lens, 0, 1));
   view.ray.direction = direction;
@@ -73,13 +74,13 @@ std::optional<CameraRays::FarView> CameraRays::view_of_infinity(const Vec3& dire
   return view;
 }
 
-std::optional<CameraRays::Arrival> CameraRays::arrival(const Ray& ray, float length, float time) const {
+std::optional<CameraRays::LensHit> CameraRays::intersect_lens(const Ray& ray, float length, float time) const {
   if (!can_be_hit()) return {};
   const Mat4 placed = to_world(time);
   const Mat3 to_camera = glm::transpose(Mat3(placed));
   const Vec3 origin = to_camera * (ray.origin - Vec3(placed[3])), direction = to_camera * ray.direction;
   if (!(direction.z > 0) || !(origin.z < 0) || -origin.z > camera_.far_clip) return {};
-  Arrival a;
+  LensHit a;
   a.distance = -origin.z / direction.z;
   const Vec3 on_lens = origin + direction * a.distance;
   if (a.distance > length || sqr(on_lens.x) + sqr(on_lens.y) > sqr(camera_.lens_radius)) return {};

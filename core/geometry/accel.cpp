@@ -76,14 +76,14 @@ RTCGeometry instance_geometry(const AccelInstance& instance) {
 }
 
 RTCGeometry round_geometry(const AccelInstance& instance) {
-  const RoundShape& shape = *instance.round;
-  const bool disk = shape.kind == RoundShape::Kind::disk;
+  const AnalyticShape& shape = *instance.round;
+  const bool disk = shape.kind == AnalyticShape::Kind::disk;
   const RTCGeometry geometry =
       rtcNewGeometry(device(), disk ? RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT : RTC_GEOMETRY_TYPE_SPHERE_POINT);
   const size_t steps = instance.motion ? instance.motion->steps() : 1;
   rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(steps));
   for (unsigned i = 0; i < steps; ++i) {
-    const RoundShape at = instance.motion ? shape.placed(instance.motion->to_world[i]) : shape;
+    const AnalyticShape at = instance.motion ? shape.placed(instance.motion->to_world[i]) : shape;
     const auto store = [&](RTCBufferType type, RTCFormat format, const Vec4& value, size_t size) {
       std::memcpy(rtcSetNewGeometryBuffer(geometry, type, i, format, size, 1), &value, size);
     };
@@ -113,8 +113,8 @@ void test_opacity(const RTCFilterFunctionNArguments* args) {
     if (args->valid[i] == 0) continue;
     const uint32_t instance = instance_of(RTCHitN_instID(args->hit, n, i, 0), RTCHitN_geomID(args->hit, n, i));
     const uint32_t ray = n == 1 ? 0 : RTCRayN_id(args->ray, n, i);
-    if (!context->opacity->stops(instance, RTCHitN_primID(args->hit, n, i), RTCHitN_u(args->hit, n, i),
-                                 RTCHitN_v(args->hit, n, i), context->seeds[ray]))
+    if (!context->opacity->blocks_ray(instance, RTCHitN_primID(args->hit, n, i), RTCHitN_u(args->hit, n, i),
+                                      RTCHitN_v(args->hit, n, i), context->seeds[ray]))
       args->valid[i] = 0;
   }
 }

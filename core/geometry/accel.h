@@ -30,7 +30,7 @@ struct Hit {
 class OpacityTest {
  public:
   virtual ~OpacityTest() = default;
-  virtual bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const = 0;
+  virtual bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const = 0;
 };
 
 // Sixteen rays and what they hit, as Embree takes them: number by number. Tracing them together is faster than one by
@@ -55,7 +55,7 @@ class RayPacket {
   Vec3 direction(int lane) const { return {query_.ray.dir_x[lane], query_.ray.dir_y[lane], query_.ray.dir_z[lane]}; }
 
   // After Accel::intersect.
-  bool met(int lane) const { return query_.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+  bool has_hit(int lane) const { return query_.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
   [[gnu::always_inline]] void get(int lane, Hit& hit) const {
     // Top-level geometry ids are instance numbers, whether the hit lies in an instance or in the top level itself.
     const uint32_t in_instance = query_.hit.instID[0][lane];
@@ -64,7 +64,7 @@ class RayPacket {
     hit.u = query_.hit.u[lane], hit.v = query_.hit.v[lane], hit.t = query_.ray.tfar[lane];
   }
   // After Accel::occluded.
-  bool blocked(int lane) const { return query_.ray.tfar[lane] < 0; }
+  bool is_occluded(int lane) const { return query_.ray.tfar[lane] < 0; }
 
  private:
   friend class Accel;
@@ -91,7 +91,7 @@ struct AccelInstance {
   std::shared_ptr<const MeshAccel> accel;          // null: the mesh stands in the top level, and is in world space
   Mat4 to_world{1};                                // of an instanced mesh
   std::shared_ptr<const Motion> motion = nullptr;  // null: it stands still; a mesh that deforms stands in the top level
-  std::shared_ptr<const RoundShape> round = nullptr;  // instead of the mesh; placed where it stands still
+  std::shared_ptr<const AnalyticShape> round = nullptr;  // instead of the mesh; placed where it stands still
 };
 
 class Accel {

@@ -10,14 +10,14 @@
 namespace etendue {
 
 // A direction as two numbers from -1 to 1.
-inline Vec2 fold_direction(const Vec3& n) {
+inline Vec2 octahedral_encode(const Vec3& n) {
   const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
   const Vec2 p = Vec2(n.x, n.y) / sum;
   if (n.z >= 0) return p;
   return {std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y)};
 }
 
-inline Vec3 unfold_direction(Vec2 p) {
+inline Vec3 octahedral_decode(Vec2 p) {
   Vec3 n(p.x, p.y, 1 - std::abs(p.x) - std::abs(p.y));
   const float over = std::max(-n.z, 0.0f);
   n.x -= std::copysign(over, n.x), n.y -= std::copysign(over, n.y);
@@ -31,7 +31,7 @@ inline Mat4 without_scale(const Mat4& node) {
   return m;
 }
 
-struct RoundShape {
+struct AnalyticShape {
   enum class Kind : uint8_t { sphere, disk };
 
   Kind kind = Kind::sphere;
@@ -40,29 +40,29 @@ struct RoundShape {
   float radius = 1;
 
   // Where a node puts it: its origin, and the disk across its z, facing -z. Its scale does not count.
-  RoundShape placed(const Mat4& node) const {
-    RoundShape s = *this;
+  AnalyticShape placed(const Mat4& node) const {
+    AnalyticShape s = *this;
     s.centre = Vec3(node[3]);
     s.frame.build(normalize_or(-Vec3(node[2]), Vec3(0, 0, -1)), Vec3(node[0]), 1);
     return s;
   }
 
   float area() const { return (kind == Kind::sphere ? 4 : 1) * kPi * radius * radius; }
-  Vec3 normal_at(Vec2 uv) const { return kind == Kind::sphere ? unfold_direction(uv) : frame.z; }
+  Vec3 normal_at(Vec2 uv) const { return kind == Kind::sphere ? octahedral_decode(uv) : frame.z; }
   Vec3 point_at(Vec2 uv) const {
-    return kind == Kind::sphere ? centre + radius * unfold_direction(uv)
+    return kind == Kind::sphere ? centre + radius * octahedral_decode(uv)
                                 : centre + radius * (uv.x * frame.x + uv.y * frame.y);
   }
   // Its corner is that point, its sides go along the surface.
   Facet facet_at(Vec2 uv) const {
     const Vec3 p = point_at(uv);
-    const Frame at = kind == Kind::sphere ? Frame(unfold_direction(uv)) : frame;
+    const Frame at = kind == Kind::sphere ? Frame(octahedral_decode(uv)) : frame;
     return {p, p + radius * at.x, p + radius * at.y, 1};
   }
   // Of a point on it, more or less.
   Vec2 uv_of(const Vec3& point) const {
     const Vec3 v = (point - centre) / radius;
-    return kind == Kind::sphere ? fold_direction(v) : Vec2(glm::dot(v, frame.x), glm::dot(v, frame.y));
+    return kind == Kind::sphere ? octahedral_encode(v) : Vec2(glm::dot(v, frame.x), glm::dot(v, frame.y));
   }
 };
 

@@ -156,7 +156,7 @@ void append_copies(Mesh& mesh, const std::vector<uint32_t>& vertices) {
   append(mesh.colors, vertices);
 }
 
-std::vector<uint32_t> flatten(Mesh& mesh) {
+std::vector<uint32_t> split_into_flat_triangles(Mesh& mesh) {
   std::vector<uint32_t> sources;
   std::vector<Vec3> normals;
   sources.reserve(mesh.triangles.size() * 3);

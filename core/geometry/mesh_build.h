@@ -24,7 +24,7 @@ size_t drop_duplicates(Mesh& mesh);
 size_t repair_normals(Mesh& mesh);
 
 // Three vertices for every triangle, with its geometric normal. Returns of which vertex each is a copy.
-std::vector<uint32_t> flatten(Mesh& mesh);
+std::vector<uint32_t> split_into_flat_triangles(Mesh& mesh);
 
 // Appends copies of these vertices, in all arrays that the mesh has.
 void append_copies(Mesh& mesh, const std::vector<uint32_t>& vertices);

@@ -11,7 +11,7 @@
 namespace etendue {
 
 // What moves of a mesh that deforms, in world space. `positions` has room for one more (see Mesh).
-struct Vertices {
+struct DeformedVertices {
   std::vector<Vec3> positions, normals;
   std::vector<Vec4> tangents;
 };
@@ -23,11 +23,11 @@ struct Facet {
 };
 
 struct Motion {
-  static constexpr size_t kMostSteps = 129;  // that Embree takes
+  static constexpr size_t kMaxSteps = 129;  // that Embree takes
 
-  std::vector<Mat4> to_world;      // of a mesh that keeps its shape, or
-  std::vector<Vertices> vertices;  // of one that does not
-  bool mirrored = false;           // one that does not keep its shape is turned as Facet::winding says
+  std::vector<Mat4> to_world;              // of a mesh that keeps its shape, or
+  std::vector<DeformedVertices> vertices;  // of one that does not
+  bool mirrored = false;                   // one that does not keep its shape is turned as Facet::winding says
 
   bool deforms() const { return !vertices.empty(); }
   size_t steps() const { return deforms() ? vertices.size() : to_world.size(); }

@@ -48,7 +48,7 @@ struct EmissiveTriangle {
     normal = cross / twice, area = 0.5f * twice;
   }
   // A sphere or disk: it always looks large, and so is sampled on its own.
-  void place_round(int index, const RoundShape& shape) {
+  void place_round(int index, const AnalyticShape& shape) {
     round = index, p0 = shape.centre, e1 = e2 = Vec3(0), cross = Vec3(kEndless, 0, 0);
     normal = shape.frame.z, area = shape.area();
   }
@@ -65,10 +65,10 @@ struct MovingEmitter {
 
 // A light that is a sphere or a disk, halfway through the shutter.
 struct RoundLight {
-  RoundShape shape;
+  AnalyticShape shape;
   std::shared_ptr<const Motion> motion = nullptr;  // of its node; null if it stands still
 
-  RoundShape at(float time) const { return motion ? shape.placed(motion->matrix_at(time)) : shape; }
+  AnalyticShape at(float time) const { return motion ? shape.placed(motion->matrix_at(time)) : shape; }
 };
 
 struct LightPlace {

@@ -57,7 +57,7 @@ TEST(Tangents, OfEqualVerticesAreEqual) {
   // The same grid without shared vertices.
   Mesh shared = grid(3, [](const Vec3& p) { return Vec2(p.x + 0.3f * p.y * p.y, p.y - 0.2f * p.x * p.y); });
   Mesh apart = shared;
-  const auto sources = flatten(apart);
+  const auto sources = split_into_flat_triangles(apart);
   generate_tangents(shared, 0);
   generate_tangents(apart, 0);
   for (size_t i = 0; i < sources.size(); ++i)

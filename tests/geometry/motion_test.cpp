@@ -24,7 +24,7 @@ std::shared_ptr<Motion> turning() {
 std::shared_ptr<Motion> growing(const Mesh& mesh) {
   auto motion = std::make_shared<Motion>();
   for (const float size : {1.0f, 1.5f, 1.2f}) {
-    Vertices& v = motion->vertices.emplace_back();
+    DeformedVertices& v = motion->vertices.emplace_back();
     v.positions.reserve(mesh.positions.size() + 1);
     for (const Vec3& p : mesh.positions) v.positions.push_back(size * p), v.normals.push_back(size * p);
   }
@@ -128,7 +128,7 @@ TEST_F(MovingMeshes, AreMetWhereTheyAre) {
       const auto k = static_cast<size_t>(i);
       Hit alone, together;
       accel_->intersect(rays[k], nullptr, 0, alone, times[k]);
-      ASSERT_EQ(packet.met(i), static_cast<bool>(alone));
+      ASSERT_EQ(packet.has_hit(i), static_cast<bool>(alone));
       if (!alone) continue;
       packet.get(i, together);
       EXPECT_NEAR(together.t, alone.t, 1e-4f);

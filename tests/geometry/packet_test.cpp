@@ -47,7 +47,7 @@ TEST_F(Packets, FindTheHitsOfSingleRays) {
     for (int i = 0; i < count; ++i) {
       Hit alone, together;
       accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, alone);
-      ASSERT_EQ(packet.met(i), static_cast<bool>(alone));
+      ASSERT_EQ(packet.has_hit(i), static_cast<bool>(alone));
       if (!alone) continue;
       ++met;
       packet.get(i, together);
@@ -73,8 +73,8 @@ TEST_F(Packets, AreBlockedWhereSingleRaysAre) {
     for (int i = 0; i < count; ++i) {
       Hit alone;
       accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, alone);
-      EXPECT_EQ(packet.blocked(i), static_cast<bool>(alone));
-      ++(packet.blocked(i) ? blocked : open);
+      EXPECT_EQ(packet.is_occluded(i), static_cast<bool>(alone));
+      ++(packet.is_occluded(i) ? blocked : open);
     }
   }
   EXPECT_GT(blocked, 20);
@@ -88,10 +88,10 @@ TEST_F(Packets, CanBeUsedAgain) {
   towards.direction = Vec3(0, 0, -1), away.direction = Vec3(0, 0, 1);
   packet.set(0, towards);
   accel_->intersect(packet, 1, true, nullptr, seeds_.data());
-  EXPECT_TRUE(packet.met(0));
+  EXPECT_TRUE(packet.has_hit(0));
   packet.set(0, away);
   accel_->intersect(packet, 1, true, nullptr, seeds_.data());
-  EXPECT_FALSE(packet.met(0)) << "the hit of the ray before must not stay";
+  EXPECT_FALSE(packet.has_hit(0)) << "the hit of the ray before must not stay";
 }
 
 }  // namespace
