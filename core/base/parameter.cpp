@@ -101,8 +101,8 @@ Result<Value> checked_value(const ParameterInfo& info, const Value& value) {
     case ParameterType::choice:
       for (const auto& option : info.options)
         if (std::holds_alternative<std::string>(value) && option == text) return value;
-      if (info.accepts_text && std::holds_alternative<std::string>(value)) {
-        if (auto accepted = info.accepts_text(text); !accepted)
+      if (info.validate_text && std::holds_alternative<std::string>(value)) {
+        if (auto accepted = info.validate_text(text); !accepted)
           return usage_error(info.name + ": " + accepted.error().message);
         return value;
       }

@@ -34,7 +34,7 @@ struct ParameterInfo {
   Value default_value = false;                      // a choice's value is the name of the option
   std::vector<std::string> options, option_labels;  // choices only
   // A choice with this also takes a text that is none of its options, if it passes; else the error says why not.
-  Result<void> (*accepts_text)(std::string_view) = nullptr;
+  Result<void> (*validate_text)(std::string_view) = nullptr;
 };
 
 std::string to_string(const Value& value);
@@ -165,7 +165,7 @@ inline ParameterInfo describe(const Text& p) {
   ParameterInfo info;
   info.name = p.name, info.label = p.label, info.doc = p.doc;
   info.type = ParameterType::choice;
-  info.accepts_text = p.accepts;
+  info.validate_text = p.accepts;
   for (const Option& option : p.offered) {
     info.options.emplace_back(option.name);
     info.option_labels.emplace_back(option.label);

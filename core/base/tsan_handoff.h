@@ -12,8 +12,8 @@ namespace etendue {
 
 class TsanHandoff {
  public:
-  void give() { given_.fetch_add(1, std::memory_order_release); }
-  void take() const { static_cast<void>(given_.load(std::memory_order_acquire)); }
+  void release() { given_.fetch_add(1, std::memory_order_release); }
+  void acquire() const { static_cast<void>(given_.load(std::memory_order_acquire)); }
 
  private:
   std::atomic<uint64_t> given_{0};

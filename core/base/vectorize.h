@@ -18,8 +18,8 @@ namespace etendue {
 
 // Loops run over whole registers: what lies beyond the last element that counts is computed for nothing, and arrays
 // have room for it.
-inline constexpr size_t kWidest = 16;
-constexpr size_t whole_registers(size_t count) { return (count + kWidest - 1) / kWidest * kWidest; }
+inline constexpr size_t kMaxLanes = 16;
+constexpr size_t padded_lanes(size_t count) { return (count + kMaxLanes - 1) / kMaxLanes * kMaxLanes; }
 
 // Vectors number by number.
 template <size_t N>
@@ -30,17 +30,17 @@ struct Vec3Lanes {
   Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-struct WideVec3View {
+struct Vec3LanesView {
   float *x, *y, *z;
 
-  WideVec3View(float* x_, float* y_, float* z_) : x(x_), y(y_), z(z_) {}
+  Vec3LanesView(float* x_, float* y_, float* z_) : x(x_), y(y_), z(z_) {}
   template <size_t N>
-  WideVec3View(Vec3Lanes<N>& v)  // NOLINT(google-explicit-constructor)
-      : WideVec3View(v.x.data(), v.y.data(), v.z.data()) {}
+  Vec3LanesView(Vec3Lanes<N>& v)  // NOLINT(google-explicit-constructor)
+      : Vec3LanesView(v.x.data(), v.y.data(), v.z.data()) {}
 
   void set(size_t i, const Vec3& v) const { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
   Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
-  WideVec3View operator+(size_t n) const { return {x + n, y + n, z + n}; }
+  Vec3LanesView operator+(size_t n) const { return {x + n, y + n, z + n}; }
 };
 
 }  // namespace etendue

@@ -29,7 +29,7 @@ inline Vec3 square_to_cosine_hemisphere(Vec2 u) {
   return Vec3(d.x, d.y, safe_sqrt(1 - d.x * d.x - d.y * d.y));
 }
 // The same for many points; arrays have room for whole registers.
-void squares_to_cosine_hemisphere(const float* u0, const float* u1, size_t count, const WideVec3View& directions);
+void squares_to_cosine_hemisphere(const float* u0, const float* u1, size_t count, const Vec3LanesView& directions);
 inline float cosine_hemisphere_pdf(float cos_theta) { return cos_theta * kInvPi; }
 
 // Density 1 / (4 pi) per solid angle.

@@ -52,16 +52,16 @@ void CameraRays::rays(const Pairs& raster, const Pairs& lens, const float* times
 ETENDUE_VECTORIZE void CameraRays::rays_in_place(const Pairs& raster, const Pairs& lens, size_t count,
                                                  Ray* rays) const {
   struct Wide {
-    Vec3Lanes<kWidest> origin, direction;
-    alignas(64) std::array<float, kWidest> tnear, tfar;
+    Vec3Lanes<kMaxLanes> origin, direction;
+    alignas(64) std::array<float, kMaxLanes> tnear, tfar;
   } wide;
-  for (size_t first = 0; first < count; first += kWidest) {
-    for (size_t i = 0; i < kWidest; ++i) {
+  for (size_t first = 0; first < count; first += kMaxLanes) {
+    for (size_t i = 0; i < kMaxLanes; ++i) {
       const Ray ray = ray_of({raster.x[first + i], raster.y[first + i]}, {lens.x[first + i], lens.y[first + i]});
       wide.origin.set(i, ray.origin), wide.direction.set(i, ray.direction);
       wide.tnear[i] = ray.tnear, wide.tfar[i] = ray.tfar;
     }
-    for (size_t i = 0; i < std::min(kWidest, count - first); ++i)
+    for (size_t i = 0; i < std::min(kMaxLanes, count - first); ++i)
       rays[first + i] = {wide.origin[i], wide.tnear[i], wide.direction[i], wide.tfar[i]};
   }
 }

@@ -88,7 +88,7 @@ Filter::Table Filter::positions(FilterKind kind) {
 }
 
 ETENDUE_VECTORIZE void Filter::sample_all(float* u, size_t count) const {
-  for (size_t i = 0; i < whole_registers(count); ++i) u[i] = inverse(u[i]);
+  for (size_t i = 0; i < padded_lanes(count); ++i) u[i] = inverse(u[i]);
 }
 
 float Filter::radius(FilterKind kind) {

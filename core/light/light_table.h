@@ -169,7 +169,7 @@ struct EmissionDraw {
 
 // Where light is asked for, and the random numbers to find some: arrays with room for whole registers.
 struct LightQueries {
-  WideVec3View from;
+  Vec3LanesView from;
   const float *choice, *u0, *u1;
   size_t count;
   const float* times = nullptr;  // from 0 at the shutter's opening to 1 at its closing; null where no light moves

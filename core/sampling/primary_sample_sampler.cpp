@@ -81,7 +81,7 @@ const PrimarySampleProposals::Block& PrimarySampleProposals::blocks(std::span<co
   std::array<Draw, PrimarySamplePoints::kLanes> draws;
   size_t count = 0;
   for (const uint32_t seed : seeds) {
-    const size_t lane = seed & kLaneBits;
+    const size_t lane = seed & kLaneMask;
     Proposal& p = proposals_[lane];
     if (b.numbers[lane] == p.number) continue;
     b.numbers[lane] = p.number;
@@ -123,14 +123,14 @@ void PrimarySampleProposals::accept(size_t lane, PrimarySamplePoints& to) {
 }
 
 void PrimarySampleProposals::View::block(uint32_t seed, uint32_t, uint32_t block, SampleBlock& out) const {
-  out = proposals_->blocks({&seed, 1}, stream_, block).values[seed & kLaneBits];
+  out = proposals_->blocks({&seed, 1}, stream_, block).values[seed & kLaneMask];
 }
 
 DimensionSet PrimarySampleProposals::View::blocks(std::span<const uint32_t> seeds, uint32_t, uint32_t block,
                                                   DimensionSet, SampleTable& out) const {
   const Block& drawn = proposals_->blocks(seeds, stream_, block);
   for (size_t i = 0; i < seeds.size(); ++i) {
-    const SampleBlock& values = drawn.values[seeds[i] & kLaneBits];
+    const SampleBlock& values = drawn.values[seeds[i] & kLaneMask];
     for (size_t k = 0; k < kBlockSize; ++k) out.values[k][i] = values[k];
   }
   return dimensions(0, kBlockSize);

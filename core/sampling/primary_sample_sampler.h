@@ -58,7 +58,7 @@ class PrimarySamplePoints {
 // lower bits.
 class PrimarySampleProposals {
  public:
-  static constexpr uint32_t kLaneBits = PrimarySamplePoints::kLanes - 1;
+  static constexpr uint32_t kLaneMask = PrimarySamplePoints::kLanes - 1;
 
   PrimarySampleProposals();
 
@@ -85,7 +85,7 @@ class PrimarySampleProposals {
     void block(uint32_t seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
     DimensionSet blocks(std::span<const uint32_t> seeds, uint32_t sample, uint32_t block, DimensionSet wanted,
                         SampleTable& out) const override;
-    uint32_t lane_bits() const override { return kLaneBits; }
+    uint32_t lane_mask() const override { return kLaneMask; }
 
    private:
     PrimarySampleProposals* proposals_;

@@ -80,7 +80,7 @@ class Sampler {
                               DimensionSet wanted, SampleTable& out) const;
 
   // The bits of a seed that are not random but tell the sampler which of its own sequences is meant.
-  virtual uint32_t lane_bits() const { return 0; }
+  virtual uint32_t lane_mask() const { return 0; }
 };
 
 struct Setting {

@@ -79,7 +79,7 @@ ETENDUE_VECTORIZE void scramble_all(const uint32_t* reversed, const uint32_t* pi
     if ((wanted >> k & 1U) == 0) continue;
     const uint32_t coordinate = reversed[k];
     float* values = out.values[k].data();
-    for (size_t i = 0; i < whole_registers(count); ++i) values[i] = scrambled(coordinate, seeds[i], k);
+    for (size_t i = 0; i < padded_lanes(count); ++i) values[i] = scrambled(coordinate, seeds[i], k);
   }
 }
 

@@ -79,7 +79,7 @@ struct Facets {
 
 ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
 #pragma GCC ivdep
-  for (size_t i = 0; i < whole_registers(count); ++i) {
+  for (size_t i = 0; i < padded_lanes(count); ++i) {
     const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
     const Vec3 position = p0 + e1 * f.u[i] + e2 * f.v[i];
     const Vec3 cross = glm::cross(e1, e2);

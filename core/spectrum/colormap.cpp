@@ -20,7 +20,7 @@ Rgb viridis(float x) {
   return mix(kStops[cell], kStops[cell + 1], at - static_cast<float>(cell));
 }
 
-Rgb signed_colors(float x) {
+Rgb diverging_color(float x) {
   constexpr Rgb kWhite(0.97f, 0.97f, 0.97f), kBlue(0.13f, 0.40f, 0.67f), kRed(0.70f, 0.09f, 0.17f);
   const float at = std::clamp(x, -1.0f, 1.0f);
   return mix(kWhite, at < 0 ? kBlue : kRed, std::abs(at));

@@ -8,6 +8,6 @@ namespace etendue {
 Rgb viridis(float x);
 
 // Display-encoded colour of x in [-1, 1], clamped outside: blue below, white at zero, red above, as dark on both sides.
-Rgb signed_colors(float x);
+Rgb diverging_color(float x);
 
 }  // namespace etendue

@@ -65,7 +65,7 @@ class BidirectionalSampler {
     pixels_ = Plane(context).area();
     Splatter splatter(context, found);
     light_.begin(*context.scene, *given.light, 0, task_context.keep_going, context.model->moving);
-    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_bits()));
+    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_mask()));
     walks_.launch_added(
         context, light_,
         [&](const Start& start, Vec2 lens) {

@@ -58,7 +58,7 @@ class PathWavefront {
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = reached_ = visited_ = hit_count_ = miss_count_ = connections_ = depth_ = 0;
     rays_traced_ = 0;
-    seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_bits();
+    seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_mask();
     coherent_ = false;
   }
   // Walks that are launched start close together and go about the same way: neighbours may be traced as one.

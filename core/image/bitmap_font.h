@@ -8,6 +8,6 @@ inline constexpr int kGlyphWidth = 3, kGlyphHeight = 5, kGlyphAdvance = kGlyphWi
 
 // Fifteen bits, row by row from the upper left one, which is the highest. Small letters look like capitals; what is
 // neither a letter of ASCII, a digit nor one of -_/.:=+,()% is empty.
-uint16_t tiny_glyph(char c);
+uint16_t bitmap_glyph(char c);
 
 }  // namespace etendue::image

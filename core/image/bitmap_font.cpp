@@ -1,4 +1,4 @@
-#include "image/tiny_text.h"
+#include "image/bitmap_font.h"
 
 #include <array>
 #include <cctype>
@@ -18,7 +18,7 @@ constexpr std::array<uint16_t, kLetters.size()> kGlyphs{
 
 }  // namespace
 
-uint16_t tiny_glyph(char c) {
+uint16_t bitmap_glyph(char c) {
   const size_t at = kLetters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
   return at == std::string_view::npos ? 0 : kGlyphs[at];
 }
