@@ -83,11 +83,6 @@ class Sampler {
   virtual uint32_t lane_mask() const { return 0; }
 };
 
-struct Setting {
-  std::string name;
-  Value value;
-};
-
 // The registry: every sampler there is, in the order they are listed; sobol is the default.
 const std::vector<SamplerInfo>& sampler_infos();
 const SamplerInfo* find_sampler(std::string_view name);
