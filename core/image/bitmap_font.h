@@ -1,4 +1,4 @@
-// Letters of three by five pixels, for pictures that must say what they show where there is no font.
+// A bitmap font of 3 x 5 pixels, for labels in images where no other font is available.
 #pragma once
 #include <cstdint>
 
@@ -6,8 +6,8 @@ namespace etendue::image {
 
 inline constexpr int kGlyphWidth = 3, kGlyphHeight = 5, kGlyphAdvance = kGlyphWidth + 1;
 
-// Fifteen bits, row by row from the upper left one, which is the highest. Small letters look like capitals; what is
-// neither a letter of ASCII, a digit nor one of -_/.:=+,()% is empty.
+// The 15 pixels of a character, row by row from the top, the upper left pixel in the highest bit. Contains the ASCII
+// letters (lower case as upper case), the digits and -_/.:=+,()%; all other characters are empty.
 uint16_t bitmap_glyph(char c);
 
 }  // namespace etendue::image
