@@ -5,11 +5,11 @@
 namespace etendue::film {
 namespace {
 
-uint64_t place(const InvalidSample& r) {
-  return uint64_t{r.sample} << 32 | static_cast<uint64_t>(r.y) << 16 | static_cast<uint64_t>(r.x);
+uint64_t sort_key(const InvalidSample& s) {
+  return uint64_t{s.sample} << 32 | static_cast<uint64_t>(s.y) << 16 | static_cast<uint64_t>(s.x);
 }
 
-InvalidReason flaw_of(const Rgb& c) {
+InvalidReason reason_of(const Rgb& c) {
   if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return InvalidReason::nan;
   return is_finite(c) ? InvalidReason::negative : InvalidReason::infinite;
 }
@@ -17,33 +17,43 @@ InvalidReason flaw_of(const Rgb& c) {
 }  // namespace
 
 std::string_view reason_name(InvalidReason reason) {
-  return reason == InvalidReason::nan ? "nan" : reason == InvalidReason::infinite ? "infinite" : "negative";
+  switch (reason) {
+    case InvalidReason::nan:
+      return "nan";
+    case InvalidReason::infinite:
+      return "infinite";
+    case InvalidReason::negative:
+      return "negative";
+  }
+  return "";
 }
 
 void InvalidSampleCounter::count(int x, int y, uint32_t sample, const Rgb& radiance) {
-  const InvalidSample rejection{x, y, sample, flaw_of(radiance)};
-  auto& counter = rejection.reason == InvalidReason::nan        ? nan_
-                  : rejection.reason == InvalidReason::infinite ? infinite_
-                                                                : negative_;
+  const InvalidSample invalid{.x = x, .y = y, .sample = sample, .reason = reason_of(radiance)};
+  auto& counter = invalid.reason == InvalidReason::nan        ? nan_
+                  : invalid.reason == InvalidReason::infinite ? infinite_
+                                                              : negative_;
   counter.fetch_add(1, std::memory_order_relaxed);
-  // Where every sample is refused, nobody waits for the list.
-  if (place(rejection) >= last_.load(std::memory_order_relaxed)) return;
+  // This test avoids the lock for all samples but the first ones, which matters if every sample is invalid.
+  if (sort_key(invalid) >= last_listed_.load(std::memory_order_relaxed)) return;
   const std::scoped_lock lock(mutex_);
-  first_.insert(std::ranges::upper_bound(first_, place(rejection), {}, place), rejection);
+  first_.insert(std::ranges::upper_bound(first_, sort_key(invalid), {}, sort_key), invalid);
   if (first_.size() > kListedInvalidSamples) first_.pop_back();
-  if (first_.size() == kListedInvalidSamples) last_ = place(first_.back());
+  if (first_.size() == kListedInvalidSamples) last_listed_ = sort_key(first_.back());
 }
 
 InvalidSamples InvalidSampleCounter::get() const {
   const std::scoped_lock lock(mutex_);
-  return {nan_.load(), infinite_.load(), negative_.load(), first_};
+  return {.nan = nan_.load(), .infinite = infinite_.load(), .negative = negative_.load(), .first = first_};
 }
 
-void InvalidSampleCounter::set(const InvalidSamples& rejected) {
+void InvalidSampleCounter::set(const InvalidSamples& samples) {
   const std::scoped_lock lock(mutex_);
-  nan_ = rejected.nan, infinite_ = rejected.infinite, negative_ = rejected.negative;
-  first_ = rejected.first;
-  last_ = first_.size() < kListedInvalidSamples ? kNone : place(first_.back());
+  nan_ = samples.nan;
+  infinite_ = samples.infinite;
+  negative_ = samples.negative;
+  first_ = samples.first;
+  last_listed_ = first_.size() < kListedInvalidSamples ? kListNotFull : sort_key(first_.back());
 }
 
 }  // namespace etendue::film
