@@ -143,7 +143,7 @@ nlohmann::json number(std::optional<double> v) {
 nlohmann::json rejected_json(const film::InvalidSamples& rejected) {
   auto first = nlohmann::json::array();
   for (const auto& r : rejected.first)
-    first.push_back({{"x", r.x}, {"y", r.y}, {"sample", r.sample}, {"kind", film::flaw_name(r.flaw)}});
+    first.push_back({{"x", r.x}, {"y", r.y}, {"sample", r.sample}, {"kind", film::reason_name(r.reason)}});
   return {{"nan", rejected.nan}, {"infinite", rejected.infinite}, {"negative", rejected.negative}, {"first", first}};
 }
 
@@ -154,7 +154,7 @@ nlohmann::json health_json(const render::Reliability& h) {
           {"khat_limit", film::khat_limit(h.watched)},
           {"khat_error", h.tail.khat ? number(h.tail.khat_error) : nlohmann::json()},
           {"vov", number(h.tail.vov)},
-          {"brightest_share", number(h.tail.brightest)},
+          {"brightest_share", number(h.tail.brightest_share)},
           {"samples", h.watched}};
 }
 

@@ -63,7 +63,7 @@ void text_field(Workbench& w, const ParameterInfo& info, size_t index, Change& c
   const bool active = ImGui::IsItemActive();
   describe_field(w, info);
   if (w.checked.field != info.name || w.checked.text != typed)
-    w.checked = {info.name, typed, typed == now ? Result<void>() : info.accepts_text(typed)};
+    w.checked = {info.name, typed, typed == now ? Result<void>() : info.validate_text(typed)};
   const Result<void> accepted = typed == now ? Result<void>() : w.checked.answer;
   if (entered && accepted) change.value = typed;
   if (entered && !accepted) w.notices.complain(info.label + ": " + accepted.error().message);
@@ -87,7 +87,7 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
       const std::string& now = std::get<std::string>(info.default_value);
       const auto at = std::find(info.options.begin(), info.options.end(), now);
       const size_t index = static_cast<size_t>(at - info.options.begin());
-      if (info.accepts_text) {
+      if (info.validate_text) {
         text_field(w, info, index, change);
         ImGui::PopID();
         if (!change.value) change.value = from_script(w, info);

@@ -43,10 +43,10 @@ void LightTable::emit_from_triangle(const EmissionDraw& draw, Emission& e) const
   const EmissiveTriangle& triangle = triangles_[e.light];
   if (triangle.round < 0)
     e.barycentric = square_to_triangle({draw.point.x, draw.point.y});
-  else if (round_of(triangle).shape.kind == RoundShape::Kind::disk)
+  else if (round_of(triangle).shape.kind == AnalyticShape::Kind::disk)
     e.barycentric = square_to_disk(draw.point);
   else
-    e.barycentric = fold_direction(square_to_sphere(draw.point));
+    e.barycentric = octahedral_encode(square_to_sphere(draw.point));
   leave_triangle(draw.direction, draw.cosine_direction, e);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)

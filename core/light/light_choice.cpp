@@ -27,11 +27,11 @@ LightBounds bounds_at(const EmissiveTriangle& t) {
   return b;
 }
 
-LightBounds bounds_at(const EmissiveTriangle& t, const RoundShape& shape) {
+LightBounds bounds_at(const EmissiveTriangle& t, const AnalyticShape& shape) {
   LightBounds b;
   Vec3 half(shape.radius);
   b.intensity = t.area * luminance(t.radiance);
-  if (shape.kind == RoundShape::Kind::disk) {
+  if (shape.kind == AnalyticShape::Kind::disk) {
     half = shape.radius * glm::sqrt(glm::max(Vec3(0), 1.0f - shape.frame.z * shape.frame.z));
     b.axis = shape.frame.z, b.normals = 0, b.two_sided = t.double_sided;
   } else {

@@ -69,7 +69,7 @@ struct LightTable::ChosenTriangles::Points {
 // A uniform point has density 1 / area; distance^2 / cosine turns it into a solid angle. `cross` is 2 area long.
 ETENDUE_VECTORIZE void LightTable::ChosenTriangles::sample(const LightQueries& queries, Points& points) const {
 #pragma GCC ivdep
-  for (size_t i = 0; i < whole_registers(queries.count); ++i) {
+  for (size_t i = 0; i < padded_lanes(queries.count); ++i) {
     const Vec2 b = square_to_triangle({queries.u0[i], queries.u1[i]});
     const Vec3 to_p0 = p0[i] - queries.from[i];
     const Vec3 to_light = to_p0 + b.x * e1[i] + b.y * e2[i];

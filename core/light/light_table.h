@@ -48,7 +48,7 @@ struct EmissiveTriangle {
     normal = cross / twice, area = 0.5f * twice;
   }
   // A sphere or disk: it always looks large, and so is sampled on its own.
-  void place_round(int index, const RoundShape& shape) {
+  void place_round(int index, const AnalyticShape& shape) {
     round = index, p0 = shape.centre, e1 = e2 = Vec3(0), cross = Vec3(kEndless, 0, 0);
     normal = shape.frame.z, area = shape.area();
   }
@@ -65,10 +65,10 @@ struct MovingEmitter {
 
 // A light that is a sphere or a disk, halfway through the shutter.
 struct RoundLight {
-  RoundShape shape;
+  AnalyticShape shape;
   std::shared_ptr<const Motion> motion = nullptr;  // of its node; null if it stands still
 
-  RoundShape at(float time) const { return motion ? shape.placed(motion->matrix_at(time)) : shape; }
+  AnalyticShape at(float time) const { return motion ? shape.placed(motion->matrix_at(time)) : shape; }
 };
 
 struct LightPlace {
@@ -169,7 +169,7 @@ struct EmissionDraw {
 
 // Where light is asked for, and the random numbers to find some: arrays with room for whole registers.
 struct LightQueries {
-  WideVec3View from;
+  Vec3LanesView from;
   const float *choice, *u0, *u1;
   size_t count;
   const float* times = nullptr;  // from 0 at the shutter's opening to 1 at its closing; null where no light moves

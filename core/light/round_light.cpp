@@ -34,17 +34,17 @@ Vec3 normal_seen(const Cone& cone, const Vec3& to_receiver, Vec2 u) {
 
 void LightTable::sample_round(const EmissiveTriangle& t, float probability, const Vec3& from, Vec2 u, float time,
                               bool solid_angles, LightSample& sample) const {
-  const RoundShape shape = round_of(t).at(time);
+  const AnalyticShape shape = round_of(t).at(time);
   sample.pdf = 0;
-  if (shape.kind == RoundShape::Kind::disk) {
+  if (shape.kind == AnalyticShape::Kind::disk) {
     sample.barycentric = square_to_disk(u);
   } else if (solid_angles) {
     const Vec3 out = from - shape.centre;
     const float distance2 = length_squared(out), radius2 = sqr(shape.radius);
     if (!(distance2 > radius2)) return;
-    sample.barycentric = fold_direction(normal_seen(Cone(radius2, distance2), out / std::sqrt(distance2), u));
+    sample.barycentric = octahedral_encode(normal_seen(Cone(radius2, distance2), out / std::sqrt(distance2), u));
   } else {
-    sample.barycentric = fold_direction(square_to_sphere(u));
+    sample.barycentric = octahedral_encode(square_to_sphere(u));
   }
   const Vec3 point = shape.point_at(sample.barycentric), to_light = point - from;
   sample.distance = glm::length(to_light);
@@ -57,8 +57,8 @@ void LightTable::sample_round(const EmissiveTriangle& t, float probability, cons
 
 float LightTable::pdf_of_point_on_round(const EmissiveTriangle& t, const Vec3& from, const Vec3& at, float time,
                                         bool solid_angles) const {
-  const RoundShape shape = round_of(t).at(time);
-  if (shape.kind == RoundShape::Kind::sphere && solid_angles) {
+  const AnalyticShape shape = round_of(t).at(time);
+  if (shape.kind == AnalyticShape::Kind::sphere && solid_angles) {
     const float distance2 = glm::dot(from - shape.centre, from - shape.centre), radius2 = sqr(shape.radius);
     return distance2 > radius2 ? Cone(radius2, distance2).pdf_solid_angle() : 0;
   }

@@ -44,7 +44,7 @@ void SampleAllocation::begin_uneven(const film::TileVariance& spread) {
   for (const auto& halves : targets_) most_ = std::max({most_, halves[0], halves[1]});
 }
 
-double SampleAllocation::worth(const film::TileVariance::Seen& seen) const {
+double SampleAllocation::worth(const film::TileVariance::Moments& seen) const {
   const double variance = std::max(0.0, double{seen.variance});
   return std::sqrt(goal_ == Adaptive::relmse ? variance / (sqr(double{seen.mean}) + kDark) : variance);
 }
@@ -53,7 +53,7 @@ double SampleAllocation::worth(const film::TileVariance::Seen& seen) const {
 void SampleAllocation::share_out(const film::TileVariance& spread, uint32_t half) {
   const double least = std::exp2(power_), purse = 2 * least * all_pixels_;
   const auto samples = [&](size_t block, double factor) {
-    return std::max(least, factor * worth(spread.seen(block, 1 - half, power_)));
+    return std::max(least, factor * worth(spread.recorded(block, 1 - half, power_)));
   };
   const auto cost = [&](double factor) {
     double sum = 0;

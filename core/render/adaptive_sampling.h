@@ -37,7 +37,7 @@ class SampleAllocation {
   void begin_even();
   void begin_uneven(const film::TileVariance& spread);
   void share_out(const film::TileVariance& spread, uint32_t half);
-  double worth(const film::TileVariance::Seen& seen) const;
+  double worth(const film::TileVariance::Moments& seen) const;
   void set_piece(uint32_t first);
 
   Adaptive goal_;

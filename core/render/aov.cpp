@@ -82,20 +82,20 @@ std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const D
   const auto sampler = make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler));
   const CameraRays camera(document.camera, width, height, scene.camera_motion());
   const film::Filter filter(document.filter);
-  sampler->prepare(0, samples / film::kHalves + 1);
+  sampler->prepare(0, samples / film::kHalfBuffers + 1);
 
   const auto row = [&](int y) {
     for (int x = 0; x < width; ++x) {
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
       for (uint32_t s = 0; s < samples; ++s) {
-        const uint32_t seed = integrator::pixel_seed(document.seed, x, y, s % film::kHalves);
+        const uint32_t seed = integrator::pixel_seed(document.seed, x, y, s % film::kHalfBuffers);
         SampleBlock random;
-        sampler->block(seed, s / film::kHalves, 0, random);
+        sampler->block(seed, s / film::kHalfBuffers, 0, random);
         const Vec2 at = Vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) +
                         filter.sample(pair_of(random, camera_dimension::kPixel));
         const float time = random[camera_dimension::kTime];
         const Ray ray = camera.ray(at, pair_of(random, camera_dimension::kLens), time);
-        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kHalves), time);
+        const Hit hit = scene.intersect(ray, path_seed(seed, s / film::kHalfBuffers), time);
         if (!hit) continue;
         scene::SurfacePoint point;
         const Vec3 wo = -ray.direction;

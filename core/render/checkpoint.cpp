@@ -38,7 +38,7 @@ void append(std::vector<char>& bytes, std::span<const std::byte> part) {
 }  // namespace
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const film::InvalidSamples rejected = checkpoint.film.rejected();
+  const film::InvalidSamples rejected = checkpoint.film.invalid_samples();
   const auto& spread = checkpoint.film.tile_variance();
   const std::span<const std::byte> parts[] = {std::as_bytes(std::span(checkpoint.state)),
                                               std::as_bytes(checkpoint.film.pixels()),
@@ -80,7 +80,7 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   const uint64_t spread = header.spread_blocks * film::TileVariance::kBytesOfBlock;
   if (body < header.state_size + pixels + spread + header.work_size) return damaged(path, "it is truncated");
   const uint64_t first = body - header.state_size - pixels - spread - header.work_size;
-  if (first % sizeof(film::Rejection) != 0 || first > film::kFirstRejections * sizeof(film::Rejection))
+  if (first % sizeof(film::InvalidSample) != 0 || first > film::kListedInvalidSamples * sizeof(film::InvalidSample))
     return damaged(path, "it is truncated");
   const char* data = reinterpret_cast<const char*>(bytes.data()) + header_size;
   if (hash_bytes(data, body) != header.hash) return damaged(path, "it is damaged");
@@ -100,7 +100,7 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   if (header.work_size > 0) std::memcpy(checkpoint.work.data(), data, header.work_size);
   data += header.work_size;
   film::InvalidSamples rejected{header.nan, header.infinite, header.negative, {}};
-  rejected.first.resize(first / sizeof(film::Rejection));
+  rejected.first.resize(first / sizeof(film::InvalidSample));
   if (first > 0) std::memcpy(rejected.first.data(), data, first);
   checkpoint.film.set_invalid_samples(rejected);
   return checkpoint;

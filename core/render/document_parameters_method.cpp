@@ -101,7 +101,7 @@ DocumentParameter paths_binding(const Document& d) {
     b.info.options.emplace_back(option.name);
     b.info.option_labels.emplace_back(option.label);
   }
-  b.info.accepts_text = accepts_paths;
+  b.info.validate_text = accepts_paths;
   b.info.default_value = d.method.paths;
   b.assign = [](Document& document, const Value& value) { document.method.paths = std::get<std::string>(value); };
   return b;

@@ -28,10 +28,10 @@ void fill_from(const film::Film& film, int y, bool keep, Row row) {
     if (!keep || film.samples(x, y) > 0) row[static_cast<size_t>(x)] = film.mean(x, y);
 }
 
-void fill_from(const film::FireflyCascades& cascades, const film::Film& film, int y, Row row) {
+void fill_from(const film::FireflyReweighting& reweighting, const film::Film& film, int y, Row row) {
   for (int x = 0; x < film.width(); ++x)
     if (const uint32_t samples = film.samples(x, y); samples > 0)
-      row[static_cast<size_t>(x)] = cascades.shown(x, y, samples);
+      row[static_cast<size_t>(x)] = reweighting.shown(x, y, samples);
 }
 
 }  // namespace
@@ -110,14 +110,14 @@ std::shared_ptr<Frame> FrameMaker::enlarged(const Frame& coarse, int width, int 
 }
 
 std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Frame* coarse,
-                                        const film::FireflyCascades* cascades) {
+                                        const film::FireflyReweighting* reweighting) {
   const Canvas canvas = blank(film.width(), film.height());
   canvas.frame->coarseness = coarse ? coarse->coarseness : 1;
   workers_.for_bands(film.height(), [&](int first, int end) {
     for (int y = first; y < end; ++y) {
       if (coarse) enlarge(blocks_behind(*coarse, y), coarse->coarseness, canvas.row(y));
       fill_from(film, y, coarse != nullptr, canvas.row(y));
-      if (cascades) fill_from(*cascades, film, y, canvas.row(y));
+      if (reweighting) fill_from(*reweighting, film, y, canvas.row(y));
     }
   });
   return canvas.frame;

@@ -30,8 +30,8 @@ class FrameMaker {
   // The coarse frame as blocks.
   std::shared_ptr<Frame> enlarged(const Frame& coarse, int width, int height);
   // The means of the film where it has samples, the coarse frame's blocks (or black without one) where it has none yet.
-  // With cascades the means are re-weighted.
-  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse, const film::FireflyCascades* cascades);
+  // With reweighting the means are re-weighted.
+  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse, const film::FireflyReweighting* reweighting);
 
  private:
   struct Pool;

@@ -45,7 +45,7 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
         image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure, display.curve);
     return image::write_png(path, film.width(), film.height(), shown, {{kStateAttribute, state}});
   }
-  image::LayeredImage picture = film::picture_of(film);
+  image::LayeredImage picture = film::layered_image_of(film);
   picture.attributes[kStateAttribute] = state;
   picture.attributes["software"] = "etendue";
   if (!r.certificate.empty()) picture.attributes[kCertificateAttribute] = r.certificate;

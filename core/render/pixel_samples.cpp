@@ -36,7 +36,7 @@ PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene
       pixel_(pixel) {}
 
 void PixelSamples::prepare(uint32_t sample) {
-  const uint32_t window = sample / film::kHalves / kTableSamples;
+  const uint32_t window = sample / film::kHalfBuffers / kTableSamples;
   if (window + 1 == prepared_) return;
   sampler_->prepare(window * kTableSamples, kTableSamples);
   prepared_ = window + 1;
@@ -84,8 +84,8 @@ std::vector<Vec2> sample_points(const Document& document, Vec2i pixel, const Dim
   std::vector<Vec2> points(count);
   SampleBlock block_x, block_y;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kHalves);
-    const uint32_t sample = i / film::kHalves;
+    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kHalfBuffers);
+    const uint32_t sample = i / film::kHalfBuffers;
     if (sample % kTableSamples == 0) sampler->prepare(sample, kTableSamples);
     sampler->block(seed, sample, x.block, block_x);
     sampler->block(seed, sample, y.block, block_y);

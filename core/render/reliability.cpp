@@ -23,7 +23,7 @@ double chance_limit(const std::vector<film::Tail>& reports) {
   size_t looks = 0;
   for (const auto& r : reports) {
     if (r.khat) ++looks;
-    if (looks_heavy(r)) chances.push_back(r.chance());
+    if (looks_heavy(r)) chances.push_back(r.p_value());
   }
   std::ranges::sort(chances);
   for (size_t i = chances.size(); i-- > 0;) {
@@ -59,8 +59,8 @@ std::vector<Finding> findings(const Reliability& h, uint64_t rejected, uint64_t 
       {h.heavy_share >= kSomeOfThePicture, Verdict::doubtful, heavy + "the error there is larger than it seems"},
       {h.tail.vov > kVovLimit, Verdict::doubtful,
        "a few samples carry most of the noise: the stated error will still change with more samples"},
-      {h.tail.brightest > kBrightestLimit, Verdict::doubtful,
-       "one sample in ten thousand carries " + percent(h.tail.brightest) + " of the light"},
+      {h.tail.brightest_share > kBrightestLimit, Verdict::doubtful,
+       "one sample in ten thousand carries " + percent(h.tail.brightest_share) + " of the light"},
       {rejected > 0, Verdict::doubtful, std::to_string(rejected) + " samples were no radiance and were left out"},
       {true, Verdict::healthy, "no sample weighs so much that the stated error could not be trusted"},
   };
@@ -115,15 +115,16 @@ std::shared_ptr<const Reliability> reliability_of(const TailStatistics& tails, c
   for (const auto& tail : tails.tails()) {
     if (!keep_going()) return nullptr;
     all.merge(tail);
-    brightest.add(tail.kept());
+    brightest.add(tail.largest());
     const film::Tail& report = reports[static_cast<size_t>(tile)];
-    health->tiles.push_back({report, looks_heavy(report) && report.chance() <= limit});
+    health->tiles.push_back({report, looks_heavy(report) && report.p_value() <= limit});
     if (health->tiles.back().heavy) heavy += tails.pixels_of(tile);
     ++tile;
   }
   health->tail = all.report();
   health->watched = all.samples();
-  if (all.sum() > 0) health->tail.brightest = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
+  if (all.sum() > 0)
+    health->tail.brightest_share = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
   const auto pixels = static_cast<uint64_t>(tails.width()) * static_cast<uint64_t>(tails.height());
   health->heavy_share = static_cast<double>(heavy) / static_cast<double>(pixels);
   for (auto& finding : findings(*health, rejected.total(), samples, pixels))

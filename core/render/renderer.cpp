@@ -13,14 +13,14 @@ int pieces(int pixels, int size) { return (pixels + size - 1) / size; }
 void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film) {
   const Rgb* next = radiance.data();
   for (int y = block.y; y < block.y + block.height; ++y)
-    for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kHalves, *next++);
+    for (int x = block.x; x < block.x + block.width; ++x) film.add(x, y, block.sample % film::kHalfBuffers, *next++);
 }
 
-void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::FireflyCascades& cascades) {
+void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::FireflyReweighting& reweighting) {
   const Rgb* next = radiance.data();
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x, ++next)
-      if (film::is_radiance(*next)) cascades.add(x, y, *next);
+      if (film::is_radiance(*next)) reweighting.add(x, y, *next);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void Renderer::begin(film::Film& film, std::span<const std::byte> work) {
 // Of the samples of one half, by number: what the running step wants.
 SampleAllocation::Piece Renderer::piece() const {
   if (allocation_) return allocation_->piece();
-  return {samples_ / film::kHalves, samples_ / film::kHalves + 1};
+  return {samples_ / film::kHalfBuffers, samples_ / film::kHalfBuffers + 1};
 }
 
 void Renderer::prepare(uint32_t first_of_half) {
@@ -209,10 +209,10 @@ bool Renderer::visit(const Task& task, size_t tile) {
     // A film that goes on may have this sample already; splats belong to all of them.
     return (!splats() && film.samples(block.x, block.y) > block.sample) || sample(task, tile, block);
   }
-  for (uint32_t half = 0; half < film::kHalves; ++half) {
+  for (uint32_t half = 0; half < film::kHalfBuffers; ++half) {
     const uint32_t end = std::min(piece().end, allocation_->target(tile, half));
-    for (uint32_t n = film.samples_of_half(block.x, block.y, half); n < end; ++n) {
-      block.sample = n * film::kHalves + half;
+    for (uint32_t n = film.half_buffer_samples(block.x, block.y, half); n < end; ++n) {
+      block.sample = n * film::kHalfBuffers + half;
       if (!sample(task, tile, block)) return false;
     }
   }
@@ -263,7 +263,7 @@ void Renderer::add(const Task& task, size_t tile, const PixelBlock& block, std::
     task.sinks.tails->add(block, radiance, task.sinks.film);
   else
     render::add(block, radiance, task.sinks.film);
-  if (task.sinks.cascades) render::add(block, radiance, *task.sinks.cascades);
+  if (task.sinks.reweighting) render::add(block, radiance, *task.sinks.reweighting);
   if (allocation_) record_tile_variance(task.sinks.film, tile, block, radiance);
   task.counters.paths.fetch_add(static_cast<uint64_t>(block.width * block.height), std::memory_order_relaxed);
 }
@@ -271,24 +271,24 @@ void Renderer::add(const Task& task, size_t tile, const PixelBlock& block, std::
 // Sums of squares with every sample; variances at powers of two.
 void Renderer::record_tile_variance(film::Film& film, size_t tile, const PixelBlock& block,
                                     std::span<const Rgb> radiance) {
-  const uint32_t half = block.sample % film::kHalves, count = block.sample / film::kHalves + 1;
+  const uint32_t half = block.sample % film::kHalfBuffers, count = block.sample / film::kHalfBuffers + 1;
   double squares = 0;
   const auto pixels = static_cast<size_t>(block.width * block.height);
   for (const Rgb& r : radiance.first(pixels))
     if (const double y = luminance(r); std::isfinite(y)) squares += y * y;
   film::TileVariance& spread = *film.tile_variance();
   spread.add(tile, half, squares);
-  if (!film::TileVariance::is_kept(count)) return;
+  if (!film::TileVariance::is_recorded(count)) return;
   double means = 0, squared_means = 0;
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x) {
-      const double mean = luminance(film.mean_of_half(x, y, half));
+      const double mean = luminance(film.half_buffer_mean(x, y, half));
       means += mean, squared_means += mean * mean;
     }
   const auto n = static_cast<double>(pixels);
   const double variance = (spread.squares(tile, half) - count * squared_means) / (count - 1.0);
-  spread.keep(tile, half, std::countr_zero(count),
-              {static_cast<float>(variance / n), static_cast<float>(means / n), true});
+  spread.record(tile, half, std::countr_zero(count),
+                {static_cast<float>(variance / n), static_cast<float>(means / n), true});
 }
 
 }  // namespace etendue::render

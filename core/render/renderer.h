@@ -32,7 +32,7 @@ class Renderer {
   struct Sinks {
     film::Film& film;
     TailStatistics* tails = nullptr;
-    film::FireflyCascades* cascades = nullptr;
+    film::FireflyReweighting* reweighting = nullptr;
   };
   // Takes up a film: an empty one, or one that an equal runner left, with the state of the method's work that belongs
   // to it.

@@ -154,12 +154,12 @@ class Session::Impl {
 
   std::optional<std::vector<float>> reweighted_copy() {
     return between_slices([&]() -> std::optional<std::vector<float>> {
-      if (!cascades_ || film_stale_) return std::nullopt;
+      if (!reweighting_ || film_stale_) return std::nullopt;
       std::vector<float> rgb;
       rgb.reserve(3 * pixel_count());
       for (int y = 0; y < film_.height(); ++y)
         for (int x = 0; x < film_.width(); ++x) {
-          const Rgb c = cascades_->shown(x, y, film_.samples(x, y));
+          const Rgb c = reweighting_->shown(x, y, film_.samples(x, y));
           rgb.insert(rgb.end(), {c.r, c.g, c.b});
         }
       return rgb;
@@ -284,9 +284,9 @@ class Session::Impl {
 
   // The film, and what goes along with it.
   size_t film_bytes() const {
-    const size_t cascades = reweights() ? pixel_count() * film::FireflyCascades::kBytesPerPixel : 0;
+    const size_t reweighting = reweights() ? pixel_count() * film::FireflyReweighting::kBytesPerPixel : 0;
     return pixel_count() * sizeof(film::Film::Pixel) + TailStatistics::memory(document_.width, document_.height) +
-           cascades;
+           reweighting;
   }
   bool reweights() const { return document_.fireflies == film::Fireflies::reweight; }
   size_t pixel_count() const { return static_cast<size_t>(document_.width) * static_cast<size_t>(document_.height); }
@@ -303,7 +303,7 @@ class Session::Impl {
                                                   : 0.25;
     const auto keep_going = [&] { return !cut() && seconds_since(start) < allowed; };
     while (!reached_limit(rendering_seconds_ + seconds_since(start))) {
-      if (runner_->advance(workers_, {film_, &tails_, cascades()}, keep_going, counters_, [&] { return !cut(); }))
+      if (runner_->advance(workers_, {film_, &tails_, reweighting()}, keep_going, counters_, [&] { return !cut(); }))
         complete_ = runner_->samples();
       if (first || !keep_going()) break;
     }
@@ -316,7 +316,7 @@ class Session::Impl {
     if (!options_.interactive || (cut() && !finished) || (first && complete_ == 0)) return;
     if (!awaiting_first_frame_ && counters_.paths == shown_paths_ && frame_->samples == complete_) return;
     shown_paths_ = counters_.paths;
-    publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get(), cascades()));
+    publish(frames_.full(film_, complete_ > 0 ? nullptr : coarse_.get(), reweighting()));
   }
 
   // The film is emptied only here, after the coarse frames: it is too large to keep an edit waiting for it.
@@ -329,7 +329,7 @@ class Session::Impl {
       return false;
     }
     film_.set_invalid_samples({});
-    if (!reset_cascades()) return false;
+    if (!reset_reweighting()) return false;
     film_.tile_variance().reset();
     runner_->begin(film_);
     renew_tails();
@@ -337,29 +337,29 @@ class Session::Impl {
     return true;
   }
 
-  film::FireflyCascades* cascades() { return cascades_ ? &*cascades_ : nullptr; }
+  film::FireflyReweighting* reweighting() { return reweighting_ ? &*reweighting_ : nullptr; }
 
-  bool reset_cascades() {
-    if (!reweights()) return cascades_.reset(), true;
-    if (!cascades_ || cascades_->width() != document_.width || cascades_->height() != document_.height) {
-      cascades_.reset();
-      cascades_.emplace(document_.width, document_.height);
+  bool reset_reweighting() {
+    if (!reweights()) return reweighting_.reset(), true;
+    if (!reweighting_ || reweighting_->width() != document_.width || reweighting_->height() != document_.height) {
+      reweighting_.reset();
+      reweighting_.emplace(document_.width, document_.height);
       return true;
     }
     return workers_.for_bands(
-        document_.height, [&](int y, int end) { cascades_->clear_rows(y, end); }, [&] { return !cut(); });
+        document_.height, [&](int y, int end) { reweighting_->clear_rows(y, end); }, [&] { return !cut(); });
   }
 
   // Goes on with a film. Of samples that were drawn before only the means are known: what watches them starts anew, and
-  // for the cascades each was as bright as its pixel.
+  // for the reweighting each was as bright as its pixel.
   void take_over(film::Film&& film) {
     film_ = std::move(film);
     renew_tails();
-    cascades_.reset();
+    reweighting_.reset();
     if (!reweights()) return;
-    cascades_.emplace(document_.width, document_.height);
+    reweighting_.emplace(document_.width, document_.height);
     for (int y = 0; y < film_.height(); ++y)
-      for (int x = 0; x < film_.width(); ++x) cascades_->add(x, y, film_.mean(x, y), film_.samples(x, y));
+      for (int x = 0; x < film_.width(); ++x) reweighting_->add(x, y, film_.mean(x, y), film_.samples(x, y));
   }
 
   void renew_tails() {
@@ -451,7 +451,8 @@ class Session::Impl {
     };
     const auto keep_going = [&] { return !cut(); };
     if (!workers_.for_bands(static_cast<int>(reports.size()), band, keep_going)) return;
-    auto health = reliability_of(tails_, reports, film_.rejected(), complete_ * uint64_t{pixel_count()}, keep_going);
+    auto health =
+        reliability_of(tails_, reports, film_.invalid_samples(), complete_ * uint64_t{pixel_count()}, keep_going);
     if (health) health_ = std::move(health), health_at_ = complete_;
   }
 
@@ -467,7 +468,7 @@ class Session::Impl {
     status_.rays_per_second = rendering_seconds_ > 0 ? static_cast<double>(status_.rays) / rendering_seconds_ : 0;
     status_.paths_per_second = rendering_seconds_ > 0 ? static_cast<double>(status_.paths) / rendering_seconds_ : 0;
     status_.error = error_;
-    status_.rejected = film_.rejected();
+    status_.rejected = film_.invalid_samples();
     status_.statistics = runner_->statistics();
     status_.health = health_;
     status_.progress = progress();
@@ -551,7 +552,7 @@ class Session::Impl {
   uint32_t error_at_ = 0;  // the samples at which it was measured
   TimeEstimator forecast_;
   TailStatistics tails_;
-  std::optional<film::FireflyCascades> cascades_;  // if fireflies are re-weighted
+  std::optional<film::FireflyReweighting> reweighting_;  // if fireflies are re-weighted
   std::shared_ptr<const Reliability> health_;
   uint32_t health_at_ = 0;  // the same
   double rendering_seconds_ = 0;

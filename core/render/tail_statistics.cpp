@@ -42,7 +42,7 @@ void TailStatistics::add(const integrator::PixelBlock& block, std::span<const Rg
     const auto* pixel = &film.pixels()[static_cast<size_t>(y) * static_cast<size_t>(width_)];
     for (int x = block.x; x < block.x + block.width; ++x, ++i) {
       const double expected = luminance_of(pixel[x]) * per_sample;
-      const bool counts = film.add(x, y, block.sample % film::kHalves, radiance[i]);
+      const bool counts = film.add(x, y, block.sample % film::kHalfBuffers, radiance[i]);
       const double found = counts ? static_cast<double>(luminance(radiance[i])) : 0;
       deviations[i] = static_cast<float>((found - expected) * scale);
       sum += found;

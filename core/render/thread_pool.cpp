@@ -47,10 +47,10 @@ int ThreadPool::run(int first, int count, const std::function<void(int)>& task,
     tbb::task_group group;
     for (int i = 1; i < arena_->threads; ++i) {
       auto task_of_worker = group.defer([&work] {
-        g_handoff.take();
+        g_handoff.acquire();
         work();
       });
-      g_handoff.give();
+      g_handoff.release();
       group.run(std::move(task_of_worker));
     }
     work();

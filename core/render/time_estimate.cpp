@@ -23,7 +23,7 @@ void TimeEstimator::add(uint32_t samples, double seconds, const film::ErrorEstim
   if (!error.known || !(error.rmse_interval.low > 0)) return;
   // How little is known of this picture's error, or how little it says of others': few bright pixels are well known.
   const double spread =
-      std::max(std::log(error.rmse_interval.high / error.rmse_interval.low) / (2 * k95), error.scatter);
+      std::max(std::log(error.rmse_interval.high / error.rmse_interval.low) / (2 * k95), error.rmse_variation);
   // Errors of nearly the same samples are nearly the same number: they would count twice.
   const size_t n = history_.size();
   if (n >= 2 && samples < 2 * history_[n - 2].samples) history_.pop_back();

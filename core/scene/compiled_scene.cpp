@@ -46,7 +46,7 @@ struct Facets {
   }
 
   // The corner of a facet that touches the shape.
-  void set_round(size_t i, const RoundShape& shape, const Hit& hit) {
+  void set_round(size_t i, const AnalyticShape& shape, const Hit& hit) {
     const Facet f = shape.facet_at({hit.u, hit.v});
     p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
     u[i] = v[i] = 0, winding[i] = 1;
@@ -79,7 +79,7 @@ struct Facets {
 
 ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
 #pragma GCC ivdep
-  for (size_t i = 0; i < whole_registers(count); ++i) {
+  for (size_t i = 0; i < padded_lanes(count); ++i) {
     const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
     const Vec3 position = p0 + e1 * f.u[i] + e2 * f.v[i];
     const Vec3 cross = glm::cross(e1, e2);
@@ -217,7 +217,7 @@ Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
   return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
 }
 
-bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
+bool CompiledScene::blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
   const InstanceData& data = (*instances_)[instance];
   const SurfaceMaterial& material = (*materials_)[data.material];
   if (!material.transparent) return true;

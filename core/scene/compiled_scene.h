@@ -36,7 +36,7 @@ struct InstanceData {
   // How it moves, or null; all the rest is as it is at the opening. One that deforms is in world space then.
   std::shared_ptr<const Motion> motion = nullptr;
   // A light that is a sphere or a disk; the mesh is only as large as it then.
-  std::shared_ptr<const RoundShape> round = nullptr;
+  std::shared_ptr<const AnalyticShape> round = nullptr;
   static constexpr uint32_t kNotALight = 0xffffffffU;
 };
 
@@ -141,7 +141,7 @@ class CompiledScene final : public OpacityTest {
   const std::shared_ptr<const CameraMotion>& camera_motion() const { return camera_motion_; }
   size_t memory() const;  // bytes of arrays, without Embree's
 
-  bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override;
+  bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override;
 
  private:
   friend class Compiler;

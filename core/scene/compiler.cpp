@@ -45,7 +45,7 @@ class Compiler {
     Mat4 to_world{1};
     uint32_t material, node;
     std::shared_ptr<const Motion> motion = nullptr;
-    std::shared_ptr<const RoundShape> round = nullptr;
+    std::shared_ptr<const AnalyticShape> round = nullptr;
     float focus = 0;
   };
 
@@ -124,7 +124,8 @@ class Compiler {
     Placed p{stand_in(light), without_scale(world), first_light_material() + number, node};
     p.focus = light.focus;
     if (const auto motion = shutter_.motion_of(static_cast<int>(node))) p.motion = without_scale(*motion);
-    if (light.type != LightType::quad) p.round = std::make_shared<const RoundShape>(shape_of(light).placed(p.to_world));
+    if (light.type != LightType::quad)
+      p.round = std::make_shared<const AnalyticShape>(shape_of(light).placed(p.to_world));
     placed.push_back(std::move(p));
   }
   uint32_t first_light_material() const { return static_cast<uint32_t>(scene_->materials.size()); }

@@ -11,9 +11,9 @@ std::shared_ptr<const Mesh> stand_in(const Light& light) {
   return rectangle({-half.x, -half.y, 0}, {0, 2 * half.y, 0}, {2 * half.x, 0, 0});
 }
 
-RoundShape shape_of(const Light& light) {
-  RoundShape shape;
-  shape.kind = light.type == LightType::disk ? RoundShape::Kind::disk : RoundShape::Kind::sphere;
+AnalyticShape shape_of(const Light& light) {
+  AnalyticShape shape;
+  shape.kind = light.type == LightType::disk ? AnalyticShape::Kind::disk : AnalyticShape::Kind::sphere;
   shape.radius = light.radius;
   return shape;
 }

@@ -13,7 +13,7 @@ inline bool is_met_by_rays(const Light& light) { return light.is_surface() && li
 
 // At the origin, facing -z: a quad, or a mesh as large as a round light.
 std::shared_ptr<const Mesh> stand_in(const Light& light);
-RoundShape shape_of(const Light& light);
+AnalyticShape shape_of(const Light& light);
 // Black, and as bright as the light on its sides.
 Material material_of(const Light& light);
 

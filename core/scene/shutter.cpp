@@ -185,7 +185,7 @@ std::optional<Shutter::Moving> Shutter::deforming(int node, const Primitive& pri
     const int moment = k * (kSegments / segments);
     positions(moment);
     const Mesh& mesh = *meshes[moment];
-    Vertices& v = motion->vertices.emplace_back();
+    DeformedVertices& v = motion->vertices.emplace_back();
     v.positions.reserve(mesh.positions.size() + 1);
     v.positions.assign(mesh.positions.begin(), mesh.positions.end());
     v.normals = mesh.normals, v.tangents = mesh.tangents;

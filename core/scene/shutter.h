@@ -37,7 +37,7 @@ class Shutter {
   std::shared_ptr<const CameraMotion> motion_of(const Camera& camera);
 
  private:
-  static constexpr int kSegments = static_cast<int>(Motion::kMostSteps) - 1;  // the finest cut
+  static constexpr int kSegments = static_cast<int>(Motion::kMaxSteps) - 1;  // the finest cut
 
   float time(int moment) const;
   const std::vector<Mat4>& world(int moment);

@@ -113,7 +113,7 @@ class Judge {
     if (const auto said = contradiction(claim_); !said.empty()) return reject(said);
     for (uint32_t samples = kFirstLook;; samples *= 2) {
       const bool go_on = render(samples);
-      if (finding_.samples < film::kHalves) return without_a_look();
+      if (finding_.samples < film::kHalfBuffers) return without_a_look();
       if (look() || !go_on) return finding_;
     }
   }

@@ -37,7 +37,7 @@ std::vector<Automaton> declared_sets(bool point_lights) {
 
 render::Document small_picture(const render::Document& document, const TableOptions& options) {
   render::Document d = smaller(trusted(document), options.divisor, options.least);
-  d.limits.samples = std::max(film::kHalves, options.samples);
+  d.limits.samples = std::max(film::kHalfBuffers, options.samples);
   return d;
 }
 

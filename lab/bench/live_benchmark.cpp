@@ -129,7 +129,7 @@ class LiveBenchmark::Impl {
     auto kept = store_->take_up();
     reference_lane_ = std::make_unique<TimedRender>(store_->document(), scene_, std::move(kept.film), kept.seconds);
     kept_samples_ = reference_lane_->samples();
-    if (kept_samples_ >= film::kHalves) look_at_reference();
+    if (kept_samples_ >= film::kHalfBuffers) look_at_reference();
   }
 
   // Gives somebody a turn; false if all are done.
@@ -151,7 +151,7 @@ class LiveBenchmark::Impl {
 
   bool reference_is_next() const {
     if (!reference_lane_) return false;
-    if (reference_lane_->samples() < film::kHalves) return true;
+    if (reference_lane_->samples() < film::kHalfBuffers) return true;
     double methods = 0;
     for (const auto& run : runs_) methods += run->lane.seconds();
     return reference_lane_->seconds() < methods;
@@ -159,9 +159,9 @@ class LiveBenchmark::Impl {
 
   void reference_turn() {
     TimedRender& lane = *reference_lane_;
-    const bool none = lane.samples() < film::kHalves;
-    lane.run(workers_, none ? film::kHalves : UINT32_MAX, none ? 1e9 : kTurn, [&] { return keep_going(); });
-    if (lane.samples() >= std::max(film::kHalves, reference_.samples + reference_.samples / kReferenceGrowth + 1))
+    const bool none = lane.samples() < film::kHalfBuffers;
+    lane.run(workers_, none ? film::kHalfBuffers : UINT32_MAX, none ? 1e9 : kTurn, [&] { return keep_going(); });
+    if (lane.samples() >= std::max(film::kHalfBuffers, reference_.samples + reference_.samples / kReferenceGrowth + 1))
       look_at_reference();
   }
 

@@ -74,7 +74,7 @@ uint32_t samples_of(const film::Film& film) {
 }
 
 bool enough(const render::Checkpoint& have, const Effort& effort) {
-  if (samples_of(have.film) < film::kHalves) return false;
+  if (samples_of(have.film) < film::kHalfBuffers) return false;
   return (effort.seconds > 0 && have.seconds >= effort.seconds) ||
          (effort.samples > 0 && samples_of(have.film) >= effort.samples);
 }
@@ -161,10 +161,10 @@ void ReferenceStore::keep(film::Film film, double seconds) const {
 Reference ReferenceStore::reference_of(const film::Film& film, double seconds) const {
   Reference reference;
   reference.file = file_.string();
-  reference.picture = film::picture_of(film);
+  reference.picture = film::layered_image_of(film);
   reference.samples = samples_of(film), reference.seconds = seconds;
   // One half alone says nothing of the error.
-  if (reference.samples < film::kHalves) reference.picture.layers.resize(1);
+  if (reference.samples < film::kHalfBuffers) reference.picture.layers.resize(1);
   know_error(reference);
   return reference;
 }

@@ -207,7 +207,7 @@ std::string heading(PagePicture::Kind kind) {
     case PagePicture::Kind::rendering:
       return "<h3>Pictures of the last repeat</h3>\n";
     case PagePicture::Kind::difference:
-      return "<h3>Difference to the reference</h3>\n<p class=\"note\">too dark" + scale(signed_colors, -1, 1) +
+      return "<h3>Difference to the reference</h3>\n<p class=\"note\">too dark" + scale(diverging_color, -1, 1) +
              "too bright; full colour is the mean of the reference</p>\n";
     case PagePicture::Kind::flip:
       break;

@@ -18,10 +18,10 @@ Albedo albedo_at(const Lobes& lobes, double degrees, const AlbedoOptions& option
   const Vec3 from = direction(degrees, options.azimuth);
   Albedo albedo;
   albedo.degrees = degrees;
-  const uint32_t each = std::max(1U, options.samples / kHalves);
-  const float share = 1 / static_cast<float>(each * kHalves);
+  const uint32_t each = std::max(1U, options.samples / kReplicates);
+  const float share = 1 / static_cast<float>(each * kReplicates);
   Replicates sums;
-  for (uint32_t r = 0; r < kHalves; ++r) {
+  for (uint32_t r = 0; r < kReplicates; ++r) {
     Rgb sum(0);
     for (uint32_t i = 0; i < each; ++i) {
       LobeSample<Rgb> s;

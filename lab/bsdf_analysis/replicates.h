@@ -7,7 +7,7 @@
 
 namespace etendue::bsdf_analysis {
 
-inline constexpr uint32_t kHalves = 16;
+inline constexpr uint32_t kReplicates = 16;
 
 class Replicates {
  public:
@@ -27,7 +27,7 @@ class Replicates {
   }
 
  private:
-  std::array<double, kHalves> values_{};
+  std::array<double, kReplicates> values_{};
   size_t count_ = 0;
 };
 

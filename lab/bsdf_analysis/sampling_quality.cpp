@@ -35,9 +35,9 @@ struct Tally {
 
 Tally by_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
   Tally t;
-  for (uint32_t r = 0; r < kHalves; ++r) {
+  for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
-    for (uint32_t i = 0; i < samples / kHalves; ++i) {
+    for (uint32_t i = 0; i < samples / kReplicates; ++i) {
       LobeSample<Rgb> s;
       if (!lobes.sample(wo, draw_of(r, i), Transport::radiance, s)) {
         ++t.lost;
@@ -49,7 +49,7 @@ Tally by_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
       t.deltas |= s.delta;
       if (!s.delta && is_common(s.pdf_solid_angle, s.wi)) common += weight;
     }
-    t.common.add(common / (samples / kHalves));
+    t.common.add(common / (samples / kReplicates));
   }
   return t;
 }
@@ -58,9 +58,9 @@ Tally by_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
 Tally by_cosine(const Lobes& lobes, const Vec3& wo, bool passes, uint32_t samples) {
   Tally t;
   const double share = passes ? 0.5 : 1;
-  for (uint32_t r = 0; r < kHalves; ++r) {
+  for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
-    for (uint32_t i = 0; i < samples / kHalves; ++i) {
+    for (uint32_t i = 0; i < samples / kReplicates; ++i) {
       const LobeDraw draw = draw_of(100 + r, i);
       Vec3 wi = draw.cosine_direction;
       if ((wo.z < 0) != (passes && draw.choice < 0.5f)) wi.z = -wi.z;
@@ -69,7 +69,7 @@ Tally by_cosine(const Lobes& lobes, const Vec3& wo, bool passes, uint32_t sample
       t.add(weight);
       if (is_common(lobes.pdf(wo, wi, Transport::radiance), wi)) common += weight;
     }
-    t.common.add(common / (samples / kHalves));
+    t.common.add(common / (samples / kReplicates));
   }
   return t;
 }

@@ -61,7 +61,7 @@ std::vector<std::array<Spot, 2>> dashes_of(const Stroke& stroke);
 // what is no number never gets in: such shapes are left out.
 std::string svg_of(const Drawing& drawing);
 
-// 8-bit sRGB, row by row, on white. Letters are small capitals of 3 x 5 dots (image/tiny_text.h).
+// 8-bit sRGB, row by row, on white. Letters are small capitals of 3 x 5 dots (image/bitmap_font.h).
 std::vector<uint8_t> raster_of(const Drawing& drawing);
 
 // Text as XML and HTML take it, between tags and in quoted attributes.

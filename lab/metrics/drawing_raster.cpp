@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "image/tiny_text.h"
+#include "image/bitmap_font.h"
 #include "metrics/drawing.h"
 
 namespace etendue::metrics {
@@ -111,7 +111,7 @@ void paint(Canvas& canvas, const Dot& d) {
 }
 
 void paint_glyph(Canvas& canvas, char c, int left, int top, int scale, const Ink& ink) {
-  const uint16_t bits = image::tiny_glyph(c);
+  const uint16_t bits = image::bitmap_glyph(c);
   constexpr int kBits = image::kGlyphWidth * image::kGlyphHeight;
   for (int i = 0; i < kBits; ++i) {
     if (!(bits >> (kBits - 1 - i) & 1)) continue;

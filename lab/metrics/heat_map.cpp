@@ -21,7 +21,7 @@ double term(double x, double r, double mean, HeatMap kind) {
 }
 
 Rgb color_of(double value, HeatMap kind) {
-  if (kind == HeatMap::difference) return signed_colors(static_cast<float>(value));
+  if (kind == HeatMap::difference) return diverging_color(static_cast<float>(value));
   return viridis(static_cast<float>(kind == HeatMap::relmse ? std::sqrt(value) : value));
 }
 

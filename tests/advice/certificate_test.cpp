@@ -29,7 +29,7 @@ Claim claim_of(const render::Document& d, uint32_t samples) {
   const auto film = session.film_copy();
   const auto status = session.status();
   Claim claim;
-  claim.document = limited, claim.samples = samples, claim.picture = film::picture_of(film);
+  claim.document = limited, claim.samples = samples, claim.picture = film::layered_image_of(film);
   claim.certificate = advisor::certificate(
       session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1, go_on);
   return claim;

@@ -31,7 +31,7 @@ void cover(const std::string& scene, int renderings) {
   for (int i = 0; i < renderings; ++i) {
     d.seed = static_cast<uint64_t>(i);
     const film::Film film = render::rendered(d, kSamples);
-    const auto picture = film::picture_of(film);
+    const auto picture = film::layered_image_of(film);
     const auto& rgb = picture.find("")->pixels;
     const auto error = film.error();
     const auto relative = *film::relative_error(film);

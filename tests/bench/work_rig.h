@@ -44,7 +44,7 @@ class WorkRig {
   // One sample of all pixels.
   void step() {
     constexpr uint32_t kTable = 64;
-    const uint32_t of_half = sample_ / film::kHalves;
+    const uint32_t of_half = sample_ / film::kHalfBuffers;
     if (of_half % kTable == 0) sampler_->prepare(of_half, kTable);
     const std::vector<integrator::Phase> phases = work_->phases(sample_);
     for (size_t i = 0; i < phases.size(); ++i) {

@@ -43,7 +43,7 @@ struct Form {
 std::vector<std::string> other_values(const ParameterInfo& parameter) {
   std::vector<std::string> values;
   if (parameter.type == ParameterType::toggle) values = {"true", "false"};
-  if (parameter.type == ParameterType::choice && !parameter.accepts_text) values = parameter.options;
+  if (parameter.type == ParameterType::choice && !parameter.validate_text) values = parameter.options;
   std::erase(values, to_string(parameter.default_value));
   return values;
 }

@@ -151,8 +151,8 @@ TEST(Tail, MomentsAndSharesAreThoseOfTheSamples) {
   for (const double v : x) second += std::pow(v - mean, 2), fourth += std::pow(v - mean, 4);
   EXPECT_NEAR(t.vov, fourth / (second * second) - 1 / n, 1e-6);
   std::sort(x.begin(), x.end(), std::greater<>());
-  EXPECT_NEAR(t.brightest, (x[0] + x[1] + x[2] - 3 * mean) / total, 1e-6);
-  EXPECT_FALSE(t.brightest_is_bound);
+  EXPECT_NEAR(t.brightest_share, (x[0] + x[1] + x[2] - 3 * mean) / total, 1e-6);
+  EXPECT_FALSE(t.brightest_share_is_lower_bound);
 }
 
 // With little memory the threshold is higher: the tail is shorter, but nothing that belongs to it is missing.
@@ -163,7 +163,7 @@ TEST(Tail, LittleMemoryShortensTheTailAndNothingElse) {
     const std::vector<double> x = drawn(pareto(1), random, 20'000);
     const Tail much = report_of(x), little = report_of(x, 0, 256);
     EXPECT_EQ(little.vov, much.vov);
-    EXPECT_EQ(little.brightest, much.brightest);
+    EXPECT_EQ(little.brightest_share, much.brightest_share);
     EXPECT_GT(little.khat_error, much.khat_error);
     runs.mean += *little.khat / kRuns, runs.heavy += little.heavy();
   }
@@ -188,7 +188,7 @@ TEST(Tail, MergedBlocksKeepTheTailOfTheWhole) {
     EXPECT_EQ(t.samples, expected.samples);
     EXPECT_EQ(*t.khat, *expected.khat);
     EXPECT_NEAR(t.vov, expected.vov, 1e-12);
-    EXPECT_NEAR(t.brightest, expected.brightest, 1e-9);
+    EXPECT_NEAR(t.brightest_share, expected.brightest_share, 1e-9);
   }
 }
 
@@ -201,13 +201,13 @@ TEST(Tail, TheUnitDoesNotMatter) {
   const Tail a = report_of(dim), b = report_of(bright);
   EXPECT_NEAR(*a.khat, *b.khat, 1e-9);
   EXPECT_NEAR(a.vov, b.vov, 1e-9);
-  EXPECT_NEAR(a.brightest, b.brightest, 1e-9);
+  EXPECT_NEAR(a.brightest_share, b.brightest_share, 1e-9);
 }
 
 TEST(Tail, EdgesAreSaid) {
   std::vector<double> few;
   EXPECT_FALSE(report_of(few).khat);
-  EXPECT_EQ(report_of(few).brightest, 0);
+  EXPECT_EQ(report_of(few).brightest_share, 0);
   for (int i = 0; i < 24; ++i) few.push_back(i);
   EXPECT_FALSE(report_of(few).khat);
   few.push_back(24);
@@ -221,7 +221,7 @@ TEST(Tail, EdgesAreSaid) {
       ASSERT_TRUE(t.khat);
       EXPECT_FALSE(t.heavy());
       EXPECT_LE(*t.khat, 0);
-      EXPECT_TRUE(std::isfinite(t.vov) && std::isfinite(t.brightest));
+      EXPECT_TRUE(std::isfinite(t.vov) && std::isfinite(t.brightest_share));
     }
   }
   // A black picture with a few bright dots.
@@ -229,7 +229,7 @@ TEST(Tail, EdgesAreSaid) {
   for (int i = 0; i < 100'000; ++i) dots.push_back(i % 10'000 == 0 ? 1000 + i : 0);
   const Tail t = report_of(dots);
   ASSERT_TRUE(t.khat);
-  EXPECT_NEAR(t.brightest, 1, 1e-12);
+  EXPECT_NEAR(t.brightest_share, 1, 1e-12);
   EXPECT_GT(t.vov, 0.05);
 
   // Three of them are too few to say anything, and nothing is said.
@@ -237,11 +237,11 @@ TEST(Tail, EdgesAreSaid) {
   for (int i = 0; i < 100'000; ++i) three.push_back(i % 40'000 == 0 ? 1000 + i : 0);
   EXPECT_FALSE(report_of(three).khat);
   EXPECT_FALSE(report_of(three).heavy());
-  EXPECT_EQ(report_of(three).chance(), 1);
+  EXPECT_EQ(report_of(three).p_value(), 1);
 
   const std::vector<double> alike(200'000, 1.0);
-  EXPECT_TRUE(report_of(alike, 0, 16).brightest_is_bound);
-  EXPECT_FALSE(report_of(alike, 1, 16).brightest_is_bound);
+  EXPECT_TRUE(report_of(alike, 0, 16).brightest_share_is_lower_bound);
+  EXPECT_FALSE(report_of(alike, 1, 16).brightest_share_is_lower_bound);
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST(Shutter, TakesTwoStepsForAStraightWay) {
 TEST(Shutter, TakesMoreStepsTheMoreItTurns) {
   EXPECT_LT(turning(0.1f).steps(1), turning(1).steps(1));
   EXPECT_LT(turning(1).steps(0.1f), turning(1).steps(1));
-  EXPECT_EQ(turning(6).steps(1), Motion::kMostSteps);
+  EXPECT_EQ(turning(6).steps(1), Motion::kMaxSteps);
   // The box around a turned cube has a radius of the square root of five at most.
   for (const float radians : {0.1f, 1.0f, 3.0f}) EXPECT_LT(farthest_from_truth(turning(radians), 1), 2.24f / 4096);
   EXPECT_LT(farthest_from_truth(turning(6), 1), 1e-3f);
@@ -78,7 +78,7 @@ TEST(Shutter, SeesEveryKey) {
   Animated a;
   animate(a.scene, a.node, AnimatedPath::translation, {0, 0.40f, 0.41f, 0.42f, 0.43f, 1},
           {0, 0, 0, 0, 0, 0, 5, 0, 0, 5, 0, 0, 0, 0, 0, 0, 0, 0});
-  EXPECT_EQ(a.steps(1), Motion::kMostSteps);
+  EXPECT_EQ(a.steps(1), Motion::kMaxSteps);
   Animated tremble;
   std::vector<float> times, values;
   for (int i = 0; i <= 32; ++i) {

@@ -65,7 +65,7 @@ class BidirectionalSampler {
     pixels_ = Plane(context).area();
     Splatter splatter(context, found);
     light_.begin(*context.scene, *given.light, 0, task_context.keep_going, context.model->moving);
-    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_bits()));
+    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_mask()));
     walks_.launch_added(
         context, light_,
         [&](const Start& start, Vec2 lens) {
@@ -107,7 +107,7 @@ class BidirectionalSampler {
   void draw_ends(const PixelBlock& block, const PixelOrder& order) {
     const int least = context_->camera->can_be_hit() ? 0 : 1;
     for (int i = 0; i < order.size(); ++i) {
-      const uint32_t half_buffer = block.sample % film::kHalves;
+      const uint32_t half_buffer = block.sample % film::kHalfBuffers;
       const uint32_t seed = pixel_seed(context_->seed, block.x + order.x(i), block.y + order.y(i), half_buffer);
       const uint32_t first = mix_bits(path_seed(seed, block.sample) + 0x2545f491U);
       const auto path = static_cast<size_t>(i);
@@ -141,11 +141,11 @@ class BidirectionalSampler {
     while (light_.trace()) {
       if (context_->camera->can_be_hit())
         escape_through_lens(*context_, walks_, light_, splatter,
-                            [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
+                            [&](int path, const CameraRays::LensHit& a) { return weight_on_lens(path, a); });
       while (light_.next_hits()) {
         if (context_->camera->can_be_hit())
           pass_through_lens(*context_, walks_, light_, splatter,
-                            [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
+                            [&](int path, const CameraRays::LensHit& a) { return weight_on_lens(path, a); });
         if (light_.length() == 1) walks_.dim_first_vertices(light_);
         note_arrivals(light_, light_chains_, rule);
         if (plan_->too_long(light_.length() + 1)) continue;
@@ -193,7 +193,7 @@ class BidirectionalSampler {
   }
 
   // The walk fell onto the lens: t = 0.
-  float weight_on_lens(int path, const CameraRays::Arrival& a) {
+  float weight_on_lens(int path, const CameraRays::LensHit& a) {
     const int s = light_.length() + 1;
     if (plan_->too_long(light_.length()) || !counts(path, s, 0)) return 0;
     MisChain chain = light_chains_[static_cast<size_t>(path)];
@@ -314,7 +314,7 @@ class BidirectionalSampler {
     if (camera_.length() == 1) {
       // From the lens to infinity: (1, 1) is the only other one.
       const float pixels = context_->camera->pixels_per_area(direction, 1, camera_.missed_path(i).time) / pixels_;
-      const bool seen = context_->camera->can_see_infinity() && possible(1, 1);
+      const bool seen = context_->camera->sees_environment() && possible(1, 1);
       return weight(path, 0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
     }
     const MisVertex far = chain.arrive_at_infinity(camera_rule());

@@ -147,7 +147,7 @@ class PathSpace {
     if (i < path.edges() - 1) {
       path[i + 1].point.spawn_segment(-path[i].direction, path[i].length, ray);
     } else if (i == 0 && path.light.infinite) {
-      const auto view = camera().view_of_infinity(-path[0].direction, path.lens, path.time);
+      const auto view = camera().view_direction(-path[0].direction, path.lens, path.time);
       if (!view) return false;
       ray = view->ray;
     } else {
@@ -236,7 +236,7 @@ class PathSpace {
     const int last = path.edges() - 1;
     Vertex& x = path[last];
     if (last == 0 && path.light.infinite) {
-      const auto view = camera().view_of_infinity(-x.direction, path.lens, path.time);
+      const auto view = camera().view_direction(-x.direction, path.lens, path.time);
       if (!view) return false;
       path.raster = view->raster, x.length = kInfinity;
       return in_picture(path.raster);
@@ -322,7 +322,7 @@ class PathSpace {
     const Vertex& x = path[path.edges() - 1];
     const bool far = std::isinf(x.length);
     path.importance =
-        far && !camera().can_see_infinity() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length, path.time);
+        far && !camera().sees_environment() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length, path.time);
     return far || path.importance > 0;
   }
 

@@ -155,7 +155,7 @@ class PhotonMapping::Maps final : public RenderState {
       : method_(method), context_(context), size_(2 * context.scene->bounds().radius()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
     const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(context);
-    for (uint32_t half = 0; half < film::kHalves; ++half)
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half)
       for (const bool caustics : {false, true}) {
         if (caustics && (method.direct() || context.model->diffuse)) continue;
         auto& mine = emissions_[half][caustics];
@@ -168,7 +168,7 @@ class PhotonMapping::Maps final : public RenderState {
   std::vector<Phase> phases(uint32_t sample) override {
     std::vector<Phase> phases;
     running_.clear();
-    for (const auto& emission : emissions_[sample % film::kHalves]) {
+    for (const auto& emission : emissions_[sample % film::kHalfBuffers]) {
       if (!emission) continue;
       if (renews()) emission->begin(emission->plan(), sample);
       if (emission->ready()) continue;
@@ -219,7 +219,7 @@ class PhotonMapping::Maps final : public RenderState {
   }
 
   PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {
-    const auto& emission = emissions_[sample % film::kHalves][caustics];
+    const auto& emission = emissions_[sample % film::kHalfBuffers][caustics];
     return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth,
             task_context.overhead_timer};
   }
@@ -288,7 +288,7 @@ class PhotonMapping::Maps final : public RenderState {
   const float size_;  // of the scene
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kHalves> emissions_;
+  std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kHalfBuffers> emissions_;
   std::vector<PhotonEmission*> running_;  // one for two phases
 };
 

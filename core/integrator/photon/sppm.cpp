@@ -109,7 +109,7 @@ class Progress final : public RenderState {
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalves)));
+    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalfBuffers)));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;

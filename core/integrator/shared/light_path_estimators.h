@@ -30,7 +30,7 @@ void see_light(const RenderContext& context, const typename LightSubpaths<M>::St
     if (!context.model->paths->matches("EL")) return;
   if (e.density.infinite) {
     if (!context.scene->lights().environment().visible()) return;
-    const auto view = context.camera->view_of_infinity(-e.direction, lens, e.time);
+    const auto view = context.camera->view_direction(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
     return splatter.connect(start.path, view->ray, e.time, seed, view->raster, start.emitted * value);
@@ -84,7 +84,7 @@ void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks,
   const auto& state = paths.state(path);
   Ray ray;
   ray.origin = state.from, ray.direction = direction;
-  const auto hit = context.camera->arrival(ray, length, state.time);
+  const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
   auto carried = transport::admitted(paths, state, path) * (walks.flux(path) * hit->importance);
   if (paths.length() == 1) carried *= paths.scene().lights().window(walks.light(path), hit->distance);

@@ -11,7 +11,7 @@ namespace etendue::integrator {
 // The seed of a light path's random numbers in one half of the film.
 inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t half_buffer) {
   constexpr uint64_t kNoPixel = 0x6c62272e07bb0142;
-  return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalves + half_buffer + kNoPixel) ^ path) >> 32);
+  return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalfBuffers + half_buffer + kNoPixel) ^ path) >> 32);
 }
 
 template <class M>
@@ -34,8 +34,8 @@ class LightSubpaths {
   template <class NumberOf, class Begun>
   void launch(const RenderContext& context, uint32_t sample, int count, const TaskContext& task_context,
               PathWavefront& paths, NumberOf&& number_of, Begun&& begun) {
-    const uint32_t half_buffer = sample % film::kHalves;
-    paths.begin(*context.scene, *context.sampler, sample / film::kHalves, task_context.keep_going,
+    const uint32_t half_buffer = sample % film::kHalfBuffers;
+    paths.begin(*context.scene, *context.sampler, sample / film::kHalfBuffers, task_context.keep_going,
                 context.model->moving);
     for (int i = 0; i < count; ++i) paths.add(light_path_seed(context.seed, number_of(i), half_buffer));
     launch_added(context, paths, begun, [](int) { return true; });

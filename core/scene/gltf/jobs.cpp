@@ -22,10 +22,10 @@ void on_workers(size_t most, const std::function<void()>& work) {
   tbb::task_group group;
   for (size_t i = 1; i < threads; ++i) {
     auto task = group.defer([&work] {
-      g_handoff.take();
+      g_handoff.acquire();
       work();
     });
-    g_handoff.give();
+    g_handoff.release();
     group.run(std::move(task));
   }
   work();

@@ -142,7 +142,7 @@ class MeshReader {
       return warn("has no TEXCOORD_" + std::to_string(set) + ", which its material needs to turn normals");
     const size_t before = mesh.positions.size();
     if (mesh.normals.empty()) {
-      const auto sources = flatten(mesh);
+      const auto sources = split_into_flat_triangles(mesh);
       if (deformation) follow(*deformation, sources, before);
     }
     const size_t rigid = mesh.positions.size();

@@ -1,4 +1,4 @@
-#include "image/tiny_text.h"
+#include "image/bitmap_font.h"
 
 #include <array>
 #include <cctype>
@@ -7,9 +7,9 @@
 namespace etendue::image {
 namespace {
 
-// Three by five pixels a letter, five rows of three bits from the top.
-constexpr std::string_view kLetters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ-_/.:=+,()%";
-constexpr std::array<uint16_t, kLetters.size()> kGlyphs{
+// One octal digit per row of three pixels, from the top.
+constexpr std::string_view kCharacters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ-_/.:=+,()%";
+constexpr std::array<uint16_t, kCharacters.size()> kGlyphs{
     075557, 026227, 071747, 071717, 055711, 074717, 074757, 071111, 075757, 075717,          // digits
     025755, 065656, 034443, 065556, 074647, 074644, 034553, 055755, 072227, 011152, 055655,  // A to K
     044447, 057755, 065555, 025552, 065644, 025563, 065655, 034216, 072222, 055557, 055552,  // L to V
@@ -18,9 +18,9 @@ constexpr std::array<uint16_t, kLetters.size()> kGlyphs{
 
 }  // namespace
 
-uint16_t tiny_glyph(char c) {
-  const size_t at = kLetters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
-  return at == std::string_view::npos ? 0 : kGlyphs[at];
+uint16_t bitmap_glyph(char c) {
+  const size_t index = kCharacters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+  return index == std::string_view::npos ? 0 : kGlyphs[index];
 }
 
 }  // namespace etendue::image
