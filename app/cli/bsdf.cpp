@@ -166,7 +166,7 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
 
 // The virtual gonioreflectometer: what reflects, as a file that the model `tabulated` reads.
 Result<void> write_table(const Specimen& s, const Options& o) {
-  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, Transport::radiance); };
+  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, TransportMode::radiance); };
   const bool isotropic = !SurfaceMaterial(s.material, {}).anisotropic;
   return BrdfTable::measured(f, o.steps[0], o.steps[1], isotropic).write(o.table);
 }

@@ -29,19 +29,19 @@ int AllLobes<Rgb>::size() const { return lobe_set(*this).size(); }
 bool AllLobes<Rgb>::has_non_delta() const { return lobe_set(*this).has_non_delta(); }
 float AllLobes<Rgb>::alpha() const { return lobe_set(*this).alpha(); }
 bool AllLobes<Rgb>::scatters(Scatter letter) const { return lobe_set(*this).scatters(letter); }
-Rgb AllLobes<Rgb>::eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+Rgb AllLobes<Rgb>::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).eval(wo, wi, mode);
 }
-Rgb AllLobes<Rgb>::eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+Rgb AllLobes<Rgb>::eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).eval_part(letter, wo, wi, mode);
 }
-float AllLobes<Rgb>::pdf(const Vec3& wo, const Vec3& wi, Transport mode) const {
+float AllLobes<Rgb>::pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).pdf(wo, wi, mode);
 }
-bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Rgb>& s) const {
+bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Rgb>& s) const {
   return lobe_set(*this).sample(wo, draw, mode, s);
 }
-void AllLobes<Rgb>::add_deltas(const Vec3& wo, Transport mode, Deltas<Rgb>& deltas) const {
+void AllLobes<Rgb>::add_deltas(const Vec3& wo, TransportMode mode, Deltas<Rgb>& deltas) const {
   lobe_set(*this).add_deltas(wo, mode, deltas);
 }
 
@@ -53,8 +53,8 @@ bool is_directed(const AllLobes<Rgb>& lobes) {
   for (const Vec3& to : {Vec3(-0.5f, -0.1f, 0.7f), Vec3(-0.3f, -0.3f, 0.7f), Vec3(0.4f, 0.3f, 0.5f)})
     for (const float phi : {0.7f, 1.6f, 3.5f}) {
       const Vec3 i = glm::normalize(to);
-      const float straight = average(lobes.eval(o, i, Transport::radiance));
-      const float after = average(lobes.eval(turned(o, phi), turned(i, phi), Transport::radiance));
+      const float straight = average(lobes.eval(o, i, TransportMode::radiance));
+      const float after = average(lobes.eval(turned(o, phi), turned(i, phi), TransportMode::radiance));
       if (std::abs(straight - after) > 1e-2f * std::max(straight, after) + 1e-4f) return true;
     }
   return false;

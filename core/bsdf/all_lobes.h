@@ -28,11 +28,11 @@ class AllLobes<Rgb> {
   bool has_non_delta() const;
   float alpha() const;
   bool scatters(Scatter letter) const;
-  Rgb eval(const Vec3& wo, const Vec3& wi, Transport mode) const;
-  Rgb eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const;
-  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const;
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Rgb>& s) const;
-  void add_deltas(const Vec3& wo, Transport mode, Deltas<Rgb>& deltas) const;
+  Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+  Rgb eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Rgb>& s) const;
+  void add_deltas(const Vec3& wo, TransportMode mode, Deltas<Rgb>& deltas) const;
 
   static constexpr size_t kBytes = 864, kAlignment = 8;
 

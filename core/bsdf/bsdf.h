@@ -30,7 +30,7 @@ class Bsdf {
   bool has_non_delta() const { return lobes.has_non_delta(); }
   const Frame& frame() const { return *frame_; }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
     const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     return consistent(wo, wi, o, i) ? lobes.eval(o, i, mode) * adjoint_factor(wo, wi, o, i, mode) : Color(0);
   }
@@ -39,13 +39,13 @@ class Bsdf {
   bool scatters(Scatter letter) const { return lobes.scatters(letter); }
 
   // The part of `eval` that is of one letter.
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
     const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     if (!consistent(wo, wi, o, i)) return Color(0);
     return lobes.eval_part(letter, o, i, mode) * adjoint_factor(wo, wi, o, i, mode);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
     const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     return consistent(wo, wi, o, i) ? lobes.pdf(o, i, mode) : 0;
   }
@@ -55,14 +55,14 @@ class Bsdf {
     Color f_cos{0};
     float pdf = 0;
   };
-  Value evaluate(const Vec3& wo, const Vec3& wi, Transport mode = Transport::radiance) const {
+  Value evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
     const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     if (!consistent(wo, wi, o, i)) return {};
     return {lobes.eval(o, i, mode) * (adjoint_factor(wo, wi, o, i, mode) * std::abs(i.z)), lobes.pdf(o, i, mode)};
   }
 
   // s.weight is f cos / pdf with the cosine to the shading normal; s.wi is in world space. False: the path ends here.
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = frame_->to_local(wo);
     if (o.z == 0 || !lobes.sample(o, draw, mode, s)) return false;
     const Vec3 i = s.wi;
@@ -74,7 +74,7 @@ class Bsdf {
 
   // Every delta with its coefficient, in world space: what `sample` finds when it chooses one, each over the
   // probability of that choice.
-  Deltas<Color> deltas(const Vec3& wo, Transport mode = Transport::radiance) const {
+  Deltas<Color> deltas(const Vec3& wo, TransportMode mode = TransportMode::radiance) const {
     Deltas<Color> all, kept;
     const Vec3 o = frame_->to_local(wo);
     if (o.z != 0) lobes.add_deltas(o, mode, all);
@@ -91,7 +91,7 @@ class Bsdf {
 
   // The delta that takes wo to this side of the surface; d.wi is in world space, and d.value without the adjoint's
   // ratio of cosines. False if there is none.
-  bool follow(const Vec3& wo, bool transmitted, Transport mode, SingleDirection<Color>& d) const {
+  bool follow(const Vec3& wo, bool transmitted, TransportMode mode, SingleDirection<Color>& d) const {
     const Vec3 o = frame_->to_local(wo);
     Deltas<Color> all;
     if (o.z != 0) lobes.add_deltas(o, mode, all);
@@ -119,8 +119,8 @@ class Bsdf {
   }
 
   // Shading normals make scattering asymmetric: the adjoint carries the ratio of cosines (Veach 1997, (5.19)).
-  float adjoint_factor(const Vec3& wo, const Vec3& wi, const Vec3& o, const Vec3& i, Transport mode) const {
-    if (mode == Transport::radiance) return 1;
+  float adjoint_factor(const Vec3& wo, const Vec3& wi, const Vec3& o, const Vec3& i, TransportMode mode) const {
+    if (mode == TransportMode::radiance) return 1;
     return std::abs(o.z * glm::dot(*ng_, wi) / (i.z * glm::dot(*ng_, wo)));
   }
 

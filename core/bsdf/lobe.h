@@ -3,14 +3,14 @@
 // Directions are local to the shading frame (z is the shading normal), unit, and point away from the surface. `eval`
 // leaves the cosine out; densities are per solid angle of wi. A lobe offers
 //
-//   Color eval(wo, wi, Transport) const;
-//   float pdf(wo, wi, Transport) const;
-//   bool  sample(wo, LobeDraw, Transport, LobeSample<Color>&) const;    // false: absorbed
+//   Color eval(wo, wi, TransportMode) const;
+//   float pdf(wo, wi, TransportMode) const;
+//   bool  sample(wo, LobeDraw, TransportMode, LobeSample<Color>&) const;    // false: absorbed
 //   float weight(wo) const;                                             // about its albedo: its share when sampling
 //   bool  is_delta() const;                                             // eval and pdf are zero
 //   bool  scatters(Scatter) const;                                      // eval has a part of this letter
-//   Color eval_part(Scatter, wo, wi, Transport) const;                  // that part; all parts together are eval
-//   void  add_deltas(wo, Transport, Deltas<Color>&) const;              // those that `sample` would choose from
+//   Color eval_part(Scatter, wo, wi, TransportMode) const;                  // that part; all parts together are eval
+//   void  add_deltas(wo, TransportMode, Deltas<Color>&) const;              // those that `sample` would choose from
 #pragma once
 #include <array>
 
@@ -19,7 +19,7 @@
 namespace etendue {
 
 // Radiance flows from wi to wo as the camera sees it; importance the other way. They differ by eta^2 in refraction.
-enum class Transport : uint8_t { radiance, importance };
+enum class TransportMode : uint8_t { radiance, importance };
 
 // Heckbert's letters for a scattering event, and the side that it goes to.
 enum class Scatter : uint8_t { diffuse, glossy, specular };

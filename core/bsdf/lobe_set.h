@@ -75,7 +75,7 @@ class LobeSet {
     return false;
   }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return sum(wo, wi, [&](const auto& l) { return l.eval(wo, wi, mode); });
   }
 
@@ -92,11 +92,11 @@ class LobeSet {
     return false;
   }
 
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return sum(wo, wi, [&](const auto& l) { return l.eval_part(letter, wo, wi, mode); });
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     const Shares shares = lobe_shares(wo);
     float p = 0;
     for (int i = 0; i < count_; ++i)
@@ -104,7 +104,7 @@ class LobeSet {
     return p;
   }
 
-  bool sample(const Vec3& wo, LobeDraw draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, LobeDraw draw, TransportMode mode, LobeSample<Color>& s) const {
     if (count_ == 0) return false;
     const Shares shares = lobe_shares(wo);
     int chosen = 0;
@@ -125,7 +125,7 @@ class LobeSet {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode mode, Deltas<Color>& deltas) const {
     const Shares shares = lobe_shares(wo);
     for (int i = 0; i < count_; ++i) {
       const int first = deltas.count;
@@ -193,16 +193,16 @@ class DiffuseOnly {
   void clear() { lobe_.albedo = Color(0); }
   bool empty() const { return is_black(lobe_.albedo); }
   bool has_non_delta() const { return !empty(); }
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.eval(wo, wi, mode); }
   bool scatters(Scatter letter) const { return lobe_.scatters(letter); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return lobe_.eval_part(letter, wo, wi, mode);
   }
-  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.pdf(wo, wi, mode); }
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.pdf(wo, wi, mode); }
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     return lobe_.sample(wo, draw, mode, s);
   }
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
 
  private:
   Lambert<Color> lobe_;

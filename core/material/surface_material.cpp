@@ -82,7 +82,7 @@ void SurfaceMaterial::prepare_model() {
     factor *= Vec4(share.r, share.g, share.b, 1);
   }
   Deltas<Rgb> deltas;
-  lobes.add_deltas(Vec3(0, 0, 1), Transport::radiance, deltas);
+  lobes.add_deltas(Vec3(0, 0, 1), TransportMode::radiance, deltas);
   specular_deltas = deltas.count > 0;
   anisotropic = is_directed(lobes);
   if (plain) ready = std::make_shared<AllLobes<Rgb>>(lobes);

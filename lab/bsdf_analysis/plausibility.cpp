@@ -13,13 +13,13 @@ constexpr uint32_t kPairs = 2000;
 // Where f lives: half of the second directions are samples of the lobes, the others are from anywhere.
 Vec3 partner(const Lobes& lobes, const Vec3& wo, uint32_t i) {
   LobeSample<Rgb> s;
-  if (i % 2 == 0 && lobes.sample(wo, draw_of(1, i), Transport::radiance, s) && !s.delta) return s.wi;
+  if (i % 2 == 0 && lobes.sample(wo, draw_of(1, i), TransportMode::radiance, s) && !s.delta) return s.wi;
   const LobeDraw draw = draw_of(2, i);
   return square_to_sphere(draw.u);
 }
 
 void look_at(const Lobes& lobes, const Vec3& wo, const Vec3& wi, float eta, Plausibility& p) {
-  const Rgb forth = lobes.eval(wo, wi, Transport::radiance), back = lobes.eval(wi, wo, Transport::radiance);
+  const Rgb forth = lobes.eval(wo, wi, TransportMode::radiance), back = lobes.eval(wi, wo, TransportMode::radiance);
   ++p.pairs;
   if (!is_finite(forth) || !is_finite(back)) {
     ++p.not_finite;

@@ -54,7 +54,7 @@ bool has_delta(const StandardLobes<Rgb>& lobes, const Vec3& wo) {
   Draw draw(1);
   for (int i = 0; i < 256; ++i) {
     LobeSample<Rgb> s;
-    if (lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s) && s.delta) return true;
+    if (lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s) && s.delta) return true;
   }
   return false;
 }
@@ -76,11 +76,11 @@ TEST_P(EveryMaterial, IsSampledByItsDensity) {
     const auto result = test::chi_square_on_sphere(
         [&](Vec3& wi) {
           LobeSample<Rgb> s;
-          const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s);
+          const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s);
           wi = s.wi;
           return ok;
         },
-        [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 100'000);
+        [&](const Vec3& wi) { return lobes.pdf(wo, wi, TransportMode::radiance); }, 100'000);
     EXPECT_GT(result.p_value, significance)
         << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
   }
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Bsdf, EveryMaterial, testing::Range<size_t>(0, cases().
 // weight = f cos / pdf for what was sampled.
 TEST(Bsdf, SampleWeightIsEvalOverPdf) {
   for (const auto& c : cases())
-    for (const auto mode : {Transport::radiance, Transport::importance}) {
+    for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       const auto lobes = lobes_of(c.material);
       Draw draw(3);
       for (int i = 0; i < 500; ++i) {
@@ -114,7 +114,7 @@ TEST(Bsdf, DeltasAreThoseThatAreSampled) {
   for (Material* m : {&mirror, &glaze, &glass, &sheet, &mix}) m->roughness = 0;
   const std::pair<Material, int> all[] = {{mirror, 1}, {glaze, 1}, {glass, 2}, {sheet, 2}, {mix, 3}};
   for (const auto& [material, count] : all)
-    for (const auto mode : {Transport::radiance, Transport::importance})
+    for (const auto mode : {TransportMode::radiance, TransportMode::importance})
       for (const Vec3& wo : {direction(10), direction(35), -direction(30)}) {
         const auto lobes = lobes_of(material);
         Deltas<Rgb> deltas;
@@ -144,7 +144,7 @@ TEST(Bsdf, DeltasAreThoseThatAreSampled) {
       }
   Material matte;
   Deltas<Rgb> none;
-  lobes_of(matte).add_deltas(direction(30), Transport::radiance, none);
+  lobes_of(matte).add_deltas(direction(30), TransportMode::radiance, none);
   EXPECT_EQ(none.count, 0);
 }
 
@@ -157,7 +157,7 @@ TEST(Bsdf, ReciprocalUpToTheSquaredIndexLaw) {
     for (int i = 0; i < 2000; ++i) {
       const Vec3 a = direction(89 * draw.one(), 6 * draw.one()), up = direction(89 * draw.one(), 6 * draw.one());
       const Vec3 b = draw.one() < 0.5f ? up : -up;
-      const Rgb forth = lobes.eval(a, b, Transport::radiance), back = lobes.eval(b, a, Transport::radiance);
+      const Rgb forth = lobes.eval(a, b, TransportMode::radiance), back = lobes.eval(b, a, TransportMode::radiance);
       // f(wi -> wo) / eta_o^2 = f(wo -> wi) / eta_i^2                                            thesis (4.137), E8
       const float scale = b.z < 0 ? eta2 : 1;
       for (int k = 0; k < 3; ++k) {
@@ -165,7 +165,8 @@ TEST(Bsdf, ReciprocalUpToTheSquaredIndexLaw) {
         ASSERT_NEAR(forth[k] * scale, back[k], 1e-3f * std::max(1e-3f, std::max(forth[k] * scale, back[k])))
             << c.name << " " << a.z << ' ' << b.z;
       }
-      const Rgb adjoint = lobes.eval(b, a, Transport::importance), forward = lobes.eval(a, b, Transport::radiance);
+      const Rgb adjoint = lobes.eval(b, a, TransportMode::importance),
+                forward = lobes.eval(a, b, TransportMode::radiance);
       for (int k = 0; k < 3; ++k) ASSERT_NEAR(adjoint[k], forward[k], 1e-3f * std::max(1e-3f, forward[k])) << c.name;
     }
   }
@@ -177,7 +178,7 @@ double albedo(const StandardLobes<Rgb>& lobes, const Vec3& wo, double& error) {
   constexpr int kN = 20'000;
   for (int i = 0; i < kN; ++i) {
     LobeSample<Rgb> s;
-    if (!lobes.sample(wo, {draw.one(), draw.two()}, Transport::importance, s)) continue;
+    if (!lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::importance, s)) continue;
     sum += s.weight.g, squares += sqr(double{s.weight.g});
   }
   error = std::sqrt((squares / kN - sqr(sum / kN)) / kN);
@@ -216,8 +217,9 @@ TEST(Anisotropy, RotationTurnsTheSurface) {
   Draw draw(5);
   for (int i = 0; i < 200; ++i) {
     const Vec3 a = direction(80 * draw.one(), 6 * draw.one()), b = direction(80 * draw.one(), 6 * draw.one());
-    const float expected = plain.eval(a, b, Transport::radiance).r;
-    ASSERT_NEAR(turned.eval(quarter_turned(a), quarter_turned(b), Transport::radiance).r, expected, 1e-4f * expected);
+    const float expected = plain.eval(a, b, TransportMode::radiance).r;
+    ASSERT_NEAR(turned.eval(quarter_turned(a), quarter_turned(b), TransportMode::radiance).r, expected,
+                1e-4f * expected);
   }
 }
 
@@ -234,8 +236,8 @@ TEST(Anisotropy, TextureTurnsAndWeakensTheFactors) {
   add_lobes(SurfaceMaterial(textured, {texture}), {}, lobes);
   const auto expected = lobes_of(brushed(0.2f, 0.3f + kPi / 2));
   const Vec3 a = direction(30, 1), b = direction(50, 4);
-  const float f = expected.eval(a, b, Transport::radiance).r;
-  EXPECT_NEAR(lobes.eval(a, b, Transport::radiance).r, f, 1e-4f * f);
+  const float f = expected.eval(a, b, TransportMode::radiance).r;
+  EXPECT_NEAR(lobes.eval(a, b, TransportMode::radiance).r, f, 1e-4f * f);
 }
 
 // A slab of smooth glass at normal incidence, all inter-reflections: T = (1 - R) / (1 + R) = 0.923077 for eta 1.5.
@@ -272,10 +274,10 @@ TEST(Bsdf, PartsOfTheLettersAddUp) {
     EXPECT_FALSE(lobes.scatters(Scatter::specular));
     for (int i = 0; i < 200; ++i) {
       const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
-      const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+      const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
       for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = lobes.eval_part(letter, wo, wi, Transport::radiance);
+        const Rgb part = lobes.eval_part(letter, wo, wi, TransportMode::radiance);
         EXPECT_TRUE(lobes.scatters(letter) || is_black(part)) << c.name;
         for (int k = 0; k < 3; ++k) EXPECT_GE(part[k], 0) << c.name;
         sum += part;
@@ -292,7 +294,7 @@ TEST(Bsdf, SamplesBearLettersOfTheirSurface) {
     const auto lobes = lobes_of(c.material);
     for (int i = 0; i < 200; ++i) {
       LobeSample<Rgb> s;
-      if (!lobes.sample(direction(80 * draw.one()), {draw.one(), draw.two()}, Transport::radiance, s)) continue;
+      if (!lobes.sample(direction(80 * draw.one()), {draw.one(), draw.two()}, TransportMode::radiance, s)) continue;
       EXPECT_EQ(s.delta, s.scatter == Scatter::specular) << c.name;
       EXPECT_TRUE(s.delta || lobes.scatters(s.scatter)) << c.name;
     }

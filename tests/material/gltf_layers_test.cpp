@@ -22,11 +22,11 @@ TEST_P(EveryLayer, IsSampledByItsDensity) {
     const auto result = chi_square_on_sphere(
         [&](Vec3& wi) {
           LobeSample<Rgb> s;
-          const bool ok = lobes.sample(wo, draw.lobe(), Transport::radiance, s);
+          const bool ok = lobes.sample(wo, draw.lobe(), TransportMode::radiance, s);
           wi = s.wi;
           return ok;
         },
-        [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 50'000);
+        [&](const Vec3& wi) { return lobes.pdf(wo, wi, TransportMode::radiance); }, 50'000);
     EXPECT_GT(result.p_value, significance)
         << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
   }
@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Gltf, EveryLayer, testing::Range<size_t>(0, rough_gltf_
 
 TEST(GltfLayers, SampleWeightIsEvalOverPdf) {
   for (const auto& c : gltf_cases())
-    for (const auto mode : {Transport::radiance, Transport::importance}) {
+    for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       const auto lobes = lobes_of(c);
       Draw draw(3);
       for (int i = 0; i < 500; ++i) {
@@ -58,8 +58,8 @@ TEST(GltfLayers, AreReciprocal) {
     Draw draw(5);
     for (int i = 0; i < 2000; ++i) {
       const Vec3 a = direction(89.5f * draw.one(), 6 * draw.one()), b = draw.anywhere();
-      const Rgb forth = lobes.eval(a, b, Transport::radiance), back = lobes.eval(b, a, Transport::radiance);
-      const Rgb adjoint = lobes.eval(b, a, Transport::importance);
+      const Rgb forth = lobes.eval(a, b, TransportMode::radiance), back = lobes.eval(b, a, TransportMode::radiance);
+      const Rgb adjoint = lobes.eval(b, a, TransportMode::importance);
       const float scale = b.z < 0 ? eta2 : 1;
       for (int k = 0; k < 3; ++k) {
         ASSERT_GE(forth[k], 0) << c.name;
@@ -77,7 +77,7 @@ double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo, double& error) {
   constexpr int kN = 20'000;
   for (int i = 0; i < kN; ++i) {
     LobeSample<Rgb> s;
-    if (!lobes.sample(wo, draw.lobe(), Transport::importance, s)) continue;
+    if (!lobes.sample(wo, draw.lobe(), TransportMode::importance, s)) continue;
     const double most = max_component(s.weight);
     sum += most, squares += sqr(most);
   }
@@ -114,10 +114,10 @@ TEST(GltfLayers, PartsOfTheLettersAddUp) {
     const auto lobes = lobes_of(c);
     for (int i = 0; i < 200; ++i) {
       const Vec3 wo = draw.anywhere(), wi = draw.anywhere();
-      const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+      const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
       for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = lobes.eval_part(letter, wo, wi, Transport::radiance);
+        const Rgb part = lobes.eval_part(letter, wo, wi, TransportMode::radiance);
         EXPECT_TRUE(lobes.scatters(letter) || is_black(part)) << c.name;
         sum += part;
       }
@@ -133,14 +133,14 @@ TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
     for (const Vec3& wo : {direction(10), direction(55), -direction(25), -direction(60)}) {
       const auto lobes = lobes_of(c);
       Deltas<Rgb> deltas;
-      lobes.add_deltas(wo, Transport::radiance, deltas);
+      lobes.add_deltas(wo, TransportMode::radiance, deltas);
       double listed = 0, sampled = 0, probability = 0, hits = 0;
       for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
         listed += average(deltas.lobes[k].weight), probability += deltas.probabilities[k];
       Draw draw(9);
       for (int i = 0; i < kSamples; ++i) {
         LobeSample<Rgb> s;
-        if (!lobes.sample(wo, draw.lobe(), Transport::radiance, s) || !s.delta) continue;
+        if (!lobes.sample(wo, draw.lobe(), TransportMode::radiance, s) || !s.delta) continue;
         bool known = false;
         for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
           known = known || (glm::length(deltas.lobes[k].wi - s.wi) < 1e-4f && s.eta == deltas.lobes[k].eta);

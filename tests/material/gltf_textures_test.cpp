@@ -29,7 +29,7 @@ void expect_same(const Material& textured, const Material& plain, const std::str
   Draw draw(7);
   for (int i = 0; i < 200; ++i) {
     const Vec3 o = draw.anywhere(), wi = draw.anywhere();
-    const Rgb a = lobes.eval(o, wi, Transport::radiance), b = expected.eval(o, wi, Transport::radiance);
+    const Rgb a = lobes.eval(o, wi, TransportMode::radiance), b = expected.eval(o, wi, TransportMode::radiance);
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(a[k], b[k], 1e-3f * (1e-3f + b[k])) << name;
   }
 }

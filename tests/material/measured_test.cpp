@@ -89,7 +89,7 @@ TEST(Rgl, IsDrawnNearlyByItself) {
       double sum = 0, squares = 0;
       constexpr int kSamples = 20'000;
       for (int k = 0; k < kSamples; ++k)
-        if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s)) {
+        if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s)) {
           const double w = luminance(s.weight);
           ASSERT_TRUE(std::isfinite(w) && w >= 0);
           sum += w / kSamples, squares += w * w / kSamples;
@@ -100,11 +100,11 @@ TEST(Rgl, IsDrawnNearlyByItself) {
       const auto chi = test::chi_square_on_sphere(
           [&](Vec3& wi) {
             LobeSample<Rgb> s;
-            const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s);
+            const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s);
             wi = s.wi;
             return ok;
           },
-          [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 20'000);
+          [&](const Vec3& wi) { return lobes.pdf(wo, wi, TransportMode::radiance); }, 20'000);
       EXPECT_GT(chi.p_value, 1 - std::pow(0.99, 1.0 / (4 * static_cast<double>(files.size())))) << file << ' ' << theta;
     }
   }
@@ -218,11 +218,11 @@ TEST(Merl, IsReadInItsOwnAngles) {
     const auto chi = test::chi_square_on_sphere(
         [&](Vec3& wi) {
           LobeSample<Rgb> s;
-          const bool ok = lobes.sample(direction(theta), {draw.one(), draw.two()}, Transport::radiance, s);
+          const bool ok = lobes.sample(direction(theta), {draw.one(), draw.two()}, TransportMode::radiance, s);
           wi = s.wi;
           return ok;
         },
-        [&](const Vec3& wi) { return lobes.pdf(direction(theta), wi, Transport::radiance); }, 30'000);
+        [&](const Vec3& wi) { return lobes.pdf(direction(theta), wi, TransportMode::radiance); }, 30'000);
     EXPECT_GT(chi.p_value, 1 - std::pow(0.99, 1.0 / 3)) << theta;
   }
   std::filesystem::remove(path);
@@ -249,7 +249,7 @@ TEST(Merl, DamagedFilesAreErrors) {
 }
 
 std::function<Rgb(const Vec3&, const Vec3&)> function_of(const AllLobes<Rgb>& lobes) {
-  return [&lobes](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
+  return [&lobes](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, TransportMode::radiance); };
 }
 
 // The root of the mean squared difference of f cos cos, over that of f cos cos itself.
@@ -259,7 +259,7 @@ double error_of(const Table& table, const AllLobes<Rgb>& lobes) {
   double off = 0, all = 0;
   for (int k = 0; k < 20'000; ++k) {
     const Vec3 o = draw.upper(), i = draw.upper();
-    const double f = lobes.eval(o, i, Transport::radiance).r;
+    const double f = lobes.eval(o, i, TransportMode::radiance).r;
     off += sqr(table.f(o, i).r - f), all += sqr(f);
   }
   return std::sqrt(off / all);

@@ -25,7 +25,7 @@ struct Clearcoat {
   float fresnel(float cosine) const { return strength * (kCoatF0 + (1 - kCoatF0) * schlick_weight(cosine)); }
   float weight(const Vec3& wo) const { return fresnel(std::abs(glm::dot(frame.z, wo))); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || !one_side(wo, wi)) return Color(0);
     const Vec3 o = frame.to_local(wo), i = frame.to_local(wi), h = glm::normalize(o + i);
     const float shape = facets.d(h) * facets.g2(o, i) / (4 * o.z * i.z);
@@ -33,17 +33,17 @@ struct Clearcoat {
   }
 
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !smooth(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || !one_side(wo, wi)) return 0;
     const Vec3 o = raised(wo), i = raised(wi), h = glm::normalize(o + i);
     return facets.visible_pdf(o, h) / (4 * std::abs(glm::dot(o, h)));
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = raised(wo);
     if (!(o.z > 0)) return false;
     const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(o, draw.u);
@@ -59,7 +59,7 @@ struct Clearcoat {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
     if (!smooth()) return;
     const Vec3 o = raised(wo), wi = lowered(Vec3(-o.x, -o.y, o.z), wo);
     if (o.z > 0 && one_side(wo, wi)) deltas.reflect(wi, mirrored(wo, wi), 1);

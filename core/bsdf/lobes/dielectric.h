@@ -31,7 +31,7 @@ struct Dielectric : Boundary {
   Color reflected(const Incidence& at) const { return this->reflectance(at) * share; }
   Color passed(const Incidence& at) const { return tint * ((1 - this->kept(at)) * share); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     Vec3 h;
     Incidence at;
     if (is_delta() || !half_vector(wo, wi, h, at)) return Color(0);
@@ -39,16 +39,16 @@ struct Dielectric : Boundary {
     if (wo.z * wi.z > 0) return reflected(at) * (common / 4);
     const float e = relative_eta(wo);
     const float oh = glm::dot(wo, h), ih = glm::dot(wi, h);
-    const float scale = mode == Transport::radiance ? 1 / sqr(e) : 1;
+    const float scale = mode == TransportMode::radiance ? 1 / sqr(e) : 1;
     return passed(at) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     Vec3 h;
     Incidence at;
     if (is_delta() || !half_vector(wo, wi, h, at)) return 0;
@@ -60,7 +60,7 @@ struct Dielectric : Boundary {
     return (1 - f) * visible * std::abs(ih) / sqr(ih + glm::dot(wo, h) / relative_eta(wo));
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo.z < 0 ? -1.0f : 1.0f;
     const bool delta = is_delta();
     const Vec3 h = delta ? Vec3(0, 0, side) : facets.sample_visible(wo * side, draw.u) * side;
@@ -80,7 +80,7 @@ struct Dielectric : Boundary {
       s.transmitted = true;
       s.eta = e;
       if (s.wi.z * wo.z >= 0) return false;
-      if (delta) return s.weight = passed(at) * ((mode == Transport::radiance ? 1 / sqr(e) : 1) / (1 - f)), true;
+      if (delta) return s.weight = passed(at) * ((mode == TransportMode::radiance ? 1 / sqr(e) : 1) / (1 - f)), true;
     }
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
     if (!(s.pdf_solid_angle > 0)) return false;
@@ -88,7 +88,7 @@ struct Dielectric : Boundary {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode mode, Deltas<Color>& deltas) const {
     if (!is_delta()) return;
     const Vec3 h(0, 0, wo.z < 0 ? -1.0f : 1.0f);
     const float e = relative_eta(wo), oh = std::abs(wo.z);
@@ -97,7 +97,7 @@ struct Dielectric : Boundary {
     deltas.reflect(reflect(wo, h), reflected(at), f);
     if (f < 1)
       deltas.transmit(-wo / e + h * (oh / e - at.refracted),
-                      passed(at) * (mode == Transport::radiance ? 1 / sqr(e) : 1), e, 1 - f);
+                      passed(at) * (mode == TransportMode::radiance ? 1 / sqr(e) : 1), e, 1 - f);
   }
 
  private:

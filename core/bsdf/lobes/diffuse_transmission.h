@@ -18,21 +18,21 @@ struct DiffuseTransmission {
   bool is_delta() const { return false; }
   float weight(const Vec3& wo) const { return average(color) * (1 - layer.kept(std::abs(wo.z))); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (!(wo.z * wi.z < 0)) return Color(0);
     return color * (kInvPi * (1 - std::max(layer.kept(std::abs(wo.z)), layer.kept(std::abs(wi.z)))));
   }
 
   bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(color); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     return wo.z * wi.z < 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     s.wi = draw.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (!(s.pdf_solid_angle > 0)) return false;
@@ -43,7 +43,7 @@ struct DiffuseTransmission {
     return true;
   }
 
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
 };
 
 }  // namespace etendue

@@ -14,18 +14,20 @@ struct Lambert {
   bool is_delta() const { return false; }
   float weight(const Vec3&) const { return average(albedo); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const { return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0); }
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
+    return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0);
+  }
 
   bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(albedo); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode, LobeSample<Color>& s) const {
     s.wi = draw.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (wo.z < 0) s.wi.z = -s.wi.z;
@@ -34,7 +36,7 @@ struct Lambert {
     return s.pdf_solid_angle > 0;
   }
 
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
 };
 
 }  // namespace etendue

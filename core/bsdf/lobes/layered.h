@@ -42,7 +42,7 @@ struct Layered : Fresnel {
     return layer > 0 ? (diffuse > 0 ? std::clamp(layer / (layer + diffuse), 0.1f, 0.95f) : 1.0f) : 0.0f;
   }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (wo.z * wi.z <= 0) return Color(0);
     const Vec3 h = glm::normalize(wo + wi);
     const float c = std::abs(glm::dot(wo, h));
@@ -55,7 +55,7 @@ struct Layered : Fresnel {
     return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && this->reflects();
   }
   // The base is D, the layer G.
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (!scatters(letter) || wo.z * wi.z <= 0) return Color(0);
     const Vec3 h = glm::normalize(wo + wi);
     const float c = std::abs(glm::dot(wo, h));
@@ -63,7 +63,7 @@ struct Layered : Fresnel {
     return fresnel(c) * (facets.d(h) * facets.g2(wo, wi) / (4 * wo.z * wi.z));
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (wo.z * wi.z <= 0) return 0;
     const float share = specular_share(wo);
     float p = (1 - share) * cosine_hemisphere_pdf(std::abs(wi.z));
@@ -71,7 +71,7 @@ struct Layered : Fresnel {
     return p;
   }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo = Vec3(wo_any.x, wo_any.y, side * wo_any.z);
     const float share = specular_share(wo);
@@ -98,7 +98,7 @@ struct Layered : Fresnel {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
     if (smooth()) deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)), specular_share(wo));
   }
 

@@ -21,14 +21,14 @@ struct OpaqueLobe {
 
   bool is_delta() const { return false; }
 
-  Color eval(Vec3 wo, Vec3 wi, Transport mode) const {
+  Color eval(Vec3 wo, Vec3 wi, TransportMode mode) const {
     if (!raise(wo, wi)) return Color(0);
-    return mode == Transport::radiance ? self().f(wo, wi) : self().f(wi, wo);
+    return mode == TransportMode::radiance ? self().f(wo, wi) : self().f(wi, wo);
   }
 
-  float pdf(Vec3 wo, Vec3 wi, Transport) const { return raise(wo, wi) ? self().density(wo, wi) : 0; }
+  float pdf(Vec3 wo, Vec3 wi, TransportMode) const { return raise(wo, wi) ? self().density(wo, wi) : 0; }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
     if (!self().draw(wo, draw, s.wi) || !(s.wi.z > 0)) return false;
@@ -41,10 +41,10 @@ struct OpaqueLobe {
   }
 
   bool scatters(Scatter part) const { return part == letter; }
-  Color eval_part(Scatter part, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter part, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return part == letter ? eval(wo, wi, mode) : Color(0);
   }
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
 
  private:
   const Lobe& self() const { return static_cast<const Lobe&>(*this); }

@@ -46,7 +46,7 @@ struct ThinDielectric : DeltaLobe<Color> {
     return sum;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode, LobeSample<Color>& s) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
     s.transmitted = draw.choice >= share;
@@ -56,7 +56,7 @@ struct ThinDielectric : DeltaLobe<Color> {
     s.delta = true;
     return true;
   }
-  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
     deltas.reflect(this->mirrored(wo), both.reflected, share);

@@ -25,7 +25,7 @@ struct ThinTransmission : Fresnel {
   float reflect_share(float cosine) const { return std::clamp(average(fresnel(cosine)), 0.05f, 0.95f); }
   Color passed(float cosine) const { return tint * (1 - kept(cosine)); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || wo.z * wi.z == 0) return Color(0);
     const bool reflection = wo.z * wi.z > 0;
     const Vec3 mirrored = reflection ? wi : Vec3(wi.x, wi.y, -wi.z);
@@ -36,11 +36,11 @@ struct ThinTransmission : Fresnel {
   }
 
   bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || wo.z * wi.z == 0) return 0;
     const bool reflection = wo.z * wi.z > 0;
     const float side = wo.z < 0 ? -1.0f : 1.0f;
@@ -50,7 +50,7 @@ struct ThinTransmission : Fresnel {
     return p * (reflection ? reflect_share(c) : 1 - reflect_share(c));
   }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
     const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(wo, draw.u);
@@ -74,7 +74,7 @@ struct ThinTransmission : Fresnel {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
     if (!smooth()) return;
     const float c = std::abs(wo.z);
     const float reflected = reflect_share(c);

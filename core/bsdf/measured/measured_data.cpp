@@ -111,7 +111,7 @@ Result<const SampledTable*> table(const std::string& source, int polar, int azim
     if (!model) return model.error();
     AllLobes<Rgb> lobes;
     (*model)->add_lobes(Rgb(1), lobes);
-    const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
+    const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, TransportMode::radiance); };
     return sampled(BrdfTable::measured(f, polar, azimuths, !is_directed(lobes)));
   });
 }
@@ -131,7 +131,7 @@ Result<const SampledHarmonics*> harmonics(const std::string& source, int bands) 
         if (!model) return model.error();
         AllLobes<Rgb> lobes;
         (*model)->add_lobes(Rgb(1), lobes);
-        const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, Transport::radiance); };
+        const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, TransportMode::radiance); };
         return std::make_unique<const SampledHarmonics>(HarmonicBrdf(f, bands), 1, true);
       });
 }

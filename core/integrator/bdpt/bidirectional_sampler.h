@@ -155,7 +155,7 @@ class BidirectionalSampler {
             [&](int i) { return counts(light_.path_at(i), light_.length() + 1, 1); });
         keep_vertices();
         transport::sample_bsdf_where(
-            light_, plan_->roulette_start, Transport::importance,
+            light_, plan_->roulette_start, TransportMode::importance,
             [&](int i) { return techniques_.empty() || light_.length() + 1 < technique(light_.path_at(i)).s; },
             [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
       }
@@ -265,7 +265,7 @@ class BidirectionalSampler {
             [&](int i) { return counts(camera_.path_at(i), 1, camera_.length() + 1); });
         connect_vertices();
         transport::sample_bsdf_where(
-            camera_, plan_->roulette_start, Transport::radiance,
+            camera_, plan_->roulette_start, TransportMode::radiance,
             [&](int i) { return techniques_.empty() || camera_.length() + 1 < technique(camera_.path_at(i)).t; },
             [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
       }
@@ -352,9 +352,9 @@ class BidirectionalSampler {
     if (!(squared > 0)) return;
     const float distance = std::sqrt(squared), over_distance = 1 / distance;
     const Vec3 wi = to_y * over_distance;
-    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, Transport::radiance);
+    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, TransportMode::radiance);
     if (is_black(at_z.f_cos)) return;
-    const auto at_y = y.bsdf.evaluate(y.wo, -wi, Transport::importance);
+    const auto at_y = y.bsdf.evaluate(y.wo, -wi, TransportMode::importance);
     if (is_black(at_y.f_cos)) return;
     const float to_area = sqr(over_distance);
     const float lights =

@@ -42,7 +42,7 @@ class PhotonReflection {
     if constexpr (M::kClasses)
       f = admitted(wi, weights_.of[photon.state()]);
     else
-      f = view_.split.wide(bsdf_, wo_, wi, Transport::radiance);
+      f = view_.split.wide(bsdf_, wo_, wi, TransportMode::radiance);
     // Directions along the surface are as rare as they are heavy.
     constexpr float kLeast = 1e-3f;
     const float cosines = flat_ ? 1 : bsdf_.cosine(wi) / std::max(std::abs(glm::dot(ng_, wi)), kLeast);

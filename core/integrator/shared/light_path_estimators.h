@@ -65,7 +65,7 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& wal
     const Vec2 on_lens = lens ? paths.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);
     const auto view = context.camera->view(point.position, on_lens, state.time);
     if (!view || !splatter.reaches(view->raster)) continue;
-    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, Transport::importance).f_cos;
+    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, TransportMode::importance).f_cos;
     if constexpr (M::kClasses) f_cos = paths.shares().of_connection(path, bsdf, paths.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
     const float weight = weigh(i, *view);

@@ -99,10 +99,10 @@ std::optional<uint64_t> make_virtual_lights(const RenderContext& context, uint32
       if (plan.longest > 0 && paths.length() > plan.longest) continue;
       if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
       if (plan.lambertian) {
-        sample_bsdf(paths, 1, Transport::importance, maker);
+        sample_bsdf(paths, 1, TransportMode::importance, maker);
       } else {
         maker.add_arrivals(paths);
-        sample_bsdf(paths, 1, Transport::importance);
+        sample_bsdf(paths, 1, TransportMode::importance);
       }
     }
   if (paths.cancelled()) return {};

@@ -50,7 +50,8 @@ class BranchingPaths {
       paths_->draw(numbers);
       for (int i = 0; i < paths_->hit_count(); ++i) {
         LobeSample<Color> s;
-        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), Transport::radiance, s) || s.delta) continue;
+        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), TransportMode::radiance, s) || s.delta)
+          continue;
         // All of them look for the same light, with so many times the density.
         const auto share = static_cast<float>(count);
         s.weight /= share, s.pdf_solid_angle *= share;

@@ -30,7 +30,7 @@ class LobeSplit {
 
   // The wide part of f.
   template <class M>
-  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Transport mode) const {
+  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return has_near_specular_gloss(bsdf) ? bsdf.eval_part(Scatter::diffuse, wo, wi, mode) : bsdf.eval(wo, wi, mode);
   }
 
@@ -43,7 +43,7 @@ class LobeSplit {
 // A walk goes on by the narrow part alone.
 struct TakeNearSpecular {
   LobeSplit split;
-  Transport mode = Transport::radiance;
+  TransportMode mode = TransportMode::radiance;
 
   template <class M>
   bool operator()(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color>& s) const {
