@@ -26,26 +26,26 @@ AllLobes<Rgb>::AllLobes() { AllLobesAccess::create(*this); }
 void AllLobes<Rgb>::clear() { lobe_set(*this).clear(); }
 bool AllLobes<Rgb>::empty() const { return lobe_set(*this).empty(); }
 int AllLobes<Rgb>::size() const { return lobe_set(*this).size(); }
-bool AllLobes<Rgb>::has_non_delta() const { return lobe_set(*this).has_non_delta(); }
-float AllLobes<Rgb>::alpha() const { return lobe_set(*this).alpha(); }
-bool AllLobes<Rgb>::scatters(Scatter letter) const { return lobe_set(*this).scatters(letter); }
+bool AllLobes<Rgb>::has_non_delta_lobe() const { return lobe_set(*this).has_non_delta_lobe(); }
+float AllLobes<Rgb>::min_alpha() const { return lobe_set(*this).min_alpha(); }
+bool AllLobes<Rgb>::has_component(ScatterType letter) const { return lobe_set(*this).has_component(letter); }
 Rgb AllLobes<Rgb>::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).eval(wo, wi, mode);
 }
-Rgb AllLobes<Rgb>::eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-  return lobe_set(*this).eval_part(letter, wo, wi, mode);
+Rgb AllLobes<Rgb>::eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  return lobe_set(*this).eval_component(letter, wo, wi, mode);
 }
 float AllLobes<Rgb>::pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).pdf(wo, wi, mode);
 }
-bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Rgb>& s) const {
+bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Rgb>& s) const {
   return lobe_set(*this).sample(wo, draw, mode, s);
 }
-void AllLobes<Rgb>::add_deltas(const Vec3& wo, TransportMode mode, Deltas<Rgb>& deltas) const {
+void AllLobes<Rgb>::add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Rgb>& deltas) const {
   lobe_set(*this).add_deltas(wo, mode, deltas);
 }
 
-bool is_directed(const AllLobes<Rgb>& lobes) {
+bool depends_on_azimuth(const AllLobes<Rgb>& lobes) {
   const auto turned = [](const Vec3& w, float phi) {
     return Vec3(std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z);
   };

@@ -25,14 +25,14 @@ class AllLobes<Rgb> {
   void clear();
   bool empty() const;
   int size() const;
-  bool has_non_delta() const;
-  float alpha() const;
-  bool scatters(Scatter letter) const;
+  bool has_non_delta_lobe() const;
+  float min_alpha() const;
+  bool has_component(ScatterType letter) const;
   Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
-  Rgb eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const;
+  Rgb eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const;
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Rgb>& s) const;
-  void add_deltas(const Vec3& wo, TransportMode mode, Deltas<Rgb>& deltas) const;
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Rgb>& s) const;
+  void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Rgb>& deltas) const;
 
   static constexpr size_t kBytes = 864, kAlignment = 8;
 
@@ -42,6 +42,6 @@ class AllLobes<Rgb> {
 };
 
 // Whether f changes when both directions turn about the normal by the same angle.
-bool is_directed(const AllLobes<Rgb>& lobes);
+bool depends_on_azimuth(const AllLobes<Rgb>& lobes);
 
 }  // namespace etendue

@@ -17,17 +17,17 @@ class Bsdf {
 
   // Without lobes. `geometric_normal` and the frame's z point to the front of the surface; both must stay where they
   // are.
-  void build(const Frame& shading, const Vec3& geometric_normal) {
+  void reset(const Frame& shading, const Vec3& geometric_normal) {
     frame_ = &shading, ng_ = &geometric_normal;
     lobes.clear();
   }
 
   // After a copy: the same at a copy of the point.
-  void refer_to(const Frame& shading, const Vec3& geometric_normal) { frame_ = &shading, ng_ = &geometric_normal; }
+  void rebind(const Frame& shading, const Vec3& geometric_normal) { frame_ = &shading, ng_ = &geometric_normal; }
 
   typename M::Lobes lobes;
 
-  bool has_non_delta() const { return lobes.has_non_delta(); }
+  bool has_non_delta_lobe() const { return lobes.has_non_delta_lobe(); }
   const Frame& frame() const { return *frame_; }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
@@ -36,13 +36,14 @@ class Bsdf {
   }
 
   // Whether `eval` can have a part of this letter; deltas are none of it.
-  bool scatters(Scatter letter) const { return lobes.scatters(letter); }
+  bool has_component(ScatterType letter) const { return lobes.has_component(letter); }
 
   // The part of `eval` that is of one letter.
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi,
+                       TransportMode mode = TransportMode::radiance) const {
     const Vec3 o = frame_->to_local(wo), i = frame_->to_local(wi);
     if (!consistent(wo, wi, o, i)) return Color(0);
-    return lobes.eval_part(letter, o, i, mode) * adjoint_factor(wo, wi, o, i, mode);
+    return lobes.eval_component(letter, o, i, mode) * adjoint_factor(wo, wi, o, i, mode);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
@@ -62,7 +63,7 @@ class Bsdf {
   }
 
   // s.weight is f cos / pdf with the cosine to the shading normal; s.wi is in world space. False: the path ends here.
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = frame_->to_local(wo);
     if (o.z == 0 || !lobes.sample(o, draw, mode, s)) return false;
     const Vec3 i = s.wi;
@@ -74,8 +75,8 @@ class Bsdf {
 
   // Every delta with its coefficient, in world space: what `sample` finds when it chooses one, each over the
   // probability of that choice.
-  Deltas<Color> deltas(const Vec3& wo, TransportMode mode = TransportMode::radiance) const {
-    Deltas<Color> all, kept;
+  DeltaSet<Color> deltas(const Vec3& wo, TransportMode mode = TransportMode::radiance) const {
+    DeltaSet<Color> all, kept;
     const Vec3 o = frame_->to_local(wo);
     if (o.z != 0) lobes.add_deltas(o, mode, all);
     for (int k = 0; k < all.count; ++k) {
@@ -91,9 +92,9 @@ class Bsdf {
 
   // The delta that takes wo to this side of the surface; d.wi is in world space, and d.value without the adjoint's
   // ratio of cosines. False if there is none.
-  bool follow(const Vec3& wo, bool transmitted, TransportMode mode, SingleDirection<Color>& d) const {
+  bool delta_direction(const Vec3& wo, bool transmitted, TransportMode mode, DeltaDirection<Color>& d) const {
     const Vec3 o = frame_->to_local(wo);
-    Deltas<Color> all;
+    DeltaSet<Color> all;
     if (o.z != 0) lobes.add_deltas(o, mode, all);
     d = {};
     Vec3 i(0);

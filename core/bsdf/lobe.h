@@ -5,12 +5,13 @@
 //
 //   Color eval(wo, wi, TransportMode) const;
 //   float pdf(wo, wi, TransportMode) const;
-//   bool  sample(wo, LobeDraw, TransportMode, LobeSample<Color>&) const;    // false: absorbed
+//   bool  sample(wo, LobeRandom, TransportMode, LobeSample<Color>&) const;    // false: absorbed
 //   float weight(wo) const;                                             // about its albedo: its share when sampling
 //   bool  is_delta() const;                                             // eval and pdf are zero
-//   bool  scatters(Scatter) const;                                      // eval has a part of this letter
-//   Color eval_part(Scatter, wo, wi, TransportMode) const;                  // that part; all parts together are eval
-//   void  add_deltas(wo, TransportMode, Deltas<Color>&) const;              // those that `sample` would choose from
+//   bool  has_component(ScatterType) const;                                      // eval has a part of this letter
+//   Color eval_component(ScatterType, wo, wi, TransportMode) const;                  // that part; all parts together
+//   are eval void  add_deltas(wo, TransportMode, DeltaSet<Color>&) const;              // those that `sample` would
+//   choose from
 #pragma once
 #include <array>
 
@@ -22,17 +23,17 @@ namespace etendue {
 enum class TransportMode : uint8_t { radiance, importance };
 
 // Heckbert's letters for a scattering event, and the side that it goes to.
-enum class Scatter : uint8_t { diffuse, glossy, specular };
+enum class ScatterType : uint8_t { diffuse, glossy, specular };
 
 // The random numbers of one sample of a lobe. The direction is that which `u` stands for under the cosine: most lobes
 // want it, and it is cheaper to compute for many paths at once.
-struct LobeDraw {
+struct LobeRandom {
   float choice = 0;
   Vec2 u{0};
   Vec3 cosine_direction{0, 0, 1};
 
-  LobeDraw(float choice_, Vec2 u_) : LobeDraw(choice_, u_, square_to_cosine_hemisphere(u_)) {}
-  LobeDraw(float choice_, Vec2 u_, const Vec3& direction) : choice(choice_), u(u_), cosine_direction(direction) {}
+  LobeRandom(float choice_, Vec2 u_) : LobeRandom(choice_, u_, square_to_cosine_hemisphere(u_)) {}
+  LobeRandom(float choice_, Vec2 u_, const Vec3& direction) : choice(choice_), u(u_), cosine_direction(direction) {}
 };
 
 template <class Color>
@@ -41,7 +42,7 @@ struct LobeSample {
   Color weight{0};            // f cos / pdf, and the delta's coefficient where `delta`
   float pdf_solid_angle = 0;  // 0 where `delta`
   float eta = 1;              // eta(wi side) / eta(wo side): not 1 after refraction
-  Scatter scatter = Scatter::diffuse;
+  ScatterType type = ScatterType::diffuse;
   bool delta = false;
   bool transmitted = false;
 };
@@ -49,7 +50,7 @@ struct LobeSample {
 // Every delta of a surface at once, for methods that follow each: `weight` is its coefficient, nothing was chosen.
 // `probabilities` are those with which `sample` chooses them.
 template <class Color>
-struct Deltas {
+struct DeltaSet {
   static constexpr int kMost = 4;
 
   std::array<LobeSample<Color>, kMost> lobes;
@@ -57,10 +58,10 @@ struct Deltas {
   int count = 0;
 
   void reflect(const Vec3& wi, const Color& weight, float probability) {
-    add({wi, weight, 0, 1, Scatter::specular, true, false}, probability);
+    add({wi, weight, 0, 1, ScatterType::specular, true, false}, probability);
   }
   void transmit(const Vec3& wi, const Color& weight, float eta, float probability) {
-    add({wi, weight, 0, eta, Scatter::specular, true, true}, probability);
+    add({wi, weight, 0, eta, ScatterType::specular, true, true}, probability);
   }
 
  private:
@@ -72,7 +73,7 @@ struct Deltas {
 
 // The single direction that deltas take light to, on one side of the surface.
 template <class Color>
-struct SingleDirection {
+struct DeltaDirection {
   Vec3 wi{0};
   Color value{0};         // the delta's coefficient
   float probability = 0;  // with which `sample` chooses it

@@ -69,7 +69,7 @@ class LobeSet {
   }
 
   // True if there is a lobe that a light sample can be combined with.
-  bool has_non_delta() const {
+  bool has_non_delta_lobe() const {
     for (int i = 0; i < count_; ++i)
       if (!visit(i, [](const auto& l) { return l.is_delta(); })) return true;
     return false;
@@ -80,20 +80,20 @@ class LobeSet {
   }
 
   // What tells narrow lobes from wide ones: the least slope of those that are glossy.
-  float alpha() const {
+  float min_alpha() const {
     float least = 1;
     for (int i = 0; i < count_; ++i) least = std::min(least, visit(i, [](const auto& l) { return slope_of(l); }));
     return least;
   }
 
-  bool scatters(Scatter letter) const {
+  bool has_component(ScatterType letter) const {
     for (int i = 0; i < count_; ++i)
-      if (visit(i, [&](const auto& l) { return l.scatters(letter); })) return true;
+      if (visit(i, [&](const auto& l) { return l.has_component(letter); })) return true;
     return false;
   }
 
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return sum(wo, wi, [&](const auto& l) { return l.eval_part(letter, wo, wi, mode); });
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return sum(wo, wi, [&](const auto& l) { return l.eval_component(letter, wo, wi, mode); });
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
@@ -104,7 +104,7 @@ class LobeSet {
     return p;
   }
 
-  bool sample(const Vec3& wo, LobeDraw draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, LobeRandom draw, TransportMode mode, LobeSample<Color>& s) const {
     if (count_ == 0) return false;
     const Shares shares = lobe_shares(wo);
     int chosen = 0;
@@ -125,7 +125,7 @@ class LobeSet {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, TransportMode mode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Color>& deltas) const {
     const Shares shares = lobe_shares(wo);
     for (int i = 0; i < count_; ++i) {
       const int first = deltas.count;
@@ -192,17 +192,17 @@ class DiffuseOnly {
   void add(const Lambert<Color>& lobe) { lobe_ = lobe; }
   void clear() { lobe_.albedo = Color(0); }
   bool empty() const { return is_black(lobe_.albedo); }
-  bool has_non_delta() const { return !empty(); }
+  bool has_non_delta_lobe() const { return !empty(); }
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.eval(wo, wi, mode); }
-  bool scatters(Scatter letter) const { return lobe_.scatters(letter); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return lobe_.eval_part(letter, wo, wi, mode);
+  bool has_component(ScatterType letter) const { return lobe_.has_component(letter); }
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return lobe_.eval_component(letter, wo, wi, mode);
   }
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.pdf(wo, wi, mode); }
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     return lobe_.sample(wo, draw, mode, s);
   }
-  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 
  private:
   Lambert<Color> lobe_;

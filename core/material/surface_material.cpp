@@ -81,10 +81,10 @@ void SurfaceMaterial::prepare_model() {
     const Rgb share = ratio(lambert->albedo, reflectance(factor));
     factor *= Vec4(share.r, share.g, share.b, 1);
   }
-  Deltas<Rgb> deltas;
+  DeltaSet<Rgb> deltas;
   lobes.add_deltas(Vec3(0, 0, 1), TransportMode::radiance, deltas);
   specular_deltas = deltas.count > 0;
-  anisotropic = is_directed(lobes);
+  anisotropic = depends_on_azimuth(lobes);
   if (plain) ready = std::make_shared<AllLobes<Rgb>>(lobes);
 }
 

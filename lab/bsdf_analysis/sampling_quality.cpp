@@ -61,7 +61,7 @@ Tally by_cosine(const Lobes& lobes, const Vec3& wo, bool passes, uint32_t sample
   for (uint32_t r = 0; r < kHalves; ++r) {
     double common = 0;
     for (uint32_t i = 0; i < samples / kHalves; ++i) {
-      const LobeDraw draw = draw_of(100 + r, i);
+      const LobeRandom draw = draw_of(100 + r, i);
       Vec3 wi = draw.cosine_direction;
       if ((wo.z < 0) != (passes && draw.choice < 0.5f)) wi.z = -wi.z;
       const double weight =

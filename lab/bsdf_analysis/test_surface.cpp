@@ -33,7 +33,7 @@ bool passes_light(const Lobes& lobes) {
   return false;
 }
 
-LobeDraw draw_of(uint32_t replicate, uint32_t i) {
+LobeRandom draw_of(uint32_t replicate, uint32_t i) {
   // The powers of the reciprocal of the root of x^4 = x + 1, as fractions of 2^32.
   constexpr uint32_t kSteps[3] = {0xd1b54a35U, 0xabc98389U, 0x8cb92ba7U};
   const auto number = [&](uint32_t dimension) {

@@ -117,11 +117,11 @@ TEST(Bsdf, DeltasAreThoseThatAreSampled) {
     for (const auto mode : {TransportMode::radiance, TransportMode::importance})
       for (const Vec3& wo : {direction(10), direction(35), -direction(30)}) {
         const auto lobes = lobes_of(material);
-        Deltas<Rgb> deltas;
+        DeltaSet<Rgb> deltas;
         lobes.add_deltas(wo, mode, deltas);
         ASSERT_EQ(deltas.count, count);
         constexpr int kSamples = 20'000;
-        std::array<double, Deltas<Rgb>::kMost> sums{};
+        std::array<double, DeltaSet<Rgb>::kMost> sums{};
         Draw draw(9);
         for (int i = 0; i < kSamples; ++i) {
           LobeSample<Rgb> s;
@@ -143,7 +143,7 @@ TEST(Bsdf, DeltasAreThoseThatAreSampled) {
         }
       }
   Material matte;
-  Deltas<Rgb> none;
+  DeltaSet<Rgb> none;
   lobes_of(matte).add_deltas(direction(30), TransportMode::radiance, none);
   EXPECT_EQ(none.count, 0);
 }
@@ -271,14 +271,14 @@ TEST(Bsdf, PartsOfTheLettersAddUp) {
   }
   for (const auto& c : all) {
     const auto lobes = lobes_of(c.material);
-    EXPECT_FALSE(lobes.scatters(Scatter::specular));
+    EXPECT_FALSE(lobes.has_component(ScatterType::specular));
     for (int i = 0; i < 200; ++i) {
       const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
       const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
-      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = lobes.eval_part(letter, wo, wi, TransportMode::radiance);
-        EXPECT_TRUE(lobes.scatters(letter) || is_black(part)) << c.name;
+      for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
+        const Rgb part = lobes.eval_component(letter, wo, wi, TransportMode::radiance);
+        EXPECT_TRUE(lobes.has_component(letter) || is_black(part)) << c.name;
         for (int k = 0; k < 3; ++k) EXPECT_GE(part[k], 0) << c.name;
         sum += part;
       }
@@ -295,8 +295,8 @@ TEST(Bsdf, SamplesBearLettersOfTheirSurface) {
     for (int i = 0; i < 200; ++i) {
       LobeSample<Rgb> s;
       if (!lobes.sample(direction(80 * draw.one()), {draw.one(), draw.two()}, TransportMode::radiance, s)) continue;
-      EXPECT_EQ(s.delta, s.scatter == Scatter::specular) << c.name;
-      EXPECT_TRUE(s.delta || lobes.scatters(s.scatter)) << c.name;
+      EXPECT_EQ(s.delta, s.type == ScatterType::specular) << c.name;
+      EXPECT_TRUE(s.delta || lobes.has_component(s.type)) << c.name;
     }
   }
 }

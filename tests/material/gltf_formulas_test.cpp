@@ -13,7 +13,7 @@ TEST(Clearcoat, IsAMirrorAboutItsNormal) {
   m.metallic = 0, m.specular = 0, m.base_color = Rgb(1), m.clearcoat = 0.5f;
   const Vec3 normal = direction(10, 1);
   const auto lobes = lobes_of(m, normal);
-  Deltas<Rgb> deltas;
+  DeltaSet<Rgb> deltas;
   lobes.add_deltas(normal, TransportMode::radiance, deltas);
   ASSERT_EQ(deltas.count, 1);
   EXPECT_LT(glm::length(deltas.lobes[0].wi - normal), 1e-5f);
@@ -141,7 +141,7 @@ TEST(TintedGlass, ReflectsTotallyAllTheSame) {
   m.metallic = 0, m.roughness = 0, m.transmission = 1, m.thickness = 1;
   m.specular = 0.5f, m.specular_color = {1, 0.5f, 0};
   const auto lobes = lobes_of(m);
-  Deltas<Rgb> inside, outside;
+  DeltaSet<Rgb> inside, outside;
   lobes.add_deltas(-direction(60), TransportMode::radiance, inside);
   ASSERT_EQ(inside.count, 1);
   EXPECT_EQ(inside.lobes[0].weight, Rgb(1));

@@ -116,9 +116,9 @@ TEST(GltfLayers, PartsOfTheLettersAddUp) {
       const Vec3 wo = draw.anywhere(), wi = draw.anywhere();
       const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
-      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = lobes.eval_part(letter, wo, wi, TransportMode::radiance);
-        EXPECT_TRUE(lobes.scatters(letter) || is_black(part)) << c.name;
+      for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
+        const Rgb part = lobes.eval_component(letter, wo, wi, TransportMode::radiance);
+        EXPECT_TRUE(lobes.has_component(letter) || is_black(part)) << c.name;
         sum += part;
       }
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum[k], f[k], 1e-5f * f[k]) << c.name;
@@ -132,7 +132,7 @@ TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
   for (const auto& c : gltf_cases())
     for (const Vec3& wo : {direction(10), direction(55), -direction(25), -direction(60)}) {
       const auto lobes = lobes_of(c);
-      Deltas<Rgb> deltas;
+      DeltaSet<Rgb> deltas;
       lobes.add_deltas(wo, TransportMode::radiance, deltas);
       double listed = 0, sampled = 0, probability = 0, hits = 0;
       for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)

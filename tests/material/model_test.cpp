@@ -36,7 +36,7 @@ TEST_P(EveryModel, IsSampledByItsDensity) {
   const double significance = 1 - std::pow(0.99, 1.0 / static_cast<double>(test::count_cases() * outs.size()));
   unsigned seed = 1;
   for (const ModelCase& c : test::cases_of(GetParam())) {
-    if (!c.lobes.has_non_delta()) continue;
+    if (!c.lobes.has_non_delta_lobe()) continue;
     for (const Vec3& wo : outs) {
       Draw draw(++seed);
       const auto result = test::chi_square_on_sphere(
@@ -103,7 +103,7 @@ TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (const auto mode : {TransportMode::radiance, TransportMode::importance})
       for (const Vec3& wo : {direction(10), direction(75, 2), -direction(30)}) {
-        Deltas<Rgb> deltas;
+        DeltaSet<Rgb> deltas;
         c.lobes.add_deltas(wo, mode, deltas);
         Draw draw(9);
         for (int k = 0; k < 200; ++k) {
@@ -130,9 +130,9 @@ TEST_P(EveryModel, IsTheSumOfItsLetters) {
       const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
       const Rgb f = c.lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
-      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = c.lobes.eval_part(letter, wo, wi, TransportMode::radiance);
-        ASSERT_TRUE(c.lobes.scatters(letter) || is_black(part)) << c.name;
+      for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
+        const Rgb part = c.lobes.eval_component(letter, wo, wi, TransportMode::radiance);
+        ASSERT_TRUE(c.lobes.has_component(letter) || is_black(part)) << c.name;
         sum += part;
       }
       for (int band = 0; band < 3; ++band) ASSERT_NEAR(sum[band], f[band], 1e-5f * f[band]) << c.name;
@@ -217,11 +217,11 @@ TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
 
 // The share of a beam's power that leaves the surface: deltas and an integral that is refined where samples are dense.
 double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo) {
-  Deltas<Rgb> deltas;
+  DeltaSet<Rgb> deltas;
   lobes.add_deltas(wo, TransportMode::importance, deltas);
   double sum = 0;
   for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k) sum += max_component(deltas.lobes[k].weight);
-  if (!lobes.has_non_delta()) return sum;
+  if (!lobes.has_non_delta_lobe()) return sum;
   Draw draw(11);
   std::vector<Vec3> scouts;
   for (int k = 0; k < 4000; ++k)

@@ -287,7 +287,7 @@ TEST(Schlick, GainsAtGrazingAngles) {
     const Settings settings{{"double", "off"}, {"shadowing", shadowing}, {"roughness", roughness},
                             {"color.r", "1"},  {"color.g", "1"},         {"color.b", "1"}};
     const auto lobes = lobes_of(*model_with("schlick", settings));
-    Deltas<Rgb> deltas;
+    DeltaSet<Rgb> deltas;
     lobes.add_deltas(direction(89.9f), TransportMode::radiance, deltas);
     double mirror = 0;
     for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k) mirror += deltas.lobes[k].weight.r;
@@ -343,7 +343,7 @@ TEST(Mirror, IsTheLimitOfFacets) {
     for (const char* knob : {"m", "alpha-x", "alpha-y"})
       if (find_parameter(make_bsdf_model(name)->info().parameters, knob)) smooth.emplace_back(knob, "0");
     const auto lobes = lobes_of(*model_of(name, smooth));
-    Deltas<Rgb> expected, found;
+    DeltaSet<Rgb> expected, found;
     mirror.add_deltas(wo, TransportMode::radiance, expected), lobes.add_deltas(wo, TransportMode::radiance, found);
     ASSERT_EQ(found.count, 1) << name;
     EXPECT_EQ(found.lobes[0].wi, expected.lobes[0].wi);

@@ -17,7 +17,7 @@ struct Draw {
   explicit Draw(unsigned seed) : engine(seed) {}
   float one() { return to_unit_float(static_cast<uint32_t>(engine())); }
   Vec2 two() { return {one(), one()}; }
-  LobeDraw lobe() {
+  LobeRandom lobe() {
     const float choice = one();
     return {choice, two()};
   }

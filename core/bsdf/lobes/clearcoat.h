@@ -32,9 +32,9 @@ struct Clearcoat {
     return Color(fresnel(std::abs(glm::dot(o, h))) * shape * foreshortened(wo, o) * foreshortened(wi, i));
   }
 
-  bool scatters(Scatter letter) const { return letter == Scatter::glossy && !smooth(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType letter) const { return letter == ScatterType::glossy && !smooth(); }
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return letter == ScatterType::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
@@ -43,7 +43,7 @@ struct Clearcoat {
     return facets.visible_pdf(o, h) / (4 * std::abs(glm::dot(o, h)));
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = raised(wo);
     if (!(o.z > 0)) return false;
     const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(o, draw.u);
@@ -51,7 +51,7 @@ struct Clearcoat {
     s.wi = lowered(i, wo);
     if (!(i.z > 0) || !one_side(wo, s.wi)) return false;
     s.delta = smooth();
-    s.scatter = s.delta ? Scatter::specular : Scatter::glossy;
+    s.type = s.delta ? ScatterType::specular : ScatterType::glossy;
     if (s.delta) return s.weight = mirrored(wo, s.wi), true;
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
     if (!(s.pdf_solid_angle > 0)) return false;
@@ -59,7 +59,7 @@ struct Clearcoat {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     if (!smooth()) return;
     const Vec3 o = raised(wo), wi = lowered(Vec3(-o.x, -o.y, o.z), wo);
     if (o.z > 0 && one_side(wo, wi)) deltas.reflect(wi, mirrored(wo, wi), 1);

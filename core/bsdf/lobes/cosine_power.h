@@ -26,7 +26,7 @@ struct CosinePower : OpaqueLobe<ColorType, CosinePower<ColorType>> {
   float density(const Vec3& o, const Vec3& i) const {
     return (exponent + 1) / (2 * kPi) * power(cosine(o, i), exponent);
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     i = Frame(mirrored(o)).to_world(square_to_cosine_power(draw.u, exponent));
     return true;
   }

@@ -10,8 +10,8 @@ struct DeltaLobe {
   float slope() const { return 0; }
   Color eval(const Vec3&, const Vec3&, TransportMode) const { return Color(0); }
   float pdf(const Vec3&, const Vec3&, TransportMode) const { return 0; }
-  bool scatters(Scatter) const { return false; }
-  Color eval_part(Scatter, const Vec3&, const Vec3&, TransportMode) const { return Color(0); }
+  bool has_component(ScatterType) const { return false; }
+  Color eval_component(ScatterType, const Vec3&, const Vec3&, TransportMode) const { return Color(0); }
 
  protected:
   static Vec3 mirrored(const Vec3& w) { return {-w.x, -w.y, w.z}; }

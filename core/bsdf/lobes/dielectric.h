@@ -43,9 +43,9 @@ struct Dielectric : Boundary {
     return passed(at) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
-  bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType letter) const { return letter == ScatterType::glossy && !is_delta(); }
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return letter == ScatterType::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
@@ -60,7 +60,7 @@ struct Dielectric : Boundary {
     return (1 - f) * visible * std::abs(ih) / sqr(ih + glm::dot(wo, h) / relative_eta(wo));
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo.z < 0 ? -1.0f : 1.0f;
     const bool delta = is_delta();
     const Vec3 h = delta ? Vec3(0, 0, side) : facets.sample_visible(wo * side, draw.u) * side;
@@ -70,7 +70,7 @@ struct Dielectric : Boundary {
     const Incidence at = incidence(wo, oh, e);
     const float f = this->reflect_share(at);
     s.delta = delta;
-    s.scatter = delta ? Scatter::specular : Scatter::glossy;
+    s.type = delta ? ScatterType::specular : ScatterType::glossy;
     if (draw.choice < f) {
       s.wi = reflect(wo, h);
       if (s.wi.z * wo.z <= 0) return false;
@@ -88,7 +88,7 @@ struct Dielectric : Boundary {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, TransportMode mode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Color>& deltas) const {
     if (!is_delta()) return;
     const Vec3 h(0, 0, wo.z < 0 ? -1.0f : 1.0f);
     const float e = relative_eta(wo), oh = std::abs(wo.z);

@@ -23,27 +23,27 @@ struct DiffuseTransmission {
     return color * (kInvPi * (1 - std::max(layer.kept(std::abs(wo.z)), layer.kept(std::abs(wi.z)))));
   }
 
-  bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(color); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType letter) const { return letter == ScatterType::diffuse && !is_black(color); }
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return letter == ScatterType::diffuse ? eval(wo, wi, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     return wo.z * wi.z < 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     s.wi = draw.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (!(s.pdf_solid_angle > 0)) return false;
     if (wo.z > 0) s.wi.z = -s.wi.z;
     s.weight = eval(wo, s.wi, mode) * (std::abs(s.wi.z) / s.pdf_solid_angle);
     s.transmitted = true;
-    s.scatter = Scatter::diffuse;
+    s.type = ScatterType::diffuse;
     return true;
   }
 
-  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 };
 
 }  // namespace etendue

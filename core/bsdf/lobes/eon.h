@@ -13,7 +13,7 @@
 namespace etendue {
 
 template <class ColorType>
-struct Eon : OpaqueLobe<ColorType, Eon<ColorType>, Scatter::diffuse> {
+struct Eon : OpaqueLobe<ColorType, Eon<ColorType>, ScatterType::diffuse> {
   ColorType albedo{0};
   float roughness = 0;
 
@@ -32,7 +32,7 @@ struct Eon : OpaqueLobe<ColorType, Eon<ColorType>, Scatter::diffuse> {
     const float uniform = uniform_share(o.z);
     return uniform * (0.5f * kInvPi) + (1 - uniform) * Transformed(o, roughness).density(i);
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     const float uniform = uniform_share(o.z);
     if (draw.u.x < uniform)
       i = square_to_sphere(Vec2(0.5f * draw.u.x / uniform, draw.u.y));

@@ -51,15 +51,16 @@ struct Layered : Fresnel {
     return f;
   }
 
-  bool scatters(Scatter letter) const {
-    return letter == Scatter::diffuse ? !is_black(base) : letter == Scatter::glossy && !smooth() && this->reflects();
+  bool has_component(ScatterType letter) const {
+    return letter == ScatterType::diffuse ? !is_black(base)
+                                          : letter == ScatterType::glossy && !smooth() && this->reflects();
   }
   // The base is D, the layer G.
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode) const {
-    if (!scatters(letter) || wo.z * wi.z <= 0) return Color(0);
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode) const {
+    if (!has_component(letter) || wo.z * wi.z <= 0) return Color(0);
     const Vec3 h = glm::normalize(wo + wi);
     const float c = std::abs(glm::dot(wo, h));
-    if (letter == Scatter::diffuse) return under(c) * kInvPi;
+    if (letter == ScatterType::diffuse) return under(c) * kInvPi;
     return fresnel(c) * (facets.d(h) * facets.g2(wo, wi) / (4 * wo.z * wi.z));
   }
 
@@ -71,7 +72,7 @@ struct Layered : Fresnel {
     return p;
   }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo = Vec3(wo_any.x, wo_any.y, side * wo_any.z);
     const float share = specular_share(wo);
@@ -80,15 +81,15 @@ struct Layered : Fresnel {
       s.weight = fresnel(wo.z) / share;
       s.pdf_solid_angle = 0;
       s.delta = true;
-      s.scatter = Scatter::specular;
+      s.type = ScatterType::specular;
       return true;
     }
     if (draw.choice < share) {
       s.wi = reflect(wo, facets.sample_visible(wo, draw.u));
-      s.scatter = Scatter::glossy;
+      s.type = ScatterType::glossy;
     } else {
       s.wi = draw.cosine_direction;
-      s.scatter = Scatter::diffuse;
+      s.type = ScatterType::diffuse;
     }
     if (s.wi.z <= 0) return false;
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
@@ -98,7 +99,7 @@ struct Layered : Fresnel {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     if (smooth()) deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)), specular_share(wo));
   }
 

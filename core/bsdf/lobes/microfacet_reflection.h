@@ -32,7 +32,7 @@ struct MicrofacetReflection : OpaqueLobe<ColorType, MicrofacetReflection<ColorTy
   float density(const Vec3& o, const Vec3& i) const {
     return facets.d(HalfWay(o, i).h) / (4 * (o.z + facets.projected_lambda(o)));
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     i = reflect(o, facets.sample_visible(o, draw.u));
     return true;
   }

@@ -15,14 +15,14 @@ struct Mirror : DeltaLobe<Color> {
 
   float weight(const Vec3& wo) const { return average(reflected(wo)); }
 
-  bool sample(const Vec3& wo, const LobeDraw&, TransportMode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom&, TransportMode, LobeSample<Color>& s) const {
     s.wi = this->mirrored(wo);
     s.weight = reflected(wo);
-    s.scatter = Scatter::specular;
+    s.type = ScatterType::specular;
     s.delta = true;
     return true;
   }
-  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     deltas.reflect(this->mirrored(wo), reflected(wo), 1);
   }
 

@@ -4,7 +4,7 @@
 //
 //   Color f(o, i) const;                    // for light that comes from i and leaves to o
 //   float density(o, i) const;              // with which `draw` finds i, per solid angle
-//   bool  draw(o, LobeDraw, Vec3& i) const; // false, or an i below the surface: absorbed
+//   bool  draw(o, LobeRandom, Vec3& i) const; // false, or an i below the surface: absorbed
 //   float weight(wo) const;                 // about its albedo
 //   float slope() const;                    // how wide it is, as the slope of facets
 //
@@ -15,7 +15,7 @@
 
 namespace etendue {
 
-template <class ColorType, class Lobe, Scatter letter = Scatter::glossy>
+template <class ColorType, class Lobe, ScatterType letter = ScatterType::glossy>
 struct OpaqueLobe {
   using Color = ColorType;
 
@@ -28,11 +28,11 @@ struct OpaqueLobe {
 
   float pdf(Vec3 wo, Vec3 wi, TransportMode) const { return raise(wo, wi) ? self().density(wo, wi) : 0; }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
     if (!self().draw(wo, draw, s.wi) || !(s.wi.z > 0)) return false;
-    s.scatter = letter;
+    s.type = letter;
     s.pdf_solid_angle = self().density(wo, s.wi);
     if (!(s.pdf_solid_angle > 0)) return false;
     s.weight = eval(wo, s.wi, mode) * (s.wi.z / s.pdf_solid_angle);
@@ -40,11 +40,11 @@ struct OpaqueLobe {
     return true;
   }
 
-  bool scatters(Scatter part) const { return part == letter; }
-  Color eval_part(Scatter part, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  bool has_component(ScatterType part) const { return part == letter; }
+  Color eval_component(ScatterType part, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return part == letter ? eval(wo, wi, mode) : Color(0);
   }
-  void add_deltas(const Vec3&, TransportMode, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 
  private:
   const Lobe& self() const { return static_cast<const Lobe&>(*this); }

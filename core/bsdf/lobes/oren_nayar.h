@@ -9,7 +9,7 @@
 namespace etendue {
 
 template <class ColorType>
-struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, Scatter::diffuse> {
+struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, ScatterType::diffuse> {
   ColorType albedo{0};
   float a = 1, b = 0;
 
@@ -25,7 +25,7 @@ struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, Scatter::diffuse>
     return albedo * (kInvPi * (a + b * grooves));
   }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
     i = draw.cosine_direction;
     return true;
   }

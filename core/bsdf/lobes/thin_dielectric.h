@@ -46,17 +46,17 @@ struct ThinDielectric : DeltaLobe<Color> {
     return sum;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, TransportMode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode, LobeSample<Color>& s) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
     s.transmitted = draw.choice >= share;
     s.wi = s.transmitted ? -wo : this->mirrored(wo);
     s.weight = s.transmitted ? both.passed / (1 - share) : both.reflected / share;
-    s.scatter = Scatter::specular;
+    s.type = ScatterType::specular;
     s.delta = true;
     return true;
   }
-  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
     deltas.reflect(this->mirrored(wo), both.reflected, share);

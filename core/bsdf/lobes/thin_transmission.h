@@ -35,9 +35,9 @@ struct ThinTransmission : Fresnel {
     return (reflection ? fresnel(c) : passed(c)) * (shape * share);
   }
 
-  bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType letter) const { return letter == ScatterType::glossy && !is_delta(); }
+  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return letter == ScatterType::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
@@ -50,7 +50,7 @@ struct ThinTransmission : Fresnel {
     return p * (reflection ? reflect_share(c) : 1 - reflect_share(c));
   }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
     const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(wo, draw.u);
@@ -62,7 +62,7 @@ struct ThinTransmission : Fresnel {
     if (s.transmitted) s.wi.z = -s.wi.z;
     s.wi.z *= side;
     s.delta = smooth();
-    s.scatter = s.delta ? Scatter::specular : Scatter::glossy;
+    s.type = s.delta ? ScatterType::specular : ScatterType::glossy;
     if (s.delta) {
       s.weight =
           s.transmitted ? passed(c) * (share / (1 - reflect_probability)) : fresnel(c) * (share / reflect_probability);
@@ -74,7 +74,7 @@ struct ThinTransmission : Fresnel {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, TransportMode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     if (!smooth()) return;
     const float c = std::abs(wo.z);
     const float reflected = reflect_share(c);

@@ -33,7 +33,7 @@ struct VGrooveMicrofacet : OpaqueLobe<ColorType, VGrooveMicrofacet<ColorType>> {
     const HalfWay half(o, i);
     return half.cosine > 0 ? sum([&](const auto& s) { return s.density(half.h); }) / (4 * half.cosine * total()) : 0;
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     float choice = draw.choice * total();
     size_t k = 0;
     while (k + 1 < static_cast<size_t>(count) && choice >= slopes[k].share) choice -= slopes[k++].share;

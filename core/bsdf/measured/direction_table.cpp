@@ -76,7 +76,7 @@ float DirectionTable::density(const Vec3& o, const Vec3& i) const {
   return sum * i.z * kInvPi;
 }
 
-bool DirectionTable::draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+bool DirectionTable::draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
   const Near grids = near(o);
   float choice = draw.choice;
   int k = 0;

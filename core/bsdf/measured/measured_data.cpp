@@ -86,7 +86,7 @@ Result<std::shared_ptr<const BsdfModel>> model_of(std::string_view source) {
   }
   AllLobes<Rgb> lobes;
   model->sketch(lobes);
-  if (model->solid() || !lobes.has_non_delta())
+  if (model->solid() || !lobes.has_non_delta_lobe())
     return usage_error(words[0] +
                        " has no reflection that a table could hold: it is all mirrors or lets light through");
   return model;
@@ -112,7 +112,7 @@ Result<const SampledTable*> table(const std::string& source, int polar, int azim
     AllLobes<Rgb> lobes;
     (*model)->add_lobes(Rgb(1), lobes);
     const auto f = [&](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, TransportMode::radiance); };
-    return sampled(BrdfTable::measured(f, polar, azimuths, !is_directed(lobes)));
+    return sampled(BrdfTable::measured(f, polar, azimuths, !depends_on_azimuth(lobes)));
   });
 }
 
@@ -172,7 +172,7 @@ Result<void> accepts_harmonic_source(std::string_view source) {
   if (!model) return model.error();
   AllLobes<Rgb> lobes;
   (*model)->sketch(lobes);
-  if (is_directed(lobes))
+  if (depends_on_azimuth(lobes))
     return usage_error("'" + std::string(source) + "' is anisotropic; spherical harmonics hold isotropic models only");
   return {};
 }

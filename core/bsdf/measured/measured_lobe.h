@@ -4,7 +4,7 @@
 
 namespace etendue {
 
-// Data offers f(o, i), density(o, i), draw(o, LobeDraw, i), albedo(o) and slope(), as a lobe does.
+// Data offers f(o, i), density(o, i), draw(o, LobeRandom, i), albedo(o) and slope(), as a lobe does.
 template <class ColorType, class Data>
 struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
   const Data* data = nullptr;
@@ -18,7 +18,7 @@ struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
 
   ColorType f(const Vec3& o, const Vec3& i) const { return tint * data->f(o, i); }
   float density(const Vec3& o, const Vec3& i) const { return data->density(o, i); }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const { return data->draw(o, draw, i); }
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const { return data->draw(o, draw, i); }
   float weight(const Vec3& wo) const { return average(tint) * data->albedo(wo); }
   float slope() const { return data->slope(); }
 };

@@ -121,7 +121,7 @@ float RglBrdf::density(const Vec3& o, const Vec3& i) const {
   return of_square * seen.square.pdf / stretch(seen.normal, seen.half.h, seen.half.cosine);
 }
 
-bool RglBrdf::draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+bool RglBrdf::draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
   const SliceBlend blend = blend_at(theta_of(o));
   const Vec2 square = luminance_.sample(draw.u, blend).p;
   const Vec2 normal = visible_.sample(square, blend).p;
@@ -141,7 +141,7 @@ void RglBrdf::measure_slope() {
     for (int b = 0; b < kSide; ++b) {
       Vec3 i;
       const Vec2 u((static_cast<float>(a) + 0.5f) / kSide, (static_cast<float>(b) + 0.5f) / kSide);
-      if (draw(o, LobeDraw(0, u), i) && i.z > 0) sum += density(o, i), ++count;
+      if (draw(o, LobeRandom(0, u), i) && i.z > 0) sum += density(o, i), ++count;
     }
   if (sum > 0) slope_ = std::min(1.0f, static_cast<float>(std::sqrt(count / (sum * M_PI))));
 }

@@ -35,7 +35,7 @@ class MicrofacetEnergy {
 };
 
 template <class ColorType>
-struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, Scatter::diffuse> {
+struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};  // tint F_ms / (pi (1 - <E>))
   const MicrofacetEnergy* energy = nullptr;
   Vec2 along{1, 0};
@@ -53,7 +53,7 @@ struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, S
 
   ColorType f(const Vec3& o, const Vec3& i) const { return scale * (lost(o) * lost(i)); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
     i = draw.cosine_direction;
     return true;
   }

@@ -28,7 +28,7 @@ struct AnisotropicPhong : OpaqueLobe<ColorType, AnisotropicPhong<ColorType>> {
     const HalfWay half(o, i);
     return half.cosine > 0 ? normal_density(half.h) / (4 * half.cosine) : 0;
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     const float turn = 2 * kPi * draw.u.x;
     const float x = std::sqrt(nv + 1) * std::cos(turn), y = std::sqrt(nu + 1) * std::sin(turn);
     const float length2 = sqr(x) + sqr(y), n = (nu * sqr(x) + nv * sqr(y)) / length2;
@@ -55,12 +55,12 @@ struct AnisotropicPhong : OpaqueLobe<ColorType, AnisotropicPhong<ColorType>> {
 };
 
 template <class ColorType>
-struct CoupledDiffuse : OpaqueLobe<ColorType, CoupledDiffuse<ColorType>, Scatter::diffuse> {
+struct CoupledDiffuse : OpaqueLobe<ColorType, CoupledDiffuse<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};  // R_d (1 - R_s)
 
   ColorType f(const Vec3& o, const Vec3& i) const { return scale * (28 / (23 * kPi) * (passed(o) * passed(i))); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
     i = draw.cosine_direction;
     return true;
   }

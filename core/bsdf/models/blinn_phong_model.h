@@ -26,7 +26,7 @@ struct HalfVectorPower : OpaqueLobe<ColorType, HalfVectorPower<ColorType>> {
     const Vec3 h = half_vector(o, i);
     return (exponent + 1) / (2 * kPi) * power(h.z, exponent) * reflected_density(o, h);
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     const Vec3 h = square_to_cosine_power(draw.u, exponent);
     i = reflect(o, h);
     return glm::dot(o, h) > 0;

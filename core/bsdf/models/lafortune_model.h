@@ -28,7 +28,7 @@ struct GeneralisedCosine : OpaqueLobe<ColorType, GeneralisedCosine<ColorType>> {
   float density(const Vec3& o, const Vec3& i) const {
     return (exponent + 1) / (2 * kPi) * power(glm::dot(axis(o), i), exponent);
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     i = Frame(axis(o)).to_world(square_to_cosine_power(draw.u, exponent));
     return true;
   }

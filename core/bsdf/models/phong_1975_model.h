@@ -13,12 +13,12 @@ namespace etendue {
 
 // f = scale / cos_i, which reflects as much of a beam from any direction.
 template <class ColorType>
-struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, Scatter::diffuse> {
+struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};
 
   ColorType f(const Vec3&, const Vec3& i) const { return scale / i.z; }
   float density(const Vec3&, const Vec3&) const { return 0.5f * kInvPi; }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
     i = square_to_sphere(Vec2(0.5f * draw.u.x, draw.u.y));
     return true;
   }

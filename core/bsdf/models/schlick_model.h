@@ -55,7 +55,7 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
     const float azimuth = azimuth_part(h, [&](float along2) { return std::sqrt(p) / (p + along2 * (1 - p)); });
     return cosine * cosine_hemisphere_pdf(i.z) + (1 - cosine) * zenith(h) * kInvPi * h.z * azimuth / (4 * half.cosine);
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
     if (draw.choice < cosine_share(o)) {
       i = draw.cosine_direction;
       return true;

@@ -222,7 +222,7 @@ class BidirectionalSampler {
 
   void keep_vertices() {
     for (int i = 0; i < light_.hit_count(); ++i) {
-      if (!light_.bsdf(i).has_non_delta()) {
+      if (!light_.bsdf(i).has_non_delta_lobe()) {
         // What cannot be connected still belongs to the densities of what comes after.
         if (plan_->without.empty()) continue;
       }
@@ -231,7 +231,7 @@ class BidirectionalSampler {
       const Vertex*& last = last_[static_cast<size_t>(path)];
       Vertex& v = pool_.add();
       v.point = light_.point(i), v.bsdf = light_.bsdf(i), v.wo = light_.wo(i);
-      v.bsdf.refer_to(v.point.shading, v.point.ng);
+      v.bsdf.rebind(v.point.shading, v.point.ng);
       v.flux = light_.state(path).throughput * walks_.flux(path);
       v.mis = light_vertices_[static_cast<size_t>(i)];
       v.length = light_.length(), v.before = last;
@@ -337,9 +337,9 @@ class BidirectionalSampler {
   // Every vertex of the walk from the light with the present one of the camera's.
   void connect_vertices() {
     for (int i = 0; i < camera_.hit_count(); ++i) {
-      if (!camera_.bsdf(i).has_non_delta()) continue;
+      if (!camera_.bsdf(i).has_non_delta_lobe()) continue;
       for (const Vertex* v = last_[static_cast<size_t>(camera_.path_at(i))]; v; v = v->before)
-        if (v->bsdf.has_non_delta() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
+        if (v->bsdf.has_non_delta_lobe() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
     }
   }
 

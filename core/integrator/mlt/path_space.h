@@ -254,9 +254,9 @@ class PathSpace {
     const Vec3 wo = path.direction_to_camera(i), wi = path.direction_to_light(i);
     Color f(0);
     if (x.delta) {
-      SingleDirection<Color> seen, sent;
-      if (!x.bsdf.follow(wo, x.transmitted, TransportMode::radiance, seen)) return false;
-      if (!x.bsdf.follow(wi, x.transmitted, TransportMode::importance, sent)) return false;
+      DeltaDirection<Color> seen, sent;
+      if (!x.bsdf.delta_direction(wo, x.transmitted, TransportMode::radiance, seen)) return false;
+      if (!x.bsdf.delta_direction(wi, x.transmitted, TransportMode::importance, sent)) return false;
       f = seen.value;
       x.stretch = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
       x.to_light = seen.probability, x.to_camera = sent.probability * x.stretch;

@@ -59,7 +59,7 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& wal
     if (!selected(i)) continue;
     const scene::SurfacePoint& point = paths.point(i);
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    if (!bsdf.has_non_delta()) continue;
+    if (!bsdf.has_non_delta_lobe()) continue;
     const int path = paths.path_at(i);
     const auto& state = paths.state(path);
     const Vec2 on_lens = lens ? paths.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);

@@ -42,7 +42,8 @@ class VirtualLighting {
       if (!options_.lambertian) transport::build_bsdf<M>(light.point, bsdf_);
       for (int i = 0; i < paths.hit_count(); ++i) {
         const auto path = static_cast<size_t>(paths.path_at(i));
-        if (subsets_[path] == light.subset && paths.bsdf(i).has_non_delta() && !is_black(paths.state_at(i).throughput))
+        if (subsets_[path] == light.subset && paths.bsdf(i).has_non_delta_lobe() &&
+            !is_black(paths.state_at(i).throughput))
           connect(paths, i, light);
       }
     }
@@ -111,8 +112,10 @@ class VirtualLighting {
   static Letters letters(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) {
     const float cosine = bsdf.cosine(wi);
     Letters letters{Color(0), Color(0)};
-    if (bsdf.scatters(Scatter::diffuse)) letters.diffuse = bsdf.eval_part(Scatter::diffuse, wo, wi, mode) * cosine;
-    if (bsdf.scatters(Scatter::glossy)) letters.glossy = bsdf.eval_part(Scatter::glossy, wo, wi, mode) * cosine;
+    if (bsdf.has_component(ScatterType::diffuse))
+      letters.diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi, mode) * cosine;
+    if (bsdf.has_component(ScatterType::glossy))
+      letters.glossy = bsdf.eval_component(ScatterType::glossy, wo, wi, mode) * cosine;
     return letters;
   }
 

@@ -47,7 +47,7 @@ class VirtualLightMaker {
 
   void add_arrivals(PathWavefront& paths) {
     for (int i = 0; i < paths.hit_count(); ++i)
-      if (paths.bsdf(i).has_non_delta()) add(paths, i, Color(1), 1);
+      if (paths.bsdf(i).has_non_delta_lobe()) add(paths, i, Color(1), 1);
   }
 
   // What `scatter` is given for Lambertian ones.

@@ -101,7 +101,7 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     if (!selected(i)) continue;
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
+    if (light.pdf == 0 || !bsdf.has_non_delta_lobe()) continue;
     auto scattered = bsdf.evaluate(paths.wo(i), light.wi);
     if constexpr (M::kClasses)
       scattered.f_cos = paths.shares().of_connection(paths.path_at(i), bsdf, paths.wo(i), light.wi, scattered.f_cos);
