@@ -98,8 +98,8 @@ json materials() {
       bare(render::material_bindings(d, 0, "material.0")))});
   for (const auto& info : bsdf_model_infos()) {
     const BsdfModelDescription& model = info.description;
-    json j = entry(model.name, model.label, model.doc, info.parameters);
-    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.kind)].name;
+    json j = entry(model.name, model.label, model.summary, info.parameters);
+    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.model_class)].name;
     j["sampling"] = model.sampling, j["presets"] = presets(info.presets);
     list.push_back(j);
   }

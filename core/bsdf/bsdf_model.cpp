@@ -23,7 +23,7 @@ const BsdfModelInfo& info_of() {
 }
 
 template <class Model>
-constexpr bool is_solid() {
+constexpr bool encloses_solid() {
   return requires { Model::kSolid; };
 }
 
@@ -53,7 +53,7 @@ class BsdfModelOf final : public BsdfModel {
       ready_model().add_lobes(base, lobe_set(lobes));
   }
   void sketch(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
-  bool solid() const override { return is_solid<Model>(); }
+  bool is_solid() const override { return encloses_solid<Model>(); }
 
  private:
   static constexpr bool kPrepares = requires(Model model) { model.prepare(); };

@@ -53,7 +53,7 @@ class BsdfModel {
   // At once, without what takes long to find: enough to tell mirrors and directed surfaces from others.
   virtual void sketch(AllLobes<Rgb>& lobes) const = 0;
   // Light passes through it into a solid body, whose colour is the material's attenuation.
-  virtual bool solid() const = 0;
+  virtual bool is_solid() const = 0;
 
  protected:
   BsdfModel() = default;

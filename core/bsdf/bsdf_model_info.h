@@ -16,8 +16,8 @@ enum class ModelClass : uint8_t { idealised, phenomenological, physical, measure
 struct BsdfModelDescription {
   const char* name;   // as commands know it
   const char* label;  // as menus show it
-  ModelClass kind;
-  const char* doc;       // the formula and where it comes from, in two or three sentences
+  ModelClass model_class;
+  const char* summary;   // the formula and where it comes from, in two or three sentences
   const char* sampling;  // how directions are drawn
 };
 

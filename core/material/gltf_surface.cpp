@@ -221,7 +221,7 @@ Ggx facets_of(float roughness, float anisotropy) {
 }
 
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, StandardLobes<Rgb>& lobes) {
-  if (material.diffuse) return lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
+  if (material.is_lambertian) return lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
   add_core(material.description, look(material, point), lobes);
 }
 
@@ -229,13 +229,13 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, AllLo
                const Vec3& coat_normal) {
   const Material& m = material.description;
   AnyLobeSet<Rgb>& lobes = lobe_set(all);
-  if (material.ready && point.color == Vec4(1)) {
-    all = *material.ready;
-  } else if (material.diffuse) {
+  if (material.constant_lobes && point.color == Vec4(1)) {
+    all = *material.constant_lobes;
+  } else if (material.is_lambertian) {
     lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
   } else if (m.model) {
     m.model->add_lobes(unit(rgb_of(material.base_at(point))), all);
-  } else if (material.standard) {
+  } else if (material.uses_standard_lobes) {
     add_core(m, look(material, point), lobes);
   } else if (m.specular_glossiness) {
     add_core(m, look_at_glossiness(material, point), lobes);

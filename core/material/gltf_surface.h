@@ -12,7 +12,8 @@ Ggx facets_of(float roughness, float anisotropy);
 // The lobes of glTF's material at a point (see layered.h, dielectric.h, thin_sheet.h for what they are).
 template <class Color>
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, DiffuseOnly<Color>& lobes) {
-  const Vec4 base = material.plain ? clamped(material.factor * point.color) : material.base_at(point);
+  const Vec4 base =
+      material.has_constant_base_color ? clamped(material.base_factor * point.color) : material.base_at(point);
   lobes.add(Lambert<Color>{Color(base.x, base.y, base.z)});
 }
 

@@ -75,10 +75,10 @@ struct Material {
   // linear: glossiness) are the same picture.
   bool specular_glossiness = false;
 
-  bool solid() const {
-    return model ? model->solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
+  bool is_solid() const {
+    return model ? model->is_solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
   }
-  bool emits() const { return !is_black(emission); }
+  bool is_emissive() const { return !is_black(emission); }
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -31,18 +31,18 @@ Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
 
 SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
   resolve(textures);
-  normal_mapped = normal || (clearcoat_normal && m.clearcoat > 0);
-  coat_normal_mapped = normal_mapped && m.clearcoat > 0;
-  plain = !base_color && !m.unlit;
-  factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
-  emissive = m.emits() || m.unlit;
-  transparent = m.alpha_mode != AlphaMode::opaque;
-  absorbs = m.solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
+  has_normal_map = normal || (clearcoat_normal && m.clearcoat > 0);
+  has_coat_normal = has_normal_map && m.clearcoat > 0;
+  has_constant_base_color = !base_color && !m.unlit;
+  base_factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
+  is_emissive = m.is_emissive() || m.unlit;
+  has_alpha = m.alpha_mode != AlphaMode::opaque;
+  absorbs_inside = m.is_solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
   if (m.model && !m.unlit)
     prepare_model();
   else
     look_at_gltf();
-  needs_tangent = normal_mapped || anisotropic;
+  needs_tangent_frame = has_normal_map || is_anisotropic;
 }
 
 void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
@@ -66,7 +66,7 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
            {diffuse_transmission, m.diffuse_transmission_texture},
            {diffuse_transmission_color, m.diffuse_transmission_color_texture}}) {
     map = resolved(use, textures);
-    textured = textured || map;
+    has_textures = has_textures || map;
   }
 }
 
@@ -74,34 +74,35 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
 void SurfaceMaterial::prepare_model() {
   if (auto prepared = description.model->prepared()) description.model.model = std::move(prepared);
   AllLobes<Rgb> lobes;
-  description.model->add_lobes(reflectance(factor), lobes);
+  description.model->add_lobes(reflectance(base_factor), lobes);
   if (const auto* lambert = lobe_set(lobes).only<Lambert<Rgb>>()) {
-    diffuse = standard = true;
-    // Base colour and model are one factor.
-    const Rgb share = ratio(lambert->albedo, reflectance(factor));
-    factor *= Vec4(share.r, share.g, share.b, 1);
+    is_lambertian = uses_standard_lobes = true;
+    // Base colour and model are one base_factor.
+    const Rgb share = ratio(lambert->albedo, reflectance(base_factor));
+    base_factor *= Vec4(share.r, share.g, share.b, 1);
   }
   DeltaSet<Rgb> deltas;
   lobes.add_deltas(Vec3(0, 0, 1), TransportMode::radiance, deltas);
-  specular_deltas = deltas.count > 0;
-  anisotropic = depends_on_azimuth(lobes);
-  if (plain) ready = std::make_shared<AllLobes<Rgb>>(lobes);
+  has_delta_lobes = deltas.count > 0;
+  is_anisotropic = depends_on_azimuth(lobes);
+  if (has_constant_base_color) constant_lobes = std::make_shared<AllLobes<Rgb>>(lobes);
 }
 
 void SurfaceMaterial::look_at_gltf() {
   const Material& m = description;
   const bool tinted_glass = m.transmission > 0 && m.thickness > 0 && (m.specular != 1 || !(m.specular_color == Rgb(1)));
-  standard = m.unlit || !(m.clearcoat > 0 || !is_black(m.sheen_color) || m.iridescence > 0 ||
-                          m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
-  diffuse = m.unlit || (standard && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
-  specular_deltas = !diffuse && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
-                                 (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
-  anisotropic = !diffuse && m.anisotropy > 0;
+  uses_standard_lobes = m.unlit || !(m.clearcoat > 0 || !is_black(m.sheen_color) || m.iridescence > 0 ||
+                                     m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
+  is_lambertian =
+      m.unlit || (uses_standard_lobes && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
+  has_delta_lobes = !is_lambertian && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
+                                       (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
+  is_anisotropic = !is_lambertian && m.anisotropy > 0;
 }
 
 Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
   if (description.unlit) return Vec4(0, 0, 0, 1);
-  Vec4 base = factor * point.color;
+  Vec4 base = base_factor * point.color;
   if (base_color) base *= base_color.at(point, Encoding::srgb);
   return clamped(base);
 }

@@ -32,21 +32,21 @@ struct SurfaceMaterial {
     }
   };
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
-  bool normal_mapped = false;    // has a normal map, of its own or of its coat
-  bool anisotropic = false;      // looks different when it is turned about its normal
-  bool needs_tangent = false;    // any of the two: not just any frame about the geometric normal will do
-  bool diffuse = false;          // never anything but a Lambertian lobe
-  bool standard = false;         // never anything but the lobes of StandardLobes
-  bool specular_deltas = false;  // it can be smooth: a mirror, or clear glass
-  bool absorbs = false;          // a solid whose inside takes light away
-  bool plain = false;            // its base colour is `factor` but for vertex colours
-  Vec4 factor{0};
+  bool has_normal_map = false;           // has a normal map, of its own or of its coat
+  bool is_anisotropic = false;           // looks different when it is turned about its normal
+  bool needs_tangent_frame = false;      // any of the two: not just any frame about the geometric normal will do
+  bool is_lambertian = false;            // never anything but a Lambertian lobe
+  bool uses_standard_lobes = false;      // never anything but the lobes of StandardLobes
+  bool has_delta_lobes = false;          // it can be smooth: a mirror, or clear glass
+  bool absorbs_inside = false;           // a solid whose inside takes light away
+  bool has_constant_base_color = false;  // its base colour is `factor` but for vertex colours
+  Vec4 base_factor{0};
   // The lobes of a reflection model where its base colour is the same everywhere.
-  std::shared_ptr<const AllLobes<Rgb>> ready = nullptr;
-  bool emissive = false;            // emits, or is unlit
-  bool transparent = false;         // its opacity is not one everywhere
-  bool textured = false;            // looks at texture coordinates or vertex colours
-  bool coat_normal_mapped = false;  // a clear coat whose normal is not the shading normal
+  std::shared_ptr<const AllLobes<Rgb>> constant_lobes = nullptr;
+  bool is_emissive = false;      // emits, or is unlit
+  bool has_alpha = false;        // its opacity is not one everywhere
+  bool has_textures = false;     // looks at texture coordinates or vertex colours
+  bool has_coat_normal = false;  // a clear coat whose normal is not the shading normal
   // Of what needs AllLobes.
   Map clearcoat, clearcoat_roughness, clearcoat_normal, sheen_color, sheen_roughness, iridescence,
       iridescence_thickness, diffuse_transmission, diffuse_transmission_color;

@@ -114,7 +114,7 @@ TEST(DiffuseTransmission, LetsLightIntoAVolume) {
   Material m;
   m.metallic = 0, m.diffuse_transmission = 1, m.thickness = 1;
   m.attenuation_distance = 1, m.attenuation_color = {0.5f, 1, 1};
-  EXPECT_TRUE(m.solid());
+  EXPECT_TRUE(m.is_solid());
   EXPECT_TRUE(SurfaceMaterial(m, {}).absorbs);
 }
 

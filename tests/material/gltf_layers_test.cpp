@@ -156,7 +156,7 @@ TEST(GltfLayers, WithoutAFactorNothingIsThere) {
   Material m;
   m.clearcoat_roughness = 0.5f, m.sheen_roughness = 0.5f, m.iridescence_ior = 2, m.thickness = 1;
   m.diffuse_transmission_color = {0, 1, 0};
-  EXPECT_TRUE(SurfaceMaterial(m, {}).standard);
+  EXPECT_TRUE(SurfaceMaterial(m, {}).uses_standard_lobes);
   for (auto change : std::initializer_list<void (*)(Material&)>{
            [](Material& x) { x.clearcoat = 0.1f; }, [](Material& x) { x.sheen_color.g = 0.1f; },
            [](Material& x) { x.iridescence = 0.1f; }, [](Material& x) { x.diffuse_transmission = 0.1f; },
@@ -164,9 +164,9 @@ TEST(GltfLayers, WithoutAFactorNothingIsThere) {
            [](Material& x) { x.transmission = 1, x.specular = 0.5f; }}) {
     Material with = m;
     change(with);
-    EXPECT_FALSE(SurfaceMaterial(with, {}).standard);
+    EXPECT_FALSE(SurfaceMaterial(with, {}).uses_standard_lobes);
     with.unlit = true;
-    EXPECT_TRUE(SurfaceMaterial(with, {}).standard);
+    EXPECT_TRUE(SurfaceMaterial(with, {}).uses_standard_lobes);
   }
 }
 

@@ -159,7 +159,7 @@ double rounding_of(const AllLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
 double asymmetry(const ModelCase& c) {
   float eta2 = 1;
   const auto parameters = c.model->parameters();
-  if (c.model->solid())
+  if (c.model->is_solid())
     eta2 = static_cast<float>(sqr(std::get<double>(find_parameter(parameters, "eta")->default_value)));
   Draw draw(5);
   double most = 0;

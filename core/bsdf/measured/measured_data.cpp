@@ -86,7 +86,7 @@ Result<std::shared_ptr<const BsdfModel>> model_of(std::string_view source) {
   }
   AllLobes<Rgb> lobes;
   model->sketch(lobes);
-  if (model->solid() || !lobes.has_non_delta_lobe())
+  if (model->is_solid() || !lobes.has_non_delta_lobe())
     return usage_error(words[0] +
                        " has no reflection that a table could hold: it is all mirrors or lets light through");
   return model;

@@ -44,7 +44,7 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const scene::CompiledScene& scene = paths.scene();
   for (int i = 0; i < paths.hit_count(); ++i) {
     const scene::SurfacePoint& point = paths.point(i);
-    if (!point.material->emissive) continue;
+    if (!point.material->is_emissive) continue;
     auto& path = paths.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
     const Rgb emitted = scene.emitted(point, paths.wo(i));
