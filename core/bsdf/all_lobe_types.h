@@ -17,7 +17,7 @@ namespace etendue {
 // Layers of glTF's extensions.
 template <class Color>
 using LayerLobes = std::tuple<Clearcoat<Color>, Sheen<Color>, DiffuseTransmission<Color, FilmFresnel<Color>>,
-                              Layered<Color, FilmFresnel<Color>>, ThinTransmission<Color, FilmFresnel<Color>>,
+                              MetallicRoughness<Color, FilmFresnel<Color>>, ThinTransmission<Color, FilmFresnel<Color>>,
                               Dielectric<Color, TintedBoundary<Color>>>;
 
 template <class Color, class... Model>

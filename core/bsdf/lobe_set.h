@@ -6,7 +6,7 @@
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric.h"
 #include "bsdf/lobes/lambert.h"
-#include "bsdf/lobes/layered.h"
+#include "bsdf/lobes/metallic_roughness.h"
 #include "bsdf/lobes/thin_transmission.h"
 
 namespace etendue {
@@ -180,7 +180,7 @@ class LobeSet {
 
 // The lobes of glTF's core and of what is as common in its files.
 template <class Color>
-using StandardLobe = std::variant<Lambert<Color>, Layered<Color>, Dielectric<Color>, ThinTransmission<Color>>;
+using StandardLobe = std::variant<Lambert<Color>, MetallicRoughness<Color>, Dielectric<Color>, ThinTransmission<Color>>;
 
 template <class Color>
 using StandardLobes = LobeSet<Color, StandardLobe<Color>, 2>;

@@ -106,7 +106,7 @@ void set_sheet_lobe(const Numbers& n, Lobe& sheet) {
 
 template <class Lobes>
 void add_opaque(const Numbers& n, float diffuse, Lobes& lobes) {
-  Layered<Rgb> layered;
+  MetallicRoughness<Rgb> layered;
   set_opaque(n, layered);
   layered.base = n.base * diffuse, layered.facets = n.facets;
   lobes.add(layered);
@@ -148,7 +148,7 @@ void set_boundary(const Material& m, const Numbers& n, const FilmFresnel<Rgb>& f
 }
 
 void add_filmed(const Numbers& n, const FilmFresnel<Rgb>& fresnel, float diffuse, AnyLobeSet<Rgb>& lobes) {
-  Layered<Rgb, FilmFresnel<Rgb>> layered;
+  MetallicRoughness<Rgb, FilmFresnel<Rgb>> layered;
   static_cast<FilmFresnel<Rgb>&>(layered) = fresnel;
   layered.base = n.base * diffuse, layered.facets = n.facets;
   lobes.add(layered);

@@ -8,7 +8,9 @@
 // normals.
 #pragma once
 #include "base/frame.h"
-#include "bsdf/lobes/layered.h"
+#include "bsdf/fresnel/fresnel.h"
+#include "bsdf/lobe.h"
+#include "bsdf/microfacet/ggx.h"
 
 namespace etendue {
 

@@ -11,7 +11,6 @@
 #pragma once
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric_boundary.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/microfacet/ggx.h"
 
 namespace etendue {

@@ -4,8 +4,8 @@
 //
 // The transmitted lobe is the reflected one, turned to the other side. Reciprocal; conserves energy as Layered does.
 #pragma once
+#include "bsdf/fresnel/schlick_fresnel.h"
 #include "bsdf/lobe.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/microfacet/ggx.h"
 
 namespace etendue {

@@ -8,6 +8,9 @@
 
 namespace etendue {
 
+// Surfaces of a smaller roughness are treated as smooth: float directions do not resolve a narrower lobe.
+inline constexpr float kSmoothAlpha = 1e-4f;
+
 struct Ggx {
   float alpha_x = 1, alpha_y = 1;
   Vec2 along{1, 0};  // the direction of alpha_x in the tangent plane

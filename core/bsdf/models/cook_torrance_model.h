@@ -8,7 +8,6 @@
 #pragma once
 #include "bsdf/fresnel/optical_constants.h"
 #include "bsdf/lobes/lambert.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/lobes/mirror.h"
 #include "bsdf/lobes/vgroove_microfacet.h"
 

@@ -7,7 +7,6 @@
 #pragma once
 #include "bsdf/fresnel/optical_constants.h"
 #include "bsdf/lobes/lambert.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/lobes/mirror.h"
 #include "bsdf/microfacet/energy_compensation.h"
 

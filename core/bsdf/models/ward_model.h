@@ -7,7 +7,6 @@
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/lobes/lambert.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/lobes/mirror.h"
 #include "bsdf/lobes/ward.h"
 

@@ -15,12 +15,9 @@
 
 namespace etendue {
 
-// Facet slopes under this width are treated as none at all: the lobe would be narrower than float directions resolve.
-inline constexpr float kSmoothAlpha = 1e-4f;
-
 // Fresnel is SchlickFresnel, or what offers the same: FilmFresnel.
 template <class Color, class Fresnel = SchlickFresnel<Color>>
-struct Layered : Fresnel {
+struct MetallicRoughness : Fresnel {
   Color base{0};  // diffuse albedo under the layer, zero for a metal
   Ggx facets;
 
