@@ -38,8 +38,8 @@ Rgb AllLobes<Rgb>::eval_component(ScatterType letter, const Vec3& wo, const Vec3
 float AllLobes<Rgb>::pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).pdf(wo, wi, mode);
 }
-bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Rgb>& s) const {
-  return lobe_set(*this).sample(wo, draw, mode, s);
+bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Rgb>& s) const {
+  return lobe_set(*this).sample(wo, random, mode, s);
 }
 void AllLobes<Rgb>::add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Rgb>& deltas) const {
   lobe_set(*this).add_deltas(wo, mode, deltas);

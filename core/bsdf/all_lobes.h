@@ -31,7 +31,7 @@ class AllLobes<Rgb> {
   Rgb eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
   Rgb eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const;
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const;
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Rgb>& s) const;
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Rgb>& s) const;
   void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Rgb>& deltas) const;
 
   static constexpr size_t kBytes = 864, kAlignment = 8;

@@ -63,9 +63,9 @@ class Bsdf {
   }
 
   // s.weight is f cos / pdf with the cosine to the shading normal; s.wi is in world space. False: the path ends here.
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = frame_->to_local(wo);
-    if (o.z == 0 || !lobes.sample(o, draw, mode, s)) return false;
+    if (o.z == 0 || !lobes.sample(o, random, mode, s)) return false;
     const Vec3 i = s.wi;
     s.wi = frame_->to_world(i);
     if (!consistent(wo, s.wi, o, i)) return false;

@@ -57,10 +57,10 @@ struct DeltaSet {
   std::array<float, kMost> probabilities;
   int count = 0;
 
-  void reflect(const Vec3& wi, const Color& weight, float probability) {
+  void add_reflection(const Vec3& wi, const Color& weight, float probability) {
     add({wi, weight, 0, 1, ScatterType::specular, true, false}, probability);
   }
-  void transmit(const Vec3& wi, const Color& weight, float eta, float probability) {
+  void add_transmission(const Vec3& wi, const Color& weight, float eta, float probability) {
     add({wi, weight, 0, eta, ScatterType::specular, true, true}, probability);
   }
 

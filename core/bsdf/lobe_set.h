@@ -104,16 +104,16 @@ class LobeSet {
     return p;
   }
 
-  bool sample(const Vec3& wo, LobeRandom draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, LobeRandom random, TransportMode mode, LobeSample<Color>& s) const {
     if (count_ == 0) return false;
     const Shares shares = lobe_shares(wo);
     int chosen = 0;
     float below = 0;
-    while (chosen + 1 < count_ && draw.choice >= below + shares[static_cast<size_t>(chosen)])
+    while (chosen + 1 < count_ && random.choice >= below + shares[static_cast<size_t>(chosen)])
       below += shares[static_cast<size_t>(chosen++)];
     const float share = shares[static_cast<size_t>(chosen)];
-    if (count_ > 1) draw.choice = std::min((draw.choice - below) / share, kOneMinusEpsilon);
-    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, draw, mode, s); })) return false;
+    if (count_ > 1) random.choice = std::min((random.choice - below) / share, kOneMinusEpsilon);
+    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, random, mode, s); })) return false;
     if (count_ == 1) return true;
     if (s.delta) {
       s.weight /= share;
@@ -162,7 +162,7 @@ class LobeSet {
     if (count_ < 2) return shares;
     float total = 0;
     for (int i = 0; i < count_; ++i)
-      total += shares[static_cast<size_t>(i)] = visit(i, [&](const auto& l) { return l.weight(wo); });
+      total += shares[static_cast<size_t>(i)] = visit(i, [&](const auto& l) { return l.sampling_weight(wo); });
     float rest = 1;
     for (int i = 0; i + 1 < count_; ++i) {
       float& share = shares[static_cast<size_t>(i)];
@@ -199,8 +199,8 @@ class DiffuseOnly {
     return lobe_.eval_component(letter, wo, wi, mode);
   }
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.pdf(wo, wi, mode); }
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
-    return lobe_.sample(wo, draw, mode, s);
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
+    return lobe_.sample(wo, random, mode, s);
   }
   void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 

@@ -25,7 +25,7 @@ struct Clearcoat {
   bool smooth() const { return facets.alpha_x < kSmoothAlpha; }
   bool is_delta() const { return smooth(); }
   float fresnel(float cosine) const { return strength * (kCoatF0 + (1 - kCoatF0) * schlick_weight(cosine)); }
-  float weight(const Vec3& wo) const { return fresnel(std::abs(glm::dot(frame.z, wo))); }
+  float sampling_weight(const Vec3& wo) const { return fresnel(std::abs(glm::dot(frame.z, wo))); }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || !one_side(wo, wi)) return Color(0);
@@ -45,10 +45,10 @@ struct Clearcoat {
     return facets.visible_pdf(o, h) / (4 * std::abs(glm::dot(o, h)));
   }
 
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = raised(wo);
     if (!(o.z > 0)) return false;
-    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(o, draw.u);
+    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(o, random.u);
     const Vec3 i = reflect(o, h);
     s.wi = lowered(i, wo);
     if (!(i.z > 0) || !one_side(wo, s.wi)) return false;
@@ -64,7 +64,7 @@ struct Clearcoat {
   void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     if (!smooth()) return;
     const Vec3 o = raised(wo), wi = lowered(Vec3(-o.x, -o.y, o.z), wo);
-    if (o.z > 0 && one_side(wo, wi)) deltas.reflect(wi, mirrored(wo, wi), 1);
+    if (o.z > 0 && one_side(wo, wi)) deltas.add_reflection(wi, mirrored(wo, wi), 1);
   }
 
  private:

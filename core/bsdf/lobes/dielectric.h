@@ -24,7 +24,7 @@ struct Dielectric : Boundary {
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth() || eta == 1; }
-  float weight(const Vec3&) const { return share; }
+  float sampling_weight(const Vec3&) const { return share; }
 
   float relative_eta(const Vec3& wo) const { return wo.z > 0 ? eta : 1 / eta; }
   Color reflected(const Incidence& at) const { return this->reflectance(at) * share; }
@@ -59,10 +59,10 @@ struct Dielectric : Boundary {
     return (1 - f) * visible * std::abs(ih) / sqr(ih + glm::dot(wo, h) / relative_eta(wo));
   }
 
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo.z < 0 ? -1.0f : 1.0f;
     const bool delta = is_delta();
-    const Vec3 h = delta ? Vec3(0, 0, side) : facets.sample_visible(wo * side, draw.u) * side;
+    const Vec3 h = delta ? Vec3(0, 0, side) : facets.sample_visible(wo * side, random.u) * side;
     const float e = relative_eta(wo);
     const float oh = glm::dot(wo, h);
     if (!(oh > 0)) return false;
@@ -70,7 +70,7 @@ struct Dielectric : Boundary {
     const float f = this->reflect_share(at);
     s.delta = delta;
     s.type = delta ? ScatterType::specular : ScatterType::glossy;
-    if (draw.choice < f) {
+    if (random.choice < f) {
       s.wi = reflect(wo, h);
       if (s.wi.z * wo.z <= 0) return false;
       if (delta) return s.weight = reflected(at) / f, true;
@@ -93,10 +93,10 @@ struct Dielectric : Boundary {
     const float e = relative_eta(wo), oh = std::abs(wo.z);
     const Incidence at = incidence(wo, oh, e);
     const float f = this->reflect_share(at);
-    deltas.reflect(reflect(wo, h), reflected(at), f);
+    deltas.add_reflection(reflect(wo, h), reflected(at), f);
     if (f < 1)
-      deltas.transmit(-wo / e + h * (oh / e - at.refracted),
-                      passed(at) * (mode == TransportMode::radiance ? 1 / sqr(e) : 1), e, 1 - f);
+      deltas.add_transmission(-wo / e + h * (oh / e - at.refracted),
+                              passed(at) * (mode == TransportMode::radiance ? 1 / sqr(e) : 1), e, 1 - f);
   }
 
  private:

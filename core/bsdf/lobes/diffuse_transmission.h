@@ -16,7 +16,7 @@ struct DiffuseTransmission {
   Fresnel layer;
 
   bool is_delta() const { return false; }
-  float weight(const Vec3& wo) const { return average(color) * (1 - layer.kept(std::abs(wo.z))); }
+  float sampling_weight(const Vec3& wo) const { return average(color) * (1 - layer.kept(std::abs(wo.z))); }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (!(wo.z * wi.z < 0)) return Color(0);
@@ -32,8 +32,8 @@ struct DiffuseTransmission {
     return wo.z * wi.z < 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
-    s.wi = draw.cosine_direction;
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
+    s.wi = random.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (!(s.pdf_solid_angle > 0)) return false;
     if (wo.z > 0) s.wi.z = -s.wi.z;

@@ -32,15 +32,15 @@ struct Eon : OpaqueLobe<ColorType, Eon<ColorType>, ScatterType::diffuse> {
     const float uniform = uniform_share(o.z);
     return uniform * (0.5f * kInvPi) + (1 - uniform) * Transformed(o, roughness).density(i);
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     const float uniform = uniform_share(o.z);
-    if (draw.u.x < uniform)
-      i = square_to_sphere(Vec2(0.5f * draw.u.x / uniform, draw.u.y));
+    if (random.u.x < uniform)
+      i = square_to_sphere(Vec2(0.5f * random.u.x / uniform, random.u.y));
     else
-      i = Transformed(o, roughness).draw(Vec2((draw.u.x - uniform) / (1 - uniform), draw.u.y));
+      i = Transformed(o, roughness).draw(Vec2((random.u.x - uniform) / (1 - uniform), random.u.y));
     return true;
   }
-  float weight(const Vec3&) const { return average(albedo); }
+  float sampling_weight(const Vec3&) const { return average(albedo); }
   float slope() const { return 1; }
 
   // The albedo of f_ss for rho = 1: exact.

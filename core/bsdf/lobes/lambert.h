@@ -12,7 +12,7 @@ struct Lambert {
   Color albedo{0};
 
   bool is_delta() const { return false; }
-  float weight(const Vec3&) const { return average(albedo); }
+  float sampling_weight(const Vec3&) const { return average(albedo); }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0);
@@ -27,8 +27,8 @@ struct Lambert {
     return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode, LobeSample<Color>& s) const {
-    s.wi = draw.cosine_direction;
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode, LobeSample<Color>& s) const {
+    s.wi = random.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (wo.z < 0) s.wi.z = -s.wi.z;
     s.weight = albedo;

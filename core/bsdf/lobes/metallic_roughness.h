@@ -28,7 +28,7 @@ struct MetallicRoughness : Fresnel {
 
   Color under(float cosine) const { return base * (1 - kept(cosine)); }
 
-  float weight(const Vec3& wo) const {
+  float sampling_weight(const Vec3& wo) const {
     const float c = std::abs(wo.z);
     return average(under(c)) + average(fresnel(c));
   }
@@ -69,11 +69,11 @@ struct MetallicRoughness : Fresnel {
     return p;
   }
 
-  bool sample(const Vec3& wo_any, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo = Vec3(wo_any.x, wo_any.y, side * wo_any.z);
     const float share = specular_share(wo);
-    if (draw.choice < share && smooth()) {
+    if (random.choice < share && smooth()) {
       s.wi = Vec3(-wo.x, -wo.y, side * wo.z);
       s.weight = fresnel(wo.z) / share;
       s.pdf_solid_angle = 0;
@@ -81,11 +81,11 @@ struct MetallicRoughness : Fresnel {
       s.type = ScatterType::specular;
       return true;
     }
-    if (draw.choice < share) {
-      s.wi = reflect(wo, facets.sample_visible(wo, draw.u));
+    if (random.choice < share) {
+      s.wi = reflect(wo, facets.sample_visible(wo, random.u));
       s.type = ScatterType::glossy;
     } else {
-      s.wi = draw.cosine_direction;
+      s.wi = random.cosine_direction;
       s.type = ScatterType::diffuse;
     }
     if (s.wi.z <= 0) return false;
@@ -97,7 +97,7 @@ struct MetallicRoughness : Fresnel {
   }
 
   void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
-    if (smooth()) deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)), specular_share(wo));
+    if (smooth()) deltas.add_reflection(Vec3(-wo.x, -wo.y, wo.z), fresnel(std::abs(wo.z)), specular_share(wo));
   }
 
  private:

@@ -32,11 +32,11 @@ struct MicrofacetReflection : OpaqueLobe<ColorType, MicrofacetReflection<ColorTy
   float density(const Vec3& o, const Vec3& i) const {
     return facets.d(HalfWay(o, i).h) / (4 * (o.z + facets.projected_lambda(o)));
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    i = reflect(o, facets.sample_visible(o, draw.u));
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    i = reflect(o, facets.sample_visible(o, random.u));
     return true;
   }
-  float weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))); }
+  float sampling_weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))); }
   float slope() const { return std::max(facets.alpha_x, facets.alpha_y); }
 };
 

@@ -13,7 +13,7 @@ struct Mirror : DeltaLobe<Color> {
   Color tint{1};
   Fresnel fresnel;
 
-  float weight(const Vec3& wo) const { return average(reflected(wo)); }
+  float sampling_weight(const Vec3& wo) const { return average(reflected(wo)); }
 
   bool sample(const Vec3& wo, const LobeRandom&, TransportMode, LobeSample<Color>& s) const {
     s.wi = this->mirrored(wo);
@@ -23,7 +23,7 @@ struct Mirror : DeltaLobe<Color> {
     return true;
   }
   void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
-    deltas.reflect(this->mirrored(wo), reflected(wo), 1);
+    deltas.add_reflection(this->mirrored(wo), reflected(wo), 1);
   }
 
  private:

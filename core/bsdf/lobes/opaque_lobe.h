@@ -28,10 +28,10 @@ struct OpaqueLobe {
 
   float pdf(Vec3 wo, Vec3 wi, TransportMode) const { return raise(wo, wi) ? self().density(wo, wi) : 0; }
 
-  bool sample(const Vec3& wo_any, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
-    if (!self().draw(wo, draw, s.wi) || !(s.wi.z > 0)) return false;
+    if (!self().draw(wo, random, s.wi) || !(s.wi.z > 0)) return false;
     s.type = letter;
     s.pdf_solid_angle = self().density(wo, s.wi);
     if (!(s.pdf_solid_angle > 0)) return false;

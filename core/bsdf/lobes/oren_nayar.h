@@ -25,11 +25,11 @@ struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, ScatterType::diff
     return albedo * (kInvPi * (a + b * grooves));
   }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
-    i = draw.cosine_direction;
+  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = random.cosine_direction;
     return true;
   }
-  float weight(const Vec3&) const { return average(albedo) * a; }
+  float sampling_weight(const Vec3&) const { return average(albedo) * a; }
   float slope() const { return 1; }
 };
 

@@ -18,7 +18,7 @@ struct ThinDielectric : DeltaLobe<Color> {
   Color tint{1};
   float eta = 1.5f;
 
-  float weight(const Vec3&) const { return 1; }
+  float sampling_weight(const Vec3&) const { return 1; }
 
   struct Parts {
     Color reflected{0}, passed{0};
@@ -46,10 +46,10 @@ struct ThinDielectric : DeltaLobe<Color> {
     return sum;
   }
 
-  bool sample(const Vec3& wo, const LobeRandom& draw, TransportMode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode, LobeSample<Color>& s) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
-    s.transmitted = draw.choice >= share;
+    s.transmitted = random.choice >= share;
     s.wi = s.transmitted ? -wo : this->mirrored(wo);
     s.weight = s.transmitted ? both.passed / (1 - share) : both.reflected / share;
     s.type = ScatterType::specular;
@@ -59,8 +59,8 @@ struct ThinDielectric : DeltaLobe<Color> {
   void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
     const Parts both = parts(std::abs(wo.z));
     const float share = both.reflect_share();
-    deltas.reflect(this->mirrored(wo), both.reflected, share);
-    if (share < 1) deltas.transmit(-wo, both.passed, 1, 1 - share);
+    deltas.add_reflection(this->mirrored(wo), both.reflected, share);
+    if (share < 1) deltas.add_transmission(-wo, both.passed, 1, 1 - share);
   }
 };
 

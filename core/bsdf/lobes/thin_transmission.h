@@ -20,7 +20,7 @@ struct ThinTransmission : Fresnel {
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth(); }
-  float weight(const Vec3&) const { return share; }
+  float sampling_weight(const Vec3&) const { return share; }
 
   float reflect_share(float cosine) const { return std::clamp(average(fresnel(cosine)), 0.05f, 0.95f); }
   Color passed(float cosine) const { return tint * (1 - kept(cosine)); }
@@ -50,15 +50,15 @@ struct ThinTransmission : Fresnel {
     return p * (reflection ? reflect_share(c) : 1 - reflect_share(c));
   }
 
-  bool sample(const Vec3& wo_any, const LobeRandom& draw, TransportMode mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
-    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(wo, draw.u);
+    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(wo, random.u);
     const float c = glm::dot(wo, h);
     const float reflect_probability = reflect_share(c);
     s.wi = reflect(wo, h);
     if (s.wi.z <= 0) return false;
-    s.transmitted = draw.choice >= reflect_probability;
+    s.transmitted = random.choice >= reflect_probability;
     if (s.transmitted) s.wi.z = -s.wi.z;
     s.wi.z *= side;
     s.delta = smooth();
@@ -78,8 +78,8 @@ struct ThinTransmission : Fresnel {
     if (!smooth()) return;
     const float c = std::abs(wo.z);
     const float reflected = reflect_share(c);
-    deltas.reflect(Vec3(-wo.x, -wo.y, wo.z), fresnel(c) * share, reflected);
-    deltas.transmit(-wo, passed(c) * share, 1, 1 - reflected);
+    deltas.add_reflection(Vec3(-wo.x, -wo.y, wo.z), fresnel(c) * share, reflected);
+    deltas.add_transmission(-wo, passed(c) * share, 1, 1 - reflected);
   }
 };
 

@@ -33,15 +33,15 @@ struct VGrooveMicrofacet : OpaqueLobe<ColorType, VGrooveMicrofacet<ColorType>> {
     const HalfWay half(o, i);
     return half.cosine > 0 ? sum([&](const auto& s) { return s.density(half.h); }) / (4 * half.cosine * total()) : 0;
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    float choice = draw.choice * total();
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    float choice = random.choice * total();
     size_t k = 0;
     while (k + 1 < static_cast<size_t>(count) && choice >= slopes[k].share) choice -= slopes[k++].share;
-    const Vec3 h = slopes[k].draw(draw.u);
+    const Vec3 h = slopes[k].draw(random.u);
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
-  float weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))) * total(); }
+  float sampling_weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))) * total(); }
   float slope() const {
     float least = 1;
     for (size_t k = 0; k < static_cast<size_t>(count); ++k) least = std::min(least, slopes[k].m);

@@ -39,14 +39,14 @@ struct WardReflection : OpaqueLobe<ColorType, WardReflection<ColorType>> {
     const float g = gaussian(half.h);
     return g > 0 ? g / (half.cosine * half.h.z * sqr(half.h.z)) : 0;
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    const float phi = 2 * kPi * draw.u.y, r = std::sqrt(-std::log(1 - draw.u.x));
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    const float phi = 2 * kPi * random.u.y, r = std::sqrt(-std::log(1 - random.u.x));
     const float x = alpha_x * r * std::cos(phi), y = alpha_y * r * std::sin(phi);
     const Vec3 h = glm::normalize(Vec3(along.x * x - along.y * y, along.y * x + along.x * y, 1));
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
-  float weight(const Vec3&) const { return average(tint); }
+  float sampling_weight(const Vec3&) const { return average(tint); }
   float slope() const { return std::min(1.0f, std::max(alpha_x, alpha_y)); }
 
  private:

@@ -76,12 +76,12 @@ float DirectionTable::density(const Vec3& o, const Vec3& i) const {
   return sum * i.z * kInvPi;
 }
 
-bool DirectionTable::draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
+bool DirectionTable::draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
   const Near grids = near(o);
-  float choice = draw.choice;
+  float choice = random.choice;
   int k = 0;
   while (k < 3 && choice >= grids.weights[k]) choice -= grids.weights[k++];
-  i = direction_at(grids_[grids.grids[k]].sample(draw.u).uv, std::atan2(o.y, o.x));
+  i = direction_at(grids_[grids.grids[k]].sample(random.u).uv, std::atan2(o.y, o.x));
   return true;
 }
 

@@ -21,7 +21,7 @@ class DirectionTable {
   DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths, bool coarse);
 
   float density(const Vec3& o, const Vec3& i) const;
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const;
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const;
   float albedo(const Vec3& o) const;
   // Of facets whose lobe is about as wide, upright.
   float slope() const { return slope_; }

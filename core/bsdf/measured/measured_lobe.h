@@ -18,8 +18,8 @@ struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
 
   ColorType f(const Vec3& o, const Vec3& i) const { return tint * data->f(o, i); }
   float density(const Vec3& o, const Vec3& i) const { return data->density(o, i); }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const { return data->draw(o, draw, i); }
-  float weight(const Vec3& wo) const { return average(tint) * data->albedo(wo); }
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const { return data->draw(o, random, i); }
+  float sampling_weight(const Vec3& wo) const { return average(tint) * data->albedo(wo); }
   float slope() const { return data->slope(); }
 };
 

@@ -121,9 +121,9 @@ float RglBrdf::density(const Vec3& o, const Vec3& i) const {
   return of_square * seen.square.pdf / stretch(seen.normal, seen.half.h, seen.half.cosine);
 }
 
-bool RglBrdf::draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
+bool RglBrdf::draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
   const SliceBlend blend = blend_at(theta_of(o));
-  const Vec2 square = luminance_.sample(draw.u, blend).p;
+  const Vec2 square = luminance_.sample(random.u, blend).p;
   const Vec2 normal = visible_.sample(square, blend).p;
   const float theta = to_theta(normal.x), phi = to_phi(normal.y) + std::atan2(o.y, o.x);
   const Vec3 h(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));

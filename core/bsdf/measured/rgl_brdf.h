@@ -23,7 +23,7 @@ class RglBrdf {
 
   Rgb f(const Vec3& o, const Vec3& i) const;
   float density(const Vec3& o, const Vec3& i) const;
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const;
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const;
   float albedo(const Vec3&) const { return 0.5f; }
   float slope() const { return slope_; }
 

@@ -53,11 +53,11 @@ struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, S
 
   ColorType f(const Vec3& o, const Vec3& i) const { return scale * (lost(o) * lost(i)); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
-    i = draw.cosine_direction;
+  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = random.cosine_direction;
     return true;
   }
-  float weight(const Vec3& wo) const {
+  float sampling_weight(const Vec3& wo) const {
     return average(scale) * kPi * energy->mean_lost() * lost(Vec3(wo.x, wo.y, std::abs(wo.z)));
   }
   float slope() const { return 1; }

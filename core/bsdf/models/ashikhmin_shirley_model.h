@@ -28,18 +28,18 @@ struct AnisotropicPhong : OpaqueLobe<ColorType, AnisotropicPhong<ColorType>> {
     const HalfWay half(o, i);
     return half.cosine > 0 ? normal_density(half.h) / (4 * half.cosine) : 0;
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    const float turn = 2 * kPi * draw.u.x;
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    const float turn = 2 * kPi * random.u.x;
     const float x = std::sqrt(nv + 1) * std::cos(turn), y = std::sqrt(nu + 1) * std::sin(turn);
     const float length2 = sqr(x) + sqr(y), n = (nu * sqr(x) + nv * sqr(y)) / length2;
     // 1 - (1 - u)^(2 / (n + 1)), without losing the digits of what is next to 0.
-    const float sin2 = -std::expm1(2 / (n + 1) * std::log1p(-draw.u.y));
+    const float sin2 = -std::expm1(2 / (n + 1) * std::log1p(-random.u.y));
     const float sine = std::sqrt(sin2 / length2);
     const Vec3 h(sine * x, sine * y, safe_sqrt(1 - sin2));
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
-  float weight(const Vec3& wo) const { return average(fresnel(std::abs(wo.z))); }
+  float sampling_weight(const Vec3& wo) const { return average(fresnel(std::abs(wo.z))); }
   float slope() const { return std::min(1.0f, std::sqrt(2 / (std::min(nu, nv) + 2))); }
 
  private:
@@ -60,11 +60,11 @@ struct CoupledDiffuse : OpaqueLobe<ColorType, CoupledDiffuse<ColorType>, Scatter
 
   ColorType f(const Vec3& o, const Vec3& i) const { return scale * (28 / (23 * kPi) * (passed(o) * passed(i))); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
-    i = draw.cosine_direction;
+  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = random.cosine_direction;
     return true;
   }
-  float weight(const Vec3& wo) const { return average(scale) * passed(wo); }
+  float sampling_weight(const Vec3& wo) const { return average(scale) * passed(wo); }
   float slope() const { return 1; }
 
  private:

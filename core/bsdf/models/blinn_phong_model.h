@@ -26,12 +26,12 @@ struct HalfVectorPower : OpaqueLobe<ColorType, HalfVectorPower<ColorType>> {
     const Vec3 h = half_vector(o, i);
     return (exponent + 1) / (2 * kPi) * power(h.z, exponent) * reflected_density(o, h);
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    const Vec3 h = square_to_cosine_power(draw.u, exponent);
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    const Vec3 h = square_to_cosine_power(random.u, exponent);
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
-  float weight(const Vec3&) const { return average(scale) * 8 * kPi / (exponent + 4); }
+  float sampling_weight(const Vec3&) const { return average(scale) * 8 * kPi / (exponent + 4); }
   float slope() const { return slope_of_exponent(exponent / 4); }
 };
 

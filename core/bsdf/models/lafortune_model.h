@@ -28,12 +28,12 @@ struct GeneralisedCosine : OpaqueLobe<ColorType, GeneralisedCosine<ColorType>> {
   float density(const Vec3& o, const Vec3& i) const {
     return (exponent + 1) / (2 * kPi) * power(glm::dot(axis(o), i), exponent);
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    i = Frame(axis(o)).to_world(square_to_cosine_power(draw.u, exponent));
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    i = Frame(axis(o)).to_world(square_to_cosine_power(random.u, exponent));
     return true;
   }
   // About 2 pi / (n + 2) cos^n of its strength towards the axis.
-  float weight(const Vec3& wo) const {
+  float sampling_weight(const Vec3& wo) const {
     return average(scale) * power(glm::length(c * wo), exponent) * 2 * kPi / (exponent + 2);
   }
   float slope() const { return slope_of_exponent(exponent); }

@@ -18,11 +18,11 @@ struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, ScatterType::diff
 
   ColorType f(const Vec3&, const Vec3& i) const { return scale / i.z; }
   float density(const Vec3&, const Vec3&) const { return 0.5f * kInvPi; }
-  bool draw(const Vec3&, const LobeRandom& draw, Vec3& i) const {
-    i = square_to_sphere(Vec2(0.5f * draw.u.x, draw.u.y));
+  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = square_to_sphere(Vec2(0.5f * random.u.x, random.u.y));
     return true;
   }
-  float weight(const Vec3&) const { return 2 * kPi * average(scale); }
+  float sampling_weight(const Vec3&) const { return 2 * kPi * average(scale); }
   float slope() const { return 1; }
 };
 

@@ -55,19 +55,19 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
     const float azimuth = azimuth_part(h, [&](float along2) { return std::sqrt(p) / (p + along2 * (1 - p)); });
     return cosine * cosine_hemisphere_pdf(i.z) + (1 - cosine) * zenith(h) * kInvPi * h.z * azimuth / (4 * half.cosine);
   }
-  bool draw(const Vec3& o, const LobeRandom& draw, Vec3& i) const {
-    if (draw.choice < cosine_share(o)) {
-      i = draw.cosine_direction;
+  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    if (random.choice < cosine_share(o)) {
+      i = random.cosine_direction;
       return true;
     }
-    const float sin2 = r * (1 - draw.u.x) / (r + draw.u.x * (1 - r));
-    const float turn = 2 * kPi * draw.u.y;
+    const float sin2 = r * (1 - random.u.x) / (r + random.u.x * (1 - r));
+    const float turn = 2 * kPi * random.u.y;
     const Vec2 axis = glm::normalize(Vec2(std::sqrt(p) * std::cos(turn), std::sin(turn)));
     const Vec3 h(std::sqrt(sin2) * axis.x, std::sqrt(sin2) * axis.y, safe_sqrt(1 - sin2));
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
-  float weight(const Vec3& wo) const { return (a + b) * average(spectrum(std::abs(wo.z))); }
+  float sampling_weight(const Vec3& wo) const { return (a + b) * average(spectrum(std::abs(wo.z))); }
   float slope() const { return std::sqrt(r); }
 
  private:
