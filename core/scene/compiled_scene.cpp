@@ -193,7 +193,7 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     const bool placed = motion || instance.identity;
     const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
-  } else if (point.material->anisotropic) {
+  } else if (point.material->is_anisotropic) {
     point.shading.build(ns, direction_along(instance, t, ns), 1);
   } else {
     point.shading.build(ns);

@@ -115,7 +115,7 @@ TEST(DiffuseTransmission, LetsLightIntoAVolume) {
   m.metallic = 0, m.diffuse_transmission = 1, m.thickness = 1;
   m.attenuation_distance = 1, m.attenuation_color = {0.5f, 1, 1};
   EXPECT_TRUE(m.is_solid());
-  EXPECT_TRUE(SurfaceMaterial(m, {}).absorbs);
+  EXPECT_TRUE(SurfaceMaterial(m, {}).absorbs_inside);
 }
 
 // A metal and a plastic, each in both ways of saying it.
