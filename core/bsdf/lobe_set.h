@@ -30,9 +30,9 @@ decltype(auto) visit_lobe(F&& f, const std::variant<L...>& lobe) {
 
 // How wide the glossy part of a lobe is: the slope of its facets, or what looks alike. 1 for a lobe without any.
 template <class Lobe>
-float slope_of(const Lobe& lobe) {
-  if constexpr (requires { lobe.slope(); })
-    return lobe.slope();
+float alpha_of(const Lobe& lobe) {
+  if constexpr (requires { lobe.alpha(); })
+    return lobe.alpha();
   else if constexpr (requires { lobe.facets; })
     return std::max(lobe.facets.alpha_x, lobe.facets.alpha_y);
   else
@@ -82,7 +82,7 @@ class LobeSet {
   // What tells narrow lobes from wide ones: the least slope of those that are glossy.
   float min_alpha() const {
     float least = 1;
-    for (int i = 0; i < count_; ++i) least = std::min(least, visit(i, [](const auto& l) { return slope_of(l); }));
+    for (int i = 0; i < count_; ++i) least = std::min(least, visit(i, [](const auto& l) { return alpha_of(l); }));
     return least;
   }
 

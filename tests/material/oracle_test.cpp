@@ -200,7 +200,7 @@ TEST(Oracles, PointValues) {
     EXPECT_NEAR(lobes.eval(direction(45, kPi * 2 / 3), wi, TransportMode::radiance).r, row.beside, 1e-5 * row.beside)
         << row.model;
   }
-  const HalfWay opposite(direction(45, kPi), wi), beside(direction(45, kPi * 2 / 3), wi);
+  const HalfVector opposite(direction(45, kPi), wi), beside(direction(45, kPi * 2 / 3), wi);
   EXPECT_NEAR(opposite.h.z, .99144486, 1e-6);
   EXPECT_NEAR(beside.h.z, .92839788, 1e-6);
   EXPECT_NEAR(opposite.cosine, .79335334, 1e-6);
@@ -217,7 +217,7 @@ TEST(Oracles, PointValues) {
 // Item 61: the constant that makes Blinn's Gaussian a distribution.
 TEST(Gaussian, IsNormalised) {
   const std::pair<float, double> all[] = {{0.1f, 32.043762}, {0.3f, 3.754119}, {0.5f, 1.499914}, {1.0f, 0.581188}};
-  for (const auto& [m, c] : all) EXPECT_NEAR(gaussian_normalisation(m), c, 1e-6 * c) << m;
+  for (const auto& [m, c] : all) EXPECT_NEAR(gaussian_slope_normalisation(m), c, 1e-6 * c) << m;
 }
 
 // Item 58: the modified Phong model is brightest upright, with rho_d + rho_s, and falls from there.

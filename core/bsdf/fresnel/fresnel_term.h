@@ -96,7 +96,7 @@ struct FresnelTerm {
 };
 
 // The knobs of the models that let one choose.
-struct FresnelKnobs {
+struct FresnelParameters {
   Choice<FresnelKind> kind{
       "fresnel", "Fresnel", FresnelKind::conductor,
       "Exact for a dielectric or for a metal, the thesis's approximation for metals, Schlick's, or "

@@ -59,7 +59,7 @@ inline const std::array<DielectricConstants, 13> kDielectrics{{
     {"water-measured", "Water at 20 degrees", "Daimon and Masumura 2007, at 587.6 nm", 1.33340f},
 }};
 
-// Settings of the knobs `eta`, `kappa` and `fresnel` of FresnelKnobs.
+// Settings of the knobs `eta`, `kappa` and `fresnel` of FresnelParameters.
 inline std::vector<ModelPreset> fresnel_presets() {
   std::vector<ModelPreset> presets;
   for (const ConductorConstants& metal : kConductors) {

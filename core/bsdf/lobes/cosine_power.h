@@ -26,12 +26,12 @@ struct CosinePower : OpaqueLobe<ColorType, CosinePower<ColorType>> {
   float density(const Vec3& o, const Vec3& i) const {
     return (exponent + 1) / (2 * kPi) * power(cosine(o, i), exponent);
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     i = Frame(mirrored(o)).to_world(square_to_cosine_power(random.u, exponent));
     return true;
   }
   float sampling_weight(const Vec3&) const { return albedo; }
-  float slope() const { return slope_of_exponent(exponent); }
+  float alpha() const { return alpha_of_exponent(exponent); }
 
  private:
   static Vec3 mirrored(const Vec3& w) { return {-w.x, -w.y, w.z}; }

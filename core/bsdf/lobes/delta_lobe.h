@@ -7,7 +7,7 @@ namespace etendue {
 template <class Color>
 struct DeltaLobe {
   bool is_delta() const { return true; }
-  float slope() const { return 0; }
+  float alpha() const { return 0; }
   Color eval(const Vec3&, const Vec3&, TransportMode) const { return Color(0); }
   float pdf(const Vec3&, const Vec3&, TransportMode) const { return 0; }
   bool has_component(ScatterType) const { return false; }

@@ -32,16 +32,16 @@ struct Eon : OpaqueLobe<ColorType, Eon<ColorType>, ScatterType::diffuse> {
     const float uniform = uniform_share(o.z);
     return uniform * (0.5f * kInvPi) + (1 - uniform) * Transformed(o, roughness).density(i);
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     const float uniform = uniform_share(o.z);
     if (random.u.x < uniform)
       i = square_to_sphere(Vec2(0.5f * random.u.x / uniform, random.u.y));
     else
-      i = Transformed(o, roughness).draw(Vec2((random.u.x - uniform) / (1 - uniform), random.u.y));
+      i = Transformed(o, roughness).sample(Vec2((random.u.x - uniform) / (1 - uniform), random.u.y));
     return true;
   }
   float sampling_weight(const Vec3&) const { return average(albedo); }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 
   // The albedo of f_ss for rho = 1: exact.
   float white_albedo(float cosine) const {
@@ -76,7 +76,7 @@ struct Eon : OpaqueLobe<ColorType, Eon<ColorType>, ScatterType::diffuse> {
       axis = planar > 0 ? Vec2(o.x, o.y) / planar : Vec2(1, 0);
     }
 
-    Vec3 draw(Vec2 u) const {
+    Vec3 sample(Vec2 u) const {
       const float r = std::sqrt(u.x), phi = 2 * kPi * u.y;
       const float y = r * std::sin(phi), half = safe_sqrt(1 - sqr(y));
       const float x = -(half + kept * (r * std::cos(phi) - half));

@@ -6,7 +6,7 @@
 //   float density(o, i) const;              // with which `draw` finds i, per solid angle
 //   bool  draw(o, LobeRandom, Vec3& i) const; // false, or an i below the surface: absorbed
 //   float weight(wo) const;                 // about its albedo
-//   float slope() const;                    // how wide it is, as the slope of facets
+//   float alpha() const;                    // how wide it is, as the slope of facets
 //
 // and becomes a lobe with two equal sides. A model that is not reciprocal is told apart by the order of its arguments:
 // importance that comes from wo stands for light that leaves to wo.
@@ -31,7 +31,7 @@ struct OpaqueLobe {
   bool sample(const Vec3& wo_any, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
-    if (!self().draw(wo, random, s.wi) || !(s.wi.z > 0)) return false;
+    if (!self().sample_direction(wo, random, s.wi) || !(s.wi.z > 0)) return false;
     s.type = letter;
     s.pdf_solid_angle = self().density(wo, s.wi);
     if (!(s.pdf_solid_angle > 0)) return false;

@@ -25,12 +25,12 @@ struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, ScatterType::diff
     return albedo * (kInvPi * (a + b * grooves));
   }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
     i = random.cosine_direction;
     return true;
   }
   float sampling_weight(const Vec3&) const { return average(albedo) * a; }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 };
 
 }  // namespace etendue

@@ -32,13 +32,13 @@ struct Sheen : OpaqueLobe<ColorType, Sheen<ColorType>> {
     return color * (sheen_shape(o, i, roughness) / std::max(1.0f, most));
   }
   float density(const Vec3&, const Vec3&) const { return 0.5f * kInvPi; }
-  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
     return i = square_to_cosine_power(random.u, 0), true;
   }
   float sampling_weight(const Vec3& wo) const {
     return average(color) * std::min(1.0f, sheen_albedo(std::abs(wo.z), roughness));
   }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 };
 
 // What it takes from the layers below: `max(color)` of what a white one sends back.

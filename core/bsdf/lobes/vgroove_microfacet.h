@@ -26,23 +26,23 @@ struct VGrooveMicrofacet : OpaqueLobe<ColorType, VGrooveMicrofacet<ColorType>> {
   void add(const SlopeDistribution& d) { slopes[static_cast<size_t>(count++)] = d; }
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     return tint * fresnel(half.cosine) * (sum([&](const auto& s) { return s.d(half.h); }) * visibility(o, i, half));
   }
   float density(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     return half.cosine > 0 ? sum([&](const auto& s) { return s.density(half.h); }) / (4 * half.cosine * total()) : 0;
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     float choice = random.choice * total();
     size_t k = 0;
     while (k + 1 < static_cast<size_t>(count) && choice >= slopes[k].share) choice -= slopes[k++].share;
-    const Vec3 h = slopes[k].draw(random.u);
+    const Vec3 h = slopes[k].sample(random.u);
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
   float sampling_weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))) * total(); }
-  float slope() const {
+  float alpha() const {
     float least = 1;
     for (size_t k = 0; k < static_cast<size_t>(count); ++k) least = std::min(least, slopes[k].m);
     return least;
@@ -50,7 +50,7 @@ struct VGrooveMicrofacet : OpaqueLobe<ColorType, VGrooveMicrofacet<ColorType>> {
 
  private:
   // G / (4 cos_o cos_i), without dividing by the smaller cosine where G holds it.
-  float visibility(const Vec3& o, const Vec3& i, const HalfWay& half) const {
+  float visibility(const Vec3& o, const Vec3& i, const HalfVector& half) const {
     const float low = std::min(o.z, i.z), high = std::max(o.z, i.z);
     const float open = 1 / low;
     return (masked ? std::min(open, 2 * half.h.z / half.cosine) : open) / (4 * high);

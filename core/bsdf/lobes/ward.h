@@ -27,7 +27,7 @@ struct WardReflection : OpaqueLobe<ColorType, WardReflection<ColorType>> {
   WardForm form = WardForm::ward;
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     const float g = gaussian(half.h);
     if (!(g > 0)) return ColorType(0);
     if (form == WardForm::bounded) return tint * (g / sqr(half.cosine * sqr(half.h.z)));
@@ -35,11 +35,11 @@ struct WardReflection : OpaqueLobe<ColorType, WardReflection<ColorType>> {
     return tint * (g / (form == WardForm::ward ? std::sqrt(product) : product));
   }
   float density(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     const float g = gaussian(half.h);
     return g > 0 ? g / (half.cosine * half.h.z * sqr(half.h.z)) : 0;
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     const float phi = 2 * kPi * random.u.y, r = std::sqrt(-std::log(1 - random.u.x));
     const float x = alpha_x * r * std::cos(phi), y = alpha_y * r * std::sin(phi);
     const Vec3 h = glm::normalize(Vec3(along.x * x - along.y * y, along.y * x + along.x * y, 1));
@@ -47,7 +47,7 @@ struct WardReflection : OpaqueLobe<ColorType, WardReflection<ColorType>> {
     return glm::dot(o, h) > 0;
   }
   float sampling_weight(const Vec3&) const { return average(tint); }
-  float slope() const { return std::min(1.0f, std::max(alpha_x, alpha_y)); }
+  float alpha() const { return std::min(1.0f, std::max(alpha_x, alpha_y)); }
 
  private:
   // exp(...) / (4 pi a_x a_y)

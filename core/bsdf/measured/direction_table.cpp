@@ -45,7 +45,7 @@ DirectionTable::DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)
       }
       grids_.emplace_back(values, columns_, rows_);
       albedos_.push_back(mean * kPi);
-      slope_ = std::min(1.0f, static_cast<float>(std::sqrt(1 / squares)));
+      alpha_ = std::min(1.0f, static_cast<float>(std::sqrt(1 / squares)));
     }
 }
 
@@ -76,7 +76,7 @@ float DirectionTable::density(const Vec3& o, const Vec3& i) const {
   return sum * i.z * kInvPi;
 }
 
-bool DirectionTable::draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+bool DirectionTable::sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
   const Near grids = near(o);
   float choice = random.choice;
   int k = 0;

@@ -21,10 +21,10 @@ class DirectionTable {
   DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths, bool coarse);
 
   float density(const Vec3& o, const Vec3& i) const;
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const;
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const;
   float albedo(const Vec3& o) const;
   // Of facets whose lobe is about as wide, upright.
-  float slope() const { return slope_; }
+  float alpha() const { return alpha_; }
 
  private:
   static constexpr int kCosines = 24;  // grids
@@ -40,7 +40,7 @@ class DirectionTable {
   int columns_ = 96, rows_ = 64;  // of a grid
   std::vector<Piecewise2D> grids_;
   std::vector<float> albedos_;
-  float slope_ = 1;
+  float alpha_ = 1;
 };
 
 }  // namespace etendue

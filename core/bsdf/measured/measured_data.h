@@ -32,9 +32,11 @@ class SampledBrdf {
   const Function& function() const { return function_; }
   Rgb f(const Vec3& o, const Vec3& i) const { return function_.f(o, i); }
   float density(const Vec3& o, const Vec3& i) const { return directions_.density(o, i); }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const { return directions_.draw(o, random, i); }
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    return directions_.sample_direction(o, random, i);
+  }
   float albedo(const Vec3& o) const { return directions_.albedo(o); }
-  float slope() const { return directions_.slope(); }
+  float alpha() const { return directions_.alpha(); }
 
  private:
   Function function_;

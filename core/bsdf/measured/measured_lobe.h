@@ -18,9 +18,11 @@ struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
 
   ColorType f(const Vec3& o, const Vec3& i) const { return tint * data->f(o, i); }
   float density(const Vec3& o, const Vec3& i) const { return data->density(o, i); }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const { return data->draw(o, random, i); }
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    return data->sample_direction(o, random, i);
+  }
   float sampling_weight(const Vec3& wo) const { return average(tint) * data->albedo(wo); }
-  float slope() const { return data->slope(); }
+  float alpha() const { return data->alpha(); }
 };
 
 }  // namespace etendue

@@ -57,7 +57,7 @@ Result<MerlBrdf> MerlBrdf::read(const std::filesystem::path& path) {
 }
 
 Rgb MerlBrdf::f(const Vec3& o, const Vec3& i) const {
-  const HalfWay half(o, i);
+  const HalfVector half(o, i);
   const Vec3& h = half.h;
   const float planar = std::sqrt(sqr(h.x) + sqr(h.y));
   const Vec2 azimuth = planar > 0 ? Vec2(h.x, h.y) / planar : Vec2(1, 0);

@@ -70,7 +70,7 @@ Result<RglBrdf> RglBrdf::read(const std::filesystem::path& path) {
   brdf.rgb_ = BilinearGrid(rgb.values, width(rgb), height(rgb));
   brdf.visible_ = BilinearDensity(vndf.values, width(vndf), height(vndf));
   brdf.luminance_ = BilinearDensity(lum.values, width(lum), height(lum));
-  brdf.measure_slope();
+  brdf.estimate_alpha();
   return brdf;
 }
 
@@ -89,7 +89,7 @@ Vec2 RglBrdf::normal_at(const Vec3& h, float phi_o) const {
 
 // What f and the density of a pair of directions share.
 struct RglBrdf::Seen {
-  HalfWay half;
+  HalfVector half;
   SliceBlend blend;
   Vec2 normal, at_o;
   BilinearDensity::Sample square;  // where h came from, and with which density among the visible
@@ -121,7 +121,7 @@ float RglBrdf::density(const Vec3& o, const Vec3& i) const {
   return of_square * seen.square.pdf / stretch(seen.normal, seen.half.h, seen.half.cosine);
 }
 
-bool RglBrdf::draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+bool RglBrdf::sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
   const SliceBlend blend = blend_at(theta_of(o));
   const Vec2 square = luminance_.sample(random.u, blend).p;
   const Vec2 normal = visible_.sample(square, blend).p;
@@ -132,7 +132,7 @@ bool RglBrdf::draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
 }
 
 // The slope of facets whose lobe covers as much solid angle as samples do here, upright.
-void RglBrdf::measure_slope() {
+void RglBrdf::estimate_alpha() {
   constexpr int kSide = 16;
   const Vec3 o(0, 0, 1);
   double sum = 0;
@@ -141,9 +141,9 @@ void RglBrdf::measure_slope() {
     for (int b = 0; b < kSide; ++b) {
       Vec3 i;
       const Vec2 u((static_cast<float>(a) + 0.5f) / kSide, (static_cast<float>(b) + 0.5f) / kSide);
-      if (draw(o, LobeRandom(0, u), i) && i.z > 0) sum += density(o, i), ++count;
+      if (sample_direction(o, LobeRandom(0, u), i) && i.z > 0) sum += density(o, i), ++count;
     }
-  if (sum > 0) slope_ = std::min(1.0f, static_cast<float>(std::sqrt(count / (sum * M_PI))));
+  if (sum > 0) alpha_ = std::min(1.0f, static_cast<float>(std::sqrt(count / (sum * M_PI))));
 }
 
 }  // namespace etendue

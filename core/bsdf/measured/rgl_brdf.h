@@ -23,21 +23,21 @@ class RglBrdf {
 
   Rgb f(const Vec3& o, const Vec3& i) const;
   float density(const Vec3& o, const Vec3& i) const;
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const;
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const;
   float albedo(const Vec3&) const { return 0.5f; }
-  float slope() const { return slope_; }
+  float alpha() const { return alpha_; }
 
  private:
   struct Seen;
 
   SliceBlend blend_at(float theta) const;
   Vec2 normal_at(const Vec3& h, float phi_o) const;
-  void measure_slope();
+  void estimate_alpha();
 
   std::vector<float> thetas_;  // of o, rising
   BilinearGrid ndf_, sigma_, rgb_;
   BilinearDensity visible_, luminance_;
-  float slope_ = 1;
+  float alpha_ = 1;
 };
 
 }  // namespace etendue

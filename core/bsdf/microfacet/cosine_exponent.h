@@ -18,6 +18,6 @@ inline Vec3 square_to_cosine_power(Vec2 u, float exponent) {
 
 // The slope of facets whose highlight is about as wide as cos^n of the angle between mirrored and viewing direction:
 // cos^(4n) of the angle to the half vector, and that is a Beckmann distribution of slope^2 = 2 / (4n).
-inline float slope_of_exponent(float exponent) { return std::min(1.0f, std::sqrt(0.5f / exponent)); }
+inline float alpha_of_exponent(float exponent) { return std::min(1.0f, std::sqrt(0.5f / exponent)); }
 
 }  // namespace etendue

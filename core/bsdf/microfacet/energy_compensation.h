@@ -35,14 +35,14 @@ class MicrofacetEnergy {
 };
 
 template <class ColorType>
-struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, ScatterType::diffuse> {
+struct EnergyCompensation : OpaqueLobe<ColorType, EnergyCompensation<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};  // tint F_ms / (pi (1 - <E>))
   const MicrofacetEnergy* energy = nullptr;
   Vec2 along{1, 0};
 
-  static FacetCompensation of(const MicrofacetEnergy& energy, const Vec2& along, const ColorType& tint,
-                              const FresnelTerm<ColorType>& fresnel) {
-    FacetCompensation lobe;
+  static EnergyCompensation of(const MicrofacetEnergy& energy, const Vec2& along, const ColorType& tint,
+                               const FresnelTerm<ColorType>& fresnel) {
+    EnergyCompensation lobe;
     lobe.energy = &energy, lobe.along = along;
     const float lost = energy.mean_lost();
     const ColorType f = fresnel.mean();
@@ -53,14 +53,14 @@ struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, S
 
   ColorType f(const Vec3& o, const Vec3& i) const { return scale * (lost(o) * lost(i)); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
     i = random.cosine_direction;
     return true;
   }
   float sampling_weight(const Vec3& wo) const {
     return average(scale) * kPi * energy->mean_lost() * lost(Vec3(wo.x, wo.y, std::abs(wo.z)));
   }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 
  private:
   float lost(const Vec3& w) const {

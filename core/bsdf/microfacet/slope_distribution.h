@@ -16,7 +16,7 @@ namespace etendue {
 enum class SlopeKind : uint8_t { beckmann, gaussian };
 
 // The constant of the Gaussian: Simpson's rule in theta / m.
-inline float gaussian_normalisation(float m) {
+inline float gaussian_slope_normalisation(float m) {
   constexpr int kSteps = 128;
   const double top = std::min(0.5 * M_PI / m, 5.5), step = top / kSteps;
   double sum = 0;
@@ -34,7 +34,7 @@ struct SlopeDistribution {
   float c = 1;      // the Gaussian's constant
 
   static SlopeDistribution of(SlopeKind kind, float m, float share) {
-    return {kind, m, share, kind == SlopeKind::gaussian ? gaussian_normalisation(m) : 1};
+    return {kind, m, share, kind == SlopeKind::gaussian ? gaussian_slope_normalisation(m) : 1};
   }
 
   float d(const Vec3& h) const {
@@ -44,7 +44,7 @@ struct SlopeDistribution {
   }
 
   // Beckmann: density D cos. Gaussian: theta exp(-theta^2 / m^2) over the angle, which is D for small angles.
-  Vec3 draw(Vec2 u) const {
+  Vec3 sample(Vec2 u) const {
     const float phi = 2 * kPi * u.y;
     float sine, cosine;
     if (kind == SlopeKind::gaussian) {

@@ -20,15 +20,15 @@ struct AnisotropicPhong : OpaqueLobe<ColorType, AnisotropicPhong<ColorType>> {
   float nu = 100, nv = 100;
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     if (!(half.cosine > 0)) return ColorType(0);
     return fresnel(half.cosine) * (0.25f * normal_density(half.h) / (half.cosine * std::max(o.z, i.z)));
   }
   float density(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     return half.cosine > 0 ? normal_density(half.h) / (4 * half.cosine) : 0;
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     const float turn = 2 * kPi * random.u.x;
     const float x = std::sqrt(nv + 1) * std::cos(turn), y = std::sqrt(nu + 1) * std::sin(turn);
     const float length2 = sqr(x) + sqr(y), n = (nu * sqr(x) + nv * sqr(y)) / length2;
@@ -40,7 +40,7 @@ struct AnisotropicPhong : OpaqueLobe<ColorType, AnisotropicPhong<ColorType>> {
     return glm::dot(o, h) > 0;
   }
   float sampling_weight(const Vec3& wo) const { return average(fresnel(std::abs(wo.z))); }
-  float slope() const { return std::min(1.0f, std::sqrt(2 / (std::min(nu, nv) + 2))); }
+  float alpha() const { return std::min(1.0f, std::sqrt(2 / (std::min(nu, nv) + 2))); }
 
  private:
   ColorType fresnel(float cosine) const { return f0 + (ColorType(1) - f0) * schlick_weight(cosine); }
@@ -60,12 +60,12 @@ struct CoupledDiffuse : OpaqueLobe<ColorType, CoupledDiffuse<ColorType>, Scatter
 
   ColorType f(const Vec3& o, const Vec3& i) const { return scale * (28 / (23 * kPi) * (passed(o) * passed(i))); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
     i = random.cosine_direction;
     return true;
   }
   float sampling_weight(const Vec3& wo) const { return average(scale) * passed(wo); }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 
  private:
   static float passed(const Vec3& w) { return 1 - schlick_weight(0.5f * std::abs(w.z)); }

@@ -24,15 +24,15 @@ struct HalfVectorPower : OpaqueLobe<ColorType, HalfVectorPower<ColorType>> {
   }
   float density(const Vec3& o, const Vec3& i) const {
     const Vec3 h = half_vector(o, i);
-    return (exponent + 1) / (2 * kPi) * power(h.z, exponent) * reflected_density(o, h);
+    return (exponent + 1) / (2 * kPi) * power(h.z, exponent) * half_vector_jacobian(o, h);
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     const Vec3 h = square_to_cosine_power(random.u, exponent);
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
   float sampling_weight(const Vec3&) const { return average(scale) * 8 * kPi / (exponent + 4); }
-  float slope() const { return slope_of_exponent(exponent / 4); }
+  float alpha() const { return alpha_of_exponent(exponent / 4); }
 };
 
 struct BlinnPhongModel {

@@ -32,7 +32,7 @@ struct CookTorranceModel {
   Number<float> m3{"m-3", "Third slope", 0.6f, {0, 1}, "m of a third scale of roughness"};
   Number<float> weight3{"weight-3", "Third weight", 0, {0, 1}, "W of the third scale, where the first has 1"};
   Toggle masked{"masking", "Masking and shadowing", true, "G; without it energy is gained at grazing angles"};
-  FresnelKnobs fresnel;
+  FresnelParameters fresnel;
   auto parameters() {
     return std::tuple_cat(std::tie(diffuse, specular, distribution, m, m2, weight2, m3, weight3, masked),
                           fresnel.parameters());

@@ -17,7 +17,7 @@ struct FresnelMirrorModel {
   template <class Color>
   using Lobes = std::tuple<Mirror<Color>>;
 
-  FresnelKnobs fresnel;
+  FresnelParameters fresnel;
   auto parameters() { return fresnel.parameters(); }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 

@@ -28,7 +28,7 @@ struct GeneralisedCosine : OpaqueLobe<ColorType, GeneralisedCosine<ColorType>> {
   float density(const Vec3& o, const Vec3& i) const {
     return (exponent + 1) / (2 * kPi) * power(glm::dot(axis(o), i), exponent);
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     i = Frame(axis(o)).to_world(square_to_cosine_power(random.u, exponent));
     return true;
   }
@@ -36,14 +36,14 @@ struct GeneralisedCosine : OpaqueLobe<ColorType, GeneralisedCosine<ColorType>> {
   float sampling_weight(const Vec3& wo) const {
     return average(scale) * power(glm::length(c * wo), exponent) * 2 * kPi / (exponent + 2);
   }
-  float slope() const { return slope_of_exponent(exponent); }
+  float alpha() const { return alpha_of_exponent(exponent); }
 
  private:
   Vec3 axis(const Vec3& o) const { return normalize_or(c * o, Vec3(0, 0, 1)); }
 };
 
 // The knobs of one lobe; names are whole, so that they can be compared as they stand.
-struct GeneralisedCosineKnobs {
+struct GeneralisedCosineParameters {
   Triple scale;
   Number<float> x, y, z, exponent;
 
@@ -71,21 +71,21 @@ struct LafortuneModel {
   static constexpr const char* kExponentDoc = "n: 1 is wide, above 100 narrow";
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.3f, {0, 1}, "rho_d, as a factor on the base colour"};
-  GeneralisedCosineKnobs first{{"scale-1", "Scale 1", Vec3(1), {0, 100}, kScaleDoc},
-                               {"cx-1", "Cx 1", -1, {-1, 1}, kCDoc},
-                               {"cy-1", "Cy 1", -1, {-1, 1}, kCDoc},
-                               {"cz-1", "Cz 1", 0.95f, {-1, 1}, kCDoc},
-                               {"n-1", "Exponent 1", 20, {0, 1e4f}, kExponentDoc, "", Scale::logarithmic}};
-  GeneralisedCosineKnobs second{{"scale-2", "Scale 2", Vec3(0.2f), {0, 100}, kScaleDoc},
-                                {"cx-2", "Cx 2", 0.8f, {-1, 1}, kCDoc},
-                                {"cy-2", "Cy 2", 0.8f, {-1, 1}, kCDoc},
-                                {"cz-2", "Cz 2", 0.9f, {-1, 1}, kCDoc},
-                                {"n-2", "Exponent 2", 5, {0, 1e4f}, kExponentDoc, "", Scale::logarithmic}};
-  GeneralisedCosineKnobs third{{"scale-3", "Scale 3", Vec3(0), {0, 100}, kScaleDoc},
-                               {"cx-3", "Cx 3", 0, {-1, 1}, kCDoc},
-                               {"cy-3", "Cy 3", 0, {-1, 1}, kCDoc},
-                               {"cz-3", "Cz 3", 1, {-1, 1}, kCDoc},
-                               {"n-3", "Exponent 3", 1, {0, 1e4f}, kExponentDoc, "", Scale::logarithmic}};
+  GeneralisedCosineParameters first{{"scale-1", "Scale 1", Vec3(1), {0, 100}, kScaleDoc},
+                                    {"cx-1", "Cx 1", -1, {-1, 1}, kCDoc},
+                                    {"cy-1", "Cy 1", -1, {-1, 1}, kCDoc},
+                                    {"cz-1", "Cz 1", 0.95f, {-1, 1}, kCDoc},
+                                    {"n-1", "Exponent 1", 20, {0, 1e4f}, kExponentDoc, "", Scale::logarithmic}};
+  GeneralisedCosineParameters second{{"scale-2", "Scale 2", Vec3(0.2f), {0, 100}, kScaleDoc},
+                                     {"cx-2", "Cx 2", 0.8f, {-1, 1}, kCDoc},
+                                     {"cy-2", "Cy 2", 0.8f, {-1, 1}, kCDoc},
+                                     {"cz-2", "Cz 2", 0.9f, {-1, 1}, kCDoc},
+                                     {"n-2", "Exponent 2", 5, {0, 1e4f}, kExponentDoc, "", Scale::logarithmic}};
+  GeneralisedCosineParameters third{{"scale-3", "Scale 3", Vec3(0), {0, 100}, kScaleDoc},
+                                    {"cx-3", "Cx 3", 0, {-1, 1}, kCDoc},
+                                    {"cy-3", "Cy 3", 0, {-1, 1}, kCDoc},
+                                    {"cz-3", "Cz 3", 1, {-1, 1}, kCDoc},
+                                    {"n-3", "Exponent 3", 1, {0, 1e4f}, kExponentDoc, "", Scale::logarithmic}};
   auto parameters() {
     return std::tuple_cat(std::tie(diffuse), first.parameters(), second.parameters(), third.parameters());
   }
@@ -93,7 +93,7 @@ struct LafortuneModel {
   template <class LobeSet>
   void add_lobes(const Rgb& base, LobeSet& lobes) const {
     lobes.add(Lambert<Rgb>{base * diffuse});
-    for (const GeneralisedCosineKnobs* knobs : {&first, &second, &third})
+    for (const GeneralisedCosineParameters* knobs : {&first, &second, &third})
       if (knobs->any()) lobes.add(knobs->lobe());
   }
 };

@@ -13,17 +13,17 @@ namespace etendue {
 
 // f = scale / cos_i, which reflects as much of a beam from any direction.
 template <class ColorType>
-struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, ScatterType::diffuse> {
+struct InverseCosine : OpaqueLobe<ColorType, InverseCosine<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};
 
   ColorType f(const Vec3&, const Vec3& i) const { return scale / i.z; }
   float density(const Vec3&, const Vec3&) const { return 0.5f * kInvPi; }
-  bool draw(const Vec3&, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
     i = square_to_sphere(Vec2(0.5f * random.u.x, random.u.y));
     return true;
   }
   float sampling_weight(const Vec3&) const { return 2 * kPi * average(scale); }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 };
 
 struct Phong1975Model {
@@ -34,7 +34,7 @@ struct Phong1975Model {
       "conserving.",
       "cosine, uniform directions and cos^n for its three terms, each its own lobe exactly"};
   template <class Color>
-  using Lobes = std::tuple<Lambert<Color>, EvenShade<Color>, CosinePower<Color>>;
+  using Lobes = std::tuple<Lambert<Color>, InverseCosine<Color>, CosinePower<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "C, as a factor on the base colour"};
   Number<float> even{
@@ -48,7 +48,7 @@ struct Phong1975Model {
     const Rgb c = base * diffuse;
     lobes.add(Lambert<Rgb>{c * (1 - even)});
     if (even > 0) {
-      EvenShade<Rgb> shade;
+      InverseCosine<Rgb> shade;
       shade.scale = c * (even * kInvPi);
       lobes.add(shade);
     }

@@ -21,7 +21,7 @@
 
 namespace etendue {
 
-enum class SchlickShadow : uint8_t { none, lost, printed, diffuse };
+enum class SchlickShadowing : uint8_t { none, lost, printed, diffuse };
 
 // S(u), or where there is a layer above (1 - S_above(u)) S(u).
 template <class Color>
@@ -41,21 +41,21 @@ template <class ColorType>
 struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
   SchlickSpectrum<ColorType> spectrum;
   float a = 0, b = 1, r = 0.3f, p = 1;
-  SchlickShadow shadow = SchlickShadow::diffuse;
+  SchlickShadowing shadow = SchlickShadowing::diffuse;
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     return spectrum(half.cosine) * (a * kInvPi + b * glossy(o, i, half.h));
   }
   float density(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     const float cosine = cosine_share(o);
     if (!(half.cosine > 0)) return cosine * cosine_hemisphere_pdf(i.z);
     const Vec3& h = half.h;
     const float azimuth = azimuth_part(h, [&](float along2) { return std::sqrt(p) / (p + along2 * (1 - p)); });
     return cosine * cosine_hemisphere_pdf(i.z) + (1 - cosine) * zenith(h) * kInvPi * h.z * azimuth / (4 * half.cosine);
   }
-  bool draw(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
     if (random.choice < cosine_share(o)) {
       i = random.cosine_direction;
       return true;
@@ -68,7 +68,7 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
     return glm::dot(o, h) > 0;
   }
   float sampling_weight(const Vec3& wo) const { return (a + b) * average(spectrum(std::abs(wo.z))); }
-  float slope() const { return std::sqrt(r); }
+  float alpha() const { return std::sqrt(r); }
 
  private:
   float open(float v) const { return v / (r - r * v + v); }
@@ -85,16 +85,16 @@ struct SchlickLayer : OpaqueLobe<ColorType, SchlickLayer<ColorType>> {
     const float shape =
         zenith(h) * azimuth_part(h, [&](float w2) { return std::sqrt(p / (p * p + w2 * (1 - p * p))); });
     const float quarter = 0.25f * kInvPi;
-    if (shadow == SchlickShadow::none) return quarter * shape / (o.z * i.z);
+    if (shadow == SchlickShadowing::none) return quarter * shape / (o.z * i.z);
     const float lobe = quarter * shape / ((r - r * o.z + o.z) * (r - r * i.z + i.z));
     const float taken = 1 - open(o.z) * open(i.z);
-    if (shadow == SchlickShadow::printed) return lobe + quarter * taken / (o.z * i.z);
-    return shadow == SchlickShadow::diffuse ? lobe + kInvPi * taken : lobe;
+    if (shadow == SchlickShadowing::printed) return lobe + quarter * taken / (o.z * i.z);
+    return shadow == SchlickShadowing::diffuse ? lobe + kInvPi * taken : lobe;
   }
 
   // How often the cosine is asked in place of the facets: for what is diffuse.
   float cosine_share(const Vec3& o) const {
-    const bool returned = shadow == SchlickShadow::printed || shadow == SchlickShadow::diffuse;
+    const bool returned = shadow == SchlickShadowing::printed || shadow == SchlickShadowing::diffuse;
     return (a + (returned ? b * std::max(0.1f, 1 - open(o.z)) : 0)) / (a + b);
   }
 };
@@ -115,8 +115,8 @@ struct SchlickModel {
   Number<float> under_color{"under-color", "Lower reflectance", 0.6f, {0, 1}, "C', as a factor on the base colour"};
   Number<float> under_r{"under-roughness", "Lower roughness", 0.9f, {0, 1}, "r' of the lower layer"};
   Number<float> under_p{"under-isotropy", "Lower isotropy", 1, {0.01f, 1}, "p' of the lower layer"};
-  Choice<SchlickShadow> shadow{"shadowing", "Self-shadowing", SchlickShadow::lost,
-                               "What becomes of light that facets keep from each other"};
+  Choice<SchlickShadowing> shadow{"shadowing", "Self-shadowing", SchlickShadowing::lost,
+                                  "What becomes of light that facets keep from each other"};
   Toggle blend{"blend", "Mirror to diffuse", true, "Weights a, b, c by roughness; without them D is the lobe B alone"};
   auto parameters() { return std::tie(color, r, p, two, under_color, under_r, under_p, shadow, blend); }
 
@@ -145,7 +145,7 @@ struct SchlickModel {
 }  // namespace etendue
 
 template <>
-struct etendue::Options<etendue::SchlickShadow> {
+struct etendue::Options<etendue::SchlickShadowing> {
   static constexpr std::array<etendue::Option, 4> kOptions{{{"none", "None"},
                                                             {"lost", "Light is lost"},
                                                             {"printed", "Comes back as printed"},

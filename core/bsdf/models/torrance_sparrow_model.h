@@ -22,7 +22,7 @@ struct TorranceSparrowModel {
       "multiple scattering falls back to the cosine"};
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, MicrofacetReflection<Color, Ggx>,
-                           MicrofacetReflection<Color, Beckmann>, FacetCompensation<Color>>;
+                           MicrofacetReflection<Color, Beckmann>, EnergyCompensation<Color>>;
 
   Number<float> diffuse{"diffuse", "Diffuse", 0, {0, 1}, "rho_d, as a factor on the base colour"};
   Triple specular{"specular", "Specular", Vec3(1), {0, 1}, "rho_s: a factor on what the facets reflect"};
@@ -34,7 +34,7 @@ struct TorranceSparrowModel {
                          "deg"};
   Toggle multiple{"multiple-scattering", "Multiple scattering", true,
                   "Give back what is scattered between facets again"};
-  FresnelKnobs fresnel;
+  FresnelParameters fresnel;
   auto parameters() {
     return std::tuple_cat(std::tie(diffuse, specular, distribution, alpha_x, alpha_y, rotation, multiple),
                           fresnel.parameters());
@@ -59,7 +59,7 @@ struct TorranceSparrowModel {
   }
 
  private:
-  static float groove(float alpha) { return std::max(alpha, kLeastGroove); }
+  static float groove(float alpha) { return std::max(alpha, kMinAlpha); }
 
   template <class Facets, class LobeSet>
   void add_facets(LobeSet& lobes) const {
@@ -69,7 +69,7 @@ struct TorranceSparrowModel {
     const float turn = rotation * (kPi / 180);
     lobe.facets.along = Vec2(std::cos(turn), std::sin(turn));
     lobes.add(lobe);
-    if (energy) lobes.add(FacetCompensation<Rgb>::of(*energy, lobe.facets.along, lobe.tint, lobe.fresnel));
+    if (energy) lobes.add(EnergyCompensation<Rgb>::of(*energy, lobe.facets.along, lobe.tint, lobe.fresnel));
   }
 };
 

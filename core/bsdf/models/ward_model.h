@@ -41,7 +41,7 @@ struct WardModel {
     WardReflection<Rgb> lobe;
     const float turn = rotation * (kPi / 180);
     lobe.tint = tint, lobe.form = form, lobe.along = Vec2(std::cos(turn), std::sin(turn));
-    lobe.alpha_x = std::max(alpha_x.value, kLeastGroove), lobe.alpha_y = std::max(alpha_y.value, kLeastGroove);
+    lobe.alpha_x = std::max(alpha_x.value, kMinAlpha), lobe.alpha_y = std::max(alpha_y.value, kMinAlpha);
     lobes.add(lobe);
   }
 };
