@@ -100,7 +100,12 @@ json materials() {
     const BsdfModelDescription& model = info.description;
     json j = entry(model.name, model.label, model.summary, info.parameters);
     j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.model_class)].name;
-    j["sampling"] = model.sampling, j["presets"] = presets(info.presets);
+    j["formula"] = model.formula;
+    j["properties"] = model.properties;
+    j["sampling"] = model.sampling;
+    j["limitations"] = model.limitations;
+    j["source"] = model.source;
+    j["presets"] = presets(info.presets);
     list.push_back(j);
   }
   return list;

@@ -6,7 +6,8 @@
 namespace etendue {
 namespace {
 
-SurfaceMaterial::Map resolved(const TextureUse& use, const std::vector<Texture>& textures) {
+// The map of a use; empty if the texture does not exist or has no image.
+SurfaceMaterial::Map resolve(const TextureUse& use, const std::vector<Texture>& textures) {
   SurfaceMaterial::Map map;
   if (use.texture < 0 || static_cast<size_t>(use.texture) >= textures.size()) return map;
   const Texture& texture = textures[static_cast<size_t>(use.texture)];
@@ -19,6 +20,7 @@ SurfaceMaterial::Map resolved(const TextureUse& use, const std::vector<Texture>&
 
 float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
+// The normal that a normal map encodes; `scale` multiplies its tangential part.
 Vec3 mapped_normal(const SurfaceMaterial::Map& map, float scale, const TexturePoint& point) {
   if (!map) return Vec3(0, 0, 1);
   const Vec4 t = map.at(point, Encoding::linear);
@@ -30,7 +32,7 @@ Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
 }  // namespace
 
 SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
-  resolve(textures);
+  resolve_textures(textures);
   has_normal_map = normal || (clearcoat_normal && m.clearcoat > 0);
   has_coat_normal = has_normal_map && m.clearcoat > 0;
   has_constant_base_color = !base_color && !m.unlit;
@@ -39,13 +41,13 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   has_alpha = m.alpha_mode != AlphaMode::opaque;
   absorbs_inside = m.is_solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
   if (m.model && !m.unlit)
-    prepare_model();
+    classify_model();
   else
-    look_at_gltf();
+    classify_gltf_surface();
   needs_tangent_frame = has_normal_map || is_anisotropic;
 }
 
-void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
+void SurfaceMaterial::resolve_textures(const std::vector<Texture>& textures) {
   const Material& m = description;
   for (const auto& [map, use] : std::initializer_list<std::pair<Map&, const TextureUse&>>{
            {base_color, m.base_color_texture},
@@ -65,21 +67,21 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
            {iridescence_thickness, m.iridescence_thickness_texture},
            {diffuse_transmission, m.diffuse_transmission_texture},
            {diffuse_transmission_color, m.diffuse_transmission_color_texture}}) {
-    map = resolved(use, textures);
+    map = resolve(use, textures);
     has_textures = has_textures || map;
   }
 }
 
-// What the lobes of the model are, as its base colour makes no others of them.
-void SurfaceMaterial::prepare_model() {
+// The types of the lobes do not depend on the base colour, so one set of lobes represents all points.
+void SurfaceMaterial::classify_model() {
   if (auto prepared = description.model->prepared()) description.model.model = std::move(prepared);
   AllLobes<Rgb> lobes;
   description.model->add_lobes(reflectance(base_factor), lobes);
-  if (const auto* lambert = lobe_set(lobes).only<Lambert<Rgb>>()) {
-    is_lambertian = uses_standard_lobes = true;
-    // Base colour and model are one base_factor.
-    const Rgb share = ratio(lambert->albedo, reflectance(base_factor));
-    base_factor *= Vec4(share.r, share.g, share.b, 1);
+  if (const auto* lambert = lobe_set(lobes).single_lobe_as<Lambert<Rgb>>()) {
+    is_lambertian = true;
+    uses_standard_lobes = true;
+    const Rgb model_albedo = ratio(lambert->albedo, reflectance(base_factor));
+    base_factor *= Vec4(model_albedo.r, model_albedo.g, model_albedo.b, 1);
   }
   DeltaSet<Rgb> deltas;
   lobes.add_deltas(Vec3(0, 0, 1), TransportMode::radiance, deltas);
@@ -88,15 +90,16 @@ void SurfaceMaterial::prepare_model() {
   if (has_constant_base_color) constant_lobes = std::make_shared<AllLobes<Rgb>>(lobes);
 }
 
-void SurfaceMaterial::look_at_gltf() {
+void SurfaceMaterial::classify_gltf_surface() {
   const Material& m = description;
   const bool tinted_glass = m.transmission > 0 && m.thickness > 0 && (m.specular != 1 || !(m.specular_color == Rgb(1)));
   uses_standard_lobes = m.unlit || !(m.clearcoat > 0 || !is_black(m.sheen_color) || m.iridescence > 0 ||
                                      m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
   is_lambertian =
       m.unlit || (uses_standard_lobes && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
-  has_delta_lobes = !is_lambertian && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
-                                       (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
+  has_delta_lobes =
+      !is_lambertian && (gltf_microfacets(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
+                         (m.clearcoat > 0 && gltf_microfacets(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
   is_anisotropic = !is_lambertian && m.anisotropy > 0;
 }
 
@@ -119,9 +122,9 @@ float SurfaceMaterial::opacity_at(const TexturePoint& point) const {
 Rgb SurfaceMaterial::emission_at(const TexturePoint& point) const {
   const Material& m = description;
   if (m.unlit) {
-    Vec4 shown = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, 1) * point.color;
-    if (base_color) shown *= base_color.at(point, Encoding::srgb);
-    return {shown.x, shown.y, shown.z};
+    Vec4 color = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, 1) * point.color;
+    if (base_color) color *= base_color.at(point, Encoding::srgb);
+    return {color.x, color.y, color.z};
   }
   if (!emission) return m.emission;
   const Vec4 e = emission.at(point, Encoding::srgb);

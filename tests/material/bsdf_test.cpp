@@ -121,7 +121,7 @@ TEST(Bsdf, DeltasAreThoseThatAreSampled) {
         lobes.add_deltas(wo, mode, deltas);
         ASSERT_EQ(deltas.count, count);
         constexpr int kSamples = 20'000;
-        std::array<double, DeltaSet<Rgb>::kMost> sums{};
+        std::array<double, DeltaSet<Rgb>::kMaxCount> sums{};
         Draw draw(9);
         for (int i = 0; i < kSamples; ++i) {
           LobeSample<Rgb> s;

@@ -1,4 +1,4 @@
-// What lobes that are nothing but deltas have in common: no value, no density, no letter that an integral could have.
+// The base of lobes that consist of deltas only: value, density and components are 0.
 #pragma once
 #include "bsdf/lobe.h"
 

@@ -1,13 +1,13 @@
-// The boundary of a solid dielectric, smooth or rough: reflection and refraction with exact Fresnel terms.
+// The boundary of a solid dielectric, smooth or rough: reflection and refraction.                [Walter et al. 2007]
 //
 //   f_r = F D G2 / (4 |cos_o cos_i|)
-//   f_t = (1 - F) D G2 |wo.h| |wi.h| / (|cos_o cos_i| (wo.h + eta wi.h)^2)  [x 1/eta'^2 for radiance]   Walter et al.
-//   2007
+//   f_t = (1 - F) D G2 |<wo, h> <wi, h>| / (|cos_o cos_i| (<wi, h> + <wo, h> / eta')^2)    [x 1 / eta'^2 for radiance]
 //
-// F is exact, or what a film and KHR_materials_specular make of it (boundary.h). `eta` is inside (z < 0) over outside
-// (z > 0). Radiance is compressed on refraction, power is not: thesis (4.128), (4.137), erratum E8. Smooth boundaries
-// are a pair of deltas. Reciprocal up to the eta^2 law; conserves energy (facets lose what is scattered more than
-// once). Sampling: visible normals, then reflection or refraction by F.
+// F is exact, or modified by a thin film and KHR_materials_specular (dielectric_boundary.h). eta is the index of
+// refraction inside (z < 0) over that outside (z > 0), eta' that on the side of wi over that on the side of wo.
+// Refraction scales radiance by eta'^2, not power [Lang, eq. 4.127, 4.130 (corrected), 4.131]. A smooth boundary is a
+// pair of deltas. Reciprocal up to the eta^2 law [Lang, eq. 4.301]. Conserves energy; microfacets lose what is
+// scattered more than once. Sampling: visible normals, then reflection or refraction in proportion to F.
 #pragma once
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric_boundary.h"
@@ -17,9 +17,9 @@ namespace etendue {
 
 template <class Color, class Boundary = ClearBoundary<Color>>
 struct Dielectric : Boundary {
-  Color tint{1};  // of what passes through the boundary
+  Color tint{1};  // multiplies the transmitted light
   float eta = 1.5f;
-  float share = 1;  // the weight of this lobe in the surface's mix
+  float share = 1;  // weight of this lobe in the surface's mixture
   Ggx facets;
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
@@ -42,9 +42,9 @@ struct Dielectric : Boundary {
     return passed(at) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
-  bool has_component(ScatterType letter) const { return letter == ScatterType::glossy && !is_delta(); }
-  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return letter == ScatterType::glossy ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType type) const { return type == ScatterType::glossy && !is_delta(); }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return type == ScatterType::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
@@ -107,7 +107,7 @@ struct Dielectric : Boundary {
     return at;
   }
 
-  // The facet normal, on the outside, that takes wo to wi, and how wo meets it; false if there is none.
+  // The microfacet normal, on the outer side, that scatters wo to wi, and the incidence on it; false if there is none.
   bool half_vector(const Vec3& wo, const Vec3& wi, Vec3& h, Incidence& at) const {
     const bool reflection = wo.z * wi.z > 0;
     if (wo.z == 0 || wi.z == 0) return false;
@@ -117,10 +117,10 @@ struct Dielectric : Boundary {
     if (!(squared > 0)) return false;
     h /= std::sqrt(squared);
     if (h.z < 0) h = -h;
-    // Facets seen from behind contribute nothing.
+    // Back-facing microfacets do not contribute.
     if (glm::dot(wo, h) * wo.z <= 0 || glm::dot(wi, h) * wi.z <= 0) return false;
     const float oh = std::abs(glm::dot(wo, h)), ih = std::abs(glm::dot(wi, h));
-    // Near total reflection the refracted cosine is known far better than it follows from the other.
+    // Near total reflection, the given refracted cosine is more accurate than one computed from the other cosine.
     at = reflection ? incidence(wo, oh, e) : Incidence{fresnel_of_cosines(oh, ih, e), ih, wo.z > 0 ? oh : ih};
     return true;
   }

@@ -1,6 +1,8 @@
-// Ideal diffuse reflection.                                         thesis (4.146), (4.202)
+// Ideal diffuse reflection.                                                        [Lang, eq. 4.108, 4.217-4.219]
 //
-//   f = albedo / pi      reciprocal; conserves energy for albedo <= 1; sampled by cosine, weight = albedo
+//   f = albedo / pi
+//
+// Reciprocal. Conserves energy for albedo <= 1. Sampled by the cosine: the weight of every sample is the albedo.
 #pragma once
 #include "base/warp.h"
 #include "bsdf/lobe.h"
@@ -18,9 +20,9 @@ struct Lambert {
     return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0);
   }
 
-  bool has_component(ScatterType letter) const { return letter == ScatterType::diffuse && !is_black(albedo); }
-  Color eval_component(ScatterType letter, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
-    return letter == ScatterType::diffuse ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType type) const { return type == ScatterType::diffuse && !is_black(albedo); }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return type == ScatterType::diffuse ? eval(wo, wi, mode) : Color(0);
   }
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {

@@ -1,9 +1,9 @@
-// Reflection by facets that are mirrors, masked after Smith.                Torrance and Sparrow 1967; Heitz 2014
+// Reflection by mirror microfacets with Smith masking.                          [Torrance and Sparrow 1967; Heitz 2014]
 //
-//   f = tint F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i),     G2 = 1 / (1 + lambda(o) + lambda(i))
+//   f = tint F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i),     G2 = 1 / (1 + Lambda(o) + Lambda(i))
 //
-// drawn by the normals that o sees; the weight of a sample is tint F G2 / G1. Reciprocal. What is scattered between
-// facets more than once is lost, or given back by EnergyCompensation (facet_energy.h).
+// Reciprocal. Sampled by the normals visible from o; the weight of a sample is tint F G2 / G1. Light that microfacets
+// scatter more than once is lost unless EnergyCompensation (energy_compensation.h) restores it.
 #pragma once
 #include "bsdf/fresnel/fresnel_term.h"
 #include "bsdf/lobes/opaque_lobe.h"

@@ -1,13 +1,15 @@
-// A plane mirror: one delta.                                     thesis (4.116)-(4.123), items 33, 34, erratum E6
+// Specular reflection: a single delta.                                    [Lang, eq. 4.91-4.94, 4.102-4.104, corrected]
 //
-//   f = tint F(cos) delta(wi - mirrored wo) / cos
+//   f = tint F(cos_i) delta(wi - r) / cos_i,       r the mirror direction of wo about the shading normal
+//
+// Reciprocal. The albedo is tint F.
 #pragma once
 #include "bsdf/fresnel/fresnel_term.h"
 #include "bsdf/lobes/delta_lobe.h"
 
 namespace etendue {
 
-// Fresnel: from the cosine to a reflectance by band.
+// Fresnel is a function object that returns the reflectance for a cosine, as FresnelTerm does.
 template <class Color, class Fresnel = FresnelTerm<Color>>
 struct Mirror : DeltaLobe<Color> {
   Color tint{1};

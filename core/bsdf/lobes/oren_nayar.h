@@ -1,8 +1,10 @@
-// The qualitative model of Oren and Nayar: Lambertian grooves.                                 Oren and Nayar 1994
+// The qualitative model of Oren and Nayar: Lambertian V-grooves.                                  [Oren and Nayar 1994]
 //
 //   f = rho / pi (A + B max(0, cos dphi) sin a tan b),  a = max(theta_o, theta_i), b = min(theta_o, theta_i)
+//   A = 1 - s^2 / (2 (s^2 + 0.33)),  B = 0.45 s^2 / (s^2 + 0.09)
 //
-// sin a tan b cos dphi is <o_t, i_t> / max(cos_o, cos_i) of the tangential parts.
+// s is the standard deviation of the slope angle in radians. sin a tan b cos dphi equals <o_t, i_t> / max(cos_o, cos_i)
+// of the tangential parts. Reciprocal. Sampled by the cosine.
 #pragma once
 #include "bsdf/lobes/opaque_lobe.h"
 
@@ -13,10 +15,13 @@ struct OrenNayar : OpaqueLobe<ColorType, OrenNayar<ColorType>, ScatterType::diff
   ColorType albedo{0};
   float a = 1, b = 0;
 
-  static OrenNayar of_slope(const ColorType& albedo, float sigma) {
+  // sigma is s in radians.
+  static OrenNayar with_slope(const ColorType& albedo, float sigma) {
     OrenNayar lobe;
     const float s2 = sqr(sigma);
-    lobe.albedo = albedo, lobe.a = 1 - 0.5f * s2 / (s2 + 0.33f), lobe.b = 0.45f * s2 / (s2 + 0.09f);
+    lobe.albedo = albedo;
+    lobe.a = 1 - 0.5f * s2 / (s2 + 0.33f);
+    lobe.b = 0.45f * s2 / (s2 + 0.09f);
     return lobe;
   }
 

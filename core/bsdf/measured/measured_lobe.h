@@ -1,10 +1,12 @@
-// A reflectance function that is data, as a lobe: it points at data that stays for good (measured_data.h).
+// A BRDF that is data, as a lobe. The lobe references the data, which stay valid until the program ends
+// (measured_data.h).
 #pragma once
 #include "bsdf/lobes/opaque_lobe.h"
 
 namespace etendue {
 
-// Data offers f(o, i), density(o, i), draw(o, LobeRandom, i), albedo(o) and slope(), as a lobe does.
+// Data defines f(o, i), density(o, i), sample_direction(o, random, i) and alpha() as OpaqueLobe requires, and
+// albedo(o).
 template <class ColorType, class Data>
 struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
   const Data* data = nullptr;
@@ -12,7 +14,8 @@ struct MeasuredLobe : OpaqueLobe<ColorType, MeasuredLobe<ColorType, Data>> {
 
   static MeasuredLobe of(const Data& data, const ColorType& tint) {
     MeasuredLobe lobe;
-    lobe.data = &data, lobe.tint = tint;
+    lobe.data = &data;
+    lobe.tint = tint;
     return lobe;
   }
 
