@@ -62,7 +62,7 @@ struct CoreParameters {
                                                                    const TexturePoint& point) {
   const Material& m = material.description;
   CoreParameters p;
-  p.base = unit(rgb_of(material.base_at(point)));
+  p.base = unit(rgb_of(material.base_color_at(point)));
   float metallic = m.metallic;
   p.roughness = m.roughness;
   if (material.metallic_roughness) {
@@ -85,7 +85,7 @@ CoreParameters specular_glossiness_at(const SurfaceMaterial& material, const Tex
   const Material& m = material.description;
   CoreParameters p;
   p.f0 = unit(textured(m.specular_color, material.specular_color, point));
-  p.base = unit(rgb_of(material.base_at(point))) * (1 - max_component(p.f0));
+  p.base = unit(rgb_of(material.base_color_at(point))) * (1 - max_component(p.f0));
   p.roughness = 1 - textured(1 - m.roughness, material.metallic_roughness, point, 3);
   p.facets = gltf_microfacets(p.roughness, 0);
   return p;
@@ -251,7 +251,7 @@ Ggx gltf_microfacets(float roughness, float anisotropy) {
 }
 
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, StandardLobes<Rgb>& lobes) {
-  if (material.is_lambertian) return lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
+  if (material.is_lambertian) return lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_color_at(point)))});
   add_core_lobes(material.description, metallic_roughness_at(material, point), lobes);
 }
 
@@ -262,9 +262,9 @@ void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, AllLo
   if (material.constant_lobes && point.color == Vec4(1)) {
     all = *material.constant_lobes;
   } else if (material.is_lambertian) {
-    lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_at(point)))});
+    lobes.add(Lambert<Rgb>{unit(rgb_of(material.base_color_at(point)))});
   } else if (m.model) {
-    m.model->add_lobes(unit(rgb_of(material.base_at(point))), all);
+    m.model->add_lobes(unit(rgb_of(material.base_color_at(point))), all);
   } else if (material.uses_standard_lobes) {
     add_core_lobes(m, metallic_roughness_at(material, point), lobes);
   } else if (m.specular_glossiness) {

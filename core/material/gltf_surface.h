@@ -15,7 +15,7 @@ Ggx gltf_microfacets(float roughness, float anisotropy);
 template <class Color>
 void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, DiffuseOnly<Color>& lobes) {
   const Vec4 base =
-      material.has_constant_base_color ? clamped(material.base_factor * point.color) : material.base_at(point);
+      material.has_constant_base_color ? clamped(material.base_factor * point.color) : material.base_color_at(point);
   lobes.add(Lambert<Color>{Color(base.x, base.y, base.z)});
 }
 

@@ -103,7 +103,7 @@ void SurfaceMaterial::classify_gltf_surface() {
   is_anisotropic = !is_lambertian && m.anisotropy > 0;
 }
 
-Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
+Vec4 SurfaceMaterial::base_color_at(const TexturePoint& point) const {
   if (description.unlit) return Vec4(0, 0, 0, 1);
   Vec4 base = base_factor * point.color;
   if (base_color) base *= base_color.at(point, Encoding::srgb);

@@ -66,7 +66,7 @@ struct SurfaceMaterial {
   SurfaceMaterial(const Material& material, const std::vector<Texture>& textures);
 
   // Base colour (RGB) and alpha, including texture and vertex colour, clamped to [0, 1]; black for an unlit material.
-  Vec4 base_at(const TexturePoint& point) const;
+  Vec4 base_color_at(const TexturePoint& point) const;
   // The probability that a ray hits the surface here: 0 or 1 for alpha mode mask, alpha for blend.
   float opacity_at(const TexturePoint& point) const;
   // Emitted radiance, W/(m^2 sr).
