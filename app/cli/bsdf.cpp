@@ -166,8 +166,8 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
 
 // The virtual gonioreflectometer: what reflects, as a file that the model `tabulated` reads.
 Result<void> write_table(const Specimen& s, const Options& o) {
-  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, Transport::radiance); };
-  const bool isotropic = !SurfaceMaterial(s.material, {}).anisotropic;
+  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, TransportMode::radiance); };
+  const bool isotropic = !SurfaceMaterial(s.material, {}).is_anisotropic;
   return BrdfTable::measured(f, o.steps[0], o.steps[1], isotropic).write(o.table);
 }
 
@@ -182,7 +182,7 @@ void print_table() {
     material.model.model = make_bsdf_model(info.description.name);
     const bsdf_analysis::Audit a = bsdf_analysis::audit(bsdf_analysis::lobes_of(material));
     std::printf("| `%s` | %s | %s | %s | %s | %.3f at %.4g | %.3f |", info.description.name,
-                etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.kind)].name,
+                etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.model_class)].name,
                 sign(a.badges[0]), sign(a.badges[1]), sign(a.badges[2]),
                 static_cast<double>(max_component(a.plausibility.most.value)), a.plausibility.most.degrees,
                 bsdf_analysis::hemispherical_albedo(a.albedo));

@@ -98,9 +98,14 @@ json materials() {
       bare(render::material_bindings(d, 0, "material.0")))});
   for (const auto& info : bsdf_model_infos()) {
     const BsdfModelDescription& model = info.description;
-    json j = entry(model.name, model.label, model.doc, info.parameters);
-    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.kind)].name;
-    j["sampling"] = model.sampling, j["presets"] = presets(info.presets);
+    json j = entry(model.name, model.label, model.summary, info.parameters);
+    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.model_class)].name;
+    j["formula"] = model.formula;
+    j["properties"] = model.properties;
+    j["sampling"] = model.sampling;
+    j["limitations"] = model.limitations;
+    j["source"] = model.source;
+    j["presets"] = presets(info.presets);
     list.push_back(j);
   }
   return list;

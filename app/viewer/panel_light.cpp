@@ -29,7 +29,7 @@ void list_lights(Workbench& w, const scene::Scene& scene) {
 
 void list_emitters(Workbench& w, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.materials.size(); ++i) {
-    if (!scene.materials[i].emits()) continue;
+    if (!scene.materials[i].is_emissive()) continue;
     const std::string name =
         scene.materials[i].name.empty() ? "material " + std::to_string(i) : scene.materials[i].name;
     ImGui::PushID(static_cast<int>(i));
@@ -84,7 +84,7 @@ void light_figures(Workbench& w, const Light& light) {
 void draw_light_panel(Workbench& w) {
   const auto scene = w.editor.document().scene;
   const bool surfaces =
-      std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.emits(); });
+      std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.is_emissive(); });
   if (group(w, "Lights", "light.")) {
     if (scene->lights.empty() && !surfaces)
       note(w, "Nothing in this scene shines by itself; the environment lights it.");

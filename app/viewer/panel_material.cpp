@@ -112,7 +112,7 @@ void draw_material_panel(Workbench& w) {
   if (group(w, "Model", prefix)) model_widgets(w, section, model);
   if (model) {
     some_widgets(w, section, shared);
-    if (model->solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
+    if (model->is_solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
   } else {
     gltf_widgets(w, section, scene->materials[index], glass, cover);
   }

@@ -31,8 +31,8 @@ Explained explained(const ParameterInfo& info, const std::string& option) {
     }
   if (info.name.ends_with(".model"))
     if (const auto* model = find_bsdf_model(option))
-      return {Options<ModelClass>::kOptions[static_cast<size_t>(model->description.kind)].label, "",
-              model->description.doc};
+      return {Options<ModelClass>::kOptions[static_cast<size_t>(model->description.model_class)].label, "",
+              model->description.summary};
   return {};
 }
 

@@ -41,7 +41,7 @@ std::array<float, 3> value_of(const std::string& name, const scene::SurfacePoint
   const auto of = [](const Vec3& v) { return std::array<float, 3>{v.x, v.y, v.z}; };
   const float side = point.front ? 1.0f : -1.0f;
   if (name == "albedo") {
-    const Vec4 base = point.material->base_at(point.texture);
+    const Vec4 base = point.material->base_color_at(point.texture);
     return {base.x, base.y, base.z};
   }
   if (name == "shading-normal") return of(point.shading.z * side);

@@ -93,7 +93,7 @@ ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
 }
 
 // Whether the shading normal is another than the geometric one.
-bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->needs_tangent; }
+bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->needs_tangent_frame; }
 
 // A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
 constexpr float kBarely = 1e-3f;
@@ -131,7 +131,7 @@ void bend_by_maps(const Vec3& wo, SurfacePoint& point) {
     point.shading = Frame(bent, unbent.x, glm::dot(glm::cross(unbent.z, unbent.x), unbent.y));
   }
   make_seen(wo, point);
-  if (!material.coat_normal_mapped) return;
+  if (!material.has_coat_normal) return;
   const float side = point.front ? 1.0f : -1.0f;
   Vec3 coat = normalize_or(unbent.to_world(material.coat_normal_at(point.texture)), unbent.z);
   if (seen(coat, wo, side) < kBarely) coat = barely_seen(coat, wo, side);
@@ -193,19 +193,19 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     const bool placed = motion || instance.identity;
     const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
-  } else if (point.material->anisotropic) {
+  } else if (point.material->is_anisotropic) {
     point.shading.build(ns, direction_along(instance, t, ns), 1);
   } else {
     point.shading.build(ns);
   }
-  if (point.material->normal_mapped)
+  if (point.material->has_normal_map)
     bend_by_maps(wo, point);
   else
     make_seen(wo, point);
 }
 
 Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
-  if (!point.material->emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
+  if (!point.material->is_emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
   const Rgb along_normal = point.material->emission_at(point.texture);
   return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
 }
@@ -220,7 +220,7 @@ Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
 bool CompiledScene::blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
   const InstanceData& data = (*instances_)[instance];
   const SurfaceMaterial& material = (*materials_)[data.material];
-  if (!material.transparent) return true;
+  if (!material.has_alpha) return true;
   const float opacity = material.opacity_at(texture_point(*data.mesh, triangle, u, v));
   if (opacity >= 1) return true;
   return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;

@@ -231,7 +231,7 @@ class Compiler {
     auto compiled = std::make_shared<std::vector<SurfaceMaterial>>();
     for (const Material& m : scene_->materials) {
       compiled->emplace_back(m, *r.textures_);
-      r.transparency_ = r.transparency_ || compiled->back().transparent;
+      r.transparency_ = r.transparency_ || compiled->back().has_alpha;
     }
     if (std::ranges::any_of(scene_->lights, is_met_by_rays))
       for (const Light& light : scene_->lights) compiled->emplace_back(material_of(light), *r.textures_);
@@ -268,7 +268,7 @@ class Compiler {
       InstanceData& instance = (*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
       instance.first_light = InstanceData::kNotALight;
-      if (!material.description.emits() || material.description.unlit) continue;
+      if (!material.description.is_emissive() || material.description.unlit) continue;
       instance.first_light = static_cast<uint32_t>(triangles.size());
       if (instance.round) {
         triangles.push_back(emissive_round(instance, material, i, rounds));

@@ -12,7 +12,7 @@ bool has_point_lights(const scene::Scene& scene) {
 
 bool has_extended_lights(const scene::Scene& scene) {
   return !scene.environment.black() ||
-         std::ranges::any_of(scene.materials, [](const Material& m) { return m.emits() || m.unlit; });
+         std::ranges::any_of(scene.materials, [](const Material& m) { return m.is_emissive() || m.unlit; });
 }
 
 scene::Scene lit_by_points(const scene::Scene& scene) {

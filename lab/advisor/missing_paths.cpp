@@ -37,7 +37,7 @@ void settle(MissingPaths& spots, std::span<const ClassEnergy> missing) {
 }
 
 // A surface that reflects or refracts into single directions, whatever its textures say.
-bool is_smooth(const SurfaceMaterial& m) { return m.specular_deltas; }
+bool is_smooth(const SurfaceMaterial& m) { return m.has_delta_lobes; }
 
 std::string name_of(const Light& light) {
   const char* kind = light.type == LightType::point     ? "point light"

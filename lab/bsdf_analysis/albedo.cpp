@@ -25,11 +25,11 @@ Albedo albedo_at(const Lobes& lobes, double degrees, const AlbedoOptions& option
     Rgb sum(0);
     for (uint32_t i = 0; i < each; ++i) {
       LobeSample<Rgb> s;
-      if (!lobes.sample(from, draw_of(r, i), Transport::importance, s)) continue;
+      if (!lobes.sample(from, draw_of(r, i), TransportMode::importance, s)) continue;
       const Rgb part = s.weight * share;
-      Rgb& letter = s.scatter == Scatter::diffuse  ? albedo.diffuse
-                    : s.scatter == Scatter::glossy ? albedo.glossy
-                                                   : albedo.specular;
+      Rgb& letter = s.type == ScatterType::diffuse  ? albedo.diffuse
+                    : s.type == ScatterType::glossy ? albedo.glossy
+                                                    : albedo.specular;
       letter += part, albedo.value += part, sum += s.weight;
       if (s.wi.z * from.z < 0) albedo.transmitted += part;
     }

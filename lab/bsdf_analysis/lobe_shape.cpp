@@ -9,7 +9,7 @@ namespace etendue::bsdf_analysis {
 namespace {
 
 Rgb value_at(const Lobes& lobes, const Vec3& wo, const Vec3& wi, bool times_cosine) {
-  const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+  const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
   if (!is_finite(f)) return Rgb(0);
   return times_cosine ? f * std::abs(wi.z) : f;
 }

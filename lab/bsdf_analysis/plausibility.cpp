@@ -13,13 +13,13 @@ constexpr uint32_t kPairs = 2000;
 // Where f lives: half of the second directions are samples of the lobes, the others are from anywhere.
 Vec3 partner(const Lobes& lobes, const Vec3& wo, uint32_t i) {
   LobeSample<Rgb> s;
-  if (i % 2 == 0 && lobes.sample(wo, draw_of(1, i), Transport::radiance, s) && !s.delta) return s.wi;
-  const LobeDraw draw = draw_of(2, i);
+  if (i % 2 == 0 && lobes.sample(wo, draw_of(1, i), TransportMode::radiance, s) && !s.delta) return s.wi;
+  const LobeRandom draw = draw_of(2, i);
   return square_to_sphere(draw.u);
 }
 
 void look_at(const Lobes& lobes, const Vec3& wo, const Vec3& wi, float eta, Plausibility& p) {
-  const Rgb forth = lobes.eval(wo, wi, Transport::radiance), back = lobes.eval(wi, wo, Transport::radiance);
+  const Rgb forth = lobes.eval(wo, wi, TransportMode::radiance), back = lobes.eval(wi, wo, TransportMode::radiance);
   ++p.pairs;
   if (!is_finite(forth) || !is_finite(back)) {
     ++p.not_finite;
@@ -47,7 +47,7 @@ Plausibility plausibility(const Lobes& lobes, const std::vector<Albedo>& curve, 
   Plausibility p;
   const float eta = relative_eta(lobes);
   for (uint32_t i = 0; i < kPairs && (i % 64 != 0 || goes_on(wanted)); ++i) {
-    const LobeDraw draw = draw_of(3, i);
+    const LobeRandom draw = draw_of(3, i);
     // Up to 89.9 degrees from the normal, on either side.
     Vec3 wo = direction(89.9 * static_cast<double>(draw.u.x), 360 * static_cast<double>(draw.u.y));
     if (draw.choice < 0.5f) wo.z = -wo.z;

@@ -39,7 +39,7 @@ Tally by_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
     double common = 0;
     for (uint32_t i = 0; i < samples / kReplicates; ++i) {
       LobeSample<Rgb> s;
-      if (!lobes.sample(wo, draw_of(r, i), Transport::radiance, s)) {
+      if (!lobes.sample(wo, draw_of(r, i), TransportMode::radiance, s)) {
         ++t.lost;
         t.add(0);
         continue;
@@ -61,13 +61,13 @@ Tally by_cosine(const Lobes& lobes, const Vec3& wo, bool passes, uint32_t sample
   for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
     for (uint32_t i = 0; i < samples / kReplicates; ++i) {
-      const LobeDraw draw = draw_of(100 + r, i);
+      const LobeRandom draw = draw_of(100 + r, i);
       Vec3 wi = draw.cosine_direction;
       if ((wo.z < 0) != (passes && draw.choice < 0.5f)) wi.z = -wi.z;
       const double weight =
-          static_cast<double>(average(lobes.eval(wo, wi, Transport::radiance))) * 3.14159265358979323846 / share;
+          static_cast<double>(average(lobes.eval(wo, wi, TransportMode::radiance))) * 3.14159265358979323846 / share;
       t.add(weight);
-      if (is_common(lobes.pdf(wo, wi, Transport::radiance), wi)) common += weight;
+      if (is_common(lobes.pdf(wo, wi, TransportMode::radiance), wi)) common += weight;
     }
     t.common.add(common / (samples / kReplicates));
   }

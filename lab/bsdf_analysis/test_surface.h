@@ -22,7 +22,7 @@ bool passes_light(const Lobes& lobes);
 
 // Well spread numbers for one sample of a lobe: point i of replicate r of an additive recurrence (R3, M. Roberts 2018)
 // with a shift of its own.
-LobeDraw draw_of(uint32_t replicate, uint32_t i);
+LobeRandom draw_of(uint32_t replicate, uint32_t i);
 
 // Goes on while this says so; none is yes.
 using Wanted = std::function<bool()>;

@@ -155,7 +155,7 @@ TEST_P(EveryBuiltin, ItsGlassIsClosed) {
   using Place = std::array<float, 3>;
   for (const auto& group : scene.meshes) {
     const Mesh& mesh = *group.primitives[0].mesh;
-    if (!scene.materials[static_cast<size_t>(group.primitives[0].material)].solid()) continue;
+    if (!scene.materials[static_cast<size_t>(group.primitives[0].material)].is_solid()) continue;
     std::map<std::pair<Place, Place>, int> edges;
     const auto place = [&](uint32_t v) {
       const Vec3 p = mesh.positions[v];

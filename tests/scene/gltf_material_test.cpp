@@ -101,13 +101,13 @@ TEST_F(Materials, TransmissionAndVolume) {
       extended("KHR_materials_transmission", {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", 1}}}});
   EXPECT_EQ(thin.transmission, 0.75f);
   EXPECT_EQ(thin.transmission_texture.texture, 1);
-  EXPECT_FALSE(thin.solid());
+  EXPECT_FALSE(thin.is_solid());
   const Material solid =
       material({{"extensions",
                  {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
                   {"KHR_materials_volume",
                    {{"thicknessFactor", 2}, {"attenuationDistance", 0.5}, {"attenuationColor", {0.1, 0.2, 1}}}}}}});
-  EXPECT_TRUE(solid.solid());
+  EXPECT_TRUE(solid.is_solid());
   EXPECT_EQ(solid.attenuation_distance, 0.5f);
   EXPECT_EQ(solid.attenuation_color, Rgb(0.1f, 0.2f, 1));
   EXPECT_EQ(extended("KHR_materials_volume", {{"thicknessFactor", 1}}).attenuation_distance, kInfinity);

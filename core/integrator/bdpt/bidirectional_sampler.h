@@ -155,7 +155,7 @@ class BidirectionalSampler {
             [&](int i) { return counts(light_.path_at(i), light_.length() + 1, 1); });
         keep_vertices();
         transport::sample_bsdf_where(
-            light_, plan_->roulette_start, Transport::importance,
+            light_, plan_->roulette_start, TransportMode::importance,
             [&](int i) { return techniques_.empty() || light_.length() + 1 < technique(light_.path_at(i)).s; },
             [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
       }
@@ -222,7 +222,7 @@ class BidirectionalSampler {
 
   void keep_vertices() {
     for (int i = 0; i < light_.hit_count(); ++i) {
-      if (!light_.bsdf(i).has_non_delta()) {
+      if (!light_.bsdf(i).has_non_delta_lobe()) {
         // What cannot be connected still belongs to the densities of what comes after.
         if (plan_->without.empty()) continue;
       }
@@ -231,7 +231,7 @@ class BidirectionalSampler {
       const Vertex*& last = last_[static_cast<size_t>(path)];
       Vertex& v = pool_.add();
       v.point = light_.point(i), v.bsdf = light_.bsdf(i), v.wo = light_.wo(i);
-      v.bsdf.refer_to(v.point.shading, v.point.ng);
+      v.bsdf.rebind(v.point.shading, v.point.ng);
       v.flux = light_.state(path).throughput * walks_.flux(path);
       v.mis = light_vertices_[static_cast<size_t>(i)];
       v.length = light_.length(), v.before = last;
@@ -265,7 +265,7 @@ class BidirectionalSampler {
             [&](int i) { return counts(camera_.path_at(i), 1, camera_.length() + 1); });
         connect_vertices();
         transport::sample_bsdf_where(
-            camera_, plan_->roulette_start, Transport::radiance,
+            camera_, plan_->roulette_start, TransportMode::radiance,
             [&](int i) { return techniques_.empty() || camera_.length() + 1 < technique(camera_.path_at(i)).t; },
             [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
       }
@@ -337,9 +337,9 @@ class BidirectionalSampler {
   // Every vertex of the walk from the light with the present one of the camera's.
   void connect_vertices() {
     for (int i = 0; i < camera_.hit_count(); ++i) {
-      if (!camera_.bsdf(i).has_non_delta()) continue;
+      if (!camera_.bsdf(i).has_non_delta_lobe()) continue;
       for (const Vertex* v = last_[static_cast<size_t>(camera_.path_at(i))]; v; v = v->before)
-        if (v->bsdf.has_non_delta() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
+        if (v->bsdf.has_non_delta_lobe() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
     }
   }
 
@@ -352,9 +352,9 @@ class BidirectionalSampler {
     if (!(squared > 0)) return;
     const float distance = std::sqrt(squared), over_distance = 1 / distance;
     const Vec3 wi = to_y * over_distance;
-    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, Transport::radiance);
+    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, TransportMode::radiance);
     if (is_black(at_z.f_cos)) return;
-    const auto at_y = y.bsdf.evaluate(y.wo, -wi, Transport::importance);
+    const auto at_y = y.bsdf.evaluate(y.wo, -wi, TransportMode::importance);
     if (is_black(at_y.f_cos)) return;
     const float to_area = sqr(over_distance);
     const float lights =

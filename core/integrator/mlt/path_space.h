@@ -92,7 +92,7 @@ class PathSpace {
   bool scatter_to_camera(int i, ChainRandom& random, Path& path) {
     LobeSample<Color> s;
     Vertex& x = path[i];
-    if (!sample(x, path.direction_to_light(i), Transport::importance, random, s)) return false;
+    if (!sample(x, path.direction_to_light(i), TransportMode::importance, random, s)) return false;
     return step_to_camera(i, s.wi, random, path);
   }
   bool step_to_camera(int i, const Vec3& direction, ChainRandom& random, Path& path) {
@@ -112,7 +112,7 @@ class PathSpace {
   bool scatter_to_light(int i, ChainRandom& random, Path& path) {
     LobeSample<Color> s;
     Vertex& x = path[i];
-    if (!sample(x, path.direction_to_camera(i), Transport::radiance, random, s)) return false;
+    if (!sample(x, path.direction_to_camera(i), TransportMode::radiance, random, s)) return false;
     return step_to_light(i, s.wi, random, path);
   }
   bool step_to_light(int i, const Vec3& direction, ChainRandom& random, Path& path) {
@@ -179,7 +179,7 @@ class PathSpace {
  private:
   const transport::Automaton& automaton() const { return context_->model->paths->automaton(); }
 
-  static bool sample(Vertex& x, const Vec3& wo, Transport mode, ChainRandom& random, LobeSample<Color>& s) {
+  static bool sample(Vertex& x, const Vec3& wo, TransportMode mode, ChainRandom& random, LobeSample<Color>& s) {
     const float choice = random.next();
     if (!x.bsdf.sample(wo, {choice, random.next_2d()}, mode, s)) return false;
     x.delta = s.delta, x.transmitted = s.transmitted;
@@ -254,16 +254,16 @@ class PathSpace {
     const Vec3 wo = path.direction_to_camera(i), wi = path.direction_to_light(i);
     Color f(0);
     if (x.delta) {
-      SingleDirection<Color> seen, sent;
-      if (!x.bsdf.follow(wo, x.transmitted, Transport::radiance, seen)) return false;
-      if (!x.bsdf.follow(wi, x.transmitted, Transport::importance, sent)) return false;
+      DeltaDirection<Color> seen, sent;
+      if (!x.bsdf.delta_direction(wo, x.transmitted, TransportMode::radiance, seen)) return false;
+      if (!x.bsdf.delta_direction(wi, x.transmitted, TransportMode::importance, sent)) return false;
       f = seen.value;
       x.stretch = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
       x.to_light = seen.probability, x.to_camera = sent.probability * x.stretch;
     } else {
-      const auto seen = x.bsdf.evaluate(wo, wi, Transport::radiance);
+      const auto seen = x.bsdf.evaluate(wo, wi, TransportMode::radiance);
       f = seen.f_cos;
-      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, Transport::importance);
+      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
     }
     x.value = max_component(f);
     if (!(x.value > 0) || !std::isfinite(x.value) || !is_finite(f)) return false;

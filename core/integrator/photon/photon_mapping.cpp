@@ -257,7 +257,7 @@ class PhotonMapping::Maps final : public RenderState {
         if (method_.at_max_depth(paths.length())) continue;
         add_light_by_parts(paths, view.split, LitParts::near_specular);
         add_nearest_photons(paths, view, method_.nearest_of(method_.photons, size_), 0);
-        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{view.split});
+        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
       }
     }
     return true;
@@ -277,7 +277,7 @@ class PhotonMapping::Maps final : public RenderState {
         add_light_by_parts(paths, split, LitParts::both);
         gatherer.add_caustics(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{split});
+        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{split});
       }
     }
     return true;

@@ -59,13 +59,13 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& wal
     if (!selected(i)) continue;
     const scene::SurfacePoint& point = paths.point(i);
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    if (!bsdf.has_non_delta()) continue;
+    if (!bsdf.has_non_delta_lobe()) continue;
     const int path = paths.path_at(i);
     const auto& state = paths.state(path);
     const Vec2 on_lens = lens ? paths.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);
     const auto view = context.camera->view(point.position, on_lens, state.time);
     if (!view || !splatter.reaches(view->raster)) continue;
-    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, Transport::importance).f_cos;
+    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, TransportMode::importance).f_cos;
     if constexpr (M::kClasses) f_cos = paths.shares().of_connection(path, bsdf, paths.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
     const float weight = weigh(i, *view);

@@ -201,7 +201,7 @@ class VirtualLights final : public RenderState {
         add_direct_light(paths, LightStrategy::automatic, kHeuristic);
         lighting.add(paths);
         sample_bsdf_and_record(
-            paths, method_.roulette_start, Transport::radiance,
+            paths, method_.roulette_start, TransportMode::radiance,
             [&](int i, const auto& s) {
               departures[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
             },

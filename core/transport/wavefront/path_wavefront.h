@@ -173,7 +173,7 @@ class PathWavefront {
     return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(hit)];
   }
   Vec2 random_2d(int dimension, int hit) const { return Vec2(random(dimension, hit), random(dimension + 1, hit)); }
-  LobeDraw lobe_draw(int hit) const {
+  LobeRandom lobe_draw(int hit) const {
     return {M::kDiffuse ? 0 : random(vertex_dimension::kBsdfLobe, hit),
             random_2d(vertex_dimension::kBsdfDirection, hit), cosine_directions_[static_cast<size_t>(hit)]};
   }

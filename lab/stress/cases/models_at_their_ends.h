@@ -13,7 +13,7 @@ inline size_t failures_at_odd_pairs(const bsdf_analysis::Lobes& lobes) {
     const Vec3 wo = bsdf_analysis::direction(degrees, 20);
     const Vec3 flat(0, 1, 0), barely = glm::normalize(Vec3(0, 1, 1e-7f));
     for (const Vec3& wi : {-wo, wo, Vec3(-wo.x, -wo.y, wo.z), Vec3(wo.x, wo.y, -wo.z), flat, barely})
-      for (const auto mode : {Transport::radiance, Transport::importance}) {
+      for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
         const Rgb f = lobes.eval(wo, wi, mode);
         const float pdf = lobes.pdf(wo, wi, mode);
         failures += !is_finite(f) || f.r < 0 || f.g < 0 || f.b < 0 || !std::isfinite(pdf) || pdf < 0;

@@ -36,17 +36,17 @@ TEST_P(EveryModel, IsSampledByItsDensity) {
   const double significance = 1 - std::pow(0.99, 1.0 / static_cast<double>(test::count_cases() * outs.size()));
   unsigned seed = 1;
   for (const ModelCase& c : test::cases_of(GetParam())) {
-    if (!c.lobes.has_non_delta()) continue;
+    if (!c.lobes.has_non_delta_lobe()) continue;
     for (const Vec3& wo : outs) {
       Draw draw(++seed);
       const auto result = test::chi_square_on_sphere(
           [&](Vec3& wi) {
             LobeSample<Rgb> s;
-            const bool ok = c.lobes.sample(wo, {draw.one(), draw.two()}, Transport::radiance, s) && !s.delta;
+            const bool ok = c.lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s) && !s.delta;
             wi = s.wi;
             return ok;
           },
-          [&](const Vec3& wi) { return c.lobes.pdf(wo, wi, Transport::radiance); }, 20'000);
+          [&](const Vec3& wi) { return c.lobes.pdf(wo, wi, TransportMode::radiance); }, 20'000);
       EXPECT_GT(result.p_value, significance)
           << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
     }
@@ -68,7 +68,7 @@ TEST_P(EveryModel, IsFiniteAndNotNegative) {
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (const Vec3& wo : directions)
       for (const Vec3& wi : directions)
-        for (const auto mode : {Transport::radiance, Transport::importance}) {
+        for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
           const Rgb f = c.lobes.eval(wo, wi, mode);
           ASSERT_TRUE(is_finite(f) && f.r >= 0 && f.g >= 0 && f.b >= 0)
               << c.name << " f " << f.r << ' ' << f.g << ' ' << f.b << " wo " << wo.x << ' ' << wo.y << ' ' << wo.z
@@ -82,7 +82,7 @@ TEST_P(EveryModel, IsFiniteAndNotNegative) {
 // weight = f cos / pdf for what was sampled, and samples are unit vectors on a side of the surface.
 TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
   for (const ModelCase& c : test::cases_of(GetParam()))
-    for (const auto mode : {Transport::radiance, Transport::importance}) {
+    for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       Draw draw(3);
       for (int k = 0; k < 300; ++k) {
         const Vec3 wo = direction(k % 3 == 0 ? 89.99f : 85 * draw.one(), 6 * draw.one()) * (k % 2 ? 1.0f : -1.0f);
@@ -101,9 +101,9 @@ TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
 // Every delta that is sampled is one of those that are listed, its coefficient over the probability of its choice.
 TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
   for (const ModelCase& c : test::cases_of(GetParam()))
-    for (const auto mode : {Transport::radiance, Transport::importance})
+    for (const auto mode : {TransportMode::radiance, TransportMode::importance})
       for (const Vec3& wo : {direction(10), direction(75, 2), -direction(30)}) {
-        Deltas<Rgb> deltas;
+        DeltaSet<Rgb> deltas;
         c.lobes.add_deltas(wo, mode, deltas);
         Draw draw(9);
         for (int k = 0; k < 200; ++k) {
@@ -128,11 +128,11 @@ TEST_P(EveryModel, IsTheSumOfItsLetters) {
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (int k = 0; k < 100; ++k) {
       const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
-      const Rgb f = c.lobes.eval(wo, wi, Transport::radiance);
+      const Rgb f = c.lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
-      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = c.lobes.eval_part(letter, wo, wi, Transport::radiance);
-        ASSERT_TRUE(c.lobes.scatters(letter) || is_black(part)) << c.name;
+      for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
+        const Rgb part = c.lobes.eval_component(letter, wo, wi, TransportMode::radiance);
+        ASSERT_TRUE(c.lobes.has_component(letter) || is_black(part)) << c.name;
         sum += part;
       }
       for (int band = 0; band < 3; ++band) ASSERT_NEAR(sum[band], f[band], 1e-5f * f[band]) << c.name;
@@ -144,13 +144,13 @@ const std::set<std::string> kNotReciprocal{"phong-1975", "phong", "blinn-phong"}
 
 // How much rounding of a direction can change f: what no formula could do better than.
 double rounding_of(const AllLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
-  const double f = average(lobes.eval(a, b, Transport::radiance));
+  const double f = average(lobes.eval(a, b, TransportMode::radiance));
   double most = 0;
   for (int axis = 0; axis < 3; ++axis)
     for (const float sign : {-1.0f, 1.0f}) {
       Vec3 moved = b;
       moved[axis] += sign * 2e-7f;
-      most = std::max(most, std::abs(average(lobes.eval(a, moved, Transport::radiance)) - f));
+      most = std::max(most, std::abs(average(lobes.eval(a, moved, TransportMode::radiance)) - f));
     }
   return most;
 }
@@ -159,7 +159,7 @@ double rounding_of(const AllLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
 double asymmetry(const ModelCase& c) {
   float eta2 = 1;
   const auto parameters = c.model->parameters();
-  if (c.model->solid())
+  if (c.model->is_solid())
     eta2 = static_cast<float>(sqr(std::get<double>(find_parameter(parameters, "eta")->default_value)));
   Draw draw(5);
   double most = 0;
@@ -170,8 +170,8 @@ double asymmetry(const ModelCase& c) {
     if (k % 2) b = glm::normalize(Vec3(-a.x, -a.y, a.z) + 0.1f * draw.upper());
     if (b.z <= 0) continue;
     if (k % 3 == 0) b = -b;
-    const Rgb forth = c.lobes.eval(a, b, Transport::radiance) * (b.z < 0 ? eta2 : 1);
-    const Rgb back = c.lobes.eval(b, a, Transport::radiance);
+    const Rgb forth = c.lobes.eval(a, b, TransportMode::radiance) * (b.z < 0 ? eta2 : 1);
+    const Rgb back = c.lobes.eval(b, a, TransportMode::radiance);
     const double rounding = 2 * (rounding_of(c.lobes, a, b) * (b.z < 0 ? eta2 : 1) + rounding_of(c.lobes, b, a));
     for (int band = 0; band < 3; ++band) {
       const double larger = std::max(forth[band], back[band]);
@@ -207,9 +207,9 @@ TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
       for (size_t i = 0; i < directions.size(); ++i) {
         const Vec3 &a = directions[o], &b = directions[i];
         const double weight = left[o] * right[i] * std::abs(double{a.z} * b.z);
-        forward += weight * average(c.lobes.eval(a, b, Transport::radiance));
-        adjoint += weight * average(c.lobes.eval(b, a, Transport::importance));
-        rounding += weight * (rounding_of(c.lobes, a, b) + 1e-6 * average(c.lobes.eval(a, b, Transport::radiance)));
+        forward += weight * average(c.lobes.eval(a, b, TransportMode::radiance));
+        adjoint += weight * average(c.lobes.eval(b, a, TransportMode::importance));
+        rounding += weight * (rounding_of(c.lobes, a, b) + 1e-6 * average(c.lobes.eval(a, b, TransportMode::radiance)));
       }
     EXPECT_NEAR(forward, adjoint, rounding + 1e-12) << c.name;
   }
@@ -217,21 +217,22 @@ TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
 
 // The share of a beam's power that leaves the surface: deltas and an integral that is refined where samples are dense.
 double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo) {
-  Deltas<Rgb> deltas;
-  lobes.add_deltas(wo, Transport::importance, deltas);
+  DeltaSet<Rgb> deltas;
+  lobes.add_deltas(wo, TransportMode::importance, deltas);
   double sum = 0;
   for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k) sum += max_component(deltas.lobes[k].weight);
-  if (!lobes.has_non_delta()) return sum;
+  if (!lobes.has_non_delta_lobe()) return sum;
   Draw draw(11);
   std::vector<Vec3> scouts;
   for (int k = 0; k < 4000; ++k)
-    if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, Transport::importance, s) && !s.delta)
+    if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::importance, s) && !s.delta)
       scouts.push_back(s.wi);
   const test::SpherePartition cells(scouts, 20);
-  return sum +
-         cells.integrate(
-             [&](const Vec3& wi) { return max_component(lobes.eval(wo, wi, Transport::importance)) * std::abs(wi.z); },
-             2e-7, 2.0 / 16);
+  return sum + cells.integrate(
+                   [&](const Vec3& wi) {
+                     return max_component(lobes.eval(wo, wi, TransportMode::importance)) * std::abs(wi.z);
+                   },
+                   2e-7, 2.0 / 16);
 }
 
 double number_of(const ModelCase& c, std::string_view name) {
