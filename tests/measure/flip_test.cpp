@@ -140,7 +140,7 @@ TEST(Flip, LooksThroughTheToneCurveAndTheExposure) {
   EXPECT_EQ(at(0, image::ToneCurve::none), 0);  // both are white
   EXPECT_GT(at(-4, image::ToneCurve::none), 0.3);
   EXPECT_GT(at(0, image::ToneCurve::aces), 0);
-  EXPECT_FALSE(flip_map(layered(1), image::LayeredImage(), metrics::Look()));
+  EXPECT_FALSE(flip_map(layered(1), image::LayeredImage(), metrics::ViewingConditions()));
 }
 
 double sum_of(const std::vector<float>& taps) { return std::accumulate(taps.begin(), taps.end(), 0.0); }
