@@ -32,7 +32,7 @@ struct Options {
 // Without a size it is the reference's, if one is given.
 std::string size_of(const Options& o, const std::optional<bench::Reference>& given) {
   if (!o.size.empty() || !given) return o.size;
-  return std::to_string(given->picture.width) + "x" + std::to_string(given->picture.height);
+  return std::to_string(given->image.width) + "x" + std::to_string(given->image.height);
 }
 
 Result<render::Document> open(const Options& o, const std::optional<bench::Reference>& given) {
@@ -119,7 +119,7 @@ Result<Job> prepare(const Options& o) {
 Result<void> write(const Options& o, const Job& job, bench::Reference& reference, const bench::Outcome& outcome) {
   if (!job.given) {
     reference.file = (std::filesystem::path(o.out) / "reference.exr").string();
-    if (auto ok = image::write_exr(reference.file, reference.picture); !ok) return ok;
+    if (auto ok = image::write_exr(reference.file, reference.image); !ok) return ok;
   }
   const int threads = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
   return bench::write_report(o.out, {job.document, job.plan, reference, outcome, threads});

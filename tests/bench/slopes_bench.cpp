@@ -15,7 +15,7 @@
 #include "base/file.h"
 #include "bench/benchmark.h"
 #include "bench/summary.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "metrics/log_axis.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 
 namespace etendue::test {
 namespace {
