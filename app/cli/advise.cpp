@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::string scene, size, camera, env, paths;
   std::vector<std::string> sets;
-  advisor::Question question;
+  advisor::AdviceRequest question;
   int threads = 0;
   bool json = false;
 };

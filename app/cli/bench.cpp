@@ -32,7 +32,7 @@ struct Options {
 // Without a size it is the reference's, if one is given.
 std::string size_of(const Options& o, const std::optional<bench::Reference>& given) {
   if (!o.size.empty() || !given) return o.size;
-  return std::to_string(given->picture.width) + "x" + std::to_string(given->picture.height);
+  return std::to_string(given->image.width) + "x" + std::to_string(given->image.height);
 }
 
 Result<render::Document> open(const Options& o, const std::optional<bench::Reference>& given) {
@@ -45,7 +45,7 @@ Result<render::Document> open(const Options& o, const std::optional<bench::Refer
 }
 
 // As long as all methods together, unless something else is asked for.
-bench::Effort effort_of(const Options& o, size_t methods) {
+bench::ReferenceBudget effort_of(const Options& o, size_t methods) {
   if (o.reference_time > 0 || o.reference_samples > 0) return {o.reference_time, o.reference_samples};
   const double runs = static_cast<double>(methods) * o.repeats;
   if (o.budget > 0) return {o.budget * runs, 0};
@@ -77,7 +77,7 @@ void say_what_is_uncertain(const bench::Outcome& outcome, const bench::Reference
     return;
   }
   if (!bench::reference_too_noisy(outcome, reference)) return;
-  const double wanted = bench::seconds_wanted(outcome, reference);
+  const double wanted = bench::required_reference_seconds(outcome, reference);
   std::string advice;
   if (wanted > 0) advice = "; --reference-time " + std::to_string(std::lround(wanted) + 1) + " would do";
   std::fprintf(stderr,
@@ -107,11 +107,11 @@ Result<Job> prepare(const Options& o) {
   if (!methods) return methods.error();
   Job job{std::move(*document), {std::move(*methods), o.budget, o.samples, o.repeats, o.seed}, {}};
   if (given) {
-    auto fitting = bench::fitted(std::move(*given), job.document.width, job.document.height);
+    auto fitting = bench::resized_reference(std::move(*given), job.document.width, job.document.height);
     if (!fitting) return fitting.error();
     job.given = std::move(*fitting);
   }
-  if (auto ok = bench::make_folder(o.out); !ok) return ok.error();
+  if (auto ok = bench::create_folder(o.out); !ok) return ok.error();
   return job;
 }
 
@@ -119,7 +119,7 @@ Result<Job> prepare(const Options& o) {
 Result<void> write(const Options& o, const Job& job, bench::Reference& reference, const bench::Outcome& outcome) {
   if (!job.given) {
     reference.file = (std::filesystem::path(o.out) / "reference.exr").string();
-    if (auto ok = image::write_exr(reference.file, reference.picture); !ok) return ok;
+    if (auto ok = image::write_exr(reference.file, reference.image); !ok) return ok;
   }
   const int threads = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
   return bench::write_report(o.out, {job.document, job.plan, reference, outcome, threads});
@@ -137,7 +137,7 @@ int run(const Options& o) {
   render::Session session(session_options);
   const double begin = job->given ? 0 : 0.5;
   auto reference = job->given ? *job->given
-                              : bench::made_reference(session, job->document, effort_of(o, job->plan.methods.size()),
+                              : bench::render_reference(session, job->document, effort_of(o, job->plan.methods.size()),
                                                       o.no_cache ? "" : bench::cache_folder(), meter.part(0, begin));
   const auto outcome = bench::run(session, job->plan, reference, meter.part(begin, 1));
   meter.finish();

@@ -34,7 +34,7 @@ struct Specimen {
   Material material;
   std::vector<ParameterInfo> parameters;
   bsdf_analysis::Lobes lobes;
-  bsdf_analysis::Audit audit;
+  bsdf_analysis::SurfaceAnalysis audit;
 };
 
 Result<render::Document> document_of(const Options& o) {
@@ -105,13 +105,13 @@ json specimen_json(const Specimen& s) {
   json parameters = json::object(), badges = json::object(), sampling = json::array();
   for (const auto& p : s.parameters)
     parameters[p.name] = std::visit([](const auto& v) { return json(v); }, p.default_value);
-  for (const auto& b : s.audit.badges) badges[b.name] = {{"holds", b.holds}, {"reason", b.reason}};
+  for (const auto& b : s.audit.checks) badges[b.name] = {{"holds", b.holds}, {"reason", b.reason}};
   for (const auto& q : s.audit.sampling)
     sampling.push_back({{"degrees", q.degrees},
                         {"deviation", number(q.deviation)},
                         {"largest", number(q.largest)},
                         {"absorbed", q.absorbed},
-                        {"deviation_by_cosine", number(q.by_cosine)},
+                        {"deviation_by_cosine", number(q.cosine_deviation)},
                         {"discrepancy", number(q.discrepancy)}});
   return {{"model", s.name},
           {"parameters", parameters},
@@ -125,14 +125,14 @@ json specimen_json(const Specimen& s) {
 
 void print(const Specimen& s) {
   std::printf("%s\n", s.name.c_str());
-  for (const auto& b : s.audit.badges) std::printf("  %s %-22s %s\n", b.holds ? " " : "!", b.label(), b.reason.c_str());
+  for (const auto& b : s.audit.checks) std::printf("  %s %-22s %s\n", b.holds ? " " : "!", b.label(), b.reason.c_str());
   std::printf("  albedo by angle (hemispherical %.4f)\n", bsdf_analysis::hemispherical_albedo(s.audit.albedo));
   for (const auto& a : s.audit.albedo)
     std::printf("    %5.1f\u00b0  %.4f %.4f %.4f  +- %.1g\n", a.degrees, static_cast<double>(a.value.r),
                 static_cast<double>(a.value.g), static_cast<double>(a.value.b), a.error);
   std::printf("  weights of samples: deviation (by the cosine), largest, absorbed\n");
   for (const auto& q : s.audit.sampling)
-    std::printf("    %5.1f\u00b0  %.3f (%.3f)  %.3g  %.1f %%\n", q.degrees, q.deviation, q.by_cosine, q.largest,
+    std::printf("    %5.1f\u00b0  %.3f (%.3f)  %.3g  %.1f %%\n", q.degrees, q.deviation, q.cosine_deviation, q.largest,
                 100 * q.absorbed);
 }
 
@@ -149,14 +149,14 @@ Result<void> write_drawings(const std::vector<Specimen>& specimens, const Option
     names.push_back(s.name);
   }
   const auto write = [&](const char* name, const metrics::Drawing& drawing) {
-    const std::string svg = metrics::svg_of(drawing);
+    const std::string svg = metrics::to_svg(drawing);
     return write_file(std::filesystem::path(o.out) / name, svg.data(), svg.size());
   };
   if (auto done = write("polar.svg", bsdf_analysis::polar_drawing(slices, names)); !done) return done;
   if (auto done = write("albedo.svg", bsdf_analysis::albedo_drawing(curves, names)); !done) return done;
   for (const auto& s : specimens) {
     std::vector<bsdf_analysis::LobeSurface> sides{bsdf_analysis::lobe_surface(s.lobes, o.degrees)};
-    if (bsdf_analysis::passes_light(s.lobes))
+    if (bsdf_analysis::transmits_light(s.lobes))
       sides.push_back(bsdf_analysis::lobe_surface(s.lobes, o.degrees, bsdf_analysis::Side::lower));
     const char* name = &s == specimens.data() ? "lobe.svg" : "lobe-against.svg";
     if (auto done = write(name, bsdf_analysis::lobe_drawing(sides, o.degrees)); !done) return done;
@@ -180,11 +180,11 @@ void print_table() {
   for (const BsdfModelInfo& info : bsdf_model_infos()) {
     Material material;
     material.model.model = make_bsdf_model(info.description.name);
-    const bsdf_analysis::Audit a = bsdf_analysis::audit(bsdf_analysis::lobes_of(material));
+    const bsdf_analysis::SurfaceAnalysis a = bsdf_analysis::analyze(bsdf_analysis::lobes_of(material));
     std::printf("| `%s` | %s | %s | %s | %s | %.3f at %.4g | %.3f |", info.description.name,
                 etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.model_class)].name,
-                sign(a.badges[0]), sign(a.badges[1]), sign(a.badges[2]),
-                static_cast<double>(max_component(a.plausibility.most.value)), a.plausibility.most.degrees,
+                sign(a.checks[0]), sign(a.checks[1]), sign(a.checks[2]),
+                static_cast<double>(max_component(a.plausibility.largest_albedo.value)), a.plausibility.largest_albedo.degrees,
                 bsdf_analysis::hemispherical_albedo(a.albedo));
     for (const auto& q : a.sampling)
       if (q.degrees == 0 || q.degrees == 45 || q.degrees == 80) std::printf(" %.2f", q.deviation);
@@ -208,7 +208,7 @@ int run(const Options& o) {
   if (!o.table.empty())
     if (const auto written = write_table(specimens.front(), o); !written) return fail(written.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
-  for (auto& s : specimens) s.audit = bsdf_analysis::audit(s.lobes, [&] { return !interrupted; });
+  for (auto& s : specimens) s.audit = bsdf_analysis::analyze(s.lobes, [&] { return !interrupted; });
   if (interrupted) return static_cast<int>(Fault::interrupted);
   if (!o.out.empty())
     if (const auto written = write_drawings(specimens, o); !written) return fail(written.error());

@@ -21,11 +21,11 @@ struct Options {
   bool json = false;
 };
 
-nlohmann::json interval_json(const advisor::Stated& s) {
+nlohmann::json interval_json(const advisor::IntervalEstimate& s) {
   return {s.interval.low, std::isfinite(s.interval.high) ? nlohmann::json(s.interval.high) : nlohmann::json()};
 }
 
-nlohmann::json finding_json(const advisor::Finding& f, const advisor::Claim& claim) {
+nlohmann::json finding_json(const advisor::CertificationResult& f, const advisor::CertifiedImage& claim) {
   nlohmann::json changed = nlohmann::json::array();
   for (const auto& block : f.changed) changed.push_back({{"x", block.x}, {"y", block.y}, {"sigmas", block.sigmas}});
   return {{"verdict", advisor::verdict_name(f.verdict)},
@@ -39,18 +39,18 @@ nlohmann::json finding_json(const advisor::Finding& f, const advisor::Claim& cla
           {"method", f.method},
           {"spp", f.samples},
           {"seconds", f.seconds},
-          {"seconds_wanted", std::isfinite(f.seconds_wanted) ? nlohmann::json(f.seconds_wanted) : nlohmann::json()}};
+          {"seconds_wanted", std::isfinite(f.seconds_needed) ? nlohmann::json(f.seconds_needed) : nlohmann::json()}};
 }
 
-void print(const advisor::Finding& f, const advisor::Claim& claim) {
-  if (f.verdict == advisor::Verdict::stands) {
+void print(const advisor::CertificationResult& f, const advisor::CertifiedImage& claim) {
+  if (f.verdict == advisor::Verdict::confirmed) {
     std::printf("stands: true RMSE %.3g, stated %.3g .. %.3g; relMSE %.3g, stated %.3g .. %.3g\n", f.rmse.value,
                 claim.certificate.rmse->interval.low, claim.certificate.rmse->interval.high, f.relmse.value,
                 claim.certificate.relmse->interval.low, claim.certificate.relmse->interval.high);
-  } else if (f.verdict == advisor::Verdict::cannot_tell) {
+  } else if (f.verdict == advisor::Verdict::undecided) {
     std::printf("cannot tell in this time");
-    if (f.seconds_wanted > 0 && std::isfinite(f.seconds_wanted))
-      std::printf(": needs about %.0f s", std::ceil(f.seconds_wanted));
+    if (f.seconds_needed > 0 && std::isfinite(f.seconds_needed))
+      std::printf(": needs about %.0f s", std::ceil(f.seconds_needed));
     std::printf("\n");
   } else {
     for (const auto& reason : f.reasons) std::printf("does not stand: %s\n", reason.c_str());
@@ -59,7 +59,7 @@ void print(const advisor::Finding& f, const advisor::Claim& claim) {
 }
 
 int run(const Options& o) {
-  const auto claim = advisor::read_claim(o.image);
+  const auto claim = advisor::read_certified_image(o.image);
   if (!claim) return fail(claim.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::SessionOptions session_options;
@@ -76,7 +76,7 @@ int run(const Options& o) {
   else
     print(finding, *claim);
   if (finding.interrupted) return static_cast<int>(Fault::interrupted);
-  return finding.verdict == advisor::Verdict::stands ? 0 : 1;
+  return finding.verdict == advisor::Verdict::confirmed ? 0 : 1;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Options {
 };
 
 // As the reference was shown; a file without settings is shown as it is.
-metrics::Look look_of(const image::LayeredImage& reference, double pixels_per_degree) {
+metrics::ViewingConditions look_of(const image::LayeredImage& reference, double pixels_per_degree) {
   const auto state = reference.attributes.find(render::kStateAttribute);
   const auto display =
       state != reference.attributes.end() ? render::display_from_state(state->second) : render::Display();
@@ -61,7 +61,7 @@ int run(const Options& o) {
   if (!o.heatmap.empty()) {
     const auto kind = kind_of(o.heatmap_of);
     const auto map =
-        kind == metrics::HeatMap::flip ? metrics::painted(*flip) : metrics::heat_map(*picture, *reference, kind);
+        kind == metrics::HeatMap::flip ? metrics::color_mapped(*flip) : metrics::heat_map(*picture, *reference, kind);
     if (auto ok = image::write_png(o.heatmap, picture->width, picture->height, map); !ok) return fail(ok.error());
   }
   print({{"mse", m->mse},

@@ -28,8 +28,8 @@ json makers_of_light(const scene::CompiledScene& compiled) {
     const bsdf_analysis::Plausibility p = bsdf_analysis::plausibility({}, curve);
     if (!p.conserves_energy())
       makers.push_back({{"material", material.name},
-                        {"albedo", max_component(p.most.value)},
-                        {"degrees", p.most.degrees},
+                        {"albedo", max_component(p.largest_albedo.value)},
+                        {"degrees", p.largest_albedo.degrees},
                         {"hemispherical", bsdf_analysis::hemispherical_albedo(curve)}});
   }
   return makers;

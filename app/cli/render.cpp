@@ -164,7 +164,7 @@ constexpr double kCertificatePart = 0.1, kCertificateSeconds = 0.5;
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
                            const film::Film& film) {
   const double seconds = std::min(kCertificateSeconds, kCertificatePart * s.seconds);
-  const advisor::Evidence evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
+  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
                                    s.health ? s.health->tail.khat : std::optional<double>()};
   return advisor::certificate_json(
       advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));

@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::vector<std::string> names;
   std::string out;
-  stress::LabOptions lab;
+  stress::TestOptions test;
   bool list = false, json = false;
 };
 
@@ -25,12 +25,12 @@ void print_list() {
     std::printf("%-30s %s\n  %s\n", c.name, std::string(stress::kind_name(c.kind)).c_str(), c.theory);
 }
 
-void print_row(const stress::Row& row) {
+void print_row(const stress::CaseResult& row) {
   size_t failed = 0;
-  for (const auto& f : row.findings) failed += f.ok ? 0 : 1;
+  for (const auto& f : row.results) failed += f.ok ? 0 : 1;
   std::printf("%-4s %-30s %3zu of %3zu  %6.1f s\n", failed ? "FAIL" : "ok", row.stress_case->name,
-              row.findings.size() - failed, row.findings.size(), row.seconds);
-  for (const auto& f : row.findings)
+              row.results.size() - failed, row.results.size(), row.seconds);
+  for (const auto& f : row.results)
     if (!f.ok)
       std::printf("       %s: expected %s, measured %s\n", f.method.c_str(), f.expectation.c_str(),
                   stress::number(f.measured).c_str());
@@ -49,7 +49,7 @@ Result<std::vector<const stress::Case*>> chosen(const std::vector<std::string>& 
   return list;
 }
 
-Result<void> write(const std::filesystem::path& folder, const std::vector<stress::Row>& rows) {
+Result<void> write(const std::filesystem::path& folder, const std::vector<stress::CaseResult>& rows) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::pair<const char*, std::string> files[] = {{"matrix.json", stress::matrix_json(rows)},
@@ -63,19 +63,19 @@ int run(const Options& o) {
   if (o.list) return print_list(), 0;
   const auto list = chosen(o.names);
   if (!list) return fail(list.error());
-  std::vector<stress::Row> rows;
-  size_t findings = 0, failed = 0;
+  std::vector<stress::CaseResult> rows;
+  size_t results = 0, failed = 0;
   for (const stress::Case* c : *list) {
-    rows.push_back(stress::run(*c, o.lab));
+    rows.push_back(stress::run(*c, o.test));
     if (!o.json) print_row(rows.back());
-    for (const auto& f : rows.back().findings) ++findings, failed += f.ok ? 0 : 1;
+    for (const auto& f : rows.back().results) ++results, failed += f.ok ? 0 : 1;
   }
   if (!o.out.empty())
     if (auto ok = write(o.out, rows); !ok) return fail(ok.error());
   if (o.json)
     std::printf("%s\n", stress::matrix_json(rows).c_str());
   else
-    std::printf("%zu cases, %zu expectations, %zu not met\n", rows.size(), findings, failed);
+    std::printf("%zu cases, %zu expectations, %zu not met\n", rows.size(), results, failed);
   return failed ? 1 : 0;
 }
 
@@ -87,9 +87,9 @@ Command add_stress(CLI::App& app) {
   app.add_flag("--list", o->list, "Say what cases there are, and run none");
   app.add_flag("--json", o->json, "Print JSON");
   app.add_option("--out", o->out, "A folder for matrix.json and matrix.html with pictures");
-  app.add_option("--seed", o->lab.seed, "Another seed is independent noise");
-  app.add_option("--threads", o->lab.threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
-  app.add_option("--size", o->lab.size, "Width and height of the small pictures, pixels")->check(CLI::Range(8, 512));
+  app.add_option("--seed", o->test.seed, "Another seed is independent noise");
+  app.add_option("--threads", o->test.threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
+  app.add_option("--size", o->test.size, "Width and height of the small pictures, pixels")->check(CLI::Range(8, 512));
   return [o] { return run(*o); };
 }
 

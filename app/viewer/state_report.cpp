@@ -185,7 +185,7 @@ json surface_json(const SurfaceHand& hand) {
     const auto* reading = hand.shown(side);
     if (!reading) continue;
     json badges = json::object();
-    for (const auto& badge : reading->audit.badges) badges[badge.name] = badge.holds;
+    for (const auto& badge : reading->audit.checks) badges[badge.name] = badge.holds;
     j["sides"].push_back({{"model", reading->name},
                           {"badges", badges},
                           {"albedo", bsdf_analysis::hemispherical_albedo(reading->audit.albedo)},

@@ -1,4 +1,5 @@
-// Means of independent replicates: well spread numbers say nothing about their error themselves.
+// Mean and standard error over independent replicates. The samples within a replicate are points of a low-discrepancy
+// sequence, so their own variance does not measure the error of their mean.
 #pragma once
 #include <array>
 #include <cmath>
@@ -11,7 +12,7 @@ inline constexpr uint32_t kReplicates = 16;
 
 class Replicates {
  public:
-  void add(double value) { values_[count_++] = value; }
+  void add(double value) { values_[count_++] = value; }  // at most kReplicates times
 
   double mean() const {
     double sum = 0;

@@ -25,7 +25,7 @@ float relative_eta(const Lobes& lobes) {
   return 1;
 }
 
-bool passes_light(const Lobes& lobes) {
+bool transmits_light(const Lobes& lobes) {
   for (uint32_t i = 0; i < 256; ++i) {
     LobeSample<Rgb> s;
     if (lobes.sample(Vec3(0, 0, 1), draw_of(0, i), TransportMode::radiance, s) && s.wi.z < 0) return true;
@@ -34,7 +34,7 @@ bool passes_light(const Lobes& lobes) {
 }
 
 LobeRandom draw_of(uint32_t replicate, uint32_t i) {
-  // The powers of the reciprocal of the root of x^4 = x + 1, as fractions of 2^32.
+  // Powers of 1 / g in units of 2^-32, with g the root of x^4 = x + 1.
   constexpr uint32_t kSteps[3] = {0xd1b54a35U, 0xabc98389U, 0x8cb92ba7U};
   const auto number = [&](uint32_t dimension) {
     return to_unit_float(hash_combine(replicate, dimension) + i * kSteps[dimension]);

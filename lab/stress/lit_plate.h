@@ -1,6 +1,6 @@
-// A plate of two by two metres under even parallel light, irradiance one, albedo 1/2.
+// A diffuse plate of 2 x 2 m with albedo 1/2 under a directional light of irradiance one.
 #pragma once
-#include "stress/lab.h"
+#include "stress/test_context.h"
 
 namespace etendue::stress {
 

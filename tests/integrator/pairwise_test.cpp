@@ -62,7 +62,7 @@ std::vector<Form> forms_of(const IntegratorInfo& info, const Document& place) {
 }
 
 bool finds_all(const Document& d, const scene::CompiledScene& scene) {
-  return advisor::without(advisor::asked(d), advisor::declared(d, scene).paths).empty();
+  return advisor::without(advisor::requested_paths(d), advisor::declared_paths(d, scene).paths).empty();
 }
 
 // The forms of all methods that find every path of the class.

@@ -140,7 +140,7 @@ TEST(Flip, LooksThroughTheToneCurveAndTheExposure) {
   EXPECT_EQ(at(0, image::ToneCurve::none), 0);  // both are white
   EXPECT_GT(at(-4, image::ToneCurve::none), 0.3);
   EXPECT_GT(at(0, image::ToneCurve::aces), 0);
-  EXPECT_FALSE(flip_map(layered(1), image::LayeredImage(), metrics::Look()));
+  EXPECT_FALSE(flip_map(layered(1), image::LayeredImage(), metrics::ViewingConditions()));
 }
 
 double sum_of(const std::vector<float>& taps) { return std::accumulate(taps.begin(), taps.end(), 0.0); }
@@ -189,7 +189,7 @@ TEST(Separable, EqualsTheDirectSum) {
   Plane in(w, h);
   for (size_t i = 0; i < in.values.size(); ++i) in.values[i] = to_unit_float(mix_bits(static_cast<uint32_t>(i)));
   const auto k = metrics::feature_kernels(40);
-  const Plane out = metrics::filtered(in, k.edge, k.point);
+  const Plane out = metrics::convolve(in, k.edge, k.point);
   const int r = k.edge.radius();
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x) {
@@ -207,7 +207,7 @@ TEST(Separable, KernelsMayBeWiderThanThePicture) {
   Plane in(2, 1);
   in.values = {1, 1};
   const auto k = metrics::feature_kernels(metrics::kPixelsPerDegree);
-  for (const float v : metrics::filtered(in, k.gaussian, k.gaussian).values) EXPECT_NEAR(v, 1, 1e-5);
+  for (const float v : metrics::convolve(in, k.gaussian, k.gaussian).values) EXPECT_NEAR(v, 1, 1e-5);
 }
 
 }  // namespace

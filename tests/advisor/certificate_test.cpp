@@ -15,8 +15,8 @@ namespace etendue::test {
 namespace {
 
 using advisor::Certificate;
-using advisor::Claim;
-using advisor::Finding;
+using advisor::CertifiedImage;
+using advisor::CertificationResult;
 using advisor::Verdict;
 
 // A rendering with its certificate, as etendue render leaves it.
@@ -70,7 +70,7 @@ TEST(Certificate, StatesWhatACutOfPathsLoses) {
   const double rmse = metrics::metrics_of(claim.rgb(), truth).rmse;
   EXPECT_GT(rmse, c.rmse->interval.low);
   EXPECT_LT(rmse, c.rmse->interval.high);
-  EXPECT_EQ(judged(claim).verdict, Verdict::stands) << said(judged(claim));
+  EXPECT_EQ(judged(claim).verdict, Verdict::confirmed) << said(judged(claim));
 }
 
 TEST(Certificate, NothingFromAboveOfAMethodWithABiasOfItsOwn) {
@@ -107,7 +107,7 @@ TEST(Certify, HonestPicturesStand) {
     for (auto d : {cornell(32), things_under(true, true, false, 32)}) {
       d.seed = seed;
       const Finding finding = judged(claim_of(d, 32));
-      EXPECT_EQ(finding.verdict, Verdict::stands) << seed << ' ' << said(finding);
+      EXPECT_EQ(finding.verdict, Verdict::confirmed) << seed << ' ' << said(finding);
       EXPECT_NE(finding.method.find("path"), std::string::npos);
     }
 }
@@ -119,11 +119,11 @@ TEST(Certify, AnEditedStatementFalls) {
       (*stated)->value *= factor;
       (*stated)->interval.low *= factor, (*stated)->interval.high *= factor;
     }
-    EXPECT_EQ(judged(claim).verdict, Verdict::falls);
+    EXPECT_EQ(judged(claim).verdict, Verdict::refuted);
     // Without the layer that contradicts it, by the truth alone.
     claim.picture.layers.resize(1);
     const Finding finding = judged(claim);
-    EXPECT_EQ(finding.verdict, Verdict::falls) << factor;
+    EXPECT_EQ(finding.verdict, Verdict::refuted) << factor;
     EXPECT_GT(finding.samples, 0u);
   }
 }
@@ -134,7 +134,7 @@ TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
     auto& stated = *claim.certificate.relmse;
     stated = {stated.value * factor, {stated.interval.low * factor, stated.interval.high * factor}};
     const Finding finding = judged(claim);
-    EXPECT_EQ(finding.verdict, Verdict::falls) << factor;
+    EXPECT_EQ(finding.verdict, Verdict::refuted) << factor;
     EXPECT_NE(said(finding).find("a relMSE of"), std::string::npos) << said(finding);
   }
 }
@@ -145,10 +145,10 @@ TEST(Certify, ABiasedPictureWhoseStatementHidesItFalls) {
   // Its own noise, stated for a method that misses nothing.
   render::Session session({2});
   const film::Film film = rendered(cut, 64);
-  const advisor::Evidence evidence{film.error(), film::relative_error(film), {}, {}, {}};
+  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), {}, {}, {}};
   claim.certificate = advisor::certificate(session, cornell(32), evidence, 1, go_on);
   const Finding finding = judged(claim);
-  EXPECT_EQ(finding.verdict, Verdict::falls);
+  EXPECT_EQ(finding.verdict, Verdict::refuted);
   EXPECT_TRUE(std::ranges::any_of(finding.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
       << said(finding);
 }
@@ -161,7 +161,7 @@ TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
     for (const int x : {20, 21})
       for (size_t c = 0; c < 3; ++c) pixels(claim)[static_cast<size_t>(y * 48 + x) * 3 + c] *= 0.6f;
   const Finding finding = judged(claim);
-  EXPECT_EQ(finding.verdict, Verdict::falls);
+  EXPECT_EQ(finding.verdict, Verdict::refuted);
   ASSERT_FALSE(finding.changed.empty()) << said(finding);
   EXPECT_EQ(finding.changed[0].x, 20);
   EXPECT_EQ(finding.changed[0].y, 40);
@@ -171,8 +171,8 @@ TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
 TEST(Certify, SaysWhenItCannotTell) {
   const Claim claim = claim_of(things_under(true, true, false, 32), 1024);
   const Finding finding = judged(claim, 1e-3);
-  EXPECT_EQ(finding.verdict, Verdict::cannot_tell) << said(finding);
-  EXPECT_GT(finding.seconds_wanted, finding.seconds);
+  EXPECT_EQ(finding.verdict, Verdict::undecided) << said(finding);
+  EXPECT_GT(finding.seconds_needed, finding.seconds);
 }
 
 // The error of a picture that is known: noise of the rendering that tells it takes nothing off.

@@ -56,7 +56,7 @@ TEST(ClassTable, RowsPartThePathsAndAddUpToThePicture) {
     EXPECT_NEAR(sum, table.total.energy.mean, 1e-5 * sum);
     // The same random numbers make the same picture.
     const auto film = rendered(advisor::trusted(d), table.samples);
-    const auto whole = advisor::energy_of(film);
+    const auto whole = advisor::class_energy(film);
     EXPECT_EQ(whole.mean, table.total.energy.mean);
     for (size_t i = 0; i < pixels.size(); ++i)
       ASSERT_NEAR(pixels[i], whole.picture->first[i], 1e-4 * whole.picture->first[i] + 1e-6);
@@ -86,7 +86,7 @@ TEST(ClassTable, RowsDoNotStraddleWhatMethodsFind) {
   for (const auto& info : integrator::integrator_infos())
     for (const auto& row : table.rows) {
       const Automaton paths = PathExpression::parse_paths(row.paths)->automaton();
-      const Automaton found = advisor::common(paths, advisor::declared(info).paths);
+      const Automaton found = advisor::common(paths, advisor::declared_paths(info).paths);
       EXPECT_TRUE(found.empty() || found == paths) << info.name << ' ' << row.paths;
     }
 }
@@ -100,7 +100,7 @@ TEST(ClassTable, StandardErrorsAreThoseOfRepeats) {
   for (int i = 0; i < kRepeats; ++i) {
     auto again = changed(advisor::trusted(d), "film.paths", "EDD+L");
     again.seed = 100 + static_cast<uint64_t>(i);
-    const auto energy = advisor::energy_of(rendered(again, 8));
+    const auto energy = advisor::class_energy(rendered(again, 8));
     means.push_back(energy.mean), claimed += sqr(energy.standard_error) / kRepeats;
   }
   double mean = 0, squares = 0;
@@ -165,7 +165,7 @@ TEST(ClassTable, GetsBetterAsItIsMadeAndMayBeCutShort) {
 
 TEST(ClassEnergy, RmsIsThatOfThePictureWithoutItsNoise) {
   auto d = advisor::trusted(cornell(32));
-  const auto noisy = advisor::energy_of(rendered(d, 32));
+  const auto noisy = advisor::class_energy(rendered(d, 32));
   const auto clean = rendered(d, 1024);
   double squares = 0;
   for (int y = 0; y < 32; ++y)

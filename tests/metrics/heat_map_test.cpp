@@ -43,7 +43,7 @@ TEST(HeatMap, RelativeErrorsAreRelativeToThePixel) {
 
 TEST(HeatMap, NumbersArePaintedAsTheyAre) {
   const float map[] = {0, 1};
-  EXPECT_EQ(metrics::painted(map), (std::vector<uint8_t>{68, 1, 84, 253, 231, 37}));
+  EXPECT_EQ(metrics::color_mapped(map), (std::vector<uint8_t>{68, 1, 84, 253, 231, 37}));
 }
 
 }  // namespace

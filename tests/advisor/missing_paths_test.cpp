@@ -16,7 +16,7 @@ namespace etendue::test {
 namespace {
 
 using advisor::ClassTable;
-using advisor::Found;
+using advisor::DeclaredPaths;
 using advisor::MissingPaths;
 using transport::Automaton;
 using transport::PathExpression;
@@ -41,7 +41,7 @@ advisor::ClassEnergy energy_by(const std::string& integrator, const render::Docu
                                uint32_t samples) {
   render::Document made = changed(changed(advisor::trusted(d), "film.paths", paths), "render.integrator", integrator);
   made.seed = 77;
-  return advisor::energy_of(rendered(made, samples));
+  return advisor::class_energy(rendered(made, samples));
 }
 
 // What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
@@ -49,7 +49,7 @@ std::vector<std::string> lies(const integrator::IntegratorInfo& info, const rend
                               const ClassTable& table) {
   const render::Document made = changed(advisor::trusted(d), "render.integrator", info.name);
   const bool hindered = !render::incompatibility(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
-  const Found found = hindered ? Found() : advisor::declared(info);
+  const Found found = hindered ? Found() : advisor::declared_paths(info);
   const Automaton& declared = points ? found.point_paths : found.paths;
   std::vector<std::string> list;
   const Automaton rest = advisor::without(PathExpression::all().automaton(), declared);
@@ -113,7 +113,7 @@ TEST(Declared, ALieIsFound) {
 TEST(Declared, AMethodThatIsHinderedFindsNothing) {
   const auto d = changed(things_under(true, false, false, 16), "render.integrator", "light-pure");
   const auto found = [](const render::Document& document) {
-    return advisor::declared(document, *scene::compile(document.scene, document.camera, nullptr));
+    return advisor::declared_paths(document, *scene::compile(document.scene, document.camera, nullptr));
   };
   EXPECT_TRUE(found(d).paths.empty());
   EXPECT_FALSE(found(changed(d, "camera.lens-radius", "0.1")).paths.empty());
@@ -124,13 +124,13 @@ TEST(Declared, AMethodThatIsHinderedFindsNothing) {
 
 TEST(Declared, PointPathsAreAmongThePaths) {
   for (const auto& info : integrator::integrator_infos()) {
-    const Found found = advisor::declared(info);
+    const Found found = advisor::declared_paths(info);
     EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty()) << info.name;
   }
 }
 
 TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
-  const auto found = advisor::declared(changed(cornell(8), "path.max-depth", "2").method);
+  const auto found = advisor::declared_paths(changed(cornell(8), "path.max-depth", "2").method);
   EXPECT_EQ(found.paths, PathExpression::parse_paths("E[.]L")->automaton());
   EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G)L")->automaton());
   EXPECT_EQ(advisor::bias_of(changed(cornell(8), "path.max-depth", "2").method), integrator::Bias::biased);
@@ -139,30 +139,30 @@ TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
 
 TEST(MissingPaths, OfAMethodThatFindsAll) {
   const ClassTable table = table_of(things_under(true, true, true, 16));
-  const MissingPaths none = advisor::missing_paths(advisor::declared(*integrator::find_integrator("path")), table);
+  const MissingPaths none = advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
   EXPECT_TRUE(none.none());
   EXPECT_EQ(none.share, 0);
-  EXPECT_EQ(advisor::sentence_of(none), "misses nothing that was found to carry light");
+  EXPECT_EQ(advisor::missing_paths_text(none), "misses nothing that was found to carry light");
 }
 
 // What is missing is what a rendering without it lacks.
 TEST(MissingPaths, ShareAndErrorOfWhatIsMissing) {
   const auto d = things_under(true, true, false, 32);
   const ClassTable table = table_of(d);
-  const MissingPaths spots = advisor::missing_paths(advisor::declared(*integrator::find_integrator("raycast")), table);
+  const MissingPaths missing = advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("raycast")), table);
   const auto whole = energy_by("path", d, "", 256), rest = energy_by("path", d, "E(S|(D|G).).*L", 256);
   EXPECT_NEAR(spots.share, rest.mean / whole.mean, 0.05);
   EXPECT_NEAR(spots.rms, advisor::rms_of({&rest, 1}), 0.1 * spots.rms);
-  for (const auto& spot : spots.classes) EXPECT_FALSE(spot.part) << spot.paths;
-  EXPECT_TRUE(advisor::sentence_of(spots).starts_with("misses ")) << advisor::sentence_of(spots);
+  for (const auto& spot : spots.classes) EXPECT_FALSE(spot.partial) << spot.paths;
+  EXPECT_TRUE(advisor::missing_paths_text(spots).starts_with("misses ")) << advisor::missing_paths_text(spots);
 }
 
 TEST(MissingPaths, PointLightsAreInvisibleToWalks) {
   const ClassTable alone = table_of(things_under(false, false, true, 16)),
                    mixed = table_of(things_under(true, false, true, 16));
-  const Found pure = advisor::declared(*integrator::find_integrator("path-pure"));
+  const Found pure = advisor::declared_paths(*integrator::find_integrator("path-pure"));
   EXPECT_NEAR(advisor::missing_paths(pure, alone).share, 1, 1e-6);
-  const MissingPaths spots = advisor::missing_paths(pure, mixed);
+  const MissingPaths missing = advisor::missing_paths(pure, mixed);
   EXPECT_NEAR(spots.share, mixed.total.from_points.mean / mixed.total.energy.mean, 1e-3);
   EXPECT_TRUE(std::ranges::all_of(spots.classes, &advisor::MissingPathClass::points));
 }

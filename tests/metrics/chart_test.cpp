@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "metrics/log_axis.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 
 namespace etendue::test {
 namespace {
@@ -116,15 +116,15 @@ TEST(SvgChart, OddDataGiveSoundCharts) {
 
 TEST(SvgChart, EverythingLiesInside) {
   const std::vector<MethodCurves> methods{power_law("a", 1, -0.5), power_law("b", 3, -1), power_law("c", 1e-3, 0)};
-  const Drawing drawing = chart_of(methods, {"t", Abscissa::seconds, ErrorKind::rmse, 900, 520, 2e-3});
-  const auto inside = [&](const Spot& s) {
+  const Drawing drawing = convergence_chart(methods, {"t", Abscissa::seconds, ErrorKind::rmse, 900, 520, 2e-3});
+  const auto inside = [&](const Point& s) {
     EXPECT_TRUE(s.x >= 0 && s.y >= 0 && s.x <= drawing.width && s.y <= drawing.height) << s.x << " " << s.y;
   };
   for (const auto& shape : drawing.shapes) {
     if (const auto* dot = std::get_if<Dot>(&shape)) inside(dot->at);
-    if (const auto* text = std::get_if<Words>(&shape)) inside(text->at);
-    if (const auto* area = std::get_if<Area>(&shape)) std::ranges::for_each(area->points, inside);
-    if (const auto* stroke = std::get_if<Stroke>(&shape)) std::ranges::for_each(stroke->points, inside);
+    if (const auto* text = std::get_if<Text>(&shape)) inside(text->at);
+    if (const auto* area = std::get_if<Polygon>(&shape)) std::ranges::for_each(area->points, inside);
+    if (const auto* stroke = std::get_if<Polyline>(&shape)) std::ranges::for_each(stroke->points, inside);
   }
 }
 
@@ -146,9 +146,9 @@ TEST(LogAxis, TicksAreRound) {
 
 TEST(LogAxis, PlacesAreLogarithmic) {
   const LogAxis axis(0.1, 1000, 50, 450);
-  EXPECT_NEAR(axis.place(0.1), 50, 1e-9);
-  EXPECT_NEAR(axis.place(10), 250, 1e-9);
-  EXPECT_NEAR(axis.place(1000), 450, 1e-9);
+  EXPECT_NEAR(axis.position(0.1), 50, 1e-9);
+  EXPECT_NEAR(axis.position(10), 250, 1e-9);
+  EXPECT_NEAR(axis.position(1000), 450, 1e-9);
 }
 
 TEST(ShortNumber, HasNoEmptyDigits) {
@@ -159,10 +159,10 @@ TEST(ShortNumber, HasNoEmptyDigits) {
 
 TEST(Raster, PaintsShapesWithSmoothEdges) {
   Drawing drawing{20, 10, "", {}};
-  drawing.shapes.push_back(Area{{{2, 2}, {7.5, 2}, {7.5, 8}, {2, 8}}, {0, 0, 0}});
-  drawing.shapes.push_back(Stroke{{{10, 5}, {20, 5}}, {255, 0, 0}, 2});
-  drawing.shapes.push_back(Stroke{{{NAN, 5}, {20, 5}}, {0, 0, 255}, 20});
-  const auto bytes = raster_of(drawing);
+  drawing.shapes.push_back(Polygon{{{2, 2}, {7.5, 2}, {7.5, 8}, {2, 8}}, {0, 0, 0}});
+  drawing.shapes.push_back(Polyline{{{10, 5}, {20, 5}}, {255, 0, 0}, 2});
+  drawing.shapes.push_back(Polyline{{{NAN, 5}, {20, 5}}, {0, 0, 255}, 20});
+  const auto bytes = rasterize(drawing);
   ASSERT_EQ(bytes.size(), 600u);
   const auto at = [&](int x, int y, int c) { return bytes[static_cast<size_t>((y * 20 + x) * 3 + c)]; };
   EXPECT_EQ(at(0, 0, 0), 255);
@@ -175,8 +175,8 @@ TEST(Raster, PaintsShapesWithSmoothEdges) {
 
 TEST(Raster, WritesWords) {
   Drawing drawing{20, 12, "", {}};
-  drawing.shapes.push_back(Words{{1, 11}, "I", 13, {0, 0, 0}});
-  const auto bytes = raster_of(drawing);
+  drawing.shapes.push_back(Text{{1, 11}, "I", 13, {0, 0, 0}});
+  const auto bytes = rasterize(drawing);
   int dark = 0;
   for (const uint8_t b : bytes) dark += b < 128;
   EXPECT_EQ(dark, 9 * 4 * 3);  // nine dots of two by two pixels, three channels

@@ -1,4 +1,4 @@
-// What the page of a report wears and does: style and script, in the page itself.
+// Style sheet and script of the benchmark report; both are embedded in the page.
 #pragma once
 
 namespace etendue::bench {
@@ -37,7 +37,7 @@ pre { background: var(--card); padding: 12px; overflow-x: auto; white-space: pre
 </style>
 )html";
 
-// The address may say how the pictures stand: #left=0&right=2&wipe=0.3.
+// The fragment of the address may select images and divider position: #left=0&right=2&wipe=0.3.
 constexpr const char* kReportScript = R"html(<script>
 const $ = id => document.getElementById(id);
 
@@ -57,7 +57,9 @@ for (const figure of document.querySelectorAll(".chart")) {
   const mark = i => {
     at = i;
     const { x, y, text } = dots[i];
-    ring.setAttribute("cx", x), ring.setAttribute("cy", y), ring.setAttribute("opacity", 1);
+    ring.setAttribute("cx", x);
+    ring.setAttribute("cy", y);
+    ring.setAttribute("opacity", 1);
     tip.textContent = text;
     tip.hidden = false;
     const half = 50 * tip.offsetWidth / svg.clientWidth;
@@ -66,9 +68,9 @@ for (const figure of document.querySelectorAll(".chart")) {
   };
   svg.onpointermove = svg.onpointerdown = e => {
     const p = new DOMPoint(e.clientX, e.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    const far = dots.map(d => Math.hypot(d.x - p.x, d.y - p.y));
-    const nearest = far.indexOf(Math.min(...far));
-    far[nearest] < 40 ? mark(nearest) : hide();
+    const distances = dots.map(d => Math.hypot(d.x - p.x, d.y - p.y));
+    const nearest = distances.indexOf(Math.min(...distances));
+    distances[nearest] < 40 ? mark(nearest) : hide();
   };
   svg.onpointerleave = figure.onblur = hide;
   const names = [...new Set(dots.map(d => d.name))];
@@ -80,33 +82,33 @@ for (const figure of document.querySelectorAll(".chart")) {
     if (at < 0) return mark(0);
     if (along) return dots[at + along]?.name === dots[at].name && mark(at + along);
     const next = names[(names.indexOf(dots[at].name) + across + names.length) % names.length];
-    const near = dots.map(d => d.name === next ? Math.abs(d.x - dots[at].x) : Infinity);
-    mark(near.indexOf(Math.min(...near)));
+    const distances = dots.map(d => d.name === next ? Math.abs(d.x - dots[at].x) : Infinity);
+    mark(distances.indexOf(Math.min(...distances)));
   };
 }
 
-const pictures = [...document.querySelectorAll(".gallery button")];
-const place = () => {
+const buttons = [...document.querySelectorAll(".gallery button")];
+const update_divider = () => {
   const percent = $("at").value / 10;
   $("over").style.clipPath = "inset(0 0 0 " + percent + "%)";
   $("edge").style.left = percent + "%";
 };
 const show = (side, image, index) => {
-  const picture = pictures[index].querySelector("img");
+  const source = buttons[index].querySelector("img");
   $(side).selectedIndex = index;
-  $(image).src = picture.src;
-  $(image).alt = side + ": " + picture.alt;
+  $(image).src = source.src;
+  $(image).alt = side + ": " + source.alt;
   const chosen = [$("left").selectedIndex, $("right").selectedIndex];
-  pictures.forEach((p, i) => p.setAttribute("aria-pressed", chosen.includes(i)));
+  buttons.forEach((p, i) => p.setAttribute("aria-pressed", chosen.includes(i)));
 };
-const asked = new URLSearchParams(location.hash.slice(1));
+const fragment = new URLSearchParams(location.hash.slice(1));
 for (const [side, image, first] of [["left", "under", 0], ["right", "over", 1]]) {
-  for (const p of pictures) $(side).add(new Option(p.querySelector("img").alt));
-  const wanted = asked.has(side) ? +asked.get(side) || 0 : first;
-  show(side, image, Math.min(Math.max(wanted, 0), pictures.length - 1));
+  for (const p of buttons) $(side).add(new Option(p.querySelector("img").alt));
+  const selected = fragment.has(side) ? +fragment.get(side) || 0 : first;
+  show(side, image, Math.min(Math.max(selected, 0), buttons.length - 1));
   $(side).oninput = () => show(side, image, $(side).selectedIndex);
 }
-pictures.forEach((p, i) => {
+buttons.forEach((p, i) => {
   p.onclick = () => { show("right", "over", i); $("wipe").scrollIntoView({ block: "nearest" }); };
 });
 const drag = e => {
@@ -114,13 +116,13 @@ const drag = e => {
   if (e.type === "pointerdown") $("wipe").setPointerCapture(e.pointerId);
   const box = $("wipe").getBoundingClientRect();
   $("at").value = 1000 * (e.clientX - box.left) / box.width;
-  place();
+  update_divider();
 };
 $("wipe").onpointerdown = $("wipe").onpointermove = drag;
 $("wipe").ondragstart = () => false;
-$("at").oninput = place;
-if (asked.has("wipe")) $("at").value = 1000 * asked.get("wipe");
-place();
+$("at").oninput = update_divider;
+if (fragment.has("wipe")) $("at").value = 1000 * fragment.get("wipe");
+update_divider();
 </script>
 )html";
 

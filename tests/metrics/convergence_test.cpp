@@ -97,7 +97,7 @@ TEST(Convergence, SlopesOfPowerLawsAreExact) {
   for (const double slope : {-0.5, -1.0, -0.75, 0.0}) {
     const auto method = method_of({power_law(1, slope), power_law(2, slope), power_law(0.5, slope)});
     for (const auto along : {Abscissa::seconds, Abscissa::samples}) {
-      const Figure fit = slope_of(method, along);
+      const Estimate fit = slope_of(method, along);
       EXPECT_NEAR(fit.value, slope, 1e-9);
       EXPECT_NEAR(fit.standard_error, 0, 1e-9);
       EXPECT_EQ(fit.degrees, 2);
@@ -112,7 +112,7 @@ TEST(Convergence, SlopesOfRenderingsHoldTheTruthAsOftenAsTheySay) {
   for (int run = 0; run < kRuns; ++run) {
     MethodCurves method;
     for (int i = 0; i < 8; ++i) method.repeats.push_back(running_means(random, 64));
-    const Figure slope = slope_of(method, Abscissa::seconds);
+    const Estimate slope = slope_of(method, Abscissa::seconds);
     held += std::abs(slope.value + 0.5) <= kStudent7 * slope.standard_error;
     mean += slope.value / kRuns;
   }
@@ -135,7 +135,7 @@ TEST(Convergence, DenseEndsDoNotRuleTheSlope) {
 
 TEST(Convergence, OneRepeatKnowsNoSpread) {
   std::mt19937 random(3);
-  const Figure slope = slope_of(method_of({running_means(random, 16)}), Abscissa::samples);
+  const Estimate slope = slope_of(method_of({running_means(random, 16)}), Abscissa::samples);
   EXPECT_TRUE(slope.known);
   EXPECT_EQ(slope.degrees, 0);
   EXPECT_GT(slope.standard_error, 0);
@@ -162,7 +162,7 @@ TEST(Convergence, PowerLawsAreInterpolatedExactly) {
 TEST(Convergence, BandsAreQuantilesOfRepeats) {
   std::vector<ErrorCurve> repeats;
   for (int i = 1; i <= 11; ++i) repeats.push_back(power_law(i, -0.5));
-  const auto band = band_of(method_of(repeats), Abscissa::seconds, ErrorKind::rmse, log_grid(0.2, 5, 9));
+  const auto band = error_band(method_of(repeats), Abscissa::seconds, ErrorKind::rmse, log_grid(0.2, 5, 9));
   ASSERT_EQ(band.size(), 9u);
   for (const auto& p : band) {
     EXPECT_NEAR(p.median * std::sqrt(p.x), 6, 1e-9);
@@ -175,7 +175,7 @@ TEST(Convergence, BandsEndWhereMostRepeatsEnd) {
   ErrorCurve brief = power_law(1, -0.5);
   brief.points.resize(6);
   const auto one_of_three = method_of({power_law(1, -0.5), brief, brief});
-  const auto band = band_of(one_of_three, Abscissa::seconds, ErrorKind::rmse, log_grid(0.1, 10, 12));
+  const auto band = error_band(one_of_three, Abscissa::seconds, ErrorKind::rmse, log_grid(0.1, 10, 12));
   EXPECT_EQ(band.size(), 6u);
 }
 
@@ -202,16 +202,16 @@ TEST(Convergence, PointsWithoutErrorAreLeftOut) {
   method.repeats[0].points[3].mse = 0;
   method.repeats[0].points[5].mse = NAN;
   EXPECT_NEAR(slope_of(method, Abscissa::seconds).value, -0.5, 1e-9);
-  for (const auto& p : band_of(method, Abscissa::seconds, ErrorKind::rmse, log_grid(0.1, 10, 40)))
+  for (const auto& p : error_band(method, Abscissa::seconds, ErrorKind::rmse, log_grid(0.1, 10, 40)))
     EXPECT_NEAR(p.median * std::sqrt(p.x), 1, 1e-9);
 }
 
 TEST(Convergence, EfficiencyOfMonteCarloIsThatOfAnyTime) {
-  const Figure e = efficiency_of(method_of({power_law(0.1, -0.5), power_law(0.1, -0.5, 3)}));
+  const Estimate e = efficiency_of(method_of({power_law(0.1, -0.5), power_law(0.1, -0.5, 3)}));
   EXPECT_NEAR(e.value, 100, 1e-9);
   EXPECT_NEAR(e.standard_error, 0, 1e-9);
   // Costs of 1 and 3: the mean is 2 +- 1.
-  const Figure scattered = efficiency_of(method_of({power_law(1, -0.5), power_law(std::sqrt(3.0), -0.5)}));
+  const Estimate scattered = efficiency_of(method_of({power_law(1, -0.5), power_law(std::sqrt(3.0), -0.5)}));
   EXPECT_NEAR(scattered.value, 0.5, 1e-9);
   EXPECT_NEAR(scattered.standard_error, 0.25, 1e-9);
   EXPECT_FALSE(efficiency_of(method_of({power_law(0, -0.5)})).known);
@@ -238,7 +238,7 @@ TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
     ASSERT_TRUE(parts);
     biases.push_back(parts->squared_bias), variances.push_back(parts->variance);
   }
-  const Figure bias = figure_of(biases), variance = figure_of(variances);
+  const Estimate bias = estimate_of(biases), variance = estimate_of(variances);
   EXPECT_NEAR(bias.value, 0.04, 3.3 * bias.standard_error);
   EXPECT_NEAR(variance.value, 1, 3.3 * variance.standard_error);
   EXPECT_LT(bias.standard_error, 0.01);
@@ -248,7 +248,7 @@ TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
 TEST(Convergence, TheBiasHasTheReferencesErrorInIt) {
   auto a = power_law(1, -0.5), b = power_law(1, -0.5);
   a.points.back().bias = 0.1, b.points.back().bias = 0.3;
-  const Figure bias = bias_of(method_of({a, b}), 0.1);
+  const Estimate bias = bias_of(method_of({a, b}), 0.1);
   EXPECT_NEAR(bias.value, 0.2, 1e-12);
   EXPECT_NEAR(bias.standard_error, std::hypot(0.1, 0.1), 1e-12);
 }

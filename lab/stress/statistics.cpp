@@ -1,17 +1,26 @@
+#include "stress/statistics.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/hash.h"
 #include "sampling/sampler.h"
-#include "stress/lab.h"
 
 namespace etendue::stress {
 namespace {
 
-// Sums for one correlation.
+// First and second moments of pairs of values.
 struct Moments {
   double n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
-  void add(double a, double b) { n += 1, x += a, y += b, xx += a * a, yy += b * b, xy += a * b; }
+  void add(double a, double b) {
+    n += 1;
+    x += a;
+    y += b;
+    xx += a * a;
+    yy += b * b;
+    xy += a * b;
+  }
   double correlation() const {
     const double vx = xx / n - x / n * (x / n), vy = yy / n - y / n * (y / n);
     return vx > 0 && vy > 0 ? (xy / n - x / n * (y / n)) / std::sqrt(vx * vy) : 0;
@@ -19,12 +28,6 @@ struct Moments {
 };
 
 }  // namespace
-
-scene::Scene sky() {
-  scene::Scene scene;
-  scene.environment.tint = Rgb(1);
-  return scene;
-}
 
 double noise_correlation(const film::Film& a, const film::Film& b, int shift) {
   Moments moments;
@@ -40,7 +43,7 @@ double variance_of_mean(const film::Film& a, const film::Film& b) {
   return moments.xx / moments.n - moments.x / moments.n * (moments.x / moments.n);
 }
 
-double clumped_pixels(const std::string& name, uint32_t dimension) {
+double clumped_pixel_fraction(const std::string& name, uint32_t dimension) {
   constexpr uint32_t kPixels = 4000, kSamples = 64;
   constexpr size_t kSide = 8;
   const auto sampler = make_sampler(name);

@@ -15,7 +15,7 @@
 #include "base/file.h"
 #include "bench/benchmark.h"
 #include "bench/summary.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -26,7 +26,7 @@ constexpr double kReferenceSeconds = 20;
 
 bool go_on(double, const std::string&) { return true; }
 
-std::string with_error(const metrics::Figure& f) {
+std::string with_error(const metrics::Estimate& f) {
   char text[48];
   std::snprintf(text, sizeof text, "%.3f +- %.3f", f.value, f.standard_error);
   return text;
@@ -37,7 +37,7 @@ void slopes(render::Session& session, const char* name, const std::string& file,
   if (!document) return;
   document->width = 128, document->height = 96;
   const auto methods = bench::parse_methods("path:sampler=random,path:sampler=sobol", *document);
-  const auto reference = bench::made_reference(session, *document, {kReferenceSeconds, 0}, {}, go_on);
+  const auto reference = bench::render_reference(session, *document, {kReferenceSeconds, 0}, {}, go_on);
   const bench::Plan plan{*methods, 0, samples, kRepeats, 0};
   const auto outcome = bench::run(session, plan, reference, go_on);
   const auto random = bench::summary_of(outcome.methods[0], reference, {});

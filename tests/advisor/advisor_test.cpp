@@ -17,7 +17,7 @@ using advisor::Ranking;
 
 Ranking ranked(const render::Document& d, double target, double pilot = 0.1) {
   render::Session session({2});
-  advisor::Question question;
+  advisor::AdviceRequest question;
   question.target = target, question.pilot_seconds = pilot;
   return advisor::advise(session, d, question, go_on);
 }
@@ -87,7 +87,7 @@ TEST(Advisor, ALargePictureIsPilotedSmall) {
 TEST(Advisor, PublishesOnTheWayAndMayBeCutShort) {
   render::Session session({2});
   size_t published = 0;
-  advisor::Question question;
+  advisor::AdviceRequest question;
   question.target = 0.01, question.pilot_seconds = 0.02;
   const auto whole = advisor::advise(session, cornell(16), question, go_on, [&](const Ranking&) { ++published; });
   EXPECT_FALSE(whole.interrupted);

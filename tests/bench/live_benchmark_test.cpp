@@ -79,7 +79,7 @@ class Watched {
 
 bench::Reference reference_of(const render::Document& d, uint32_t samples) {
   render::Session session({2});
-  return bench::made_reference(session, d, {0, samples}, {}, go_on);
+  return bench::render_reference(session, d, {0, samples}, {}, go_on);
 }
 
 // Against a reference that stays, the same numbers as in a bench, and the same pictures.
@@ -247,7 +247,7 @@ TEST(LiveBenchmark, TheReferenceIsTakenUpExtendedAndKept) {
   const Folder cache;
   const auto d = cornell(16);
   render::Session session({1});
-  const auto brief = bench::made_reference(session, d, {0, 4}, cache.path(), go_on);
+  const auto brief = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
   LiveBenchmarkPlan plan = plan_of(d, "path:sampler=random");
   plan.rule = Rule::equal_samples, plan.samples = 256, plan.repeats = 2, plan.cache = cache.path();
   uint32_t samples = 0;
@@ -260,9 +260,9 @@ TEST(LiveBenchmark, TheReferenceIsTakenUpExtendedAndKept) {
     for (const auto& curve : s->methods[0].measured.repeats) methods += curve.points.back().seconds;
     EXPECT_GE(s->reference_seconds, methods);
   }
-  const auto kept = bench::made_reference(session, d, {0, 2}, cache.path(), go_on);
+  const auto kept = bench::render_reference(session, d, {0, 2}, cache.path(), go_on);
   EXPECT_EQ(kept.samples, samples);
-  EXPECT_EQ(kept.rgb(), bench::made_reference(session, d, {0, samples}, {}, go_on).rgb());
+  EXPECT_EQ(kept.rgb(), bench::render_reference(session, d, {0, samples}, {}, go_on).rgb());
 }
 
 TEST(LiveBenchmark, WhatDoesNotFitIntoMemoryIsNotBegun) {

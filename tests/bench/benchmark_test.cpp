@@ -114,7 +114,7 @@ TEST(Reference, IsExtendedToTheSameBits) {
   render::Session session({1});
   const auto d = cornell(12);
   const auto make = [&](uint32_t samples, const fs::path& folder) {
-    return bench::made_reference(session, d, {0, samples}, folder, go_on);
+    return bench::render_reference(session, d, {0, samples}, folder, go_on);
   };
   const Reference brief = make(4, cache.path());
   EXPECT_EQ(brief.samples, 4u);
@@ -132,7 +132,7 @@ TEST(Reference, IsExtendedToTheSameBits) {
 TEST(Reference, IsBetterTheLongerItIsMade) {
   render::Session session({2});
   const auto error = [&](uint32_t samples) {
-    return bench::made_reference(session, cornell(64), {0, samples}, {}, go_on).standard_error();
+    return bench::render_reference(session, cornell(64), {0, samples}, {}, go_on).standard_error();
   };
   EXPECT_LT(error(128), 0.6 * error(8));
 }
@@ -141,9 +141,9 @@ TEST(Reference, ADamagedCacheIsMadeAnew) {
   const Folder cache;
   render::Session session({1});
   const auto d = cornell(12);
-  const auto first = bench::made_reference(session, d, {0, 4}, cache.path(), go_on);
+  const auto first = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
   fs::resize_file(first.file, 100);
-  const auto second = bench::made_reference(session, d, {0, 4}, cache.path(), go_on);
+  const auto second = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
   EXPECT_EQ(second.samples, 4u);
   EXPECT_EQ(first.rgb(), second.rgb());
 }
@@ -151,7 +151,7 @@ TEST(Reference, ADamagedCacheIsMadeAnew) {
 TEST(Reference, MayBeCutShort) {
   render::Session session({1});
   const auto r =
-      bench::made_reference(session, cornell(12), {0, 1000000}, {}, [](double, const std::string&) { return false; });
+      bench::render_reference(session, cornell(12), {0, 1000000}, {}, [](double, const std::string&) { return false; });
   EXPECT_LT(r.samples, 1000000u);
   EXPECT_EQ(r.rgb().size(), 12u * 12 * 3);
 }
@@ -159,7 +159,7 @@ TEST(Reference, MayBeCutShort) {
 TEST(Run, MeasuresAtEqualSamplesTheSameEachTime) {
   render::Session session({2});
   const auto d = cornell(12);
-  const Reference reference = bench::made_reference(session, d, {0, 64}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 64}, {}, go_on);
   const Plan plan{*bench::parse_methods("path,path-pure:sampler=random", d), 0, 12, 3, 1};
   const auto a = bench::run(session, plan, reference, go_on), b = bench::run(session, plan, reference, go_on);
   ASSERT_EQ(a.methods.size(), 2u);
@@ -182,7 +182,7 @@ TEST(Run, MeasuresAtEqualSamplesTheSameEachTime) {
 TEST(Run, MethodsTakeTurns) {
   render::Session session({1});
   const auto d = cornell(8);
-  const Reference reference = bench::made_reference(session, d, {0, 4}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, go_on);
   const Plan plan{*bench::parse_methods("path,path-pure", d), 0, 2, 2, 0};
   std::vector<std::string> order;
   double last = 0;
@@ -199,7 +199,7 @@ TEST(Run, MethodsTakeTurns) {
 TEST(Run, ABudgetOfSecondsIsKept) {
   render::Session session({2});
   const auto d = cornell(16);
-  const Reference reference = bench::made_reference(session, d, {0, 16}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 16}, {}, go_on);
   const Plan plan{*bench::parse_methods("path", d), 0.1, 0, 1, 0};
   const auto outcome = bench::run(session, plan, reference, go_on);
   const auto& end = outcome.methods[0].curves.repeats[0].points.back();
@@ -210,7 +210,7 @@ TEST(Run, ABudgetOfSecondsIsKept) {
 TEST(Run, AnUnwantedRunLeavesWholeRepeats) {
   render::Session session({1});
   const auto d = cornell(8);
-  const Reference reference = bench::made_reference(session, d, {0, 4}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, go_on);
   const Plan plan{*bench::parse_methods("path", d), 0, 64, 100, 0};
   const auto outcome = bench::run(session, plan, reference,
                                   [](double, const std::string& what) { return !what.starts_with("path, repeat 3"); });
@@ -223,7 +223,7 @@ TEST(Run, AnUnwantedRunLeavesWholeRepeats) {
 TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
   render::Session session({2});
   const auto d = cornell(16);
-  const Reference reference = bench::made_reference(session, d, {0, 4096}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 4096}, {}, go_on);
   const Plan plan{*bench::parse_methods("path:sampler=random,path:max-depth=2", d), 0, 128, 6, 4};
   const auto outcome = bench::run(session, plan, reference, go_on);
   const auto good = bench::summary_of(outcome.methods[0], reference, {});
@@ -245,7 +245,7 @@ TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
 TEST(Report, OfNothingIsSound) {
   render::Session session({1});
   const auto d = cornell(8);
-  const Reference reference = bench::made_reference(session, d, {0, 2}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 2}, {}, go_on);
   const Plan plan{*bench::parse_methods("path,path-pure", d), 0, 2, 1, 0};
   const auto outcome = bench::run(session, plan, reference, [](double, const std::string&) { return false; });
   const Folder folder;

@@ -16,7 +16,7 @@ Material modelled(const char* model, std::initializer_list<std::pair<const char*
 }
 
 bool holds(const Audit& audit, std::string_view name) {
-  for (const Check& b : audit.badges)
+  for (const Check& b : audit.checks)
     if (b.name == name) return b.holds;
   ADD_FAILURE() << "no badge " << name;
   return false;
@@ -25,7 +25,7 @@ bool holds(const Audit& audit, std::string_view name) {
 // A white Lambertian surface gives back all light from everywhere, and its weights are all alike.
 TEST(Audit, Lambert) {
   const Audit a = audit(lobes_of(modelled("lambert")));
-  for (const Check& b : a.badges) EXPECT_TRUE(b.holds) << b.name << ' ' << b.reason;
+  for (const Check& b : a.checks) EXPECT_TRUE(b.holds) << b.name << ' ' << b.reason;
   for (const Albedo& point : a.albedo) {
     EXPECT_NEAR(point.value.r, 1, 1e-5) << point.degrees;
     EXPECT_NEAR(point.diffuse.r, 1, 1e-5);
@@ -122,10 +122,10 @@ TEST(Audit, DrawingsHoldWhatIsDrawn) {
   const auto lobes = lobes_of(modelled("blinn-phong"));
   const std::vector<Slice> slices{slice(lobes, 45)};
   const std::vector<std::string> names{"Blinn & Phong"};
-  const auto svg = metrics::svg_of(polar_drawing(slices, names));
+  const auto svg = metrics::to_svg(polar_drawing(slices, names));
   EXPECT_NE(svg.find("Blinn &amp; Phong"), std::string::npos);
   const std::vector<std::vector<Albedo>> curves{albedo_curve(lobes)};
-  EXPECT_NE(metrics::svg_of(albedo_drawing(curves, names)).find("90\u00b0"), std::string::npos);
+  EXPECT_NE(metrics::to_svg(albedo_drawing(curves, names)).find("90\u00b0"), std::string::npos);
   const std::vector<LobeSurface> sides{lobe_surface(lobes, 45)};
   EXPECT_GT(lobe_drawing(sides, 45).shapes.size(), 1000u);
 }

@@ -48,7 +48,7 @@ void compare_ranking(render::Session& session, const render::Document& d, const 
   std::vector<double> rmse;
   for (const auto& result : outcome.methods) rmse.push_back(bench::summary_of(result, reference, {}).rmse);
   const double best = *std::ranges::min_element(rmse);
-  advisor::Question question;
+  advisor::AdviceRequest question;
   question.target = best, question.pilot_seconds = 0.5;
   const auto ranking = advisor::advise(session, d, question, go_on);
   std::vector<double> seconds(methods.size(), INFINITY);
@@ -162,7 +162,7 @@ int run(int width, int height, const std::vector<std::string>& scenes) {
     render::Document d = *opened;
     d.width = width, d.height = height;
     std::printf("%s\n", scene.c_str());
-    const auto reference = bench::made_reference(session, d, {0, kReference}, {}, go_on);
+    const auto reference = bench::render_reference(session, d, {0, kReference}, {}, go_on);
     const film::Film halves = session.film_copy();
     compare_ranking(session, d, reference);
     const Scores scores = foretell(session, d, halves);
