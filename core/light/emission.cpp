@@ -40,7 +40,7 @@ void LightTable::emit(const EmissionDraw& draw, Emission& e) const {
 }
 
 void LightTable::emit_from_triangle(const EmissionDraw& draw, Emission& e) const {
-  const EmissiveTriangle& triangle = triangles_[e.light];
+  const AreaLightTriangle& triangle = triangles_[e.light];
   if (triangle.round < 0)
     e.barycentric = square_to_triangle({draw.point.x, draw.point.y});
   else if (round_of(triangle).shape.kind == RoundShape::Kind::disk)
@@ -50,8 +50,8 @@ void LightTable::emit_from_triangle(const EmissionDraw& draw, Emission& e) const
   leave_triangle(draw.direction, draw.cosine_direction, e);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)
-    e.per_density = triangle.focus == 0 ? kPi / (triangle.side_probability() * e.density.first)
-                                        : e.direction.z / (e.density.first * e.density.second);
+    e.weight = triangle.focus == 0 ? kPi / (triangle.side_probability() * e.density.first)
+                                   : e.direction.z / (e.density.first * e.density.second);
 }
 
 void LightTable::emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const {
@@ -60,7 +60,7 @@ void LightTable::emit_from_point(const AliasTable::Choice& choice, const Emissio
   e.position = placed.at(draw.time).position;
   e.density = {choice.probability, pdf_direction(placed.light), true, false};
   leave_point(draw.direction, e);
-  e.per_density = 1 / (e.density.first * e.density.second);
+  e.weight = 1 / (e.density.first * e.density.second);
 }
 
 void LightTable::emit_from_infinity(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const {
@@ -78,7 +78,7 @@ void LightTable::emit_from_infinity(const AliasTable::Choice& choice, const Emis
     e.radiance = environment_.radiance(sample.direction);
   }
   come_from_infinity(draw.point, e);
-  if (e.density.first > 0) e.per_density = 1 / (e.density.first * e.density.second);
+  if (e.density.first > 0) e.weight = 1 / (e.density.first * e.density.second);
 }
 
 // The direction under the cosine is that of `u`, which a light of two sides divides between them.
@@ -91,7 +91,7 @@ void LightTable::leave_triangle(const Vec2& u, const Vec3& cosine_direction, Emi
     e.direction = square_to_cosine_hemisphere({x, u.y});
   }
   if (const float focus = triangles_[e.light].focus; focus != 0) e.direction = focused(e.direction, focus);
-  const EmissionDensity density = density_of_triangle(e.light, e.direction.z, e.time);
+  const EmissionDensity density = emission_density(e.light, e.direction.z, e.time);
   e.density.first = density.first, e.density.second = density.second;
   e.density.delta = false, e.density.infinite = false;
 }
@@ -115,19 +115,19 @@ void LightTable::come_from_infinity(Vec2 u, Emission& e) const {
   e.position = centre_ + frame.x * across.x + frame.y * across.y - e.direction * radius_;
 }
 
-void LightTable::emit_anew(Vec2 u, Emission& e) const {
+void LightTable::resample_emission(Vec2 u, Emission& e) const {
   if (e.kind == LightKind::triangle) return leave_triangle(u, square_to_cosine_hemisphere(u), e);
   if (e.kind == LightKind::environment || placed_[e.light - triangles_.size()].light.type == LightType::directional)
     return come_from_infinity(u, e);
   leave_point(u, e);
 }
 
-EmissionDensity LightTable::density_of_escape(const Vec3& direction) const {
-  return {pdf_environment(direction, LightStrategy::as_emitted), pdf_across(), false, true};
+EmissionDensity LightTable::environment_emission_density(const Vec3& direction) const {
+  return {pdf_environment(direction, LightStrategy::emission_pdf), pdf_across(), false, true};
 }
 
 EmissionDensity LightTable::density_of_other(const LightSample& sample) const {
-  if (sample.kind == LightKind::environment) return density_of_escape(sample.wi);
+  if (sample.kind == LightKind::environment) return environment_emission_density(sample.wi);
   const float choice = choice_.probability(sample.light);
   const Light& light = placed_[sample.light - triangles_.size()].light;
   if (light.type == LightType::ambient) return {choice, 0, true, true};
@@ -135,10 +135,10 @@ EmissionDensity LightTable::density_of_other(const LightSample& sample) const {
   return {choice, pdf_direction(light), true, false};
 }
 
-float LightTable::window(uint32_t light, float distance) const {
+float LightTable::range_window(uint32_t light, float distance) const {
   const size_t placed = light - triangles_.size();
   return light >= triangles_.size() && placed < placed_.size() && placed_[placed].light.type != LightType::directional
-             ? range_window(placed_[placed].light, distance)
+             ? etendue::range_window(placed_[placed].light, distance)
              : 1;
 }
 

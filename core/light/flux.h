@@ -25,7 +25,7 @@ inline float solid_angle_of_spot(const Light& light) {
 }
 
 // Of textured emission the mean.
-inline Rgb flux_of(const EmissiveTriangle& t) {
+inline Rgb flux_of(const AreaLightTriangle& t) {
   return t.radiance * (2 * kPi / (t.focus + 2) * t.area * (t.double_sided ? 2.0f : 1.0f));
 }
 

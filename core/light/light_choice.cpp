@@ -18,7 +18,7 @@ constexpr float kByPower = 1.0f / 64;
 
 Vec3 unit_or_up(const Vec3& v) { return normalize_or(v, Vec3(0, 1, 0)); }
 
-LightBounds bounds_at(const EmissiveTriangle& t) {
+LightBounds bounds_at(const AreaLightTriangle& t) {
   LightBounds b;
   b.box.extend(t.p0), b.box.extend(t.p0 + t.e1), b.box.extend(t.p0 + t.e2);
   b.axis = unit_or_up(t.cross), b.normals = 0;
@@ -27,7 +27,7 @@ LightBounds bounds_at(const EmissiveTriangle& t) {
   return b;
 }
 
-LightBounds bounds_at(const EmissiveTriangle& t, const RoundShape& shape) {
+LightBounds bounds_at(const AreaLightTriangle& t, const RoundShape& shape) {
   LightBounds b;
   Vec3 half(shape.radius);
   b.intensity = t.area * luminance(t.radiance);
@@ -74,7 +74,7 @@ bool LightTable::is_infinite(uint32_t light) const {
 
 LightBounds LightTable::bounds_of(uint32_t light) const {
   if (light < triangles_.size()) {
-    const EmissiveTriangle& t = triangles_[light];
+    const AreaLightTriangle& t = triangles_[light];
     if (t.round >= 0) {
       const RoundLight& round = round_of(t);
       const auto at = [&](float time) { return bounds_at(t, round.at(time)); };

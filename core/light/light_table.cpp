@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-float power_of(const EmissiveTriangle& t) { return luminance(flux_of(t)); }
+float power_of(const AreaLightTriangle& t) { return luminance(flux_of(t)); }
 
 // Whether a triangle looks so large from there that directions to it are sampled rather than its points: its area over
 // the square of the distance to its middle. Squares of both sides, since the cross product is twice the area.
@@ -45,7 +45,7 @@ struct LightTable::ChosenTriangles {
   Vec3Lanes<kSize> p0, e1, e2, cross;
   alignas(64) Array<float> probability, back;  // of the choice; what the back side counts, 0 or 1
 
-  void set(size_t i, const EmissiveTriangle& triangle, float choice_probability) {
+  void set(size_t i, const AreaLightTriangle& triangle, float choice_probability) {
     p0.set(i, triangle.p0), e1.set(i, triangle.e1), e2.set(i, triangle.e2), cross.set(i, triangle.cross);
     probability[i] = choice_probability, back[i] = triangle.double_sided ? 1 : 0;
   }
@@ -98,7 +98,7 @@ void LightTable::ChosenTriangles::sample_directions(const LightQueries& queries,
   points.pdf[i] = probability[i] / seen.solid_angle();
 }
 
-LightTable::LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed,
+LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed,
                        const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers,
                        std::vector<RoundLight> rounds)
     : triangles_(std::move(triangles)),
@@ -153,7 +153,7 @@ void LightTable::sample(const LightQueries& queries, LightSample* samples, Light
   if (uses_tree(strategy))
     sample_chosen(queries, samples, true, [&](size_t i) { return choose_by_tree(queries.from[i], queries.choice[i]); });
   else
-    sample_chosen(queries, samples, strategy != LightStrategy::as_emitted,
+    sample_chosen(queries, samples, strategy != LightStrategy::emission_pdf,
                   [&](size_t i) { return choice_.sample(queries.choice[i]); });
 }
 
@@ -197,7 +197,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
   for (size_t i = 0; i < queries.count; ++i) {
     LightSample& sample = samples[i];
     if (choice_.empty() || sample.kind != LightKind::triangle) continue;
-    const EmissiveTriangle& triangle = triangles_[sample.light];
+    const AreaLightTriangle& triangle = triangles_[sample.light];
     if (points.large[i] != 0 && triangle.round < 0 && solid_angles) triangles.sample_directions(queries, i, points);
     points.get(i, sample);
     if (points.large[i] != 0 && triangle.round >= 0)
@@ -253,13 +253,13 @@ bool LightTable::sample_placed(const PlacedLight& placed, const Vec3& from, Vec2
   if (!(distance2 > 0)) return false;
   sample.distance = std::sqrt(distance2);
   sample.wi = to_light / sample.distance;
-  sample.radiance *= range_window(light, sample.distance) / distance2;
+  sample.radiance *= etendue::range_window(light, sample.distance) / distance2;
   if (light.type == LightType::spot) sample.radiance *= spot_falloff(light, -glm::dot(sample.wi, place.direction));
   return !is_black(sample.radiance);
 }
 
-EmissiveTriangle LightTable::moved(const EmissiveTriangle& triangle, float time) const {
-  EmissiveTriangle t = triangle;
+AreaLightTriangle LightTable::moved(const AreaLightTriangle& triangle, float time) const {
+  AreaLightTriangle t = triangle;
   const MovingEmitter& emitter = movers_[t.instance];
   t.place(emitter.motion->facet_at(*emitter.mesh, emitter.mesh->triangles[t.triangle], time));
   return t;
@@ -276,10 +276,10 @@ float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at,
   if (choice_.empty() || light >= triangles_.size()) return 0;
   const Vec3 to_light = at - from;
   const float distance2 = length_squared(to_light);
-  const bool solid_angles = strategy != LightStrategy::as_emitted;
-  if (const EmissiveTriangle& t = triangles_[light]; t.round >= 0)
+  const bool solid_angles = strategy != LightStrategy::emission_pdf;
+  if (const AreaLightTriangle& t = triangles_[light]; t.round >= 0)
     return probability(light, from, strategy) * pdf_of_point_on_round(t, from, at, time, solid_angles);
-  const float per_solid_angle = with_triangle(light, time, [&](const EmissiveTriangle& t) {
+  const float per_solid_angle = with_triangle(light, time, [&](const AreaLightTriangle& t) {
     const float facing = std::abs(glm::dot(t.cross, to_light));
     if (!(facing > 0)) return 0.0f;
     if (solid_angles && looks_large(t.p0 - from, t.e1, t.e2, t.cross))

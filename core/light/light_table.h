@@ -24,7 +24,7 @@ namespace etendue {
 
 // An emissive triangle in world space, or a whole sphere or disk in the place of one. Radiance is the emission of its
 // material, the mean of it over a texture: only for choosing; what is shaded comes from the material itself.
-struct EmissiveTriangle {
+struct AreaLightTriangle {
   Vec3 p0, e1, e2;
   uint32_t instance = 0, triangle = 0;
   Rgb radiance{0};
@@ -149,7 +149,7 @@ struct Emission {
   bool textured = false;  // `radiance` is only the mean over the triangle: ask the scene for what it is here
   Rgb radiance{0};        // of a point light intensity, of a directional one irradiance
   float time = 0;         // from 0 at the shutter's opening to 1 at its closing
-  float per_density = 0;  // the cosine over both densities: times the radiance, the watts that this ray stands for
+  float weight = 0;       // the cosine over both densities: times the radiance, the watts that this ray stands for
   EmissionDensity density;
 };
 
@@ -179,33 +179,33 @@ struct LightQueries {
 // E3), or one by what it may bring to the receiver's place (light_tree.h), or whichever of the single ones suits the
 // scene.
 //
-// All but `as_emitted` find points on large triangles near by through the solid angle that they subtend; that one
+// All but `emission_pdf` find points on large triangles near by through the solid angle that they subtend; that one
 // finds them as `emit` does, one by its power and any of its points alike, for weights that rely on it.
-enum class LightStrategy : uint8_t { one, every, tree, automatic, as_emitted };
+enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf };
 
 class LightTable {
  public:
   LightTable() = default;
   // `movers` has an entry for each instance if any of the triangles moves; `rounds` is what triangles may refer to.
-  LightTable(std::vector<EmissiveTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
+  LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed, const Environment& environment,
              const Bounds& scene_bounds, std::vector<MovingEmitter> movers = {}, std::vector<RoundLight> rounds = {});
 
   bool empty() const { return choice_.empty(); }
   size_t size() const { return choice_.size(); }
-  const std::vector<EmissiveTriangle>& triangles() const { return triangles_; }
+  const std::vector<AreaLightTriangle>& triangles() const { return triangles_; }
   const std::vector<PlacedLight>& placed() const { return placed_; }
   const EnvironmentMap& environment() const { return environment_; }
 
   // What `use` makes of a triangle where it is at that time.
   template <class Use>
   auto with_triangle(uint32_t light, float time, Use&& use) const {
-    const EmissiveTriangle& t = triangles_[light];
+    const AreaLightTriangle& t = triangles_[light];
     return t.moving ? use(moved(t, time)) : use(t);
   }
 
   // The normal at a point of it that has these barycentric weights, or these numbers on a round shape.
   Vec3 normal_at(uint32_t light, Vec2 at, float time) const {
-    const EmissiveTriangle& t = triangles_[light];
+    const AreaLightTriangle& t = triangles_[light];
     if (t.round >= 0) return round_of(t).at(time).normal_at(at);
     return t.moving ? moved(t, time).normal : t.normal;
   }
@@ -235,23 +235,23 @@ class LightTable {
   }
   // The same with another direction from the same point; from infinity, through another point from the same direction.
   // `e` needs no more than its kind, light, position and, from infinity, direction.
-  void emit_anew(Vec2 u, Emission& e) const;
+  void resample_emission(Vec2 u, Emission& e) const;
   // The densities with which `emit` finds a ray that was found otherwise: one that connects to a sample; one along
   // which a walk came to a triangle, its cosine there to the normal; one that a walk left the scene by.
-  EmissionDensity density_of(const LightSample& sample, float time = 0) const {
-    return sample.kind == LightKind::triangle ? density_of_triangle(sample.light, cosine_at(sample, time), time)
+  EmissionDensity emission_density(const LightSample& sample, float time = 0) const {
+    return sample.kind == LightKind::triangle ? emission_density(sample.light, cosine_at(sample, time), time)
                                               : density_of_other(sample);
   }
-  EmissionDensity density_of_triangle(uint32_t light, float cosine, float time = 0) const {
+  EmissionDensity emission_density(uint32_t light, float cosine, float time = 0) const {
     if (choice_.empty() || light >= triangles_.size()) return {};
-    return with_triangle(light, time, [&](const EmissiveTriangle& t) {
+    return with_triangle(light, time, [&](const AreaLightTriangle& t) {
       return EmissionDensity{choice_.probability(light) / t.area,
                              t.side_probability() * pdf_of_cosine(t, std::abs(cosine))};
     });
   }
-  EmissionDensity density_of_escape(const Vec3& direction) const;
+  EmissionDensity environment_emission_density(const Vec3& direction) const;
   // What is left of a light's emission after so many metres; glTF's punctual lights may have a range.
-  float window(uint32_t light, float distance) const;
+  float range_window(uint32_t light, float distance) const;
 
  private:
   struct ChosenTriangles;
@@ -271,19 +271,19 @@ class LightTable {
   void leave_triangle(const Vec2& u, const Vec3& cosine_direction, Emission& e) const;
   void leave_point(Vec2 u, Emission& e) const;
   void come_from_infinity(Vec2 u, Emission& e) const;
-  EmissiveTriangle moved(const EmissiveTriangle& triangle, float time) const;
+  AreaLightTriangle moved(const AreaLightTriangle& triangle, float time) const;
   // Of a point on a triangle.
   float cosine_at(const LightSample& sample, float time) const {
     return glm::dot(normal_at(sample.light, sample.barycentric, time), sample.wi);
   }
   // Of a direction that leaves a side of it, per solid angle: what it sends there, cosine included.
-  static float pdf_of_cosine(const EmissiveTriangle& t, float cosine) {
+  static float pdf_of_cosine(const AreaLightTriangle& t, float cosine) {
     return t.focus == 0 ? cosine * kInvPi : (t.focus + 2) * 0.5f * kInvPi * std::pow(cosine, t.focus + 1);
   }
-  const RoundLight& round_of(const EmissiveTriangle& t) const { return rounds_[static_cast<size_t>(t.round)]; }
-  void sample_round(const EmissiveTriangle& t, float probability, const Vec3& from, Vec2 u, float time,
+  const RoundLight& round_of(const AreaLightTriangle& t) const { return rounds_[static_cast<size_t>(t.round)]; }
+  void sample_round(const AreaLightTriangle& t, float probability, const Vec3& from, Vec2 u, float time,
                     bool solid_angles, LightSample& sample) const;
-  float pdf_of_point_on_round(const EmissiveTriangle& t, const Vec3& from, const Vec3& at, float time,
+  float pdf_of_point_on_round(const AreaLightTriangle& t, const Vec3& from, const Vec3& at, float time,
                               bool solid_angles) const;
   EmissionDensity density_of_other(const LightSample& sample) const;
   float pdf_across() const { return 1 / (kPi * sqr(radius_)); }
@@ -306,7 +306,7 @@ class LightTable {
   size_t source_of(uint32_t light) const;
   AliasTable::Choice choose_within(const Source& source, float u) const;
 
-  std::vector<EmissiveTriangle> triangles_;
+  std::vector<AreaLightTriangle> triangles_;
   std::vector<PlacedLight> placed_;
   std::vector<MovingEmitter> movers_;
   std::vector<RoundLight> rounds_;

@@ -32,7 +32,7 @@ Vec3 normal_seen(const Cone& cone, const Vec3& to_receiver, Vec2 u) {
 
 }  // namespace
 
-void LightTable::sample_round(const EmissiveTriangle& t, float probability, const Vec3& from, Vec2 u, float time,
+void LightTable::sample_round(const AreaLightTriangle& t, float probability, const Vec3& from, Vec2 u, float time,
                               bool solid_angles, LightSample& sample) const {
   const RoundShape shape = round_of(t).at(time);
   sample.pdf = 0;
@@ -55,7 +55,7 @@ void LightTable::sample_round(const EmissiveTriangle& t, float probability, cons
   sample.pdf = probability * pdf_of_point_on_round(t, from, point, time, solid_angles);
 }
 
-float LightTable::pdf_of_point_on_round(const EmissiveTriangle& t, const Vec3& from, const Vec3& at, float time,
+float LightTable::pdf_of_point_on_round(const AreaLightTriangle& t, const Vec3& from, const Vec3& at, float time,
                                         bool solid_angles) const {
   const RoundShape shape = round_of(t).at(time);
   if (shape.kind == RoundShape::Kind::sphere && solid_angles) {

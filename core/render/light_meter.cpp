@@ -95,7 +95,7 @@ class Instrument {
 
 Rgb flux_of(const scene::CompiledScene& scene, uint32_t instance) {
   Rgb flux(0);
-  for (const EmissiveTriangle& t : scene.lights().triangles())
+  for (const AreaLightTriangle& t : scene.lights().triangles())
     if (t.instance == instance) flux += etendue::flux_of(t);
   return flux;
 }

@@ -260,7 +260,7 @@ class Compiler {
       return;
     }
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
-    std::vector<EmissiveTriangle> triangles;
+    std::vector<AreaLightTriangle> triangles;
     std::vector<MovingEmitter> movers;
     std::vector<RoundLight> rounds;
     for (uint32_t i = 0; i < instances->size(); ++i) {
@@ -285,10 +285,10 @@ class Compiler {
     result_->report_.lights_built = true;
   }
 
-  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                   uint32_t t) {
+  static AreaLightTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                    uint32_t t) {
     const Mesh& mesh = *instance.mesh;
-    EmissiveTriangle e;
+    AreaLightTriangle e;
     e.instance = i, e.triangle = t;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
     e.moving = instance.motion != nullptr, e.focus = instance.focus;
@@ -303,11 +303,11 @@ class Compiler {
     return e;
   }
 
-  static EmissiveTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                         std::vector<RoundLight>& rounds) {
+  static AreaLightTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                          std::vector<RoundLight>& rounds) {
     RoundLight round{*instance.round, instance.motion};
     if (round.motion) round.shape = round.at(0.5f);
-    EmissiveTriangle e;
+    AreaLightTriangle e;
     e.instance = i, e.focus = instance.focus;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
     e.place_round(static_cast<int>(rounds.size()), round.shape);

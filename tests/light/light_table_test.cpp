@@ -11,8 +11,8 @@
 namespace etendue {
 namespace {
 
-EmissiveTriangle triangle(const Vec3& p0, const Vec3& p1, const Vec3& p2, float radiance, bool double_sided) {
-  EmissiveTriangle t;
+AreaLightTriangle triangle(const Vec3& p0, const Vec3& p1, const Vec3& p2, float radiance, bool double_sided) {
+  AreaLightTriangle t;
   t.radiance = Rgb(radiance), t.double_sided = double_sided;
   t.place({p0, p1, p2, 1});
   return t;
@@ -46,7 +46,7 @@ Bounds bounds() {
 }
 
 // Both face down, towards the receivers.
-std::vector<EmissiveTriangle> ceiling() {
+std::vector<AreaLightTriangle> ceiling() {
   return {triangle({0, 3, 0}, {1, 3, 0}, {0, 3, 1}, 1, false), triangle({2, 4, 0}, {3, 4, 0}, {2, 4, 2}, 5, true)};
 }
 
@@ -61,7 +61,7 @@ TEST(LightTable, SamplesPointsOnItsTrianglesWithTheDensityItStates) {
     ASSERT_EQ(s.kind, LightKind::triangle);
     ++of_each[s.light];
     const Vec3 point = queries.from[i] + s.wi * s.distance;
-    const EmissiveTriangle& t = table.triangles()[s.light];
+    const AreaLightTriangle& t = table.triangles()[s.light];
     const Vec3 expected = t.p0 + s.barycentric.x * t.e1 + s.barycentric.y * t.e2;
     EXPECT_LT(glm::length(point - expected), 1e-5f);
     EXPECT_NEAR(s.pdf / table.pdf_triangle(s.light, queries.from[i], expected, 0, LightStrategy::one), 1, 1e-4f);

@@ -199,8 +199,8 @@ TEST(LightTree, IsTheSameAtEveryScale) {
 
 // ---- In the table.
 
-EmissiveTriangle panel(const Vec3& at, float size, bool double_sided, float radiance) {
-  EmissiveTriangle t;
+AreaLightTriangle panel(const Vec3& at, float size, bool double_sided, float radiance) {
+  AreaLightTriangle t;
   t.radiance = Rgb(radiance), t.double_sided = double_sided;
   t.place({at, at + Vec3(size, 0, 0), at + Vec3(0, 0, size), 1});
   return t;
@@ -211,7 +211,7 @@ struct Table {
 
   explicit Table(bool sky, size_t panels = 40, size_t lamps = 10, uint32_t seed = 13) {
     Numbers random(seed);
-    std::vector<EmissiveTriangle> triangles;
+    std::vector<AreaLightTriangle> triangles;
     std::vector<PlacedLight> placed;
     for (size_t i = 0; i < panels; ++i)
       triangles.push_back(panel(random.in_cube(2) + Vec3(0, 3, 0), 0.2f, i % 2 == 0, 0.5f + random()));
@@ -334,7 +334,7 @@ TEST(LightTreeInTable, IsWhatManyLightsAreChosenBy) {
   EXPECT_FALSE(same(few, LightStrategy::tree));
   EXPECT_TRUE(same(many, LightStrategy::tree));
   // A sheet of triangles is one lamp.
-  std::vector<EmissiveTriangle> sheet;
+  std::vector<AreaLightTriangle> sheet;
   for (int i = 0; i < 36; ++i) sheet.push_back(panel(0.2f * Vec3(i % 6, 0, i / 6) + Vec3(0, 3, 0), 0.2f, false, 1));
   Bounds bounds;
   bounds.extend(Vec3(-3)), bounds.extend(Vec3(3, 6, 3));

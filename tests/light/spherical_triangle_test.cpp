@@ -131,7 +131,7 @@ TEST(SphericalTriangle, EstimatesWhatPointsOnItsAreaDo) {
 
 // Near a panel the table samples directions, farther off points; what it says of either is the same.
 TEST(SphericalTriangle, IsSampledWhereItLooksLarge) {
-  EmissiveTriangle panel;
+  AreaLightTriangle panel;
   panel.radiance = Rgb(1), panel.double_sided = true;
   panel.place({{-1, 1, -1}, {1, 1, -1}, {-1, 1, 1}, 1});
   Bounds bounds;
@@ -148,7 +148,7 @@ TEST(SphericalTriangle, IsSampledWhereItLooksLarge) {
   }
   std::vector<LightSample> samples(kCount), by_area(kCount);
   table.sample({*from, zero.data(), u0.data(), u1.data(), kCount}, samples.data(), LightStrategy::one);
-  table.sample({*from, zero.data(), u0.data(), u1.data(), kCount}, by_area.data(), LightStrategy::as_emitted);
+  table.sample({*from, zero.data(), u0.data(), u1.data(), kCount}, by_area.data(), LightStrategy::emission_pdf);
   int large = 0;
   for (size_t i = 0; i < kCount; ++i) {
     const auto check = [&](const LightSample& s, LightStrategy strategy) {
@@ -158,7 +158,7 @@ TEST(SphericalTriangle, IsSampledWhereItLooksLarge) {
         EXPECT_NEAR(table.pdf_triangle(0, (*from)[i], at, 0, strategy) / s.pdf, 1, 2e-3f);
       }
     };
-    check(samples[i], LightStrategy::one), check(by_area[i], LightStrategy::as_emitted);
+    check(samples[i], LightStrategy::one), check(by_area[i], LightStrategy::emission_pdf);
     if (samples[i].pdf != by_area[i].pdf) {
       ++large;
       EXPECT_NEAR(samples[i].pdf * SphericalTriangle(panel.p0 - (*from)[i], panel.e1, panel.e2).solid_angle(), 1,

@@ -7,7 +7,7 @@ namespace etendue::test {
 struct MovingLights {
   std::shared_ptr<Mesh> mesh = std::make_shared<Mesh>();
   std::shared_ptr<Motion> motion = std::make_shared<Motion>();
-  EmissiveTriangle triangle;
+  AreaLightTriangle triangle;
   PlacedLight lamp;
 
   // From where the file has them to `end`.

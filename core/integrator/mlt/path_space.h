@@ -74,7 +74,7 @@ class PathSpace {
     Emission e;
     e.kind = path.light.kind, e.light = path.light.number;
     e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
-    scene_->lights().emit_anew(random.next_2d(), e);
+    scene_->lights().resample_emission(random.next_2d(), e);
     if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
     const Vec3& ng = path[0].point.ng;
     return leave_light(e.position, Frame(e.back ? -ng : ng).to_world(e.direction), random, path);
@@ -280,12 +280,12 @@ class PathSpace {
       const float cosine = glm::dot(point.ng, direction);
       point.front = cosine > 0;
       light.emitted = scene_->emitted(point, direction);
-      density = scene_->lights().density_of_triangle(light.number, cosine, path.time);
+      density = scene_->lights().emission_density(light.number, cosine, path.time);
       if (cosine == 0 || !seen_as_it_is(path)) return false;
     } else if (light.kind == LightKind::environment) {
       const EnvironmentMap& map = scene_->lights().environment();
       light.emitted = map.radiance(-direction);
-      density = scene_->lights().density_of_escape(-direction);
+      density = scene_->lights().environment_emission_density(-direction);
       if (path.edges() == 1 && !map.visible()) return false;
     } else {
       // What has no extent is not seen.
@@ -293,7 +293,7 @@ class PathSpace {
       light.emitted = emitted_by_placed(path);
       LightSample sample;
       sample.kind = LightKind::placed, sample.light = light.number;
-      density = scene_->lights().density_of(sample, path.time);
+      density = scene_->lights().emission_density(sample, path.time);
     }
     light.first = density.first, light.second = density.second;
     return !is_black(light.emitted);
@@ -307,7 +307,7 @@ class PathSpace {
     const float cone = placed.light.type == LightType::spot
                            ? spot_falloff(placed.light, glm::dot(path[0].direction, placed.at(path.time).direction))
                            : 1;
-    return emitted * (cone * table.window(path.light.number, path[0].length));
+    return emitted * (cone * table.range_window(path.light.number, path[0].length));
   }
 
   // An unlit surface shows itself and lights nothing.

@@ -128,7 +128,7 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
 template <class M, class Weigh, class Selected = EveryHit>
 void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
-  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::as_emitted), shadows, weigh, selected);
+  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
 }
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
