@@ -15,9 +15,9 @@ float pdf_direction(const Light& light) {
 }
 
 // From the density of the cosine to that of a higher power of it, about the same axis.
-Vec3 focused(const Vec3& d, float focus) {
+Vec3 focused(const Vec3& d, float cosine_exponent) {
   const float sin2 = sqr(d.x) + sqr(d.y);
-  const float z = std::pow(std::max(1 - sin2, 0.0f), 1 / (focus + 2));
+  const float z = std::pow(std::max(1 - sin2, 0.0f), 1 / (cosine_exponent + 2));
   const float scale = sin2 > 0 ? safe_sqrt((1 - z * z) / sin2) : 0;
   return {d.x * scale, d.y * scale, z};
 }
@@ -50,8 +50,8 @@ void LightTable::emit_from_triangle(const EmissionDraw& draw, Emission& e) const
   leave_triangle(draw.direction, draw.cosine_direction, e);
   e.radiance = triangle.radiance, e.textured = triangle.textured;
   if (e.direction.z > 0 && e.density.first < kInfinity)
-    e.weight = triangle.focus == 0 ? kPi / (triangle.side_probability() * e.density.first)
-                                   : e.direction.z / (e.density.first * e.density.second);
+    e.weight = triangle.cosine_exponent == 0 ? kPi / (triangle.side_probability() * e.density.first)
+                                             : e.direction.z / (e.density.first * e.density.second);
 }
 
 void LightTable::emit_from_point(const AliasTable::Choice& choice, const EmissionDraw& draw, Emission& e) const {
@@ -90,7 +90,8 @@ void LightTable::leave_triangle(const Vec2& u, const Vec3& cosine_direction, Emi
     const float x = std::min(2 * (u.x - (e.back ? 0.5f : 0)), kOneMinusEpsilon);
     e.direction = square_to_cosine_hemisphere({x, u.y});
   }
-  if (const float focus = triangles_[e.light].focus; focus != 0) e.direction = focused(e.direction, focus);
+  if (const float cosine_exponent = triangles_[e.light].cosine_exponent; cosine_exponent != 0)
+    e.direction = focused(e.direction, cosine_exponent);
   const EmissionDensity density = emission_density(e.light, e.direction.z, e.time);
   e.density.first = density.first, e.density.second = density.second;
   e.density.delta = false, e.density.infinite = false;

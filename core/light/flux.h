@@ -26,7 +26,7 @@ inline float solid_angle_of_spot(const Light& light) {
 
 // Of textured emission the mean.
 inline Rgb flux_of(const AreaLightTriangle& t) {
-  return t.radiance * (2 * kPi / (t.focus + 2) * t.area * (t.double_sided ? 2.0f : 1.0f));
+  return t.radiance * (2 * kPi / (t.cosine_exponent + 2) * t.area * (t.double_sided ? 2.0f : 1.0f));
 }
 
 // Nothing of light without a place.
@@ -39,7 +39,8 @@ inline Rgb flux_of(const Light& light) {
     case LightType::quad:
     case LightType::disk:
     case LightType::sphere:
-      return light.radiance() * (2 * kPi / (light.focus + 2) * light.area() * static_cast<float>(light.sides()));
+      return light.radiance() *
+             (2 * kPi / (light.cosine_exponent + 2) * light.area() * static_cast<float>(light.sides()));
     default:
       return Rgb(0);
   }

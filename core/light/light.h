@@ -38,8 +38,8 @@ struct Light {
   float radius = 0.5f;          // disk, sphere, metres
   bool two_sided = false;       // quad, disk
   SurfaceQuantity quantity = SurfaceQuantity::radiance;
-  float focus = 0;  // a surface's radiance is `intensity` times this power of the cosine to its normal
-  int points = 0;   // a surface stands for so many lamps without extent; 0 is the surface itself
+  float cosine_exponent = 0;  // a surface's radiance is `intensity` times this power of the cosine to its normal
+  int points = 0;             // a surface stands for so many lamps without extent; 0 is the surface itself
 
   bool is_surface() const { return type == LightType::quad || type == LightType::disk || type == LightType::sphere; }
   // One side of it, square metres.
@@ -49,7 +49,7 @@ struct Light {
   int sides() const { return two_sided && type != LightType::sphere ? 2 : 1; }
   // Of a surface, along its normal.
   Rgb radiance() const {
-    const float per_area = 2 * kPi / (focus + 2) * static_cast<float>(sides());
+    const float per_area = 2 * kPi / (cosine_exponent + 2) * static_cast<float>(sides());
     const float all = quantity == SurfaceQuantity::power ? per_area * area() : 1;
     return all > 0 ? color * (intensity / all) : Rgb(0);
   }

@@ -41,7 +41,8 @@ Mat4 node_of(const Vec3& position, const Vec3& direction) {
 std::vector<PlacedLight> points_of(const Light& light, const Mat4& node, const std::shared_ptr<const Motion>& motion) {
   PlacedLight lamp;
   lamp.light.name = light.name;
-  lamp.light.type = LightType::spot, lamp.light.profile = SpotProfile::cosine, lamp.light.exponent = 1 + light.focus;
+  lamp.light.type = LightType::spot, lamp.light.profile = SpotProfile::cosine,
+  lamp.light.exponent = 1 + light.cosine_exponent;
   lamp.light.inner_cone = lamp.light.outer_cone = kPi / 2;
   lamp.light.color = light.radiance(), lamp.light.intensity = light.area() / static_cast<float>(light.points);
   std::vector<PlacedLight> lamps;

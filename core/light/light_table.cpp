@@ -205,7 +205,7 @@ void LightTable::sample_batch(const LightQueries& queries, ChosenTriangles& tria
                    queries.times ? queries.times[i] : 0, solid_angles, sample);
     sample.delta = false;
     sample.radiance = triangle.radiance, sample.textured = triangle.textured;
-    if (triangle.focus != 0 && sample.pdf > 0)
+    if (triangle.cosine_exponent != 0 && sample.pdf > 0)
       sample.radiance *= triangle.beam(cosine_at(sample, queries.times ? queries.times[i] : 0));
   }
 }

@@ -34,11 +34,11 @@ struct AreaLightTriangle {
   Vec3 cross{0};          // of the edges, pointing to the front: as long as twice the area
   Vec3 normal{0};         // the same, of unit length
   float area = 0;
-  float focus = 0;    // radiance falls off from the normal as this power of the cosine
-  int round = kFlat;  // index into LightTable's round shapes; of the rest only the area counts then
+  float cosine_exponent = 0;  // radiance falls off from the normal as this power of the cosine
+  int round = kFlat;          // index into LightTable's round shapes; of the rest only the area counts then
   static constexpr int kFlat = -1;
 
-  float beam(float cosine) const { return focus == 0 ? 1 : std::pow(std::abs(cosine), focus); }
+  float beam(float cosine) const { return cosine_exponent == 0 ? 1 : std::pow(std::abs(cosine), cosine_exponent); }
   // Half of what a double-sided triangle sends goes either way.
   float side_probability() const { return double_sided ? 0.5f : 1.0f; }
   void place(const Facet& facet) {
@@ -278,7 +278,8 @@ class LightTable {
   }
   // Of a direction that leaves a side of it, per solid angle: what it sends there, cosine included.
   static float pdf_of_cosine(const AreaLightTriangle& t, float cosine) {
-    return t.focus == 0 ? cosine * kInvPi : (t.focus + 2) * 0.5f * kInvPi * std::pow(cosine, t.focus + 1);
+    return t.cosine_exponent == 0 ? cosine * kInvPi
+                                  : (t.cosine_exponent + 2) * 0.5f * kInvPi * std::pow(cosine, t.cosine_exponent + 1);
   }
   const RoundLight& round_of(const AreaLightTriangle& t) const { return rounds_[static_cast<size_t>(t.round)]; }
   void sample_round(const AreaLightTriangle& t, float probability, const Vec3& from, Vec2 u, float time,

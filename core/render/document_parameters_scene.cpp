@@ -136,10 +136,10 @@ void add_surface(Add&& add, const Light& l) {
   add(Choice<SurfaceQuantity>{"quantity", "Quantity", l.quantity, "What the intensity says"}, &Light::quantity);
   add(Number<float>{"focus",
                     "Focus",
-                    l.focus,
+                    l.cosine_exponent,
                     {0, 1000},
                     "Radiance falls off from the normal as this power of the cosine; 0 is the same in every direction"},
-      &Light::focus);
+      &Light::cosine_exponent);
   if (l.type != LightType::sphere)
     add(Toggle{"two-sided", "Two-sided", l.two_sided, "Shines from its back as well"}, &Light::two_sided);
   add(

@@ -207,7 +207,7 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
 Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
   if (!point.material->emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
   const Rgb along_normal = point.material->emission_at(point.texture);
-  return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
+  return point.instance->cosine_exponent == 0 ? along_normal : along_normal * point.beam(direction);
 }
 
 Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {

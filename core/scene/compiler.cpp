@@ -46,7 +46,7 @@ class Compiler {
     uint32_t material, node;
     std::shared_ptr<const Motion> motion = nullptr;
     std::shared_ptr<const RoundShape> round = nullptr;
-    float focus = 0;
+    float cosine_exponent = 0;
   };
 
   bool same_geometry() const {
@@ -122,7 +122,7 @@ class Compiler {
     const Light& light = scene_->lights[number];
     if (!is_met_by_rays(light)) return;
     Placed p{stand_in(light), without_scale(world), first_light_material() + number, node};
-    p.focus = light.focus;
+    p.cosine_exponent = light.cosine_exponent;
     if (const auto motion = shutter_.motion_of(static_cast<int>(node))) p.motion = without_scale(*motion);
     if (light.type != LightType::quad) p.round = std::make_shared<const RoundShape>(shape_of(light).placed(p.to_world));
     placed.push_back(std::move(p));
@@ -175,7 +175,7 @@ class Compiler {
                                  : uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
       data.mesh = p.mesh, data.motion = p.motion;
       data.mirrored = flat && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
-      data.material = p.material, data.node = p.node, data.focus = p.focus;
+      data.material = p.material, data.node = p.node, data.cosine_exponent = p.cosine_exponent;
       if (flat) {
         budget -= std::min(budget, triangles);
         data.mesh = in_world(p.mesh, p.to_world);
@@ -209,7 +209,7 @@ class Compiler {
     InstanceData data;
     data.mesh = p.mesh, data.motion = p.motion, data.round = p.round;
     data.to_world = p.to_world, data.identity = false;
-    data.material = p.material, data.node = p.node, data.focus = p.focus;
+    data.material = p.material, data.node = p.node, data.cosine_exponent = p.cosine_exponent;
     instances.push_back(data);
     accels.push_back({p.mesh, nullptr, p.to_world, p.motion, p.round});
     result_->mesh_accels_.push_back(nullptr);
@@ -291,7 +291,7 @@ class Compiler {
     AreaLightTriangle e;
     e.instance = i, e.triangle = t;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
-    e.moving = instance.motion != nullptr, e.focus = instance.focus;
+    e.moving = instance.motion != nullptr, e.cosine_exponent = instance.cosine_exponent;
     e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
     if (material.emission) {
       Rgb sum(0);
@@ -308,7 +308,7 @@ class Compiler {
     RoundLight round{*instance.round, instance.motion};
     if (round.motion) round.shape = round.at(0.5f);
     AreaLightTriangle e;
-    e.instance = i, e.focus = instance.focus;
+    e.instance = i, e.cosine_exponent = instance.cosine_exponent;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
     e.place_round(static_cast<int>(rounds.size()), round.shape);
     rounds.push_back(std::move(round));

@@ -112,7 +112,7 @@ TEST(SurfaceLight, PowerIsRadianceOverPiTheAreaAndTheSides) {
 TEST(SurfaceLight, FocusIsAPowerOfTheCosine) {
   for (const float focus : {0.0f, 1.0f, 6.5f}) {
     Light disk = light_of(LightType::disk);
-    disk.radius = 1, disk.focus = focus;
+    disk.radius = 1, disk.cosine_exponent = focus;
     const double edge = std::sqrt(0.5), k = static_cast<double>(focus);
     const double expected = 2 * static_cast<double>(kPi) * (1 - std::pow(edge, k + 2)) / (k + 2);
     expect_irradiance(point_of_floor(disk, above(1)), expected, "focus " + std::to_string(focus));

@@ -113,7 +113,7 @@ TEST(Meter, FluxOfLampsWithAFocus) {
   for (const LightType type : {LightType::quad, LightType::disk, LightType::sphere}) {
     scene::Scene scene;
     Light lamp;
-    lamp.type = type, lamp.intensity = 2, lamp.focus = 6, lamp.width = lamp.height = 0.8f, lamp.radius = 0.4f;
+    lamp.type = type, lamp.intensity = 2, lamp.cosine_exponent = 6, lamp.width = lamp.height = 0.8f, lamp.radius = 0.4f;
     // Facing up at the camera, above the floor.
     scene::add(scene, lamp, {.translation = {0, 1, 0}, .rotation = {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}});
     Document d = over_floor(std::move(scene));

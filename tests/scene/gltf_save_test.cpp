@@ -347,7 +347,7 @@ TEST_F(Saving, LightsOfEveryType) {
     light.name = "light " + std::to_string(type);
     light.type = static_cast<LightType>(type);
     light.intensity = 3, light.color = {1, 0.5f, 0.25f};
-    light.width = 2, light.radius = 0.25f, light.focus = 4, light.two_sided = true, light.points = 9;
+    light.width = 2, light.radius = 0.25f, light.cosine_exponent = 4, light.two_sided = true, light.points = 9;
     light.profile = SpotProfile::cosine, light.exponent = 7, light.quantity = SurfaceQuantity::power;
     if (light.type == LightType::spot) light.inner_cone = 0.2f;
     scene::add(before, light, {});

@@ -75,7 +75,7 @@ Document under_surface_lights() {
     Light light;
     light.type = type, light.color = color, light.intensity = 9;
     light.width = 0.9f, light.height = 0.6f, light.radius = 0.5f;
-    light.two_sided = type == LightType::disk, light.focus = type == LightType::quad ? 2.0f : 0;
+    light.two_sided = type == LightType::disk, light.cosine_exponent = type == LightType::quad ? 2.0f : 0;
     scene::Transform place;
     place.matrix = look_at(from, to, {0, 0.99f, 0.1f}, 1).to_world;
     add(scene, light, place);

@@ -125,7 +125,7 @@ void import_shape(const tinygltf::ExtensionMap& extensions, const std::string& w
   light.width = reader.number("width", light.width, 0);
   light.height = reader.number("height", light.height, 0);
   light.radius = reader.number("radius", light.radius, 0);
-  light.focus = reader.number("focus", light.focus, 0);
+  light.cosine_exponent = reader.number("focus", light.cosine_exponent, 0);
   light.two_sided = reader.flag("twoSided", light.two_sided);
   light.points = std::clamp(index_of(*extension, "points", 0), 0, 4096);
 }

@@ -60,7 +60,7 @@ void write_shape(Output& out, const Light& light, Json& object) {
   if (light.quantity != usual.quantity) to["quantity"] = kQuantities[static_cast<size_t>(light.quantity)];
   put(to, "exponent", light.exponent, usual.exponent);
   put(to, "width", light.width, usual.width), put(to, "height", light.height, usual.height);
-  put(to, "radius", light.radius, usual.radius), put(to, "focus", light.focus, usual.focus);
+  put(to, "radius", light.radius, usual.radius), put(to, "focus", light.cosine_exponent, usual.cosine_exponent);
   if (light.two_sided) to["twoSided"] = true;
   if (light.points > 0) to["points"] = light.points;
   if (!to.empty()) out.extend(object, kTransport) = std::move(to);
