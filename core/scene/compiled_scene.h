@@ -14,7 +14,7 @@
 #include "base/vectorize.h"
 #include "camera/camera_ray.h"
 #include "geometry/accel.h"
-#include "light/light_table.h"
+#include "light/sampling/light_table.h"
 #include "material/surface_material.h"
 #include "scene/build_report.h"
 #include "scene/scene.h"

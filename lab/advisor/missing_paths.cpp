@@ -1,9 +1,11 @@
 #include "advisor/missing_paths.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "advisor/light_kinds.h"
 #include "advisor/number_text.h"
+#include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "transport/path_expression/path_expression.h"
 
@@ -39,12 +41,10 @@ void settle(MissingPaths& spots, std::span<const ClassEnergy> missing) {
 // A surface that reflects or refracts into single directions, whatever its textures say.
 bool is_smooth(const SurfaceMaterial& m) { return m.specular_deltas; }
 
-std::string name_of(const Light& light) {
-  const char* kind = light.type == LightType::point     ? "point light"
-                     : light.type == LightType::spot    ? "spot light"
-                     : light.type == LightType::ambient ? "ambient light"
-                                                        : "directional light";
-  return light.name.empty() ? std::string("a ") + kind : std::string("the ") + kind + " '" + light.name + "'";
+std::string name_of(const PlacedLight& light) {
+  std::string type = light.type->label;
+  type.front() = static_cast<char>(std::tolower(type.front()));
+  return light.name.empty() ? "a " + type : "the " + type + " '" + light.name + "'";
 }
 
 std::string name_of(const SurfaceMaterial& m) {
@@ -128,7 +128,7 @@ std::vector<std::string> beyond_all_methods(const scene::CompiledScene& scene) {
   if (found || lights.empty()) return {};
   for (const auto& instance : scene.instances())
     if (const auto& material = scene.materials()[instance.material]; is_smooth(material))
-      return {"what " + name_of(lights.front().light) + " casts through or off " + name_of(material) + " (" + kCaustic +
+      return {"what " + name_of(lights.front()) + " casts through or off " + name_of(material) + " (" + kCaustic +
               "): not found by any method"};
   return {};
 }

@@ -68,9 +68,9 @@ class LightSubpaths {
         Start& start = starts_[static_cast<size_t>(size++)];
         start.path = i, start.point = nullptr;
         start.emission = {};
-        context.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
-                                      cosine_directions_[static_cast<size_t>(i - first)]},
-                                     start.emission);
+        context.scene->lights().sample_emission({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
+                                                 cosine_directions_[static_cast<size_t>(i - first)]},
+                                                start.emission);
       }
       finish_starts(*context.scene, size);
       for (int k = 0; k < size; ++k) {

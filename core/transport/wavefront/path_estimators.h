@@ -135,7 +135,7 @@ void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&&
 template <class M>
 void add_light_of_every_source(PathWavefront<M>& paths, Combination shared, Shadows shadows = Shadows::cast,
                                float branches = 1) {
-  for (size_t source = 0; source < paths.scene().lights().sources(); ++source) {
+  for (size_t source = 0; source < paths.scene().lights().source_count(); ++source) {
     paths.reserve_connections();
     add_light_samples(paths, paths.sample_source(source), shared, shadows, branches);
   }
