@@ -128,9 +128,9 @@ class UnderALamp {
  public:
   explicit UnderALamp(float height) {
     for (size_t i = 0; i < kCount; ++i) from_.set(i, Vec3(0.3f, -height, 0.2f));
-    std::vector<EmissiveTriangle> lamp(2);
+    std::vector<AreaLightTriangle> lamp(2);
     lamp[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1}), lamp[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
-    for (EmissiveTriangle& t : lamp) t.radiance = Rgb(1), t.double_sided = false;
+    for (AreaLightTriangle& t : lamp) t.radiance = Rgb(1), t.double_sided = false;
     Bounds bounds;
     bounds.extend(Vec3(-1, -height, -1)), bounds.extend(Vec3(1, 0, 1));
     table_ = LightTable(std::move(lamp), {}, Environment{}, bounds);
@@ -171,7 +171,7 @@ void directions(int turns) {
     const auto place = std::make_unique<UnderALamp>(height);
     std::vector<double> points, seen, time;
     for (int i = 0; i < turns; ++i) {
-      const TaskContext a = place->turn(LightStrategy::as_emitted, 2), b = place->turn(LightStrategy::one, 3);
+      const TaskContext a = place->turn(LightStrategy::emission_pdf, 2), b = place->turn(LightStrategy::one, 3);
       points.push_back(a.error), seen.push_back(b.error), time.push_back(b.seconds / a.seconds);
     }
     using metrics::quantile;

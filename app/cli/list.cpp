@@ -70,12 +70,11 @@ std::vector<ParameterInfo> bare(const std::vector<render::DocumentParameter>& bi
   return infos;
 }
 
-render::Document with_one_light(LightType type) {
+render::Document with_one_light(std::string_view type) {
   render::Document d;
   auto scene = std::make_shared<scene::Scene>();
   scene->materials.emplace_back();
-  scene->lights.emplace_back();
-  scene->lights[0].type = type;
+  scene->lights.push_back(make_light(type));
   d.scene = scene;
   return d;
 }
@@ -91,7 +90,7 @@ json presets(const std::vector<ModelPreset>& presets) {
 }
 
 json materials() {
-  const auto d = with_one_light(LightType::point);
+  const auto d = with_one_light("point");
   json list = json::array({entry(
       "gltf", "glTF surface",
       "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
@@ -113,26 +112,20 @@ json materials() {
 
 json lights() {
   json list = json::array();
-  const auto add = [&](const char* name, const char* label, const char* doc, LightType type) {
-    list.push_back(entry(name, label, doc, bare(render::light_bindings(with_one_light(type), 0, "light.0"))));
-  };
   list.push_back(entry("area", "Emissive triangles",
                        "Every triangle of a material with emission; its parameters are the material's", {}));
-  add("point", "Point light", "Radiant intensity the same in all directions", LightType::point);
-  add("spot", "Spot light", "A point light that shines into a cone", LightType::spot);
-  add("directional", "Directional light", "Parallel light from infinity", LightType::directional);
-  add("quad", "Quad light",
-      "A rectangle that shines, black and seen by rays; directions to it are sampled from near by", LightType::quad);
-  add("disk", "Disk light", "A disk that shines, exactly round; its points are sampled", LightType::disk);
-  add("sphere", "Sphere light", "A sphere that shines, exactly round; the cone that it fills is sampled",
-      LightType::sphere);
-  add("ambient", "Ambient light",
-      "Not physical: radiance from everywhere at every place, which casts no shadows; methods that walk from lights "
-      "alone "
-      "do not find it",
-      LightType::ambient);
+  for (const LightTypeInfo& info : light_type_infos()) {
+    const LightTypeDescription& type = info.description;
+    json j = entry(type.name, type.label, type.summary,
+                   bare(render::light_bindings(with_one_light(type.name), 0, "light.0")));
+    j["class"] = Options<LightClass>::kOptions[static_cast<size_t>(type.light_class)].name;
+    j["formula"] = type.formula;
+    j["sampling"] = type.sampling;
+    j["source"] = type.source;
+    list.push_back(j);
+  }
   list.push_back(entry("environment", "Environment", "Radiance from infinity, constant or from an equirectangular map",
-                       bare(render::environment_bindings(with_one_light(LightType::point), "environment"))));
+                       bare(render::environment_bindings(with_one_light("point"), "environment"))));
   return list;
 }
 

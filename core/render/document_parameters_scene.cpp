@@ -41,13 +41,6 @@ DocumentParameter of_material(const std::string& section, size_t index, const Kn
   });
 }
 
-template <class Knob, class Member>
-DocumentParameter of_light(const std::string& section, size_t index, const Knob& knob, Member Light::*member) {
-  return binding(section, knob, [index, member](Document& document, const auto& v) {
-    edit_scene(document, [&](scene::Scene& s) { s.lights[index].*member = v; });
-  });
-}
-
 void set_reflection(Document& document, size_t index, std::shared_ptr<const BsdfModel> model) {
   edit_scene(document, [&](scene::Scene& s) { s.materials[index].model.model = std::move(model); });
 }
@@ -106,53 +99,6 @@ void add_model(std::vector<DocumentParameter>& list, const Material& m, size_t i
   }
 }
 
-template <class Add>
-void add_spot(Add&& add, const Light& l) {
-  add(Number<float>{"inner-cone", "Inner cone", l.inner_cone, {0, kPi / 2}, "Half angle of full intensity", "rad"},
-      &Light::inner_cone);
-  add(Number<float>{"outer-cone", "Outer cone", l.outer_cone, {0, kPi / 2}, "Half angle where the light ends", "rad"},
-      &Light::outer_cone);
-  add(
-      Choice<SpotProfile>{
-          "profile", "Profile", l.profile,
-          "How intensity falls off between the cones; the power of the cosine knows the outer one only"},
-      &Light::profile);
-  add(Number<float>{"exponent", "Exponent", l.exponent, {0, 1000}, "Of the profile that is a power of the cosine"},
-      &Light::exponent);
-}
-
-template <class Add>
-void add_surface(Add&& add, const Light& l) {
-  constexpr float kLargest = 1e6f;
-  const auto size = [&](const char* name, const char* label, float now, const char* doc, float Light::*member) {
-    add(Number<float>{name, label, now, {0, kLargest}, doc, "m", Scale::logarithmic}, member);
-  };
-  if (l.type == LightType::quad) {
-    size("width", "Width", l.width, "Along the node's x", &Light::width);
-    size("height", "Height", l.height, "Along the node's y", &Light::height);
-  } else {
-    size("radius", "Radius", l.radius, "The node's scale does not count", &Light::radius);
-  }
-  add(Choice<SurfaceQuantity>{"quantity", "Quantity", l.quantity, "What the intensity says"}, &Light::quantity);
-  add(Number<float>{"focus",
-                    "Focus",
-                    l.focus,
-                    {0, 1000},
-                    "Radiance falls off from the normal as this power of the cosine; 0 is the same in every direction"},
-      &Light::focus);
-  if (l.type != LightType::sphere)
-    add(Toggle{"two-sided", "Two-sided", l.two_sided, "Shines from its back as well"}, &Light::two_sided);
-  add(
-      Number<int>{
-          "points",
-          "Points",
-          l.points,
-          {0, 4096},
-          "So many lamps without extent stand for the surface, which is not seen then: hard shadows, banded where "
-          "they are few; 0 is the surface itself"},
-      &Light::points);
-}
-
 // Rotation and scale, which only exist where the transform has these parts. The first edit takes a matrix apart.
 void add_parts(std::vector<DocumentParameter>& list, const std::string& section, size_t index,
                const scene::Transform& transform) {
@@ -185,17 +131,6 @@ template <>
 struct etendue::Options<etendue::AlphaMode> {
   static constexpr std::array<etendue::Option, 3> kOptions{
       {{"opaque", "Opaque"}, {"mask", "Mask"}, {"blend", "Blend"}}};
-};
-template <>
-struct etendue::Options<etendue::SpotProfile> {
-  static constexpr std::array<etendue::Option, 4> kOptions{{{"squared", "Squared, as glTF has it"},
-                                                            {"smoothstep", "Smoothstep"},
-                                                            {"quartic", "Quartic"},
-                                                            {"cosine", "Power of the cosine"}}};
-};
-template <>
-struct etendue::Options<etendue::SurfaceQuantity> {
-  static constexpr std::array<etendue::Option, 2> kOptions{{{"radiance", "Radiance"}, {"power", "Power"}}};
 };
 template <>
 struct etendue::Options<etendue::Projection> {
@@ -288,26 +223,19 @@ std::vector<DocumentParameter> material_bindings(const Document& document, size_
   return list;
 }
 
+// The parameters of the light's type describe themselves.
 std::vector<DocumentParameter> light_bindings(const Document& document, size_t index, const std::string& section) {
-  const Light& l = document.scene->lights[index];
   std::vector<DocumentParameter> list;
-  const auto add = [&](const auto& knob, auto member) { list.push_back(of_light(section, index, knob, member)); };
-  add_color(
-      list, section, {"color.r", "color.g", "color.b"}, "Colour", l.color, 1, "Multiplies the intensity",
-      [index](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.lights[index].color[c] = v; }); });
-  const bool as_power = l.quantity == SurfaceQuantity::power;
-  const char* unit = l.type == LightType::ambient       ? "W/(m^2 sr)"
-                     : l.type == LightType::directional ? "W/m^2"
-                     : !l.is_surface()                  ? "W/sr"
-                     : as_power                         ? "W"
-                                                        : "W/(m^2 sr)";
-  const char* doc = l.type == LightType::ambient ? "Radiance from everywhere, without shadows: no physical light"
-                    : l.is_surface() ? "Radiance along the normal, the same from every point; or the power of the whole"
-                                     : "Radiant intensity; of a directional light the irradiance on a facing surface";
-  add(Number<float>{"intensity", "Intensity", l.intensity, {0, kFar}, doc, unit, Scale::logarithmic},
-      &Light::intensity);
-  if (l.type == LightType::spot) add_spot(add, l);
-  if (l.is_surface()) add_surface(add, l);
+  for (const ParameterInfo& info : document.scene->lights[index].parameters()) {
+    DocumentParameter b;
+    b.section = section;
+    b.info = info;
+    b.info.name = section + "." + info.name;
+    b.assign = [index, name = info.name](Document& d, const Value& v) {
+      edit_scene(d, [&](scene::Scene& s) { s.lights[index].set(name, v); });
+    };
+    list.push_back(std::move(b));
+  }
   return list;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "light/flux.h"
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
 
@@ -95,8 +94,8 @@ class Instrument {
 
 Rgb flux_of(const scene::CompiledScene& scene, uint32_t instance) {
   Rgb flux(0);
-  for (const EmissiveTriangle& t : scene.lights().triangles())
-    if (t.instance == instance) flux += etendue::flux_of(t);
+  for (const AreaLightTriangle& t : scene.lights().triangles())
+    if (t.instance == instance) flux += t.flux();
   return flux;
 }
 

@@ -207,11 +207,11 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
 Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
   if (!point.material->is_emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
   const Rgb along_normal = point.material->emission_at(point.texture);
-  return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
+  return point.instance->cosine_exponent == 0 ? along_normal : along_normal * point.beam(direction);
 }
 
 Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
-  const EmissiveTriangle& t = lights_->triangles()[sample.light];
+  const AreaLightTriangle& t = lights_->triangles()[sample.light];
   const InstanceData& instance = (*instances_)[t.instance];
   const SurfaceMaterial& material = (*materials_)[instance.material];
   return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
@@ -235,7 +235,7 @@ std::string CompiledScene::moving() const {
 }
 
 void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
-  const EmissiveTriangle& t = lights_->triangles()[emission.light];
+  const AreaLightTriangle& t = lights_->triangles()[emission.light];
   const Vec3 normal = lights_->normal_at(emission.light, emission.barycentric, emission.time);
   side = emission.back ? -normal : normal;
   hit.instance = t.instance, hit.triangle = t.triangle;
@@ -244,7 +244,7 @@ void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const
 
 size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
-                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 16);
+                 lights_->triangles().size() * (sizeof(AreaLightTriangle) + 16);
   std::unordered_map<const void*, size_t> seen;
   for (const auto& instance : *instances_) seen[instance.mesh.get()] = instance.mesh->memory();
   for (const auto& texture : *textures_)

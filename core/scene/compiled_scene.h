@@ -14,7 +14,7 @@
 #include "base/vectorize.h"
 #include "camera/camera_ray.h"
 #include "geometry/accel.h"
-#include "light/light_table.h"
+#include "light/sampling/light_table.h"
 #include "material/surface_material.h"
 #include "scene/build_report.h"
 #include "scene/scene.h"
@@ -31,7 +31,7 @@ struct InstanceData {
   bool mirrored = false;  // negative determinant: winding is turned, glTF 2.0, 3.7.4
   uint32_t material = 0;
   uint32_t node = 0;                  // the object that a user picks
-  float focus = 0;                    // of what it emits, see Light
+  float cosine_exponent = 0;          // of what it emits, see Light
   uint32_t first_light = kNotALight;  // light number of its first triangle
   // How it moves, or null; all the rest is as it is at the opening. One that deforms is in world space then.
   std::shared_ptr<const Motion> motion = nullptr;
@@ -55,7 +55,7 @@ struct SurfacePoint {
 
   // What a direction gets of the radiance that is emitted along the normal.
   float beam(const Vec3& direction) const {
-    return instance->focus == 0 ? 1 : std::pow(std::abs(glm::dot(ng, direction)), instance->focus);
+    return instance->cosine_exponent == 0 ? 1 : std::pow(std::abs(glm::dot(ng, direction)), instance->cosine_exponent);
   }
 
   // A ray that leaves towards `direction` and does not hit the surface it starts on.

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <unordered_map>
 
-#include "light/light_points.h"
+#include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
@@ -46,7 +46,7 @@ class Compiler {
     uint32_t material, node;
     std::shared_ptr<const Motion> motion = nullptr;
     std::shared_ptr<const AnalyticShape> round = nullptr;
-    float focus = 0;
+    float cosine_exponent = 0;
   };
 
   bool same_geometry() const {
@@ -67,8 +67,7 @@ class Compiler {
   // Lights that are surfaces have a shape and a material each, after those of the scene.
   bool same_surface_lights() const {
     const std::vector<Light>&a = scene_->lights, &b = previous_->description().lights;
-    const auto surface = [](const Light& light) { return light.is_surface(); };
-    return a == b || (std::ranges::none_of(a, surface) && std::ranges::none_of(b, surface));
+    return a == b || (std::ranges::none_of(a, &Light::is_area_light) && std::ranges::none_of(b, &Light::is_area_light));
   }
 
   void geometry() {
@@ -120,12 +119,12 @@ class Compiler {
   void place_light(uint32_t node, const Mat4& world, std::vector<Placed>& placed) {
     const auto number = static_cast<uint32_t>(scene_->nodes[node].light);
     const Light& light = scene_->lights[number];
-    if (!is_met_by_rays(light)) return;
-    Placed p{stand_in(light), without_scale(world), first_light_material() + number, node};
-    p.focus = light.focus;
+    const auto surface = light.model->area_light(light.color);
+    if (!surface || !surface->hit_by_rays) return;
+    Placed p{mesh_of(*surface), without_scale(world), first_light_material() + number, node};
+    p.cosine_exponent = surface->cosine_exponent;
     if (const auto motion = shutter_.motion_of(static_cast<int>(node))) p.motion = without_scale(*motion);
-    if (light.type != LightType::quad)
-      p.round = std::make_shared<const AnalyticShape>(shape_of(light).placed(p.to_world));
+    p.round = analytic_shape_of(*surface, p.to_world);
     placed.push_back(std::move(p));
   }
   uint32_t first_light_material() const { return static_cast<uint32_t>(scene_->materials.size()); }
@@ -176,7 +175,7 @@ class Compiler {
                                  : uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
       data.mesh = p.mesh, data.motion = p.motion;
       data.mirrored = flat && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
-      data.material = p.material, data.node = p.node, data.focus = p.focus;
+      data.material = p.material, data.node = p.node, data.cosine_exponent = p.cosine_exponent;
       if (flat) {
         budget -= std::min(budget, triangles);
         data.mesh = in_world(p.mesh, p.to_world);
@@ -210,7 +209,7 @@ class Compiler {
     InstanceData data;
     data.mesh = p.mesh, data.motion = p.motion, data.round = p.round;
     data.to_world = p.to_world, data.identity = false;
-    data.material = p.material, data.node = p.node, data.focus = p.focus;
+    data.material = p.material, data.node = p.node, data.cosine_exponent = p.cosine_exponent;
     instances.push_back(data);
     accels.push_back({p.mesh, nullptr, p.to_world, p.motion, p.round});
     result_->mesh_accels_.push_back(nullptr);
@@ -233,7 +232,7 @@ class Compiler {
       compiled->emplace_back(m, *r.textures_);
       r.transparency_ = r.transparency_ || compiled->back().has_alpha;
     }
-    if (std::ranges::any_of(scene_->lights, is_met_by_rays))
+    if (std::ranges::any_of(scene_->lights, is_hit_by_rays))
       for (const Light& light : scene_->lights) compiled->emplace_back(material_of(light), *r.textures_);
     r.materials_ = std::move(compiled);
     r.report_.materials_built = true;
@@ -261,9 +260,9 @@ class Compiler {
       return;
     }
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
-    std::vector<EmissiveTriangle> triangles;
+    std::vector<AreaLightTriangle> triangles;
     std::vector<MovingEmitter> movers;
-    std::vector<RoundLight> rounds;
+    std::vector<AnalyticAreaLight> rounds;
     for (uint32_t i = 0; i < instances->size(); ++i) {
       InstanceData& instance = (*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
@@ -286,14 +285,15 @@ class Compiler {
     result_->report_.lights_built = true;
   }
 
-  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                   uint32_t t) {
+  static AreaLightTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                    uint32_t t) {
     const Mesh& mesh = *instance.mesh;
-    EmissiveTriangle e;
+    AreaLightTriangle e;
     e.instance = i, e.triangle = t;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
-    e.moving = instance.motion != nullptr, e.focus = instance.focus;
-    e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
+    e.moving = instance.motion != nullptr, e.cosine_exponent = instance.cosine_exponent;
+    e.set_triangle(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f)
+                            : facet(instance, mesh.triangles[t]));
     if (material.emission) {
       Rgb sum(0);
       constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
@@ -304,14 +304,14 @@ class Compiler {
     return e;
   }
 
-  static EmissiveTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                         std::vector<RoundLight>& rounds) {
-    RoundLight round{*instance.round, instance.motion};
+  static AreaLightTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                          std::vector<AnalyticAreaLight>& rounds) {
+    AnalyticAreaLight round{*instance.round, instance.motion};
     if (round.motion) round.shape = round.at(0.5f);
-    EmissiveTriangle e;
-    e.instance = i, e.focus = instance.focus;
+    AreaLightTriangle e;
+    e.instance = i, e.cosine_exponent = instance.cosine_exponent;
     e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
-    e.place_round(static_cast<int>(rounds.size()), round.shape);
+    e.set_shape(static_cast<int>(rounds.size()), round.shape);
     rounds.push_back(std::move(round));
     return e;
   }
@@ -330,17 +330,8 @@ class Compiler {
     for (const uint32_t node : reached_nodes()) {
       const Node& n = scene_->nodes[node];
       if (n.light < 0) continue;
-      const Light& described = scene_->lights[static_cast<size_t>(n.light)];
-      if (described.is_surface()) {
-        if (described.points > 0) {
-          const auto points = points_of(described, world[node], shutter_.motion_of(static_cast<int>(node)));
-          placed.insert(placed.end(), points.begin(), points.end());
-        }
-        continue;
-      }
-      PlacedLight& light = placed.emplace_back(described);
-      light.motion = shutter_.motion_of(static_cast<int>(node));
-      light.place = LightPlace(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
+      const Light& light = scene_->lights[static_cast<size_t>(n.light)];
+      light.model->place(light.name, light.color, world[node], shutter_.motion_of(static_cast<int>(node)), placed);
     }
     return placed;
   }

@@ -6,7 +6,7 @@ namespace etendue::advisor {
 
 bool has_point_lights(const scene::Scene& scene) {
   return std::ranges::any_of(scene.nodes, [&](const scene::Node& node) {
-    return node.visible && node.light >= 0 && scene.lights[static_cast<size_t>(node.light)].intensity > 0;
+    return node.visible && node.light >= 0 && scene.lights[static_cast<size_t>(node.light)].intensity() > 0;
   });
 }
 

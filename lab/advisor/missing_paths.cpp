@@ -1,9 +1,11 @@
 #include "advisor/missing_paths.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "advisor/light_kinds.h"
 #include "advisor/number_text.h"
+#include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "transport/path_expression/path_expression.h"
 
@@ -40,12 +42,10 @@ void summarize(MissingPaths& missing, std::span<const ClassEnergy> energies) {
 // True for surfaces with a perfectly specular lobe.
 bool is_smooth(const SurfaceMaterial& m) { return m.has_delta_lobes; }
 
-std::string name_of(const Light& light) {
-  const char* kind = light.type == LightType::point     ? "point light"
-                     : light.type == LightType::spot    ? "spot light"
-                     : light.type == LightType::ambient ? "ambient light"
-                                                        : "directional light";
-  return light.name.empty() ? std::string("a ") + kind : std::string("the ") + kind + " '" + light.name + "'";
+std::string name_of(const PlacedLight& light) {
+  std::string type = light.type->label;
+  type.front() = static_cast<char>(std::tolower(type.front()));
+  return light.name.empty() ? "a " + type : "the " + type + " '" + light.name + "'";
 }
 
 std::string name_of(const SurfaceMaterial& m) {
@@ -141,7 +141,7 @@ std::vector<std::string> beyond_all_methods(const scene::CompiledScene& scene) {
   if (found || lights.empty()) return {};
   for (const auto& instance : scene.instances())
     if (const auto& material = scene.materials()[instance.material]; is_smooth(material))
-      return {"caustics of " + name_of(lights.front().light) + " by " + name_of(material) + " (" + kCaustic +
+      return {"caustics of " + name_of(lights.front()) + " by " + name_of(material) + " (" + kCaustic +
               ") are not found by any method"};
   return {};
 }

@@ -9,8 +9,7 @@ inline constexpr double kRadianceOfLitPlate = 0.5 / 3.14159265358979323846;
 inline scene::Scene lit_plate() {
   scene::Scene scene;
   scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0.5f)));
-  Light light;
-  light.type = LightType::directional;
+  const Light light = make_light("directional");
   scene::Transform downwards;
   downwards.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
   scene::add(scene, light, downwards);

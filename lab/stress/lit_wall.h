@@ -16,9 +16,7 @@ inline scene::Scene lit_wall(const Material& wall, float distance) {
   Mat4 transform(1);
   transform[3] = Vec4(0, 0, distance, 1);
   scene::add(scene, scene::quad(0.02f * distance), scene::diffuse(Rgb(0.5f)), transform);
-  Light light;
-  light.type = LightType::directional;
-  scene::add(scene, light, {});
+  scene::add(scene, make_light("directional"), {});
   return scene;
 }
 

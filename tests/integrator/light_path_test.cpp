@@ -44,9 +44,9 @@ std::vector<std::pair<const char*, render::Document>> places() {
           {"glossy things", test::glossy_things()},
           {"lamp", test::under_a_lamp()},
           {"sky", test::under_a_sky()},
-          {"point", test::under(LightType::point)},
-          {"spot", test::under(LightType::spot)},
-          {"directional through a lens", test::through_a_lens(test::under(LightType::directional))}};
+          {"point", test::under("point")},
+          {"spot", test::under("spot")},
+          {"directional through a lens", test::through_a_lens(test::under("directional"))}};
 }
 
 constexpr integrator::Octaves kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};

@@ -84,9 +84,7 @@ TEST(Photons, RouletteSplitsByAlbedo) {
   Mat4 above(1);
   above[3] = Vec4(0, 100, 0, 1);
   test::add(scene, test::quad(1000), test::diffuse(Rgb(1e-6f)), above);
-  Light spot;
-  spot.type = LightType::spot;
-  spot.intensity = 1, spot.inner_cone = 0, spot.outer_cone = 0.01f;
+  const Light spot = make_light("spot", {{"outer-cone", 0.01}});
   scene::Transform downwards;
   downwards.translation = {0, 50, 0};
   downwards.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};

@@ -189,7 +189,7 @@ class BidirectionalSampler {
   // Of a direction in which a triangle shines, per solid angle.
   float side_density(const Start& start, const Vec3& wi) const {
     const Emission& e = start.emission;
-    return context_->scene->lights().density_of_triangle(e.light, glm::dot(start.point->ng, wi), e.time).second;
+    return context_->scene->lights().emission_density(e.light, glm::dot(start.point->ng, wi), e.time).second;
   }
 
   // The walk fell onto the lens: t = 0.
@@ -299,8 +299,8 @@ class BidirectionalSampler {
     const scene::SurfacePoint& point = camera_.point(i);
     const uint32_t light = context_->scene->light_at(point);
     if (light == scene::InstanceData::kNotALight) return weight(path, 0, t, 0, 0);
-    const auto d = context_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)),
-                                                                 camera_.state_at(i).time);
+    const auto d =
+        context_->scene->lights().emission_density(light, glm::dot(point.ng, camera_.wo(i)), camera_.state_at(i).time);
     return weight(path, 0, t, 0,
                   camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
   }
@@ -309,7 +309,7 @@ class BidirectionalSampler {
     const int t = camera_.length() + 1, path = camera_.path_of_miss(i);
     if (plan_->too_long(t - 1) || !counts(path, 0, t)) return 0;
     const Vec3& direction = camera_.miss_direction(i);
-    const auto d = context_->scene->lights().density_of_escape(direction);
+    const auto d = context_->scene->lights().environment_emission_density(direction);
     MisChain chain = camera_chains_[static_cast<size_t>(path)];
     if (camera_.length() == 1) {
       // From the lens to infinity: (1, 1) is the only other one.
@@ -326,7 +326,7 @@ class BidirectionalSampler {
     const int t = camera_.length() + 1, path = camera_.path_at(i);
     const scene::SurfacePoint& point = camera_.point(i);
     const float cosine = std::abs(glm::dot(point.ng, light.wi));
-    const EmissionDensity d = context_->scene->lights().density_of(light, camera_.state_at(i).time);
+    const EmissionDensity d = context_->scene->lights().emission_density(light, camera_.state_at(i).time);
     const float hits = light.delta || !possible(0, t + 1) ? 0.0f : light_rule().ratio(pdf / light.pdf);
     const float back = d.second * (d.infinite ? cosine : cosine / sqr(light.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, back,

@@ -11,7 +11,6 @@
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_random.h"
 #include "integrator/mlt/light_path.h"
-#include "light/punctual.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/absorption.h"
@@ -53,7 +52,7 @@ class PathSpace {
   bool choose_light(ChainRandom& random, Path& path) {
     const float choice = random.next();
     const Vec2 point = random.next_2d(), direction = random.next_2d();
-    const Emission e = scene_->lights().emit({choice, point, direction, path.time});
+    const Emission e = scene_->lights().sample_emission({choice, point, direction, path.time});
     if (!(e.density.first > 0)) return false;
     path.light.kind = e.kind, path.light.number = e.light;
     path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
@@ -74,7 +73,7 @@ class PathSpace {
     Emission e;
     e.kind = path.light.kind, e.light = path.light.number;
     e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
-    scene_->lights().emit_anew(random.next_2d(), e);
+    scene_->lights().resample_emission(random.next_2d(), e);
     if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
     const Vec3& ng = path[0].point.ng;
     return leave_light(e.position, Frame(e.back ? -ng : ng).to_world(e.direction), random, path);
@@ -280,34 +279,23 @@ class PathSpace {
       const float cosine = glm::dot(point.ng, direction);
       point.front = cosine > 0;
       light.emitted = scene_->emitted(point, direction);
-      density = scene_->lights().density_of_triangle(light.number, cosine, path.time);
+      density = scene_->lights().emission_density(light.number, cosine, path.time);
       if (cosine == 0 || !seen_as_it_is(path)) return false;
     } else if (light.kind == LightKind::environment) {
       const EnvironmentMap& map = scene_->lights().environment();
       light.emitted = map.radiance(-direction);
-      density = scene_->lights().density_of_escape(-direction);
+      density = scene_->lights().environment_emission_density(-direction);
       if (path.edges() == 1 && !map.visible()) return false;
     } else {
       // What has no extent is not seen.
       if (path.edges() == 1) return false;
-      light.emitted = emitted_by_placed(path);
+      light.emitted = scene_->lights().emitted_by_placed(light.number, direction, path[0].length, path.time);
       LightSample sample;
       sample.kind = LightKind::placed, sample.light = light.number;
-      density = scene_->lights().density_of(sample, path.time);
+      density = scene_->lights().emission_density(sample, path.time);
     }
     light.first = density.first, light.second = density.second;
     return !is_black(light.emitted);
-  }
-
-  Color emitted_by_placed(const Path& path) const {
-    const LightTable& table = scene_->lights();
-    const PlacedLight& placed = table.placed()[path.light.number - table.triangles().size()];
-    const Rgb emitted = placed.light.color * placed.light.intensity;
-    if (path.light.infinite) return emitted;
-    const float cone = placed.light.type == LightType::spot
-                           ? spot_falloff(placed.light, glm::dot(path[0].direction, placed.at(path.time).direction))
-                           : 1;
-    return emitted * (cone * table.window(path.light.number, path[0].length));
   }
 
   // An unlit surface shows itself and lights nothing.

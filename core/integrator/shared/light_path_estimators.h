@@ -87,7 +87,7 @@ void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks,
   const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
   auto carried = transport::admitted(paths, state, path) * (walks.flux(path) * hit->importance);
-  if (paths.length() == 1) carried *= paths.scene().lights().window(walks.light(path), hit->distance);
+  if (paths.length() == 1) carried *= paths.scene().lights().range_window(walks.light(path), hit->distance);
   const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
   splatter.add(path, hit->raster, seed, carried * weigh(path, *hit));
 }

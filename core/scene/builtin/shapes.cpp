@@ -133,8 +133,7 @@ int add(Scene& scene, const Light& light, const Transform& transform) {
 }
 
 int add_point_light(Scene& scene, const Vec3& position, float intensity) {
-  Light light;
-  light.intensity = intensity;
+  const Light light = make_light("point", {{"intensity", double{intensity}}});
   Transform transform;
   transform.translation = position;
   return add(scene, light, transform);

@@ -53,10 +53,8 @@ inline Scene spot_indirect() {
            {.floor = floor, .ceiling = white, .back = white, .front = white, .left = green, .right = warm});
   spot::add_floor_lamp(scene);
   spot::add_table(scene);
-  Light light;
-  light.type = LightType::spot;
-  light.color = {1, 0.9f, 0.75f}, light.intensity = 140;
-  light.inner_cone = 0.3f, light.outer_cone = 0.5f;
+  Light light = make_light("spot", {{"intensity", 140.0}, {"inner-cone", 0.3}, {"outer-cone", 0.5}});
+  light.color = {1, 0.9f, 0.75f};
   add(scene, "spot light", light, look_at(spot::kLamp, spot::kLamp + Vec3(-0.1f, 1, 0.1f), {0, 0, 1}, 1).to_world);
 
   Camera camera = look_at({-0.3f, 1.35f, 3.2f}, {0.1f, 0.85f, -0.5f}, {0, 1, 0}, 0.75f);

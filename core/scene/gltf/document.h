@@ -66,10 +66,10 @@ size_t checked_index(int i, size_t size, const std::string& where, const char* a
 
 // The extension of our own: what glTF has no words for (docs/ETENDUE_transport.schema.json).
 inline constexpr const char* kTransport = "ETENDUE_transport";
-// Its words for the enumerators of Light, in their order.
-inline constexpr const char* kLightTypes[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
-inline constexpr const char* kSpotProfiles[] = {"squared", "smoothstep", "quartic", "cosine"};
-inline constexpr const char* kQuantities[] = {"radiance", "power"};
+// The light parameters that KHR_lights_punctual has members for; ETENDUE_transport has the others.
+inline constexpr const char* kPunctualParameters[] = {"intensity", "range", "inner-cone", "outer-cone"};
+// The member of ETENDUE_transport for a light parameter: "two-sided" is "twoSided".
+std::string member_name(std::string_view parameter);
 
 // The names of the extensions that the importer understands.
 bool is_supported(const std::string& extension);

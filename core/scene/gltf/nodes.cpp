@@ -174,24 +174,24 @@ Camera import_camera(const tinygltf::Camera& from, const std::string& where, std
 }
 
 Light import_light(const tinygltf::Light& from, const std::string& where, std::vector<std::string>& warnings) {
-  Light light;
-  light.name = from.name;
-  if (from.type == "directional")
-    light.type = LightType::directional;
-  else if (from.type == "spot")
-    light.type = LightType::spot;
-  else if (from.type != "point")
+  const LightTypeInfo* type = find_light_type(from.type);
+  if (!type || !type->description.punctual)
     fail(where + ".type", "'" + from.type.substr(0, 40) + "' is none of point, spot and directional");
+  Light light = make_light(from.type);
+  light.name = from.name;
   if (from.color.size() == 3)
     for (int c = 0; c < 3; ++c) light.color[c] = std::max(0.0f, static_cast<float>(from.color[static_cast<size_t>(c)]));
-  light.intensity = std::max(0.0f, static_cast<float>(from.intensity));
-  if (from.range > 0) light.range = static_cast<float>(from.range);
-  const auto inner = static_cast<float>(from.spot.innerConeAngle), outer = static_cast<float>(from.spot.outerConeAngle);
-  light.outer_cone = std::clamp(outer, 1e-3f, kPi / 2);
-  light.inner_cone = std::clamp(inner, 0.0f, light.outer_cone);
+  light.set("intensity", double{std::max(0.0f, static_cast<float>(from.intensity))});
+  if (from.range > 0) light.set("range", from.range);
+  if (!light.parameter("outer-cone")) return light;
+  const auto inner = static_cast<float>(from.spot.innerConeAngle);
+  const auto outer = static_cast<float>(from.spot.outerConeAngle);
+  const float outer_cone = std::clamp(outer, 1e-3f, kPi / 2);
+  const float inner_cone = std::clamp(inner, 0.0f, outer_cone);
+  light.set("outer-cone", double{outer_cone});
+  light.set("inner-cone", double{inner_cone});
   constexpr float kRounding = 1e-4f;
-  if (light.type == LightType::spot &&
-      (std::abs(light.outer_cone - outer) > kRounding || std::abs(light.inner_cone - inner) > kRounding))
+  if (std::abs(outer_cone - outer) > kRounding || std::abs(inner_cone - inner) > kRounding)
     warnings.push_back(where + ": its cones have to satisfy 0 <= inner < outer <= pi/2; they were limited to that");
   return light;
 }

@@ -1,6 +1,9 @@
 // Reading ETENDUE_transport: what glTF has no words for.                     docs/ETENDUE_transport.schema.json
 //
 // Numbers outside their range are repaired with a warning, like those of other extensions.
+#include <algorithm>
+#include <cctype>
+
 #include "scene/environment.h"
 #include "scene/gltf/import.h"
 #include "scene/gltf/uri.h"
@@ -65,23 +68,33 @@ Environment read_environment(const Document& document, TransportReader reader) {
   return environment;
 }
 
-// The option of an enumeration by its name.
-template <class E>
-E read_choice(TransportReader& reader, const char* member, const char* const* names, size_t count, E usual) {
-  const std::string name = reader.text(member);
-  if (name.empty()) return usual;
-  for (size_t i = 0; i < count; ++i)
-    if (name == names[i]) return static_cast<E>(i);
-  reader.warn(std::string(member) + ": '" + name.substr(0, 40) + "' is none of its values; it is ignored");
-  return usual;
-}
-
 Value value_of(const tinygltf::Value& value) {
   if (value.IsBool()) return value.Get<bool>();
   if (value.IsInt()) return int64_t{value.GetNumberAsInt()};
   // Parameters are floats, and so are the ends of their ranges.
   if (value.IsNumber()) return double{static_cast<float>(value.GetNumberAsDouble())};
   return value.IsString() ? value.Get<std::string>() : std::string();
+}
+
+// Sets a light's parameter to the member of its name, where there is one.
+void read_parameter(const tinygltf::Value& extension, TransportReader& reader, const ParameterInfo& info,
+                    Light& light) {
+  const std::string member = member_name(info.name);
+  if (!extension.Has(member)) return;
+  if (info.type == ParameterType::toggle) {
+    light.set(info.name, reader.flag(member.c_str(), std::get<bool>(info.default_value)));
+  } else if (info.type == ParameterType::number) {
+    const auto usual = static_cast<float>(std::get<double>(info.default_value));
+    light.set(info.name, double{reader.number(member.c_str(), usual, static_cast<float>(info.min))});
+  } else if (info.type == ParameterType::integer) {
+    const int usual = static_cast<int>(std::get<int64_t>(info.default_value));
+    const int value = index_of(extension, member.c_str(), usual);
+    light.set(info.name, int64_t{std::clamp(value, static_cast<int>(info.min), static_cast<int>(info.max))});
+  } else if (const std::string name = reader.text(member.c_str()); std::ranges::count(info.options, name) > 0) {
+    light.set(info.name, name);
+  } else {
+    reader.warn(member + ": '" + name.substr(0, 40) + "' is none of its values; it is ignored");
+  }
 }
 
 }  // namespace
@@ -112,22 +125,33 @@ BsdfModelRef import_reflection(const tinygltf::ExtensionMap& extensions, const s
   return use;
 }
 
+std::string member_name(std::string_view parameter) {
+  std::string name;
+  for (const char c : parameter) {
+    if (!name.empty() && name.back() == '-')
+      name.back() = static_cast<char>(std::toupper(c));
+    else
+      name += c;
+  }
+  return name;
+}
+
 void import_shape(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
                   std::vector<std::string>& warnings) {
   const auto* extension = extension_of(extensions, kTransport);
   if (!extension) return;
   TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
-  light.type = read_choice(reader, "type", kLightTypes, std::size(kLightTypes), light.type);
-  light.profile = read_choice(reader, "profile", kSpotProfiles, std::size(kSpotProfiles), light.profile);
-  light.quantity = read_choice(reader, "quantity", kQuantities, std::size(kQuantities), light.quantity);
-  light.intensity = reader.number("intensity", light.intensity, 0);
-  light.exponent = reader.number("exponent", light.exponent, 0);
-  light.width = reader.number("width", light.width, 0);
-  light.height = reader.number("height", light.height, 0);
-  light.radius = reader.number("radius", light.radius, 0);
-  light.focus = reader.number("focus", light.focus, 0);
-  light.two_sided = reader.flag("twoSided", light.two_sided);
-  light.points = std::clamp(index_of(*extension, "points", 0), 0, 4096);
+  if (const std::string name = reader.text("type"); !name.empty() && name != light.info().description.name) {
+    if (find_light_type(name)) {
+      Light typed = make_light(name, {{"intensity", double{light.intensity()}}});
+      typed.name = light.name;
+      typed.color = light.color;
+      light = std::move(typed);
+    } else {
+      reader.warn("type: '" + name.substr(0, 40) + "' is none of its values; it is ignored");
+    }
+  }
+  for (const ParameterInfo& info : light.model->parameters()) read_parameter(*extension, reader, info, light);
 }
 
 void import_transport(const Document& document, Scene& scene) {

@@ -1,7 +1,7 @@
 // Nodes, and the cameras and lights that stand at them.
 #include <limits>
 
-#include "light/flux.h"
+#include "light/light.h"
 #include "scene/gltf/output.h"
 
 namespace etendue::scene::gltf {
@@ -32,25 +32,25 @@ Json camera_of(Output& out, const Camera& camera) {
   return to;
 }
 
-// For those who do not know ETENDUE_transport, a shape that shines is a point of the same power, and ambient light is
-// nothing.
+// For readers without ETENDUE_transport other types are point lights of the same power.
 float punctual_intensity(const Light& light) {
-  if (light.type <= LightType::directional) return light.intensity;
-  if (light.type == LightType::ambient) return 0;
-  const Rgb flux = flux_of(light);
+  if (light.info().description.punctual) return light.intensity();
   const float color = luminance(light.color);
-  return color > 0 ? luminance(flux) / (4 * kPi * color) : 0;
+  return color > 0 ? luminance(light.flux()) / (4 * kPi * color) : 0;
 }
 
 Json light_of(Output& out, const Light& light) {
-  const bool punctual = light.type <= LightType::directional;
-  Json to{{"type", punctual ? kLightTypes[static_cast<size_t>(light.type)] : "point"}};
+  const auto value = [&](const char* parameter) {
+    const auto v = light.parameter(parameter);
+    return v ? std::optional(static_cast<float>(std::get<double>(*v))) : std::nullopt;
+  };
+  Json to{{"type", light.info().description.punctual ? light.info().description.name : "point"}};
   put_name(to, light.name);
   if (light.color != Rgb(1)) to["color"] = vector(light.color);
   put(to, "intensity", punctual_intensity(light), 1);
-  if (std::isfinite(light.range)) to["range"] = number(light.range);
-  if (light.type == LightType::spot)
-    to["spot"] = {{"innerConeAngle", number(light.inner_cone)}, {"outerConeAngle", number(light.outer_cone)}};
+  if (value("range").value_or(0) > 0) to["range"] = number(*value("range"));
+  if (const auto inner = value("inner-cone"), outer = value("outer-cone"); inner && outer)
+    to["spot"] = {{"innerConeAngle", number(*inner)}, {"outerConeAngle", number(*outer)}};
   write_shape(out, light, to);
   return to;
 }

@@ -1,4 +1,7 @@
 // Writing ETENDUE_transport, which gltf_transport.cpp reads; members only where they are not as usual.
+#include <algorithm>
+
+#include "scene/gltf/document.h"
 #include "scene/gltf/output.h"
 
 namespace etendue::scene::gltf {
@@ -25,6 +28,12 @@ Json environment_of(Output& out, const std::filesystem::path& folder) {
   return to;
 }
 
+// The value of a description whose default is the current value.
+Json current_value(const ParameterInfo& p) {
+  if (p.type == ParameterType::number) return number(static_cast<float>(std::get<double>(p.default_value)));
+  return std::visit([](const auto& value) { return Json(value); }, p.default_value);
+}
+
 }  // namespace
 
 void write_transport(Output& out, const std::filesystem::path& folder) {
@@ -39,30 +48,25 @@ void write_transport(Output& out, const std::filesystem::path& folder) {
 void write_reflection(Output& out, const BsdfModelRef& reflection, Json& object) {
   if (!reflection) return;
   Json parameters = Json::object();
-  for (const ParameterInfo& p : reflection->parameters()) {
-    if (p.type == ParameterType::number)
-      parameters[p.name] = number(static_cast<float>(std::get<double>(p.default_value)));
-    else
-      parameters[p.name] = std::visit([](const auto& value) { return Json(value); }, p.default_value);
-  }
+  for (const ParameterInfo& p : reflection->parameters()) parameters[p.name] = current_value(p);
   out.extend(object, kTransport) = {{"model", reflection->info().description.name},
                                     {"parameters", std::move(parameters)}};
 }
 
+// The type and the parameters that KHR_lights_punctual has no members for, unless they have their defaults.
 void write_shape(Output& out, const Light& light, Json& object) {
-  const Light usual;
+  const LightTypeInfo& type = light.info();
+  const bool punctual = type.description.punctual;
   Json to = Json::object();
-  if (light.type > LightType::directional) {
-    to["type"] = kLightTypes[static_cast<size_t>(light.type)];
-    to["intensity"] = number(light.intensity);
+  if (!punctual) to["type"] = type.description.name;
+  const std::vector<ParameterInfo> values = light.model->parameters();
+  for (size_t i = 0; i < values.size(); ++i) {
+    const ParameterInfo& p = values[i];
+    const bool is_default = p.default_value == type.parameters[i].default_value;
+    const bool is_written = punctual ? !is_default && std::ranges::count(kPunctualParameters, p.name) == 0
+                                     : !is_default || p.name == "intensity";
+    if (is_written) to[member_name(p.name)] = current_value(p);
   }
-  if (light.profile != usual.profile) to["profile"] = kSpotProfiles[static_cast<size_t>(light.profile)];
-  if (light.quantity != usual.quantity) to["quantity"] = kQuantities[static_cast<size_t>(light.quantity)];
-  put(to, "exponent", light.exponent, usual.exponent);
-  put(to, "width", light.width, usual.width), put(to, "height", light.height, usual.height);
-  put(to, "radius", light.radius, usual.radius), put(to, "focus", light.focus, usual.focus);
-  if (light.two_sided) to["twoSided"] = true;
-  if (light.points > 0) to["points"] = light.points;
   if (!to.empty()) out.extend(object, kTransport) = std::move(to);
 }
 

@@ -128,14 +128,14 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
 template <class M, class Weigh, class Selected = EveryHit>
 void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
-  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::as_emitted), shadows, weigh, selected);
+  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
 }
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
 template <class M>
 void add_light_of_every_source(PathWavefront<M>& paths, Combination shared, Shadows shadows = Shadows::cast,
                                float branches = 1) {
-  for (size_t source = 0; source < paths.scene().lights().sources(); ++source) {
+  for (size_t source = 0; source < paths.scene().lights().source_count(); ++source) {
     paths.reserve_connections();
     add_light_samples(paths, paths.sample_source(source), shared, shadows, branches);
   }

@@ -1,7 +1,8 @@
+#include "light/sampling/environment_map.h"
+
 #include <algorithm>
 
 #include "base/warp.h"
-#include "light/light_table.h"
 
 namespace etendue {
 namespace {
@@ -16,11 +17,11 @@ float row_sine(const image::Image& map, int y) {
   return std::sin(kPi * (static_cast<float>(y) + 0.5f) / static_cast<float>(map.height));
 }
 
-// Four neighbouring texels, whose centres are the corners of a patch, and where in it a point lies. Columns go round;
-// beyond the first and the last row, these go on to the pole.
+// The rectangle between four texel centres, and a point in it. Columns wrap around; beyond the first and the last row
+// the patch repeats that row up to the pole.
 struct Patch {
-  int left, right, top, bottom;
-  float x, y;
+  int left, right, top, bottom;  // columns and rows of the texels
+  float x, y;                    // in [0, 1)
 };
 
 Patch patch_of(const image::Image& map, int column, int row) {
@@ -33,9 +34,11 @@ Patch patch_of(const image::Image& map, int column, int row) {
 }
 
 Patch patch_at(const image::Image& map, Vec2 uv) {
-  const float x = uv.x * static_cast<float>(map.width) + 0.5f, y = uv.y * static_cast<float>(map.height) + 0.5f;
+  const float x = uv.x * static_cast<float>(map.width) + 0.5f;
+  const float y = uv.y * static_cast<float>(map.height) + 0.5f;
   Patch patch = patch_of(map, static_cast<int>(x), static_cast<int>(y));
-  patch.x = x - std::floor(x), patch.y = y - std::floor(y);
+  patch.x = x - std::floor(x);
+  patch.y = y - std::floor(y);
   return patch;
 }
 
@@ -44,14 +47,14 @@ T mix(const T& a, const T& b, float t) {
   return a * (1 - t) + b * t;
 }
 
-// What the density is proportional to, at the corners of a patch: top left, top right, bottom left, bottom right.
+// The unnormalised density at the corners of a patch: top left, top right, bottom left, bottom right.
 struct Corners {
   float w[4];
   float mean() const { return (w[0] + w[1] + w[2] + w[3]) / 4; }
   float at(float x, float y) const { return mix(mix(w[0], w[1], x), mix(w[2], w[3], x), y); }
 };
 
-// `weights` has one for each texel: its luminance times the sine of its row.
+// `weights` has the luminance times the sine of its row for each texel.
 Corners corners_of(const std::vector<float>& weights, const image::Image& map, const Patch& p) {
   const auto at = [&](int x, int y) {
     return weights[static_cast<size_t>(y) * static_cast<size_t>(map.width) + static_cast<size_t>(x)];
@@ -59,7 +62,7 @@ Corners corners_of(const std::vector<float>& weights, const image::Image& map, c
   return {at(p.left, p.top), at(p.right, p.top), at(p.left, p.bottom), at(p.right, p.bottom)};
 }
 
-// A point of [0, 1] whose density goes linearly from a to b.
+// A point of [0, 1] with a density that is linear from a to b.
 float sample_linear(float u, float a, float b) {
   const float root = std::sqrt(mix(a * a, b * b, u));
   return a + root > 0 ? std::min(u * (a + b) / (a + root), 1.0f) : u;
@@ -70,8 +73,8 @@ Vec2 sample_corners(Vec2 u, const Corners& c) {
   return {sample_linear(u.x, mix(c.w[0], c.w[2], y), mix(c.w[1], c.w[3], y)), y};
 }
 
-// Per solid angle times the sine, where the map has this weight.
-float density_of(float weight, const Piecewise2D& patches, const image::Image& map) {
+// The density per solid angle times the sine of the polar angle, at a point with this weight.
+float density_times_sine(float weight, const Piecewise2D& patches, const image::Image& map) {
   const float rows = static_cast<float>(map.height);
   const float total = patches.integral() * (rows + 1) / rows;
   return total > 0 ? weight / (total * 2 * kPi * kPi) : 0;
@@ -79,16 +82,14 @@ float density_of(float weight, const Piecewise2D& patches, const image::Image& m
 
 }  // namespace
 
-// Radiance is interpolated between texel centres, and so is the density: it follows a small sun up to its last edge,
-// and radiance / density stays bounded. A patch between four centres is chosen by its mean, a point in it by its
-// corners. The patches at the poles stick out of the map by half; what falls there is folded back.
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment), mean_(environment.tint) {
   if (!environment_.map || environment_.map->empty()) {
     environment_.map = nullptr;
     return;
   }
   const image::Image& map = *environment_.map;
-  double sum[3] = {0, 0, 0}, solid_angle = 0;
+  double sum[3] = {0, 0, 0};
+  double solid_angle = 0;
   weights_.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height));
   for (int y = 0; y < map.height; ++y) {
     const float sine = row_sine(map, y);
@@ -100,9 +101,9 @@ EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(en
     }
   }
   for (int i = 0; i < 3; ++i) mean_[i] *= static_cast<float>(sum[i] / solid_angle);
-  // One at most: the brightest that a file can hold has no square among floats, and densities know no scale.
-  if (const float most = *std::max_element(weights_.begin(), weights_.end()); most > 0)
-    for (float& w : weights_) w /= most;
+  // Relative to the largest: squares of the largest float would overflow, and the density does not depend on scale.
+  if (const float largest = *std::max_element(weights_.begin(), weights_.end()); largest > 0)
+    for (float& w : weights_) w /= largest;
 
   std::vector<float> means;
   means.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height + 1));
@@ -133,16 +134,18 @@ EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {
   const image::Image& map = *environment_.map;
   const Vec2 size(map.width, map.height + 1);
   const Vec2 at = density_.sample(u).uv * size;
-  const int column = static_cast<int>(at.x), row = static_cast<int>(at.y);
+  const int column = static_cast<int>(at.x);
+  const int row = static_cast<int>(at.y);
   const Corners corners = corners_of(weights_, map, patch_of(map, column, row));
   const Vec2 inside = sample_corners(Vec2(at.x - std::floor(at.x), at.y - std::floor(at.y)), corners);
   const Vec2 uv = Vec2(static_cast<float>(column) + inside.x - 0.5f, static_cast<float>(row) + inside.y - 0.5f) /
                   Vec2(map.width, map.height);
   const float v = std::min(std::abs(uv.y), 2 - uv.y);
-  const float theta = v * kPi, phi = (uv.x - 0.5f) * 2 * kPi + environment_.rotation;
+  const float theta = v * kPi;
+  const float phi = (uv.x - 0.5f) * 2 * kPi + environment_.rotation;
   const float sine = std::sin(theta);
   const Vec3 direction(std::cos(phi) * sine, std::cos(theta), std::sin(phi) * sine);
-  return {direction, sine > 0 ? density_of(corners.at(inside.x, inside.y), density_, map) / sine : 0};
+  return {direction, sine > 0 ? density_times_sine(corners.at(inside.x, inside.y), density_, map) / sine : 0};
 }
 
 float EnvironmentMap::pdf_solid_angle(const Vec3& direction) const {
@@ -151,7 +154,7 @@ float EnvironmentMap::pdf_solid_angle(const Vec3& direction) const {
   if (!(sine > 0)) return 0;
   const image::Image& map = *environment_.map;
   const Patch p = patch_at(map, uv_of(direction));
-  return density_of(corners_of(weights_, map, p).at(p.x, p.y), density_, map) / sine;
+  return density_times_sine(corners_of(weights_, map, p).at(p.x, p.y), density_, map) / sine;
 }
 
 }  // namespace etendue
