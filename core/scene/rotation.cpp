@@ -38,7 +38,7 @@ Vec4 rotation_of(const Vec3& euler_degrees) {
   return floats(glm::normalize(z * y * x));
 }
 
-std::optional<Transform> in_parts(const Transform& transform) {
+std::optional<Transform> decompose(const Transform& transform) {
   if (!transform.matrix) return transform;
   const glm::dmat3 m(*transform.matrix);
   glm::dvec3 scale(glm::length(m[0]), glm::length(m[1]), glm::length(m[2]));

@@ -12,6 +12,6 @@ Vec3 euler_degrees(const Vec4& rotation);
 Vec4 rotation_of(const Vec3& euler_degrees);
 
 // The same transform without a matrix; nothing if its matrix shears or flattens and so has no such parts.
-std::optional<Transform> in_parts(const Transform& transform);
+std::optional<Transform> decompose(const Transform& transform);
 
 }  // namespace etendue::scene

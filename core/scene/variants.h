@@ -8,12 +8,12 @@
 namespace etendue::scene {
 
 // Shows variant `variant`, or with -1 the materials that the file itself gives.
-void show_variant(Scene& scene, int variant);
+void select_variant(Scene& scene, int variant);
 
 // Shows it and forgets the others: it becomes the scene's only look.
-void keep_variant(Scene& scene, int variant);
+void keep_only_variant(Scene& scene, int variant);
 
 // What the variants are called where one is chosen; the first is the file's own. No two are the same.
-std::vector<std::string> variant_choices(const Scene& scene);
+std::vector<std::string> variant_labels(const Scene& scene);
 
 }  // namespace etendue::scene

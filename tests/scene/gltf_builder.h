@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/vec.h"
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 
 namespace etendue::test {
 

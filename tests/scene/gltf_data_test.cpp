@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "scene/compiled_scene.h"
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 #include "support/scenes.h"
 
 namespace etendue {

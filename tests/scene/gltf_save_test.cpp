@@ -4,7 +4,7 @@
 #include "render/scene_saving.h"
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/shapes.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 #include "scene/gltf_builder.h"
 #include "scene/scene_compare.h"
 #include "scene/variants.h"
@@ -204,9 +204,9 @@ TEST_F(Saving, VariantsAndHiddenNodes) {
   scene.variants = {"one", "two"};
   scene.meshes[0].primitives[0].choices = {scene.meshes[0].primitives[0].material, 1, 0};
   scene.nodes[2].visible = false;
-  scene::show_variant(scene, 0);
+  scene::select_variant(scene, 0);
   EXPECT_EQ(difference(scene, saved(scene)), "");
-  scene::keep_variant(scene, 1);
+  scene::keep_only_variant(scene, 1);
   const scene::Scene after = saved(scene);
   EXPECT_TRUE(after.variants.empty());
   EXPECT_EQ(after.meshes[0].primitives[0].material, 0);

@@ -40,11 +40,11 @@ TEST_F(Variants, AreReadAndShown) {
   EXPECT_EQ(scene.variant, -1);
   const std::vector<int> own{0, 3, 1}, spring{1, 3, 1}, autumn{2, 2, 1};  // 3 is the default material
   EXPECT_EQ(worn(scene), own);
-  scene::show_variant(scene, 0);
+  scene::select_variant(scene, 0);
   EXPECT_EQ(worn(scene), spring);
-  scene::show_variant(scene, 1);
+  scene::select_variant(scene, 1);
   EXPECT_EQ(worn(scene), autumn);
-  scene::show_variant(scene, -1);
+  scene::select_variant(scene, -1);
   EXPECT_EQ(worn(scene), own);
 }
 
@@ -78,7 +78,7 @@ TEST_F(Variants, ASceneWithoutThemHasNoSuchSetting) {
 TEST_F(Variants, ChoicesAreNeverTheSame) {
   scene::Scene scene;
   scene.variants = {"a", "a", "", "file's own", "a 2"};
-  EXPECT_EQ(scene::variant_choices(scene),
+  EXPECT_EQ(scene::variant_labels(scene),
             (std::vector<std::string>{"file's own", "a", "a 2", "variant", "file's own 2", "a 2 2"}));
 }
 

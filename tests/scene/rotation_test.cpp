@@ -49,19 +49,19 @@ TEST(Rotation, AMatrixHasThePartsItWasMadeOf) {
   for (const Vec3& scale : {Vec3(1), Vec3(0.01f, 3, 200), Vec3(-1, 2, 1), Vec3(2, -2, 2), Vec3(-1, -1, -1)}) {
     Transform t{.translation = Vec3(4, 5, -6), .rotation = scene::rotation_of(Vec3(20, 30, 140)), .scale = scale};
     const Transform matrix{.matrix = t.to_matrix()};
-    const auto parts = scene::in_parts(matrix);
+    const auto parts = scene::decompose(matrix);
     ASSERT_TRUE(parts);
     EXPECT_FALSE(parts->matrix);
     expect_same(parts->to_matrix(), *matrix.matrix, 1e-4f);
-    EXPECT_EQ(*scene::in_parts(*parts), *parts);
+    EXPECT_EQ(*scene::decompose(*parts), *parts);
   }
 }
 
 TEST(Rotation, ShearAndFlatnessHaveNoParts) {
   Mat4 sheared(1), flat(1);
   sheared[1][0] = 0.5f, flat[2] = Vec4(0);
-  EXPECT_FALSE(scene::in_parts({.matrix = sheared}));
-  EXPECT_FALSE(scene::in_parts({.matrix = flat}));
+  EXPECT_FALSE(scene::decompose({.matrix = sheared}));
+  EXPECT_FALSE(scene::decompose({.matrix = flat}));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "scene/builtin/glossy_plates.h"
 #include "scene/builtin/many_lights.h"
 #include "scene/builtin/spot_indirect.h"
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 
 namespace etendue::scene {
 

@@ -64,7 +64,7 @@ inline void add_walls(Scene& scene, int paint) {
 }  // namespace many
 
 // With so many lamps.
-inline Scene hall_of_lamps(int count) {
+inline Scene hall_of_lights(int count) {
   using namespace many;
   Scene scene;
   scene.name = "Many lights";
@@ -79,7 +79,7 @@ inline Scene hall_of_lamps(int count) {
   return scene;
 }
 
-inline Scene many_lights() { return hall_of_lamps(1000); }
+inline Scene many_lights() { return hall_of_lights(1000); }
 
 inline constexpr Builtin kManyLights{
     "many-lights", "A thousand lamps",

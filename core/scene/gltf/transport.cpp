@@ -137,7 +137,7 @@ void import_transport(const Document& document, Scene& scene) {
   scene.time = TransportReader(*extension, where, scene.warnings).number("time", 0, 0);
   const int variant = index_of(*extension, "variant", -1);
   if (variant >= 0)
-    show_variant(scene, static_cast<int>(checked_index(variant, scene.variants.size(), where, "variants")));
+    select_variant(scene, static_cast<int>(checked_index(variant, scene.variants.size(), where, "variants")));
   if (extension->Get("environment").IsObject())
     scene.environment = read_environment(
         document, TransportReader(extension->Get("environment"), where + ".environment", scene.warnings));

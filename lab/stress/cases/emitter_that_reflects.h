@@ -1,6 +1,6 @@
 // A sphere whose shining cap is white or black.                                                        digest 8-10: F23
 #pragma once
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "stress/case.h"
 
 namespace etendue::stress {
@@ -10,7 +10,7 @@ inline void emitter_that_reflects(Lab& lab) {
   const double reflecting = kAlbedo * kShare / (1 - kAlbedo), black = kAlbedo * kShare / (1 - kAlbedo * (1 - kShare));
   for (const auto& [cap, expected, point] : {std::tuple{scene::Cap::reflecting, reflecting, "reflecting cap"},
                                              std::tuple{scene::Cap::black, black, "black cap"}}) {
-    auto d = lab.document(scene::golden_sphere(kShare, kAlbedo, cap), scene::golden_sphere_camera());
+    auto d = lab.document(scene::integrating_sphere(kShare, kAlbedo, cap), scene::integrating_sphere_camera());
     for (const auto& method : unbiased_methods()) {
       const film::Mean found = lab.mean(Lab::with_method(d, method + ":sampler=random"), 8);
       // What triangles change stands beside the noise.

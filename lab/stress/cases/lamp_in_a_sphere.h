@@ -1,7 +1,7 @@
 // A cap of shrinking area that shines on the rest of a diffuse sphere: every walk's worth is known in closed form.
 //                                                                                                       digest 8-10: F3
 #pragma once
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "stress/case.h"
 
 namespace etendue::stress {
@@ -10,7 +10,7 @@ inline void lamp_in_a_sphere(Lab& lab) {
   constexpr float kAlbedo = 0.5f;
   constexpr uint32_t kSamples = 16;
   for (const double share : {1e-2, 1e-3, 1e-4}) {
-    auto d = lab.document(scene::golden_sphere(share, kAlbedo), scene::golden_sphere_camera());
+    auto d = lab.document(scene::integrating_sphere(share, kAlbedo), scene::integrating_sphere_camera());
     d.width = d.height = 96;
     d.filter = film::FilterKind::box;
     const double mean = kAlbedo * share / (1 - kAlbedo);

@@ -1,6 +1,6 @@
 // Walks from the lights that have to end on a lens, which shrinks.                                 digest 8-10: F2, S19
 #pragma once
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "stress/case.h"
 
 namespace etendue::stress {
@@ -8,7 +8,7 @@ namespace etendue::stress {
 inline void lens_too_small_to_hit(Lab& lab) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   constexpr uint32_t kSamples = 1024;
-  auto d = lab.document(scene::golden_sphere(kShare, kAlbedo), scene::golden_sphere_camera());
+  auto d = lab.document(scene::integrating_sphere(kShare, kAlbedo), scene::integrating_sphere_camera());
   d.width = d.height = 8;
   d.filter = film::FilterKind::box;
   d = Lab::with_method(d, "light-pure:sampler=random:max-depth=12");

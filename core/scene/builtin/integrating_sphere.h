@@ -17,9 +17,9 @@ namespace etendue::scene {
 enum class Cap { reflecting, black };
 
 // Of radius one around the origin, the cap at +y; 0 < share <= 1/2.
-Scene golden_sphere(double share, float albedo, Cap cap = Cap::reflecting);
+Scene integrating_sphere(double share, float albedo, Cap cap = Cap::reflecting);
 
 // At the middle of the sphere, looking away from the cap.
-Camera golden_sphere_camera();
+Camera integrating_sphere_camera();
 
 }  // namespace etendue::scene

@@ -1,4 +1,4 @@
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 
 #include <cstring>
 #include <limits>

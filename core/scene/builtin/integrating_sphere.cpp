@@ -1,4 +1,4 @@
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 
 #include "scene/builtin/lathe.h"
 #include "scene/builtin/stage.h"
@@ -27,7 +27,7 @@ std::shared_ptr<const Mesh> zone(double from, double to) {
 
 }  // namespace
 
-Scene golden_sphere(double share, float albedo, Cap cap) {
+Scene integrating_sphere(double share, float albedo, Cap cap) {
   Scene scene;
   scene.name = "Golden sphere";
   const double edge = std::acos(1 - 2 * share);
@@ -38,6 +38,6 @@ Scene golden_sphere(double share, float albedo, Cap cap) {
   return scene;
 }
 
-Camera golden_sphere_camera() { return look_at(Vec3(0), {0, -1, 0}, {0, 0, 1}, 1); }
+Camera integrating_sphere_camera() { return look_at(Vec3(0), {0, -1, 0}, {0, 0, 1}, 1); }
 
 }  // namespace etendue::scene

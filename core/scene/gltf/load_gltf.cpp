@@ -1,4 +1,4 @@
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 
 #include <map>
 
