@@ -1,4 +1,4 @@
-// Lights that rays meet: the shape and the material of quads, disks and spheres.
+// Geometry and materials of area lights: quads, disks and spheres.
 #pragma once
 #include <memory>
 
@@ -8,15 +8,17 @@
 
 namespace etendue::scene {
 
-// A surface that stands for points is not there.
+// Whether rays can hit the light. An area light that is replaced by point samples has no geometry.
 inline bool is_met_by_rays(const Light& light) { return light.is_surface() && light.points == 0; }
 
-// At the origin, facing -z: a quad, or a mesh as large as a round light.
+// A mesh at the origin facing -z: the quad itself, or a mesh with the extent of a disk or sphere.
 std::shared_ptr<const Mesh> stand_in(const Light& light);
+// The analytic shape of a disk or sphere at the origin.
 RoundShape shape_of(const Light& light);
-// Black, and as bright as the light on its sides.
+// A black material that emits the radiance of the light on its emitting sides.
 Material material_of(const Light& light);
 
+// The same motion with scale removed from all its matrices.
 using etendue::without_scale;
 std::shared_ptr<const Motion> without_scale(const Motion& motion);
 

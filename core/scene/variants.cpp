@@ -15,7 +15,8 @@ void keep_only_variant(Scene& scene, int variant) {
   select_variant(scene, variant);
   for (MeshGroup& group : scene.meshes)
     for (Primitive& primitive : group.primitives) primitive.choices.clear();
-  scene.variants.clear(), scene.variant = -1;
+  scene.variants.clear();
+  scene.variant = -1;
 }
 
 std::vector<std::string> variant_labels(const Scene& scene) {

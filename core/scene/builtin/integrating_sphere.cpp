@@ -1,17 +1,17 @@
 #include "scene/builtin/integrating_sphere.h"
 
 #include "scene/builtin/lathe.h"
-#include "scene/builtin/stage.h"
+#include "scene/builtin/scene_builder.h"
 
 namespace etendue::scene {
 namespace {
 
-constexpr int kRings = 160;  // from pole to pole; twice as many segments around
+constexpr int kRings = 160;  // from pole to pole; there are twice as many segments around
 
-// The zone between two angles from +y, facing inwards, its triangles flat.
+// The part of the sphere between two polar angles from +y, facing inwards, without vertex normals.
 std::shared_ptr<const Mesh> zone(double from, double to) {
-  constexpr int kFewest = 12;
-  const int rings = std::max(kFewest, static_cast<int>(std::ceil((to - from) / kPi * kRings)));
+  constexpr int kMinRings = 12;
+  const int rings = std::max(kMinRings, static_cast<int>(std::ceil((to - from) / kPi * kRings)));
   std::vector<OutlinePoint> outline;
   for (int i = 0; i <= rings; ++i) {
     const double angle = from + (to - from) * i / rings;
@@ -27,14 +27,14 @@ std::shared_ptr<const Mesh> zone(double from, double to) {
 
 }  // namespace
 
-Scene integrating_sphere(double share, float albedo, Cap cap) {
+Scene integrating_sphere(double fraction, float albedo, Cap cap) {
   Scene scene;
-  scene.name = "Golden sphere";
-  const double edge = std::acos(1 - 2 * share);
+  scene.name = "Integrating sphere";
+  const double edge = std::acos(1 - 2 * fraction);
   Material emitter = diffuse(Rgb(cap == Cap::black ? 0 : albedo), Rgb(1));
   emitter.double_sided = false;
   add(scene, "cap", zone(0, edge), add_material(scene, "cap", emitter));
-  add(scene, "wall", zone(edge, kPi), add_paint(scene, "wall", Rgb(albedo)));
+  add(scene, "wall", zone(edge, kPi), add_diffuse(scene, "wall", Rgb(albedo)));
   return scene;
 }
 

@@ -1,4 +1,4 @@
-// glTF 2.0 in: .gltf, .glb, data URIs.                           Khronos glTF 2.0 specification and the KHR extensions
+// Reads glTF 2.0: .gltf, .glb and data URIs.                     Khronos glTF 2.0 specification and the KHR extensions
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -10,12 +10,13 @@
 namespace etendue::scene {
 
 struct LoadOptions {
-  int scene = -1;                                               // index of the glTF scene, -1 for the file's default
-  std::function<bool(const char* phase, float done)> progress;  // false cancels; called from the loading thread
+  int scene = -1;  // index of the glTF scene; -1 is the default scene of the file
+  // Called from the loading thread with the name of the phase and its finished fraction; returning false cancels.
+  std::function<bool(const char* phase, float done)> progress;
 };
 
-// Errors (Fault::input) name the file, the object (as "meshes[3].primitives[0]") and what would be right. What can be
-// repaired is, with a line in Scene::warnings.
+// Errors (Fault::input) name the file, the JSON path of the object ("meshes[3].primitives[0]") and what would be right.
+// What can be repaired is repaired, with a line in Scene::warnings.
 Result<Scene> load_gltf(const std::filesystem::path& path, const LoadOptions& options = {});
 
 }  // namespace etendue::scene

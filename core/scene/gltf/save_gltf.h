@@ -1,4 +1,4 @@
-// glTF 2.0 out: .glb, or .gltf with a .bin and pictures beside it.
+// Writes glTF 2.0: .glb, or .gltf with a .bin file and PNG images next to it.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -9,9 +9,10 @@
 
 namespace etendue::scene {
 
-// Writes all of the scene; the file that names the others comes last, and each is replaced in one step. What glTF has
-// no words for goes into the extension ETENDUE_transport (docs/ETENDUE_transport.schema.json), which files without such
-// things do not get. Errors (Fault::output) say what stood in the way. `warnings` gets what was lost, one line each.
+// Writes the whole scene. Buffers and images are written before the file that refers to them, and each file is replaced
+// atomically. What glTF does not describe goes into the extension ETENDUE_transport
+// (docs/ETENDUE_transport.schema.json); files that do not need it do not use it. Errors (Fault::output) name the cause.
+// `warnings` receives one line for each property that could not be stored.
 Result<void> save_gltf(const Scene& scene, const std::filesystem::path& path,
                        std::vector<std::string>* warnings = nullptr);
 
