@@ -26,7 +26,7 @@ constexpr uint32_t kSamples = 16;
 
 render::Document hall(int lamps) {
   render::Document d = *render::new_document("many-lights");
-  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lamps(lamps));
+  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lights(lamps));
   d.width = d.height = kSize;
   return d;
 }

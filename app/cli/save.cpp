@@ -6,7 +6,7 @@
 #include "command.h"
 #include "render/scene_saving.h"
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 #include "scene/variants.h"
 #include "settings.h"
 
@@ -19,10 +19,10 @@ struct Options {
 };
 
 Result<void> choose_variant(scene::Scene& scene, const std::string& name) {
-  const auto choices = scene::variant_choices(scene);
+  const auto choices = scene::variant_labels(scene);
   const auto chosen = std::find(choices.begin(), choices.end(), name);
   if (chosen != choices.end())
-    return scene::keep_variant(scene, static_cast<int>(chosen - choices.begin()) - 1), Result<void>();
+    return scene::keep_only_variant(scene, static_cast<int>(chosen - choices.begin()) - 1), Result<void>();
   std::string list;
   for (const auto& choice : choices) list += (list.empty() ? "" : ", ") + choice;
   return usage_error("--variant: there is no variant '" + name + "'; there are " + list);

@@ -43,7 +43,7 @@ void draw_selected(Workbench& w, const scene::Scene& scene, int index) {
   const std::string section = "node." + std::to_string(index);
   section_widgets(w, section);
   const auto& node = scene.nodes[static_cast<size_t>(index)];
-  if (!scene::in_parts(node.transform))
+  if (!scene::decompose(node.transform))
     note(w, "Its matrix shears or flattens: there is no rotation and scale to edit.");
   if (is_animated(scene, index)) note(w, "An animation moves it: what the animation sets does not listen to these.");
   if (node.camera >= 0) note(w, "The picture's own camera is in the Camera tab.");

@@ -147,12 +147,12 @@ DocumentParameter variant_binding(const Document& d) {
   b.info.name = "scene.variant", b.info.label = "Variant";
   b.info.doc = "Which of the file's sets of materials is worn";
   b.info.type = ParameterType::choice;
-  b.info.options = b.info.option_labels = scene::variant_choices(*d.scene);
+  b.info.options = b.info.option_labels = scene::variant_labels(*d.scene);
   b.info.default_value = b.info.options[static_cast<size_t>(d.scene->variant + 1)];
   b.assign = [options = b.info.options](Document& document, const Value& value) {
     const auto chosen = std::ranges::find(options, std::get<std::string>(value));
     edit_scene(document,
-               [&](scene::Scene& s) { scene::show_variant(s, static_cast<int>(chosen - options.begin()) - 1); });
+               [&](scene::Scene& s) { scene::select_variant(s, static_cast<int>(chosen - options.begin()) - 1); });
   };
   return b;
 }

@@ -102,12 +102,12 @@ void add_model(std::vector<DocumentParameter>& list, const Material& m, size_t i
 // Rotation and scale, which only exist where the transform has these parts. The first edit takes a matrix apart.
 void add_parts(std::vector<DocumentParameter>& list, const std::string& section, size_t index,
                const scene::Transform& transform) {
-  const auto parts = scene::in_parts(transform);
+  const auto parts = scene::decompose(transform);
   if (!parts) return;
   const auto edit = [index](Document& d, auto change) {
     edit_scene(d, [&](scene::Scene& s) {
       auto& t = s.nodes[index].transform;
-      if (const auto taken_apart = scene::in_parts(t)) change(t = *taken_apart);
+      if (const auto taken_apart = scene::decompose(t)) change(t = *taken_apart);
     });
   };
   static constexpr const char* kRotation[4] = {"rotation.x", "rotation.y", "rotation.z", "rotation.w"};

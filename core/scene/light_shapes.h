@@ -19,6 +19,7 @@ std::shared_ptr<const AnalyticShape> analytic_shape_of(const AreaLight& light, c
 // A black surface that emits on the sides of the light; of a light that rays do not hit, one that does not emit.
 Material material_of(const Light& light);
 
+// The same motion with scale removed from all its matrices.
 using etendue::without_scale;
 std::shared_ptr<const Motion> without_scale(const Motion& motion);
 

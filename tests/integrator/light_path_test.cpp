@@ -249,7 +249,7 @@ TEST(LightPaths, ChainsShareThePicture) {
 // chains give the error; 4.5 of them.
 TEST(LightPaths, LengthsInTheGoldenSphere) {
   constexpr double kRho = 0.5;
-  const Place place(test::golden_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
+  const Place place(test::integrating_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
   const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
   integrator::MutationRunner<M> runner(place.context, plan);
   constexpr int kBatches = 24, kSteps = 20000, kLongest = 5;

@@ -108,7 +108,7 @@ TEST(Mlt, ABlackSceneIsBlack) {
 
 // The wall of the golden sphere looks the same everywhere.
 TEST(Mlt, TheGoldenSphereIsFlat) {
-  const Document d = test::golden_sphere(0.5, 0.5f, scene::Cap::reflecting, test::kSize);
+  const Document d = test::integrating_sphere(0.5, 0.5f, scene::Cap::reflecting, test::kSize);
   test::expect_same(by(d, "path"), 64, by_mlt(d), 128, "golden sphere", 1);
 }
 

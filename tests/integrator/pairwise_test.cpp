@@ -151,7 +151,7 @@ TEST(Pairwise, CausticBehindGlass) {
   scene::Scene pool = *d.scene;
   for (scene::Node& node : pool.nodes) {
     if (node.name == "fill light") node.visible = true;
-    if (node.name == "lamp") node.visible = false;
+    if (node.name == "light") node.visible = false;
   }
   d.scene = std::make_shared<const scene::Scene>(std::move(pool));
   expect_pairs_agree(d, "ES+DS+L", 40);

@@ -1,6 +1,6 @@
 // A diffuse sphere with an emitting cap that reflects or is black.   [Lang, sec. 9.1.1; Kajiya 1986]
 #pragma once
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "stress/case.h"
 
 namespace etendue::stress {
@@ -10,7 +10,7 @@ inline void emitter_that_reflects(TestContext& test) {
   const double reflecting = kAlbedo * kShare / (1 - kAlbedo), black = kAlbedo * kShare / (1 - kAlbedo * (1 - kShare));
   for (const auto& [cap, expected, point] : {std::tuple{scene::Cap::reflecting, reflecting, "reflecting cap"},
                                              std::tuple{scene::Cap::black, black, "black cap"}}) {
-    auto d = test.document(scene::golden_sphere(kShare, kAlbedo, cap), scene::golden_sphere_camera());
+    auto d = test.document(scene::integrating_sphere(kShare, kAlbedo, cap), scene::integrating_sphere_camera());
     for (const auto& method : unbiased_integrators()) {
       const film::Mean mean = test.mean(TestContext::with_method(d, method + ":sampler=random"), 8);
       // The first term bounds the error of the triangulation.

@@ -1,7 +1,7 @@
 // An emitting cap of decreasing area in a diffuse sphere, where the variance is known in closed form
-// (scene/builtin/golden_sphere.h).   [Lang, sec. 9.1.1]
+// (scene/builtin/integrating_sphere.h).   [Lang, sec. 9.1.1]
 #pragma once
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "stress/case.h"
 
 namespace etendue::stress {
@@ -10,7 +10,7 @@ inline void lamp_in_a_sphere(TestContext& test) {
   constexpr float kAlbedo = 0.5f;
   constexpr uint32_t kSamples = 16;
   for (const double share : {1e-2, 1e-3, 1e-4}) {
-    auto d = test.document(scene::golden_sphere(share, kAlbedo), scene::golden_sphere_camera());
+    auto d = test.document(scene::integrating_sphere(share, kAlbedo), scene::integrating_sphere_camera());
     d.width = d.height = 96;
     d.filter = film::FilterKind::box;
     const double mean = kAlbedo * share / (1 - kAlbedo);

@@ -1,6 +1,6 @@
 // Light paths that must hit the lens, whose radius decreases.   [Lang, sec. 9.2.1, Remark 9.11]
 #pragma once
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "stress/case.h"
 
 namespace etendue::stress {
@@ -8,7 +8,7 @@ namespace etendue::stress {
 inline void lens_too_small_to_hit(TestContext& test) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   constexpr uint32_t kSamples = 1024;
-  auto d = test.document(scene::golden_sphere(kShare, kAlbedo), scene::golden_sphere_camera());
+  auto d = test.document(scene::integrating_sphere(kShare, kAlbedo), scene::integrating_sphere_camera());
   d.width = d.height = 8;
   d.filter = film::FilterKind::box;
   d = TestContext::with_method(d, "light-pure:sampler=random:max-depth=12");
