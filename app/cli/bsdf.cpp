@@ -62,7 +62,7 @@ Result<render::Document> with_setting(const render::Document& d, const std::stri
   if (equals == std::string::npos) return usage_error("'" + setting + "' has no value; a setting is NAME=VALUE");
   const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
   const std::string own = "material.0." + model + "." + name;
-  for (const auto& b : render::bindings(d, "material.0"))
+  for (const auto& b : render::section_parameters(d, "material.0"))
     if (b.info.name == own) return render::with_text(d, own, value);
   return render::with_text(d, "material.0." + name, value);
 }

@@ -46,7 +46,7 @@ Result<render::Document> document_of(const Options& o) {
 
 json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-json reading_json(const render::Reading& r, Efficacy efficacy) {
+json reading_json(const render::MeterReading& r, Efficacy efficacy) {
   return {{"value", {r.value.r, r.value.g, r.value.b}},
           {"standard_error", r.standard_error},
           {"photometric", photometric(r.value, efficacy)}};
@@ -62,7 +62,7 @@ json readings_json(const render::MeterReadings& m, Efficacy efficacy) {
           {"spp", m.samples}};
 }
 
-void print(const char* label, const render::Reading& r, const char* unit, const char* photometric_unit,
+void print(const char* label, const render::MeterReading& r, const char* unit, const char* photometric_unit,
            Efficacy efficacy) {
   std::printf("%-14s %.5g %.5g %.5g %s +- %.2g   %.5g %s\n", label, static_cast<double>(r.value.r),
               static_cast<double>(r.value.g), static_cast<double>(r.value.b), unit, r.standard_error,
@@ -80,11 +80,11 @@ int run(const Options& o) {
     return fail(usage_error("--at lies outside of the picture, which is " + std::to_string(document->width) + "x" +
                             std::to_string(document->height)));
   const auto scene = scene::compile(document->scene, document->camera, nullptr);
-  const auto spot = render::spot_at(*document, *scene, raster);
+  const auto spot = render::meter_point_at(*document, *scene, raster);
   if (!spot) return fail(usage_error("--at: the camera sees nothing there but the sky"));
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::MeterReadings readings;
-  render::measure_spot(*document, scene, *spot, o.samples, o.threads, [&](const render::MeterReadings& m) {
+  render::measure_light(*document, scene, *spot, o.samples, o.threads, [&](const render::MeterReadings& m) {
     readings = m;
     return !interrupted;
   });

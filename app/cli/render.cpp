@@ -39,7 +39,7 @@ struct ResumePoint {
   render::Document document;
   std::optional<film::Film> film;
   double seconds = 0;
-  std::vector<std::byte> work;
+  std::vector<std::byte> integrator_state;
 };
 
 // Where a rendering starts: a checkpoint, a snapshot, or a scene with defaults.
@@ -50,7 +50,8 @@ Result<ResumePoint> starting_point(const Options& o) {
     if (!checkpoint) return checkpoint.error();
     auto document = render::document_from_state(checkpoint->state, o.resume);
     if (!document) return document.error();
-    start = {std::move(*document), std::move(checkpoint->film), checkpoint->seconds, std::move(checkpoint->work)};
+    start = {std::move(*document), std::move(checkpoint->film), checkpoint->seconds,
+             std::move(checkpoint->integrator_state)};
     return start;
   }
   if (!o.like.empty()) {
@@ -165,7 +166,7 @@ std::string certificate_of(render::Session& session, const render::Document& d, 
                            const film::Film& film) {
   const double seconds = std::min(kCertificateSeconds, kCertificatePart * s.seconds);
   const advisor::Evidence evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
-                                   s.health ? s.health->tail.khat : std::optional<double>()};
+                                   s.reliability ? s.reliability->tail.khat : std::optional<double>()};
   return advisor::certificate_json(
       advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
@@ -193,8 +194,8 @@ nlohmann::json stats(const render::Document& d, const render::Status& s, const t
           {"seed", d.seed},
           {"rmse_estimate", s.error.known ? nlohmann::json(s.error.rmse) : nlohmann::json()},
           {"rejected", rejected_json(s.rejected)},
-          {"khat", s.health ? number(s.health->tail.khat) : nlohmann::json()},
-          {"health", s.health ? health_json(*s.health) : nlohmann::json()},
+          {"khat", s.reliability ? number(s.reliability->tail.khat) : nlohmann::json()},
+          {"health", s.reliability ? health_json(*s.reliability) : nlohmann::json()},
           {"peak_rss_bytes", peak_memory()},
           {"model", flags},
           {"obstacle", s.incompatibility.empty() ? nlohmann::json() : nlohmann::json(s.incompatibility)},
@@ -223,7 +224,7 @@ int run(const Options& o) {
   session_options.threads = o.threads;
   render::Session session(session_options);
   if (start->film)
-    session.submit(d, {std::move(*start->film), std::move(start->work)});
+    session.submit(d, {std::move(*start->film), std::move(start->integrator_state)});
   else
     session.submit(d);
 
@@ -237,9 +238,10 @@ int run(const Options& o) {
   const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
   const auto save_checkpoint = [&]() -> Result<void> {
     const auto status = session.status();
-    render::ResumePoint copy = session.start_copy();
-    return render::write_checkpoint(checkpoint_file, {render::state_json(d, status.samples), std::move(copy.film),
-                                                      status.seconds + start->seconds, std::move(copy.work)});
+    render::ResumePoint copy = session.resume_point();
+    return render::write_checkpoint(
+        checkpoint_file, {render::state_json(d, status.samples), std::move(copy.film), status.seconds + start->seconds,
+                          std::move(copy.integrator_state)});
   };
   while (!session.status().finished && !interrupted) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -281,8 +283,8 @@ int run(const Options& o) {
     else if (auto ok = write_file(o.json, text.data(), text.size()); !ok)
       return fail(ok.error());
   }
-  if (status.health && status.health->verdict == render::Verdict::unreliable)
-    std::fprintf(stderr, "etendue: %s: unreliable: %s\n", o.out.c_str(), status.health->reason.c_str());
+  if (status.reliability && status.reliability->verdict == render::Verdict::unreliable)
+    std::fprintf(stderr, "etendue: %s: unreliable: %s\n", o.out.c_str(), status.reliability->reason.c_str());
   if (interrupted) {
     std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds what there is\n", status.samples, o.out.c_str());
     return static_cast<int>(Fault::interrupted);

@@ -40,10 +40,10 @@ void append(std::vector<char>& bytes, std::span<const std::byte> part) {
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
   const film::InvalidSamples rejected = checkpoint.film.rejected();
   const auto& spread = checkpoint.film.tile_variance();
-  const std::span<const std::byte> parts[] = {std::as_bytes(std::span(checkpoint.state)),
-                                              std::as_bytes(checkpoint.film.pixels()),
-                                              spread ? spread->bytes() : std::span<const std::byte>(),
-                                              std::span(checkpoint.work), std::as_bytes(std::span(rejected.first))};
+  const std::span<const std::byte> parts[] = {
+      std::as_bytes(std::span(checkpoint.state)), std::as_bytes(checkpoint.film.pixels()),
+      spread ? spread->bytes() : std::span<const std::byte>(), std::span(checkpoint.integrator_state),
+      std::as_bytes(std::span(rejected.first))};
   std::vector<char> bytes(sizeof(Header));
   for (const auto& part : parts) append(bytes, part);
   Header header{};
@@ -53,7 +53,7 @@ Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoin
   header.nan = rejected.nan, header.infinite = rejected.infinite, header.negative = rejected.negative;
   header.seconds = checkpoint.seconds;
   header.spread_blocks = spread ? spread->blocks() : 0;
-  header.work_size = checkpoint.work.size();
+  header.work_size = checkpoint.integrator_state.size();
   header.hash = hash_bytes(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
   std::memcpy(bytes.data(), &header, sizeof header);
   return write_file(path, bytes.data(), bytes.size());
@@ -96,8 +96,8 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
     std::memcpy(checkpoint.film.tile_variance()->bytes().data(), data, spread);
     data += spread;
   }
-  checkpoint.work.resize(header.work_size);
-  if (header.work_size > 0) std::memcpy(checkpoint.work.data(), data, header.work_size);
+  checkpoint.integrator_state.resize(header.work_size);
+  if (header.work_size > 0) std::memcpy(checkpoint.integrator_state.data(), data, header.work_size);
   data += header.work_size;
   film::InvalidSamples rejected{header.nan, header.infinite, header.negative, {}};
   rejected.first.resize(first / sizeof(film::Rejection));

@@ -12,8 +12,8 @@ namespace etendue::render {
 struct Checkpoint {
   std::string state;  // state_json of the document
   film::Film film;
-  double seconds = 0;                // spent so far
-  std::vector<std::byte> work = {};  // the state of the method's work (integrator::Work::state)
+  double seconds = 0;                            // spent so far
+  std::vector<std::byte> integrator_state = {};  // the state of the method's work (integrator::Work::state)
 };
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);

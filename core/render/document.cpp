@@ -28,7 +28,7 @@ std::string nearest_name(const Document& document, std::string_view name) {
   std::string best;
   size_t least = SIZE_MAX;
   for (const auto& section : sections(document))
-    for (const auto& b : bindings(document, section))
+    for (const auto& b : section_parameters(document, section))
       if (const size_t d = distance(name, b.info.name); d < least) least = d, best = b.info.name;
   return best;
 }
@@ -46,9 +46,9 @@ Result<DocumentParameter> find_binding(const Document& document, std::string_vie
   // A bare name belongs to the integrator, else to the sampler, else to the rendering as a whole.
   if (name.find('.') == std::string_view::npos)
     for (const std::string& owner : {document.method.integrator, document.method.sampler, std::string("render")})
-      for (auto& b : bindings(document, owner))
+      for (auto& b : section_parameters(document, owner))
         if (b.info.name == owner + "." + std::string(name)) return b;
-  for (auto& b : bindings(document, section_of(name)))
+  for (auto& b : section_parameters(document, section_of(name)))
     if (b.info.name == name) return b;
   return usage_error("there is no setting '" + std::string(name) + "'; the nearest is '" +
                      nearest_name(document, name) + "'");

@@ -71,15 +71,15 @@ struct Document {
 
 // One setting of a document: its description and how to read and write it.
 struct DocumentParameter {
-  ParameterInfo info;   // info.name is the qualified name; default_value is the value now
-  std::string section;  // "render", "camera", "material.3", ...
-  std::string idle;     // why it changes nothing now, and what to do; empty if it does
+  ParameterInfo info;           // info.name is the qualified name; default_value is the value now
+  std::string section;          // "render", "camera", "material.3", ...
+  std::string inactive_reason;  // why it changes nothing now, and what to do; empty if it does
   std::function<void(Document&, const Value&)> assign;
 };
 
 // All settings of one section. Sections are "render", "film", "camera", "display", "scene", "environment", "model",
 // "material.N", "light.N", "node.N", and the names of the integrators and samplers.
-std::vector<DocumentParameter> bindings(const Document& document, std::string_view section);
+std::vector<DocumentParameter> section_parameters(const Document& document, std::string_view section);
 std::vector<std::string> sections(const Document& document);
 
 // The current value of a setting; an unknown name is a usage error that names the nearest known one.

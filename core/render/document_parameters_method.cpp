@@ -42,7 +42,7 @@ std::vector<DocumentParameter> render_bindings(const Document& d) {
                                           "Half of the samples go where they bring most, decided so that the picture "
                                           "stays unbiased; samples are then counted on average"},
                          [](Document& doc, Adaptive v) { doc.method.adaptive = v; }));
-  list.back().idle = adaptive_incompatibility(d.method.integrator);
+  list.back().inactive_reason = adaptive_incompatibility(d.method.integrator);
   constexpr int kMost = 2'000'000'000;
   list.push_back(binding(
       "render",
@@ -235,7 +235,7 @@ std::vector<DocumentParameter> model_bindings(const Document& d) {
 
 }  // namespace
 
-std::vector<DocumentParameter> bindings(const Document& d, std::string_view section) {
+std::vector<DocumentParameter> section_parameters(const Document& d, std::string_view section) {
   if (section == "render") return render_bindings(d);
   if (section == "film") return film_bindings(d);
   if (section == "display") return display_bindings(d);

@@ -283,8 +283,8 @@ std::vector<DocumentParameter> material_bindings(const Document& document, size_
       section, index, Toggle{"unlit", "Unlit", m.unlit, "Shows its base colour whatever the light"}, &Material::unlit));
   for (size_t i = own; m.model && i < list.size(); ++i)
     if (is_of_gltf(std::string_view(list[i].info.name).substr(section.size() + 1)))
-      list[i].idle = std::string("The model ") + m.model->info().description.label +
-                     " has numbers of its own; this one is of glTF's surface";
+      list[i].inactive_reason = std::string("The model ") + m.model->info().description.label +
+                                " has numbers of its own; this one is of glTF's surface";
   return list;
 }
 

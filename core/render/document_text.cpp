@@ -27,8 +27,9 @@ constexpr const char* kWrong = ": its state is not what this program writes; giv
 std::string state_json(const Document& document, uint32_t samples) {
   json settings = json::object();
   for (const auto& section : sections(document)) {
-    const auto now = bindings(document, section);
-    const auto before = document.origin ? bindings(*document.origin, section) : std::vector<DocumentParameter>{};
+    const auto now = section_parameters(document, section);
+    const auto before =
+        document.origin ? section_parameters(*document.origin, section) : std::vector<DocumentParameter>{};
     for (size_t i = 0; i < now.size(); ++i)
       if (i >= before.size() || before[i].info.default_value != now[i].info.default_value)
         settings[now[i].info.name] = to_json(now[i].info.default_value);

@@ -9,13 +9,13 @@ namespace {
 using Row = std::span<Rgb>;
 
 std::span<const Rgb> blocks_behind(const Frame& coarse, int y) {
-  const int row = std::min(y / coarse.coarseness, coarse.height - 1);
+  const int row = std::min(y / coarse.preview_scale, coarse.height - 1);
   const auto width = static_cast<size_t>(coarse.width);
   return std::span(*coarse.pixels).subspan(static_cast<size_t>(row) * width, width);
 }
 
-void enlarge(std::span<const Rgb> blocks, int coarseness, Row row) {
-  const auto size = static_cast<size_t>(coarseness);
+void enlarge(std::span<const Rgb> blocks, int preview_scale, Row row) {
+  const auto size = static_cast<size_t>(preview_scale);
   size_t x = 0;
   for (const Rgb& block : blocks)
     for (const size_t end = std::min(x + size, row.size()); x < end; ++x) row[x] = block;
@@ -85,10 +85,11 @@ FrameMaker::Canvas FrameMaker::blank(int width, int height) {
   return {std::move(frame), pixels.get()};
 }
 
-std::shared_ptr<const Frame> FrameMaker::coarse(const film::Film& film, int coarseness) {
+std::shared_ptr<const Frame> FrameMaker::coarse(const film::Film& film, int preview_scale) {
   auto frame = std::make_shared<Frame>();
   auto pixels = std::make_shared<std::vector<Rgb>>(film.pixels().size());
-  frame->width = film.width(), frame->height = film.height(), frame->coarseness = coarseness, frame->pixels = pixels;
+  frame->width = film.width(), frame->height = film.height(), frame->preview_scale = preview_scale,
+  frame->pixels = pixels;
   const Canvas canvas{frame, pixels.get()};
   for (int y = 0; y < frame->height; ++y) fill_from(film, y, false, canvas.row(y));
   return frame;
@@ -96,14 +97,14 @@ std::shared_ptr<const Frame> FrameMaker::coarse(const film::Film& film, int coar
 
 std::shared_ptr<Frame> FrameMaker::enlarged(const Frame& coarse, int width, int height) {
   const Canvas canvas = blank(width, height);
-  canvas.frame->coarseness = coarse.coarseness;
+  canvas.frame->preview_scale = coarse.preview_scale;
   workers_.for_bands(height, [&](int first, int end) {
     for (int y = first; y < end; ++y) {
       const bool same = y > first && blocks_behind(coarse, y).data() == blocks_behind(coarse, y - 1).data();
       if (same)
         std::ranges::copy(canvas.row(y - 1), canvas.row(y).begin());
       else
-        enlarge(blocks_behind(coarse, y), coarse.coarseness, canvas.row(y));
+        enlarge(blocks_behind(coarse, y), coarse.preview_scale, canvas.row(y));
     }
   });
   return canvas.frame;
@@ -112,10 +113,10 @@ std::shared_ptr<Frame> FrameMaker::enlarged(const Frame& coarse, int width, int 
 std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Frame* coarse,
                                         const film::FireflyCascades* cascades) {
   const Canvas canvas = blank(film.width(), film.height());
-  canvas.frame->coarseness = coarse ? coarse->coarseness : 1;
+  canvas.frame->preview_scale = coarse ? coarse->preview_scale : 1;
   workers_.for_bands(film.height(), [&](int first, int end) {
     for (int y = first; y < end; ++y) {
-      if (coarse) enlarge(blocks_behind(*coarse, y), coarse->coarseness, canvas.row(y));
+      if (coarse) enlarge(blocks_behind(*coarse, y), coarse->preview_scale, canvas.row(y));
       fill_from(film, y, coarse != nullptr, canvas.row(y));
       if (cascades) fill_from(*cascades, film, y, canvas.row(y));
     }

@@ -51,7 +51,7 @@ Document of_radiance(const Document& document, const Spot& spot) {
   return bare(document, document.scene, look_at(spot.eye, spot.position, etendue::Frame(towards).x, kNeedle));
 }
 
-Reading reading_of(const film::Film& film, float factor) {
+MeterReading reading_of(const film::Film& film, float factor) {
   double sums[3]{}, squares = 0;
   constexpr int kAll = kPixels * kPixels;
   for (int y = 0; y < kPixels; ++y)
@@ -62,7 +62,7 @@ Reading reading_of(const film::Film& film, float factor) {
       squares += static_cast<double>(max_component(variance));
     }
   const auto f = static_cast<double>(factor);
-  Reading r;
+  MeterReading r;
   for (int c = 0; c < 3; ++c) r.value[c] = static_cast<float>(f * sums[c] / kAll);
   r.standard_error = f * std::sqrt(squares) / kAll;
   return r;
@@ -74,7 +74,7 @@ class Instrument {
   Instrument(Document document, float factor, std::shared_ptr<const scene::CompiledScene> scene, int threads)
       : document_(std::move(document)), factor_(factor), session_(options_of(std::move(scene), threads)) {}
 
-  Reading read(uint32_t samples) {
+  MeterReading read(uint32_t samples) {
     document_.limits.samples = samples;
     session_.submit(document_);
     session_.finish();
@@ -102,7 +102,7 @@ Rgb flux_of(const scene::CompiledScene& scene, uint32_t instance) {
 
 }  // namespace
 
-std::optional<Spot> spot_at(const Document& document, const scene::CompiledScene& scene, Vec2 raster) {
+std::optional<Spot> meter_point_at(const Document& document, const scene::CompiledScene& scene, Vec2 raster) {
   Camera pinhole = document.camera;
   pinhole.lens_radius = 0;
   const Ray ray = CameraRays(pinhole, document.width, document.height).ray(raster, Vec2(0.5f));
@@ -118,8 +118,8 @@ std::optional<Spot> spot_at(const Document& document, const scene::CompiledScene
   return spot;
 }
 
-void measure_spot(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const Spot& spot,
-                  uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish) {
+void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const Spot& spot,
+                   uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish) {
   // Floats must tell the card from the surface.
   const float far_away = std::max(glm::length(spot.position), glm::length(spot.eye));
   const float radius = std::max(kCardShare * scene->bounds().radius(), 1e-5f * far_away);

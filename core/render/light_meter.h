@@ -20,25 +20,25 @@ struct Spot {
 };
 
 // The spot under a place of the picture, in pixels; nothing if the ray meets nothing.
-std::optional<Spot> spot_at(const Document& document, const scene::CompiledScene& scene, Vec2 raster);
+std::optional<Spot> meter_point_at(const Document& document, const scene::CompiledScene& scene, Vec2 raster);
 
 // Of the mean, per band, with one standard error of the mean over bands.
-struct Reading {
+struct MeterReading {
   Rgb value{0};
   double standard_error = 0;
 };
 
 struct MeterReadings {
   Spot spot;
-  Reading radiance;    // W/(m^2 sr), from the spot to the eye
-  Reading irradiance;  // W/m^2, onto the spot from the eye's side
+  MeterReading radiance;    // W/(m^2 sr), from the spot to the eye
+  MeterReading irradiance;  // W/m^2, onto the spot from the eye's side
   // W, what the object under the spot emits, by its material; of textured emission the mean.
   Rgb emitted_flux{0};
   uint32_t samples = 0;  // of each of 64 pixels
 };
 
 // Goes on with more samples, and publishes each time, until there are `samples` or `publish` says no.
-void measure_spot(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const Spot& spot,
-                  uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish);
+void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const Spot& spot,
+                   uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish);
 
 }  // namespace etendue::render

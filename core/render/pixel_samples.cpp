@@ -18,7 +18,7 @@ uint64_t seed_of(uint64_t seed, uint32_t half_buffer) {
 
 }  // namespace
 
-bool PixelSamples::possible(const Document& document) {
+bool PixelSamples::supports(const Document& document) {
   return integrator::find_integrator(document.method.integrator)->accumulation == integrator::Accumulation::per_pixel;
 }
 

@@ -18,7 +18,7 @@ class PixelSamples {
  public:
   // Whether the method's samples are made pixel by pixel. Where paths end on pixels that they did not choose, or wait
   // for what all pixels share, no sample is one pixel's own.
-  static bool possible(const Document& document);
+  static bool supports(const Document& document);
 
   // The pixel lies in the document's picture, and samples of one are possible.
   PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel);

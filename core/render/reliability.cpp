@@ -107,7 +107,7 @@ std::shared_ptr<const Reliability> reliability_of(const TailStatistics& tails, c
                                                   const film::InvalidSamples& rejected, uint64_t samples,
                                                   const std::function<bool()>& keep_going) {
   auto health = std::make_shared<Reliability>();
-  health->across = tails.across(), health->down = tails.down();
+  health->columns = tails.across(), health->rows = tails.down();
   const double limit = chance_limit(reports);
   film::TailAccumulator all;
   Brightest brightest;

@@ -34,11 +34,11 @@ struct TileReliability {
 
 struct Reliability {
   Verdict verdict = Verdict::unknown;
-  std::string reason;        // one sentence for people
-  film::Tail tail;           // of all tiles together
-  double heavy_share = 0;    // of the pixels, in tiles with a heavy tail
-  uint64_t watched = 0;      // samples looked at; a rendering that goes on from a file starts from none
-  int across = 0, down = 0;  // tiles of TailStatistics::kWidth x kHeight pixels, row by row from the top
+  std::string reason;         // one sentence for people
+  film::Tail tail;            // of all tiles together
+  double heavy_share = 0;     // of the pixels, in tiles with a heavy tail
+  uint64_t watched = 0;       // samples looked at; a rendering that goes on from a file starts from none
+  int columns = 0, rows = 0;  // tiles of TailStatistics::kWidth x kHeight pixels, row by row from the top
   std::vector<TileReliability> tiles;
 };
 

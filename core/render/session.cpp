@@ -145,7 +145,7 @@ class Session::Impl {
     return between_slices([&] { return film_stale_ ? film::Film(document_.width, document_.height) : film_; });
   }
 
-  ResumePoint start_copy() {
+  ResumePoint resume_point() {
     return between_slices([&]() -> ResumePoint {
       if (film_stale_) return film::Film(document_.width, document_.height);
       return {film_, runner_ ? runner_->work_state() : std::vector<std::byte>()};
@@ -166,7 +166,7 @@ class Session::Impl {
     });
   }
 
-  std::shared_ptr<const std::vector<integrator::StoredPoint>> points() {
+  std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() {
     return between_slices([&] { return runner_ ? runner_->points() : nullptr; });
   }
 
@@ -245,7 +245,7 @@ class Session::Impl {
     runner_ = std::make_unique<Renderer>(document_, compiled, document_.width, document_.height, runner_.get());
     counters_.rays = 0, counters_.paths = 0, shown_paths_ = 0;
     rendering_seconds_ = 0;
-    if (!film_stale_) runner_->begin(film_, edit.start->work);
+    if (!film_stale_) runner_->begin(film_, edit.start->integrator_state);
     complete_ = runner_->samples();
     error_ = {}, error_at_ = 0;
     forecast_ = TimeEstimator(find_sampler(document_.method.sampler)->independent);
@@ -469,9 +469,9 @@ class Session::Impl {
     status_.error = error_;
     status_.rejected = film_.rejected();
     status_.statistics = runner_->statistics();
-    status_.health = health_;
+    status_.reliability = health_;
     status_.progress = progress();
-    status_.left = left();
+    status_.time_left = left();
     status_.memory = shown_scene_->memory() + embree_memory() + film_bytes() + runner_->memory();
     note_phase(*runner_);
     status_.finished = finished;
@@ -506,7 +506,7 @@ class Session::Impl {
       take(certain(rendering_seconds_ / complete_ * (static_cast<double>(limits.samples) - complete_)));
     if (limits.seconds > 0) take(certain(limits.seconds - rendering_seconds_));
     // The last look at the error was a while ago.
-    if (limits.rmse > 0) take(forecast_.until(limits.rmse, rendering_seconds_));
+    if (limits.rmse > 0) take(forecast_.time_to(limits.rmse, rendering_seconds_));
     return nearest;
   }
 
@@ -584,9 +584,9 @@ void Session::on_update(std::function<void()> wake) { impl_->on_update(std::move
 void Session::finish() { impl_->finish(); }
 void Session::stop() { impl_->stop(); }
 film::Film Session::film_copy() { return impl_->film_copy(); }
-ResumePoint Session::start_copy() { return impl_->start_copy(); }
+ResumePoint Session::resume_point() { return impl_->resume_point(); }
 std::optional<std::vector<float>> Session::reweighted_copy() { return impl_->reweighted_copy(); }
-std::shared_ptr<const std::vector<integrator::StoredPoint>> Session::points() { return impl_->points(); }
+std::shared_ptr<const std::vector<integrator::StoredPoint>> Session::stored_points() { return impl_->stored_points(); }
 
 film::Film rendered(const Document& document, uint32_t samples, int threads) {
   Document limited = document;

@@ -36,26 +36,26 @@ struct Status {
   double rays_per_second = 0, paths_per_second = 0;
   film::ErrorEstimate error;
   film::InvalidSamples rejected;
-  std::shared_ptr<const Reliability> health;      // as it was at some sample before; null until it was first looked at
-  std::vector<integrator::Statistic> statistics;  // what the method knows of its own work
+  std::shared_ptr<const Reliability> reliability;  // as it was at some sample before; null until it was first looked at
+  std::vector<integrator::Statistic> statistics;   // what the method knows of its own work
   size_t memory = 0;  // bytes of scene arrays, Embree, the film and what watches its samples
   scene::BuildReport build;
   // "compiling", "rendering", "paused", "done", or what a method does first ("tracing photons"), where that takes long.
   std::string phase;
-  double phase_progress = 0;       // of what a method does first, 0 to 1
-  std::string incompatibility;     // why the method finds no light at all here (render/obstacle.h); empty if it may
-  bool finished = false;           // a limit was reached
-  double progress = 0;             // towards the nearest limit, 0 to 1
-  std::optional<Prediction> left;  // seconds to the nearest limit, if there is one and it can be told
+  double phase_progress = 0;    // of what a method does first, 0 to 1
+  std::string incompatibility;  // why the method finds no light at all here (render/obstacle.h); empty if it may
+  bool finished = false;        // a limit was reached
+  double progress = 0;          // towards the nearest limit, 0 to 1
+  std::optional<Prediction> time_left;  // seconds to the nearest limit, if there is one and it can be told
 };
 
 // What a rendering goes on from.
 struct ResumePoint {
   film::Film film;
-  std::vector<std::byte> work;  // the state of the method's work, where it has one
+  std::vector<std::byte> integrator_state;  // the state of the method's work, where it has one
 
-  ResumePoint(film::Film film_, std::vector<std::byte> work_ = {})  // NOLINT(google-explicit-constructor)
-      : film(std::move(film_)), work(std::move(work_)) {}
+  ResumePoint(film::Film film_, std::vector<std::byte> integrator_state_ = {})  // NOLINT(google-explicit-constructor)
+      : film(std::move(film_)), integrator_state(std::move(integrator_state_)) {}
 };
 
 struct SessionOptions {
@@ -98,11 +98,11 @@ class Session {
   // The film as it is, taken between two slices of work.
   film::Film film_copy();
   // The same with what belongs to it, for checkpoints.
-  ResumePoint start_copy();
+  ResumePoint resume_point();
   // The same as it is shown, three numbers a pixel, where film.fireflies re-weights it; nothing where it does not.
   std::optional<std::vector<float>> reweighted_copy();
   // What the method keeps in space (photons, virtual lights), taken likewise; null if nothing.
-  std::shared_ptr<const std::vector<integrator::StoredPoint>> points();
+  std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points();
   // Continues from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
   // there.
   uint64_t submit(const Document& document, ResumePoint start);

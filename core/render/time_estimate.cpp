@@ -51,7 +51,7 @@ TimeEstimator::Exponent TimeEstimator::exponent() const {
   return history_.empty() ? (independent_ ? kIndependent : kPoints) : line().exponent;
 }
 
-std::optional<Prediction> TimeEstimator::until(double target, double now) const {
+std::optional<Prediction> TimeEstimator::time_to(double target, double now) const {
   if (history_.empty()) return {};
   const Point& last = history_.back();
   if (last.log_rmse <= std::log(target)) return Prediction{};

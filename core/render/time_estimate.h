@@ -28,7 +28,7 @@ class TimeEstimator {
   void add(uint32_t samples, double seconds, const film::ErrorEstimate& error);
 
   // Until the RMSE is `target`, above zero, from `now` on, in seconds spent; nothing while that cannot be told.
-  std::optional<Prediction> until(double target, double now) const;
+  std::optional<Prediction> time_to(double target, double now) const;
 
   // The exponent s, and its standard error.
   struct Exponent {

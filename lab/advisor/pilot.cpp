@@ -120,7 +120,7 @@ class Runner {
 std::optional<render::Prediction> Pilot::time_to(double rmse) const {
   for (const Look& look : looks)
     if (look.rmse <= rmse) return render::Prediction{look.seconds, {look.seconds, look.seconds}};
-  return forecast.until(rmse, 0);
+  return forecast.time_to(rmse, 0);
 }
 
 Pilots run_pilots(render::Session& session, const std::vector<bench::MethodSpec>& methods, const PilotPlan& plan,

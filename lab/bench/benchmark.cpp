@@ -56,7 +56,7 @@ class Runner {
       result.mean_picture[i] += (static_cast<double>(picture[i]) - result.mean_picture[i]) / n;
     result.curves.repeats.push_back(std::move(curve));
     result.picture = std::move(picture);
-    result.health = status.health;
+    result.health = status.reliability;
   }
 
   bool report(size_t method, int repeat, const render::Status& s) const {

@@ -26,7 +26,7 @@ std::string changed_settings(const render::Document& d) {
   if (!d.origin) return "";
   std::string text;
   for (const auto& section : render::sections(d)) {
-    const auto now = render::bindings(d, section), before = render::bindings(*d.origin, section);
+    const auto now = render::section_parameters(d, section), before = render::section_parameters(*d.origin, section);
     for (size_t i = 0; i < now.size(); ++i) {
       const ParameterInfo& info = now[i].info;
       const bool same = i < before.size() && before[i].info.default_value == info.default_value;

@@ -71,7 +71,7 @@ film::Tail Lab::tail(const render::Document& document, uint32_t samples) {
   session.submit(limited);
   session.finish();
   picture_ = thumbnail_of(session.film_copy());
-  return session.status().health->tail;
+  return session.status().reliability->tail;
 }
 
 double Lab::squared_error(const render::Document& document, uint32_t samples) {
