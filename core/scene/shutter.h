@@ -19,9 +19,6 @@ class Shutter {
   // Open for `seconds` from the scene's time on; 0 is never open.
   Shutter(const Scene& scene, float seconds);
 
-  // Whether anything at all is animated meanwhile.
-  bool sees_motion() const { return !moving_.empty(); }
-
   // A primitive that moves: its mesh, in world space at the opening if it deforms, and how it goes on. Nothing if it
   // stands still, or is flat all the time.
   struct Moving {
