@@ -6,7 +6,7 @@
 
 #include "command.h"
 #include "integrator/integrator.h"
-#include "render/document_parameters.h"
+#include "render/document.h"
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
 #include "viewer/viewer.h"
@@ -95,7 +95,7 @@ json materials() {
   json list = json::array({entry(
       "gltf", "glTF surface",
       "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
-      bare(render::material_bindings(d, 0, "material.0")))});
+      bare(render::section_parameters(d, "material.0")))});
   for (const auto& info : bsdf_model_infos()) {
     const BsdfModelDescription& model = info.description;
     json j = entry(model.name, model.label, model.doc, info.parameters);
@@ -109,7 +109,7 @@ json materials() {
 json lights() {
   json list = json::array();
   const auto add = [&](const char* name, const char* label, const char* doc, LightType type) {
-    list.push_back(entry(name, label, doc, bare(render::light_bindings(with_one_light(type), 0, "light.0"))));
+    list.push_back(entry(name, label, doc, bare(render::section_parameters(with_one_light(type), "light.0"))));
   };
   list.push_back(entry("area", "Emissive triangles",
                        "Every triangle of a material with emission; its parameters are the material's", {}));
@@ -127,7 +127,7 @@ json lights() {
       "do not find it",
       LightType::ambient);
   list.push_back(entry("environment", "Environment", "Radiance from infinity, constant or from an equirectangular map",
-                       bare(render::environment_bindings(with_one_light(LightType::point), "environment"))));
+                       bare(render::section_parameters(with_one_light(LightType::point), "environment"))));
   return list;
 }
 

@@ -152,11 +152,11 @@ nlohmann::json health_json(const render::Reliability& h) {
   return {{"verdict", render::verdict_name(h.verdict)},
           {"reason", h.reason},
           {"khat_heavy_share", h.heavy_share},
-          {"khat_limit", film::khat_limit(h.watched)},
+          {"khat_limit", film::khat_limit(h.samples)},
           {"khat_error", h.tail.khat ? number(h.tail.khat_error) : nlohmann::json()},
           {"vov", number(h.tail.vov)},
           {"brightest_share", number(h.tail.brightest)},
-          {"samples", h.watched}};
+          {"samples", h.samples}};
 }
 
 // Little time goes into what the method may miss; nothing, if it declares to miss nothing.

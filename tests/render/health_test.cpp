@@ -52,7 +52,7 @@ TEST(Reliability, WhatIsBrightButCertainIsNoTail) {
   EXPECT_LT(h->tail.brightest, 1e-4);
   EXPECT_EQ(h->columns, 2);
   EXPECT_EQ(h->rows, 2);
-  EXPECT_EQ(h->watched, 62U * 40 * 20);
+  EXPECT_EQ(h->samples, 62U * 40 * 20);
 }
 
 // A hundred tiles, ten of which have k = 1. Missed are those whose vov happens to be below its limit, one in five.
@@ -126,16 +126,16 @@ TEST(Reliability, CoversTheSamplesOfThisPicture) {
     session.submit(d);
     session.finish();
     ASSERT_TRUE(session.status().reliability);
-    EXPECT_EQ(session.status().reliability->watched, 10U * size * size);
+    EXPECT_EQ(session.status().reliability->samples, 10U * size * size);
     session.restart();
     session.finish();
-    EXPECT_EQ(session.status().reliability->watched, 10U * size * size);
+    EXPECT_EQ(session.status().reliability->samples, 10U * size * size);
   }
   auto d = test::cornell(33);
   d.limits.samples = 25;
   session.submit(d, test::rendered(d, 12));
   session.finish();
-  EXPECT_EQ(session.status().reliability->watched, 13U * 33 * 33);
+  EXPECT_EQ(session.status().reliability->samples, 13U * 33 * 33);
 }
 
 Document nan_in_a_sky() {
