@@ -113,7 +113,7 @@ struct Score {
       for (const double less : {1.5, 2.0, 3.0, 4.0, 6.0, 8.0}) {
         const double target = look.error.rmse / less;
         const auto actual = reached(looks, i, target, in_samples);
-        const auto predicted = forecast.until(target, 0);
+        const auto predicted = forecast.time_to(target, 0);
         if (!actual || !predicted) continue;
         ++trials;
         good += std::abs(std::log(predicted->seconds / *actual)) < std::log(kFactor);

@@ -9,7 +9,7 @@
 
 #include "film/film.h"
 #include "integrator/integrator.h"
-#include "render/document.h"
+#include "render/prepared_document.h"
 #include "scene/compiled_scene.h"
 
 namespace etendue {
@@ -24,38 +24,24 @@ class WorkRig {
   };
 
   WorkRig(const render::Document& document, std::shared_ptr<const scene::CompiledScene> scene)
-      : width_(document.width),
-        height_(document.height),
-        scene_(std::move(scene)),
-        model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
-        sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
-        integrator_(integrator::make_integrator(document.method.integrator,
-                                                document.method.settings_of(document.method.integrator))),
-        camera_(document.camera, width_, height_, scene_->camera_motion()),
-        filter_(document.filter),
-        splats_only_(integrator::find_integrator(document.method.integrator)->accumulation ==
-                     integrator::Accumulation::splats_only),
-        picture_(static_cast<size_t>(width_) * static_cast<size_t>(height_)) {
-    work_ = integrator_->begin(
-        {scene_.get(), &model_, sampler_.get(), &camera_, &filter_, document.seed, width_, height_}, nullptr);
-  }
+      : prepared_(document, std::move(scene)),
+        state_(prepared_.integrator().begin(prepared_.context(), nullptr)),
+        image_(static_cast<size_t>(document.width) * static_cast<size_t>(document.height)) {}
   WorkRig(const WorkRig&) = delete;
 
   // One sample of all pixels.
   void step() {
-    constexpr uint32_t kTable = 64;
-    const uint32_t of_half = sample_ / film::kHalfBuffers;
-    if (of_half % kTable == 0) sampler_->prepare(of_half, kTable);
-    const std::vector<integrator::Phase> phases = work_->phases(sample_);
+    prepared_.prepare_sampler(sample_ / film::kHalfBuffers);
+    const std::vector<integrator::Phase> phases = state_->phases(sample_);
     for (size_t i = 0; i < phases.size(); ++i) {
       measure(phases[i].name, [&] {
         uint64_t rays = 0;
-        for (int task = 0; task < phases[i].tasks; ++task) rays += *work_->run(sample_, i, task, task_context_);
-        work_->finish(sample_, i);
+        for (int task = 0; task < phases[i].tasks; ++task) rays += *state_->run(sample_, i, task, task_context_);
+        state_->finish(sample_, i);
         return rays;
       });
     }
-    if (!splats_only_) measure("pixels", [&] { return pixels(); });
+    if (prepared_.accumulation() != integrator::Accumulation::splats_only) measure("pixels", [&] { return pixels(); });
     ++sample_;
   }
 
@@ -70,12 +56,13 @@ class WorkRig {
   uint64_t pixels() {
     using integrator::PixelBlock;
     std::array<Rgb, PixelBlock::kMostPixels> out;
+    const int width = prepared_.width(), height = prepared_.height();
     uint64_t rays = 0;
-    for (int y = 0; y < height_; y += PixelBlock::kHeight)
-      for (int x = 0; x < width_; x += PixelBlock::kWidth) {
-        const PixelBlock block{x, y, std::min(PixelBlock::kWidth, width_ - x),
-                               std::min(PixelBlock::kHeight, height_ - y), sample_};
-        rays += *work_->sample(block, out, task_context_);
+    for (int y = 0; y < height; y += PixelBlock::kHeight)
+      for (int x = 0; x < width; x += PixelBlock::kWidth) {
+        const PixelBlock block{x, y, std::min(PixelBlock::kWidth, width - x), std::min(PixelBlock::kHeight, height - y),
+                               sample_};
+        rays += *state_->sample(block, out, task_context_);
       }
     return rays;
   }
@@ -88,27 +75,20 @@ class WorkRig {
     const double apart = watch_.seconds();
     const auto start = Clock::now();
     const uint64_t rays = traced();
-    film::add_rows({&splats_, 1}, width_, 0, height_, picture_);
+    film::add_rows({&splats_, 1}, prepared_.width(), 0, prepared_.height(), image_);
     splats_.clear();
     const double took = std::chrono::duration<double>(Clock::now() - start).count();
     part->rays += rays, part->seconds += took;
     part->apart += rays > 0 ? watch_.seconds() - apart : took;
   }
 
-  int width_, height_;
-  std::shared_ptr<const scene::CompiledScene> scene_;
-  transport::Model model_;
-  std::unique_ptr<Sampler> sampler_;
-  std::unique_ptr<integrator::Integrator> integrator_;
-  CameraRays camera_;
-  film::Filter filter_;
-  bool splats_only_;
-  std::unique_ptr<integrator::RenderState> work_;
+  render::PreparedDocument prepared_;
+  std::unique_ptr<integrator::RenderState> state_;
   uint32_t sample_ = 0;
   Stopwatch watch_;
   film::Splats splats_;
   integrator::TaskContext task_context_{nullptr, &splats_, &watch_};
-  std::vector<Rgb> picture_;
+  std::vector<Rgb> image_;
   std::vector<Part> parts_;
 };
 

@@ -24,7 +24,7 @@ Result<std::string> write(const std::string& file, render::Session& session, con
   auto shown = session.reweighted_copy();
   const render::Status status = session.status();
   const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), status.rejected, session.model(),
-                                   status.health ? status.health->tail.khat : std::nullopt};
+                                           status.reliability ? status.reliability->tail.khat : std::nullopt};
   // An edit that came before the copy would have its film under the old settings.
   if (session.status().version != version) return std::string();
   const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence),

@@ -57,7 +57,7 @@ void draw_node(Workbench& w, const scene::Scene& scene, int index) {
   bool visible = node.visible;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 2});
   if (ImGui::Checkbox("##visible", &visible))
-    for (const auto& binding : render::bindings(w.editor.document(), section))
+    for (const auto& binding : render::section_parameters(w.editor.document(), section))
       if (binding.info.name == section + ".visible") w.edit(binding, visible);
   ImGui::PopStyleVar();
   w.items.place("scene." + section + ".visible");

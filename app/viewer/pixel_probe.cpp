@@ -142,7 +142,7 @@ bool PixelProbe::advance(uint32_t wanted) {
   const auto& d = editor_.document();
   if (pixel_ && (pixel_->x >= d.width || pixel_->y >= d.height)) pixel_.reset(), drop();
   const auto scene = session_.scene();
-  if (!render::PixelSamples::possible(d)) return drop(), study_.reset(), fresh;
+  if (!render::PixelSamples::supports(d)) return drop(), study_.reset(), fresh;
   if (!pixel_ || !scene || session_.status().version != editor_.version()) return fresh;
   const Key key{scene, *pixel_, wanted, d.camera, d.width, d.height, d.filter, d.method, d.forced_flags, d.seed};
   if (!key_ || !(*key_ == key)) {

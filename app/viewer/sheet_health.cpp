@@ -64,14 +64,14 @@ void rejected_figures(Workbench& w, const film::InvalidSamples& r) {
 
 void draw_health_sheet(Workbench& w) {
   const render::Status status = w.session.status();
-  verdict_line(w, status.health.get());
+  verdict_line(w, status.reliability.get());
   ImGui::Spacing();
   if (!ImGui::BeginTable("##health", 2, ImGuiTableFlags_SizingStretchSame)) return;
   ImGui::TableNextColumn();
   error_figures(w, status.error);
   rejected_figures(w, status.rejected);
   ImGui::TableNextColumn();
-  if (status.health) tail_figures(w, *status.health);
+  if (status.reliability) tail_figures(w, *status.reliability);
   action_button(w, "view.health-map");
   ImGui::EndTable();
 }

@@ -202,7 +202,7 @@ std::string names_of_pixel_methods() {
 }
 
 void charts(Workbench& w) {
-  if (!render::PixelSamples::possible(w.editor.document()))
+  if (!render::PixelSamples::supports(w.editor.document()))
     return warning(w, "No sample of " + w.editor.document().method.integrator +
                           " belongs to one pixel: its paths end on pixels that they did not choose, or wait for what "
                           "all pixels share. Pixels can be looked at with " +

@@ -110,16 +110,16 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
 
 // It can be read, and says why it cannot be turned.
 void idle_widget(Workbench& w, const render::DocumentParameter& binding) {
-  if (w.items.take(binding.info.name)) w.items.answer(binding.info.name + ": " + binding.idle);
+  if (w.items.take(binding.info.name)) w.items.answer(binding.info.name + ": " + binding.inactive_reason);
   ParameterInfo info = binding.info;
-  info.doc += "\nNot now: " + binding.idle;
+  info.doc += "\nNot now: " + binding.inactive_reason;
   ImGui::BeginDisabled();
   one_widget(w, info);
   ImGui::EndDisabled();
 }
 
 void binding_widget(Workbench& w, const render::DocumentParameter& binding) {
-  if (!binding.idle.empty()) return idle_widget(w, binding);
+  if (!binding.inactive_reason.empty()) return idle_widget(w, binding);
   const Change change = one_widget(w, binding.info);
   commit(w, binding, change);
   const bool at_once = binding.info.type == ParameterType::toggle || binding.info.type == ParameterType::choice;
@@ -185,7 +185,7 @@ size_t vector_length(const std::vector<render::DocumentParameter>& list, size_t 
 
 template <class Wanted>
 void widgets(Workbench& w, const std::string& section, Wanted wanted) {
-  const auto list = render::bindings(w.editor.document(), section);
+  const auto list = render::section_parameters(w.editor.document(), section);
   for (size_t i = 0; i < list.size(); ++i) {
     const std::string bare = list[i].info.name.substr(section.size() + 1);
     if (!wanted(bare)) continue;

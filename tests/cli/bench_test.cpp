@@ -140,7 +140,7 @@ TEST_F(CliBench, ErrorsAreOneLine) {
   expect_error("bench cornell --methods path --budget -1 --out b", 2, "budget");
   expect_error(some + "pth", 2, "path-pure");
   expect_error(some + "path:sampler=dice", 2, "sobol");
-  expect_error(some + "path:flavour=1", 2, "there is no setting 'flavour'");
+  expect_error(some + "path:flavour=1", 2, "there is no parameter 'flavour'");
   expect_error(some + "path:max-depth", 2, "name=value");
   expect_error(some + "path,path", 2, "twice");
   expect_error(some + ",", 2, "the list is empty");

@@ -50,9 +50,9 @@ TEST(Reliability, WhatIsBrightButCertainIsNoTail) {
   EXPECT_EQ(h->verdict, Verdict::healthy);
   EXPECT_LT(h->tail.vov, 1e-3);
   EXPECT_LT(h->tail.brightest_share, 1e-4);
-  EXPECT_EQ(h->across, 2);
-  EXPECT_EQ(h->down, 2);
-  EXPECT_EQ(h->watched, 62U * 40 * 20);
+  EXPECT_EQ(h->columns, 2);
+  EXPECT_EQ(h->rows, 2);
+  EXPECT_EQ(h->samples, 62U * 40 * 20);
 }
 
 // A hundred tiles, ten of which have k = 1. Missed are those whose vov happens to be below its limit, one in five.
@@ -104,7 +104,7 @@ TEST(Reliability, IsTheSameForAnyNumberOfThreads) {
     Session session({.threads = threads});
     session.submit(d);
     session.finish();
-    all.push_back(session.status().health);
+    all.push_back(session.status().reliability);
   }
   for (const auto& h : all) {
     EXPECT_EQ(h->reason, all[0]->reason);
@@ -125,17 +125,17 @@ TEST(Reliability, CoversTheSamplesOfThisPicture) {
     d.limits.samples = 12;
     session.submit(d);
     session.finish();
-    ASSERT_TRUE(session.status().health);
-    EXPECT_EQ(session.status().health->watched, 10U * size * size);
+    ASSERT_TRUE(session.status().reliability);
+    EXPECT_EQ(session.status().reliability->samples, 10U * size * size);
     session.restart();
     session.finish();
-    EXPECT_EQ(session.status().health->watched, 10U * size * size);
+    EXPECT_EQ(session.status().reliability->samples, 10U * size * size);
   }
   auto d = test::cornell(33);
   d.limits.samples = 25;
   session.submit(d, test::rendered(d, 12));
   session.finish();
-  EXPECT_EQ(session.status().health->watched, 13U * 33 * 33);
+  EXPECT_EQ(session.status().reliability->samples, 13U * 33 * 33);
 }
 
 Document nan_in_a_sky() {

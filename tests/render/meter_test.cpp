@@ -22,14 +22,14 @@ Document over_floor(scene::Scene scene) {
 
 MeterReadings read(const Document& d, uint32_t samples = 512) {
   const auto scene = scene::compile(d.scene, d.camera, nullptr);
-  const auto spot = spot_at(d, *scene, Vec2(32));
+  const auto spot = meter_point_at(d, *scene, Vec2(32));
   EXPECT_TRUE(spot);
   MeterReadings last;
-  measure_spot(d, scene, *spot, samples, 1, [&](const MeterReadings& m) { return last = m, true; });
+  measure_light(d, scene, *spot, samples, 1, [&](const MeterReadings& m) { return last = m, true; });
   return last;
 }
 
-void expect(const Reading& r, double value) {
+void expect(const MeterReading& r, double value) {
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(static_cast<double>(r.value[c]), value, 5 * r.standard_error + 2e-4 * value) << r.standard_error;
 }
@@ -85,7 +85,7 @@ TEST(Meter, OfAnySize) {
 TEST(Meter, NothingToMeasureInTheSky) {
   Document d = over_floor({});
   d.camera = look_at({0, 1, 0}, {0, 2, 0.1f}, {0, 0, 1}, 0.5f);
-  EXPECT_FALSE(spot_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
+  EXPECT_FALSE(meter_point_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
 }
 
 // The meter reads the flux 2 pi A L / (k + 2) of every area light with a cosine exponent k.

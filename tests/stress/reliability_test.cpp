@@ -22,7 +22,7 @@ int count(render::Document d, const std::string& method, uint32_t samples, Verdi
     d.seed = static_cast<uint64_t>(i) + 1;
     session.submit(d);
     session.finish();
-    found += session.status().health->verdict == verdict ? 1 : 0;
+    found += session.status().reliability->verdict == verdict ? 1 : 0;
   }
   return found;
 }

@@ -1,5 +1,6 @@
-// The state of a document as text: the scene it starts from and every setting that differs from the start.
+// The state of a document as JSON text: the scene that it was opened from and all parameters that differ from it.
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "render/document.h"
 
@@ -12,30 +13,38 @@ json to_json(const Value& value) {
   return std::visit([](const auto& v) { return json(v); }, value);
 }
 
-bool from_json(const json& j, Value& value) {
-  if (j.is_boolean()) return value = j.get<bool>(), true;
-  if (j.is_number_integer()) return value = j.get<int64_t>(), true;
-  if (j.is_number()) return value = j.get<double>(), true;
-  if (j.is_string()) return value = j.get<std::string>(), true;
-  return false;
+std::optional<Value> from_json(const json& j) {
+  if (j.is_boolean()) return Value(j.get<bool>());
+  if (j.is_number_integer()) return Value(j.get<int64_t>());
+  if (j.is_number()) return Value(j.get<double>());
+  if (j.is_string()) return Value(j.get<std::string>());
+  return std::nullopt;
 }
 
-constexpr const char* kWrong = ": its state is not what this program writes; give a snapshot of this program";
+// A string member, or an empty string.
+std::string text_member(const json& state, const char* name) {
+  return state.contains(name) && state[name].is_string() ? state[name].get<std::string>() : "";
+}
+
+Error invalid_state(const std::string& source) {
+  return input_error(source + ": the settings it carries are damaged; give an image that etendue wrote");
+}
 
 }  // namespace
 
 std::string state_json(const Document& document, uint32_t samples) {
   json settings = json::object();
   for (const auto& section : sections(document)) {
-    const auto now = bindings(document, section);
-    const auto before = document.origin ? bindings(*document.origin, section) : std::vector<DocumentParameter>{};
-    for (size_t i = 0; i < now.size(); ++i)
-      if (i >= before.size() || before[i].info.default_value != now[i].info.default_value)
-        settings[now[i].info.name] = to_json(now[i].info.default_value);
+    const auto current = section_parameters(document, section);
+    const auto original =
+        document.origin ? section_parameters(*document.origin, section) : std::vector<DocumentParameter>{};
+    for (size_t i = 0; i < current.size(); ++i)
+      if (i >= original.size() || original[i].info.default_value != current[i].info.default_value)
+        settings[current[i].info.name] = to_json(current[i].info.default_value);
   }
   json state{{"program", "etendue"},           {"version", 1},       {"scene", document.scene_name},
              {"camera", document.camera_name}, {"samples", samples}, {"settings", settings}};
-  // A scene may bring its own along.
+  // The environment map of the scene's own file is loaded with the scene.
   const std::string& file = document.scene->environment.file;
   if (!file.empty() && !(document.origin && document.origin->scene->environment.file == file))
     state["environment"] = file;
@@ -46,19 +55,17 @@ Result<Document> document_from_state(const std::string& text, const std::string&
   const json state = json::parse(text, nullptr, false);
   if (!state.is_object() || state.value("program", "") != "etendue" || !state.contains("scene") ||
       !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
-    return input_error(source + kWrong);
-  auto document =
-      new_document(state["scene"].get<std::string>(),
-                   state.contains("camera") && state["camera"].is_string() ? state["camera"].get<std::string>() : "");
+    return invalid_state(source);
+  auto document = new_document(state["scene"].get<std::string>(), text_member(state, "camera"));
   if (!document) return document;
   if (state.contains("environment") && state["environment"].is_string()) {
     document = with_environment(*document, state["environment"].get<std::string>());
     if (!document) return document;
   }
   for (const auto& [name, j] : state["settings"].items()) {
-    Value value;
-    if (!from_json(j, value)) return input_error(source + kWrong);
-    auto changed = with(*document, name, value);
+    const auto value = from_json(j);
+    if (!value) return invalid_state(source);
+    auto changed = with(*document, name, *value);
     if (!changed) return input_error(source + ": " + changed.error().message);
     document = std::move(changed);
   }
