@@ -22,7 +22,7 @@ std::string snapshot_name(const Workbench& w) {
 }
 
 void edit_exposure(Workbench& w, double change) {
-  for (const auto& binding : render::bindings(w.editor.document(), "camera"))
+  for (const auto& binding : render::section_parameters(w.editor.document(), "camera"))
     if (binding.info.name == "camera.exposure") {
       const double now = std::get<double>(binding.info.default_value);
       w.edit(binding, std::clamp(now + change, binding.info.min, binding.info.max), "keys.exposure");
@@ -218,7 +218,7 @@ void ask_for_chart(Workbench& w) {
 
 void choose_all_techniques(Workbench& w) {
   const auto& info = *integrator::find_integrator(w.editor.document().method.integrator);
-  for (const auto& binding : render::bindings(w.editor.document(), info.name))
+  for (const auto& binding : render::section_parameters(w.editor.document(), info.name))
     if (binding.info.name == info.name + "." + std::string(info.techniques.without)) w.edit(binding, std::string());
 }
 

@@ -46,7 +46,7 @@ void AdviceHand::ask() {
   session_.pause(true);
   document_ = editor_.document();
   study_.clear();
-  advisor::Question question;
+  advisor::AdviceRequest question;
   question.target = double{target()}, question.pilot_seconds = double{setup.pilot.value},
   question.seed = document_.seed;
   study_.start([document = document_, question, threads = threads_, scene = session_.scene()](

@@ -22,13 +22,13 @@ bool same_question(const render::Document& a, const render::Document& b) {
 const advisor::MissingPaths* BlindSpotsHand::shown() const {
   const auto at = std::ranges::find_if(
       known_, [&](const Known& known) { return same_question(known.document, editor_.document()); });
-  return at == known_.end() ? nullptr : &at->spots;
+  return at == known_.end() ? nullptr : &at->missing;
 }
 
 void BlindSpotsHand::advance(bool looked_at) {
   if (editor_.version() != version_) version_ = editor_.version(), edited_ = Clock::now();
   if (study_.advance() && study_.shown()->finished) {
-    known_.push_front({document_, study_.shown()->spots});
+    known_.push_front({document_, study_.shown()->missing});
     if (known_.size() > kMostKnown) known_.pop_back();
   }
   if (running() && !(looked_at && same_question(editor_.document(), document_))) study_.call_off();
@@ -39,7 +39,7 @@ void BlindSpotsHand::advance(bool looked_at) {
     render::Session session({.threads = 1, .scene = scene});
     advisor::TableOptions options;
     options.samples = 4, options.seconds = kSeconds;
-    publish(advisor::measured_missing_paths(session, document, options, watch));
+    publish(advisor::measure_missing_paths(session, document, options, watch));
   });
 }
 

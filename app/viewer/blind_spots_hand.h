@@ -29,7 +29,7 @@ class BlindSpotsHand {
   using Clock = std::chrono::steady_clock;
   struct Known {
     render::Document document;
-    advisor::MissingPaths spots;
+    advisor::MissingPaths missing;
   };
 
   const render::Session& session_;

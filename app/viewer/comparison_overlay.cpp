@@ -74,7 +74,7 @@ void map_words(const Workbench& w, ImDrawList* draw) {
     for (size_t i = 0; i < 5; ++i)
       figures[i] = i == 2 ? "0" : text_of("%+.3g", static_cast<double>(map->scale) * (static_cast<double>(i) / 2 - 1));
     draw_scale_bar(
-        w, draw, [](float x) { return signed_colors(2 * x - 1); }, figures, "luminance, W/(m\u00b2 sr)");
+        w, draw, [](float x) { return diverging_color(2 * x - 1); }, figures, "luminance, W/(m\u00b2 sr)");
   }
 }
 

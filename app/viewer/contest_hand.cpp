@@ -41,13 +41,13 @@ Result<std::string> write_chart(const std::string& file, const bench::LiveBenchm
                                 std::span<const metrics::MethodCurves> curves, const metrics::ChartOptions& options) {
   std::string extension = std::filesystem::path(file).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto drawing = metrics::chart_of(curves, options);
+  const auto drawing = metrics::convergence_chart(curves, options);
   Result<void> written;
   if (extension == ".svg" || extension == ".csv") {
-    const std::string text = extension == ".csv" ? csv_of(contest) : metrics::svg_of(drawing);
+    const std::string text = extension == ".csv" ? csv_of(contest) : metrics::to_svg(drawing);
     written = write_file(file, text.data(), text.size());
   } else if (extension == ".png") {
-    written = image::write_png(file, drawing.width, drawing.height, metrics::raster_of(drawing));
+    written = image::write_png(file, drawing.width, drawing.height, metrics::rasterize(drawing));
   } else {
     return usage_error(file + ": '" + extension + "' is no format of a chart; give .svg, .png or .csv");
   }
@@ -101,7 +101,7 @@ void ContestHand::remove(size_t index) {
 
 std::optional<size_t> ContestHand::place_of(const std::string& method) const {
   if (!shown_) return std::nullopt;
-  const auto found = std::ranges::find(shown_->methods, method, &bench::Standing::name);
+  const auto found = std::ranges::find(shown_->methods, method, &bench::MethodStatus::name);
   if (found == shown_->methods.end()) return std::nullopt;
   return static_cast<size_t>(found - shown_->methods.begin());
 }
@@ -139,7 +139,7 @@ void ContestHand::go_on() {
   was_paused_ = session_.paused();
   session_.pause(true);
   before_ = contest_->snapshot();
-  contest_->go_on();
+  contest_->resume();
   running_ = sides_wanted_ = true;
 }
 
@@ -197,7 +197,7 @@ void ContestHand::show_sides(Comparison& comparison) const {
 
 metrics::ChartOptions ContestHand::chart_options() const {
   metrics::ChartOptions options;
-  options.along = setup.along, options.kind = setup.kind;
+  options.abscissa = setup.along, options.kind = setup.kind;
   if (!shown_) return options;
   const auto& d = document_;
   options.title = std::filesystem::path(d.scene_name).filename().string() + text_of(", %d x %d, ", d.width, d.height) +

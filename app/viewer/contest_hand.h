@@ -10,7 +10,7 @@
 
 #include "base/parameter.h"
 #include "bench/live_benchmark.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 #include "viewer/editor.h"
 #include "viewer/job.h"
 

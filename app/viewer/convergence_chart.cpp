@@ -15,19 +15,19 @@ namespace {
 
 using metrics::MethodCurves;
 
-metrics::Ink faded(metrics::Ink ink, double opacity) { return ink.opacity *= opacity, ink; }
+metrics::Color faded(metrics::Color ink, double opacity) { return ink.opacity *= opacity, ink; }
 
 metrics::ChartOptions panel_options(const Workbench& w, const ImVec2& size) {
   metrics::ChartOptions options = w.contest.chart_options();
   const float scale = w.platform.scale();
   options.width = static_cast<int>(size.x / scale), options.height = static_cast<int>(size.y / scale);
-  options.panel = true;
-  const metrics::Ink border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
+  options.embedded = true;
+  const metrics::Color border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
   options.palette = {ink_of(w.theme.text), ink_of(w.theme.quiet), border, faded(border, 0.45)};
   const auto* contest = w.contest.shown();
   const bool timed = contest && contest->rule == bench::Rule::equal_time;
-  if (contest && timed == (options.along == metrics::Abscissa::seconds))
-    options.reach = timed ? contest->seconds : contest->samples;
+  if (contest && timed == (options.abscissa == metrics::Abscissa::seconds))
+    options.x_extent = timed ? contest->seconds : contest->samples;
   return options;
 }
 
@@ -40,7 +40,7 @@ struct Reading {
 std::vector<Reading> readings(const std::vector<MethodCurves>& curves, const metrics::ChartOptions& options, double x) {
   std::vector<Reading> list;
   for (size_t i = 0; i < curves.size(); ++i) {
-    const auto points = metrics::band_of(curves[i], options.along, options.kind, std::array{x});
+    const auto points = metrics::error_band(curves[i], options.abscissa, options.kind, std::array{x});
     if (!points.empty()) list.push_back({i, points.front()});
   }
   return list;
@@ -65,7 +65,7 @@ class ReadOut {
         corner_(corner),
         curves_(curves),
         options_(options),
-        frame_(metrics::frame_of_chart(curves, options)),
+        frame_(metrics::chart_frame(curves, options)),
         scale_(w.platform.scale()) {}
 
   void draw() {
@@ -73,7 +73,7 @@ class ReadOut {
     if (x < frame_.left || x > frame_.right || y < frame_.top || y > frame_.bottom) return;
     readings_ = readings(curves_, options_, frame_.x.value(x));
     cross_hair(x, y);
-    const bool seconds = options_.along == metrics::Abscissa::seconds;
+    const bool seconds = options_.abscissa == metrics::Abscissa::seconds;
     std::string head = metrics::short_number(frame_.x.value(x)) + (seconds ? " s" : " spp");
     if (readings_.empty()) head += ", " + metrics::short_number(frame_.y.value(y));
     box(x, head, lines());
@@ -90,8 +90,8 @@ class ReadOut {
     draw_->AddLine(at(x, frame_.top), at(x, frame_.bottom), quiet);
     if (readings_.empty()) draw_->AddLine(at(frame_.left, y), at(frame_.right, y), quiet);
     for (const auto& r : readings_)
-      draw_->AddCircleFilled(at(x, frame_.y.place(r.point.median)), 3.5f * scale_,
-                             color_of(metrics::ink_of_method(r.method)));
+      draw_->AddCircleFilled(at(x, frame_.y.position(r.point.median)), 3.5f * scale_,
+                             color_of(metrics::method_color(r.method)));
   }
 
   std::vector<std::string> lines() const {
@@ -111,7 +111,7 @@ class ReadOut {
     for (int i = 0; i <= kPlaces; ++i) {
       const double x = (corner.x + size.x * static_cast<float>(i) / kPlaces - corner_.x) / scale_;
       for (const auto& r : readings(curves_, options_, frame_.x.value(x))) {
-        const float y = at(0, frame_.y.place(r.point.median)).y;
+        const float y = at(0, frame_.y.position(r.point.median)).y;
         if (y > corner.y && y < corner.y + size.y) ++count;
       }
     }
@@ -143,7 +143,7 @@ class ReadOut {
     for (size_t i = 0; i < text.size(); ++i) {
       next.y += row;
       draw_->AddRectFilled({next.x, next.y + size * 0.2f}, {next.x + size * 0.7f, next.y + size * 0.9f},
-                           color_of(metrics::ink_of_method(readings_[i].method)), 2);
+                           color_of(metrics::method_color(readings_[i].method)), 2);
       draw_->AddText(font, size, {next.x + swatch, next.y}, ImGui::GetColorU32(w_.theme.text), text[i].c_str());
     }
   }
@@ -189,8 +189,8 @@ void draw_convergence_chart(Workbench& w) {
   const bool any = std::ranges::any_of(curves, [](const MethodCurves& c) { return !c.repeats.empty(); });
   if (!any) return invitation(w, corner, size);
   const metrics::ChartOptions options = panel_options(w, size);
-  draw(*ImGui::GetWindowDrawList(), metrics::chart_of(curves, options), corner, w.platform.scale(), w.faces.small);
-  if (!w.contest.up_to_date()) mark_as_past(w, corner, metrics::frame_of_chart(curves, options));
+  draw(*ImGui::GetWindowDrawList(), metrics::convergence_chart(curves, options), corner, w.platform.scale(), w.faces.small);
+  if (!w.contest.up_to_date()) mark_as_past(w, corner, metrics::chart_frame(curves, options));
   if (over) ReadOut(w, corner, curves, options).draw();
 }
 

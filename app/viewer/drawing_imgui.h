@@ -10,7 +10,7 @@ namespace etendue::viewer {
 // its own. Words are drawn in `font` as it is, whatever size they ask for: letters of another size would blur.
 void draw(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
 
-ImU32 color_of(const metrics::Ink& ink);
-metrics::Ink ink_of(const ImVec4& color);
+ImU32 color_of(const metrics::Color& ink);
+metrics::Color ink_of(const ImVec4& color);
 
 }  // namespace etendue::viewer

@@ -21,8 +21,8 @@ void draw_health_map(const Workbench& w, const render::Reliability& health, ImDr
   const Placement& p = w.view.picture;
   const Vec2 pixel = p.size / Vec2(d.width, d.height);
   for (int tile = 0; tile < static_cast<int>(health.tiles.size()); ++tile) {
-    const Vec2 first(tile % health.across * render::TailStatistics::kWidth,
-                     tile / health.across * render::TailStatistics::kHeight);
+    const Vec2 first(tile % health.columns * render::TailStatistics::kWidth,
+                     tile / health.columns * render::TailStatistics::kHeight);
     const Vec2 end = glm::min(first + Vec2(render::TailStatistics::kWidth, render::TailStatistics::kHeight),
                               Vec2(d.width, d.height));
     const Vec2 a = p.corner + first * pixel, b = p.corner + end * pixel;

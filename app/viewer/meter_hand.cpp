@@ -23,11 +23,11 @@ void MeterHand::advance() {
   const auto scene = session_.scene();
   if (!raster_ || !scene || version_ == editor_.version() || session_.status().version != editor_.version()) return;
   version_ = editor_.version();
-  const auto spot = render::spot_at(editor_.document(), *scene, *raster_);
+  const auto spot = render::meter_point_at(editor_.document(), *scene, *raster_);
   if (!spot) return study_.clear();
   study_.start([document = editor_.document(), scene, spot = *spot](const auto& publish, const bench::Progress& watch) {
     // One thread: the picture goes on beside it.
-    render::measure_spot(document, scene, spot, kSamples, 1, [&](const render::MeterReadings& readings) {
+    render::measure_light(document, scene, spot, kSamples, 1, [&](const render::MeterReadings& readings) {
       publish(readings);
       return watch(static_cast<double>(readings.samples) / kSamples, "");
     });

@@ -1,6 +1,7 @@
 // Where does the light come from, and how much of it?
 #include <imgui.h>
 
+#include "light/area_light.h"
 #include "light/light_presets.h"
 #include "viewer/panels.h"
 #include "viewer/widgets.h"
@@ -9,16 +10,11 @@
 namespace etendue::viewer {
 namespace {
 
-const char* type_of(const Light& light) {
-  constexpr const char* kNames[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
-  return kNames[static_cast<size_t>(light.type)];
-}
-
 void list_lights(Workbench& w, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     const std::string name =
-        (light.name.empty() ? "light " + std::to_string(i) : light.name) + "  (" + type_of(light) + ")";
+        (light.name.empty() ? "light " + std::to_string(i) : light.name) + "  (" + light.info().description.name + ")";
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(name.c_str(), w.selection.light == static_cast<int>(i)))
       w.selection.light = static_cast<int>(i);
@@ -29,7 +25,7 @@ void list_lights(Workbench& w, const scene::Scene& scene) {
 
 void list_emitters(Workbench& w, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.materials.size(); ++i) {
-    if (!scene.materials[i].emits()) continue;
+    if (!scene.materials[i].is_emissive()) continue;
     const std::string name =
         scene.materials[i].name.empty() ? "material " + std::to_string(i) : scene.materials[i].name;
     ImGui::PushID(static_cast<int>(i));
@@ -64,6 +60,12 @@ void light_presets(Workbench& w, size_t index) {
   }
 }
 
+// "W/m^2" with a superscript.
+std::string typeset(std::string unit) {
+  if (const size_t at = unit.find("^2"); at != std::string::npos) unit.replace(at, 2, "\u00b2");
+  return unit;
+}
+
 // The same quantity in both units.
 void light_figures(Workbench& w, const Light& light) {
   const Efficacy efficacy = w.meter.setup.efficacy;
@@ -72,11 +74,11 @@ void light_figures(Workbench& w, const Light& light) {
            text_of("%.4g %s = %.4g %s", static_cast<double>(luminance(value)), unit, photometric(value, efficacy),
                    photometric_unit));
   };
-  const Rgb amount = light.color * light.intensity;
-  if (light.type == LightType::point || light.type == LightType::spot) both("Intensity", amount, "W/sr", "cd");
-  if (light.type == LightType::directional) both("Irradiance", amount, "W/m\u00b2", "lx");
-  if (light.is_surface()) both("Radiance", light.radiance(), "W/(m\u00b2 sr)", "cd/m\u00b2");
-  if (const Rgb flux = flux_of(light); !is_black(flux)) both("Flux", flux, "W", "lm");
+  const RadiometricQuantity& quantity = *light.info().description.quantity;
+  const auto surface = light.model->area_light(light.color);
+  both(quantity.name, surface ? surface->radiance : light.color * light.intensity(), typeset(quantity.unit).c_str(),
+       typeset(quantity.photometric_unit).c_str());
+  if (const Rgb flux = light.flux(); !is_black(flux)) both("Flux", flux, "W", "lm");
 }
 
 }  // namespace
@@ -84,7 +86,7 @@ void light_figures(Workbench& w, const Light& light) {
 void draw_light_panel(Workbench& w) {
   const auto scene = w.editor.document().scene;
   const bool surfaces =
-      std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.emits(); });
+      std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.is_emissive(); });
   if (group(w, "Lights", "light.")) {
     if (scene->lights.empty() && !surfaces)
       note(w, "Nothing in this scene shines by itself; the environment lights it.");

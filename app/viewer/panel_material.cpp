@@ -40,7 +40,7 @@ void model_widgets(Workbench& w, const std::string& section, const BsdfModelRef&
 // The settings of a section whose names, without it, begin so.
 std::vector<std::string> names_that_begin(const Workbench& w, const std::string& section, const std::string& start) {
   std::vector<std::string> names;
-  for (const auto& binding : render::bindings(w.editor.document(), section))
+  for (const auto& binding : render::section_parameters(w.editor.document(), section))
     if (binding.info.name.starts_with(section + "." + start))
       names.push_back(binding.info.name.substr(section.size() + 1));
   return names;
@@ -112,7 +112,7 @@ void draw_material_panel(Workbench& w) {
   if (group(w, "Model", prefix)) model_widgets(w, section, model);
   if (model) {
     some_widgets(w, section, shared);
-    if (model->solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
+    if (model->is_solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
   } else {
     gltf_widgets(w, section, scene->materials[index], glass, cover);
   }

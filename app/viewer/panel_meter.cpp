@@ -8,7 +8,8 @@
 namespace etendue::viewer {
 namespace {
 
-void reading(Workbench& w, const char* name, const render::Reading& r, const char* unit, const char* photometric_unit) {
+void reading(Workbench& w, const char* name, const render::MeterReading& r, const char* unit,
+             const char* photometric_unit) {
   const double y = static_cast<double>(luminance(r.value)), factor = lumens_per_watt(w.meter.setup.efficacy);
   figure(w, name, text_of("%.4g \u00b1 %.1g %s", y, r.standard_error, unit));
   figure(w, "", text_of("%.4g \u00b1 %.1g %s", factor * y, factor * r.standard_error, photometric_unit));

@@ -32,7 +32,7 @@ void about_integrator(Workbench& w, const integrator::IntegratorInfo& info) {
   if (const std::string incompatibility = w.incompatibility(); !incompatibility.empty())
     warning(w, incompatibility + ".");
   else if (const auto* misses = w.misses(); misses && !misses->none())
-    warning(w, "Here it " + advisor::sentence_of(*misses) + ".");
+    warning(w, "Here it " + advisor::missing_paths_text(*misses) + ".");
   w.items.place("render.misses");
 }
 

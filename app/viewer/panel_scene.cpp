@@ -43,7 +43,7 @@ void draw_selected(Workbench& w, const scene::Scene& scene, int index) {
   const std::string section = "node." + std::to_string(index);
   section_widgets(w, section);
   const auto& node = scene.nodes[static_cast<size_t>(index)];
-  if (!scene::in_parts(node.transform))
+  if (!scene::decompose(node.transform))
     note(w, "Its matrix shears or flattens: there is no rotation and scale to edit.");
   if (is_animated(scene, index)) note(w, "An animation moves it: what the animation sets does not listen to these.");
   if (node.camera >= 0) note(w, "The picture's own camera is in the Camera tab.");
@@ -57,7 +57,7 @@ void draw_node(Workbench& w, const scene::Scene& scene, int index) {
   bool visible = node.visible;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 2});
   if (ImGui::Checkbox("##visible", &visible))
-    for (const auto& binding : render::bindings(w.editor.document(), section))
+    for (const auto& binding : render::section_parameters(w.editor.document(), section))
       if (binding.info.name == section + ".visible") w.edit(binding, visible);
   ImGui::PopStyleVar();
   w.items.place("scene." + section + ".visible");

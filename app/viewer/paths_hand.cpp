@@ -9,13 +9,13 @@ namespace {
 
 constexpr double kSeconds = 3;  // that a table may take, besides its coarsest classes
 
-MethodView::Finds finds(const advisor::Found& found, const advisor::ClassTable& table, const advisor::ClassRow& row) {
+MethodView::Finds finds(const advisor::DeclaredPaths& found, const advisor::ClassTable& table, const advisor::ClassRow& row) {
   advisor::ClassTable alone;
   alone.total = table.total, alone.rows = {row};
   const auto misses = advisor::missing_paths(found, alone);
   if (misses.none()) return MethodView::Finds::all;
   const auto& spot = misses.classes.front();
-  return spot.part || spot.points ? MethodView::Finds::part : MethodView::Finds::nothing;
+  return spot.partial || spot.from_point_lights ? MethodView::Finds::part : MethodView::Finds::nothing;
 }
 
 }  // namespace
@@ -53,7 +53,7 @@ const MethodView& PathsHand::seen() {
   if (study_.shown() == seen_table_ && method == seen_method_ && hindered == seen_hindered_) return seen_;
   seen_table_ = study_.shown(), seen_method_ = method, seen_hindered_ = hindered;
   seen_ = {};
-  const auto found = hindered ? advisor::Found() : advisor::declared(method);
+  const auto found = hindered ? advisor::DeclaredPaths() : advisor::declared_paths(method);
   const auto& table = seen_table_->table;
   for (const auto& row : table.rows) seen_.rows.push_back(finds(found, table, row));
   seen_.misses = advisor::missing_paths(found, table);

@@ -11,10 +11,10 @@ namespace {
 
 // Whole renderings of the pixel besides the one that is shown: their spread is the error, also where a sampler's points
 // depend on each other.
-constexpr size_t kHalves = 8;
+constexpr size_t kReplicates = 8;
 constexpr double kStudent = 2.3646;  // the 97.5 % quantile of Student's t with as many degrees of freedom, less one
 
-constexpr uint32_t kWindow = film::kHalves * render::kTableSamples;
+constexpr uint32_t kWindow = film::kHalfBuffers * render::kTableSamples;
 constexpr double kSlice = 0.15;  // seconds between two looks at what there is so far
 
 // Even numbers, eight to an octave: where the course of the mean is noted down.
@@ -90,7 +90,7 @@ struct PixelProbe::RenderState {
     watch(y);
     for (int c = 0; c < 3; ++c) colors[static_cast<size_t>(c)] += double{sample[c]};
     halves[drawn % 2] += y, squares += y * y;
-    for (size_t r = 0; r < kHalves; ++r) others[r] += double{luminance(drawings[r + 1][i])};
+    for (size_t r = 0; r < kReplicates; ++r) others[r] += double{luminance(drawings[r + 1][i])};
     luminances.push_back(static_cast<float>(y));
     study.largest = std::max(study.largest, y);
     ++drawn;
@@ -107,7 +107,7 @@ struct PixelProbe::RenderState {
   PixelStudy::Moment moment() const {
     double sum = 0, sum_of_squares = 0;
     for (const double other : others) sum += other / drawn, sum_of_squares += sqr(other / drawn);
-    const double variance = std::max(0.0, sum_of_squares - sum * sum / kHalves) / (kHalves - 1);
+    const double variance = std::max(0.0, sum_of_squares - sum * sum / kReplicates) / (kReplicates - 1);
     const double a = (drawn + 1) / 2, b = drawn / 2;
     return {drawn,
             (halves[0] + halves[1]) / drawn,
@@ -117,11 +117,11 @@ struct PixelProbe::RenderState {
 
   render::PixelSamples samples;
   std::atomic<bool> wanted{true};
-  std::array<std::vector<Rgb>, kHalves + 1> drawings;  // of one window
+  std::array<std::vector<Rgb>, kReplicates + 1> drawings;  // of one window
   uint32_t drawn = 0, next = 2;
   std::array<double, 3> colors{};
   std::array<double, 2> halves{};
-  std::array<double, kHalves> others{};
+  std::array<double, kReplicates> others{};
   double squares = 0;
   std::vector<float> luminances;
   film::TailAccumulator tail;
@@ -142,7 +142,7 @@ bool PixelProbe::advance(uint32_t wanted) {
   const auto& d = editor_.document();
   if (pixel_ && (pixel_->x >= d.width || pixel_->y >= d.height)) pixel_.reset(), drop();
   const auto scene = session_.scene();
-  if (!render::PixelSamples::possible(d)) return drop(), study_.reset(), fresh;
+  if (!render::PixelSamples::supports(d)) return drop(), study_.reset(), fresh;
   if (!pixel_ || !scene || session_.status().version != editor_.version()) return fresh;
   const Key key{scene, *pixel_, wanted, d.camera, d.width, d.height, d.filter, d.method, d.forced_flags, d.seed};
   if (!key_ || !(*key_ == key)) {

@@ -20,7 +20,7 @@ std::vector<metrics::LogAxis::Tick> even_ticks(double low, double high, int most
 
 double PlotAxis::share(double value) const {
   if (!logarithmic) return (value - low) / (high - low);
-  return metrics::LogAxis(low, high, 0, 1).place(std::max(value, low * 1e-3));
+  return metrics::LogAxis(low, high, 0, 1).position(std::max(value, low * 1e-3));
 }
 
 std::vector<metrics::LogAxis::Tick> PlotAxis::ticks(int most) const {

@@ -22,7 +22,7 @@ Rgb tint_of(const Rgb& power) {
 std::shared_ptr<const SeenPoints> seen(render::Session& session, const render::Document& d, uint64_t version) {
   auto found = std::make_shared<SeenPoints>();
   found->version = version, found->samples = session.status().samples;
-  const auto points = session.points();
+  const auto points = session.stored_points();
   const auto scene = session.scene();
   // An edit that came before the look would have its points under the old camera.
   if (session.status().version != version) found->version = 0;

@@ -1,7 +1,7 @@
 #include "viewer/scene_writer.h"
 
 #include "render/scene_saving.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 
 namespace etendue::viewer {
 

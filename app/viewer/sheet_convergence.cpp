@@ -134,7 +134,7 @@ void swatch(size_t place) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float top = at.y + (ImGui::GetTextLineHeight() - size) * 0.5f;
   ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + size, top + size},
-                                            color_of(metrics::ink_of_method(place)), 2);
+                                            color_of(metrics::method_color(place)), 2);
   ImGui::Dummy({size, ImGui::GetTextLineHeight()});
   ImGui::SameLine(0, size * 0.6f);
 }
@@ -144,7 +144,7 @@ void cell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-std::string slope_text(const metrics::Figure& slope) {
+std::string slope_text(const metrics::Estimate& slope) {
   if (!slope.known) return "?";
   return slope.degrees > 0 ? text_of("%.2f \u00b1%.2f", slope.value, slope.standard_error)
                            : text_of("%.2f", slope.value);
@@ -157,7 +157,7 @@ double best_efficiency(const bench::LiveBenchmarkSnapshot& contest) {
   return best;
 }
 
-void figures(const bench::LiveBenchmarkSnapshot& contest, const bench::Standing& m, metrics::Abscissa along) {
+void figures(const bench::LiveBenchmarkSnapshot& contest, const bench::MethodStatus& m, metrics::Abscissa along) {
   const double best = best_efficiency(contest);
   cell(m.samples == 0 ? "" : m.rmse > 0 ? text_of("%.3g", m.rmse) : "< ref.");
   cell(m.samples == 0 ? "" : slope_text(along == metrics::Abscissa::seconds ? m.slope : m.slope_over_samples));

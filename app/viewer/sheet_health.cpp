@@ -25,7 +25,7 @@ void error_figures(Workbench& w, const film::ErrorEstimate& error) {
                      : "not yet known");
   if (ImGui::IsItemHovered())
     tooltip(w, "From the picture's two independent halves; in 95 of 100 cases the true error lies within the brackets");
-  figure(w, "relMSE", error.known ? text_of("about %.1g", error.rough_relmse) : "not yet known");
+  figure(w, "relMSE", error.known ? text_of("about %.1g", error.approximate_relmse) : "not yet known");
   if (ImGui::IsItemHovered())
     tooltip(w,
             "Rough, and up to a third too low: divided by the picture instead of the truth. The certificate of etendue "
@@ -45,7 +45,8 @@ void tail_figures(Workbench& w, const render::Reliability& health) {
        "Where the tail index is too high and a few samples carry the noise; the map shows them");
   line("Variance of variance", text_of("%.2g", t.vov),
        "Relative variance of the variance: above 0.1 the error is not yet known");
-  line("Brightest", text_of("%s%.2g %% of the light", t.brightest_is_bound ? "more than " : "", 100 * t.brightest),
+  line("Brightest",
+       text_of("%s%.2g %% of the light", t.brightest_share_is_lower_bound ? "more than " : "", 100 * t.brightest_share),
        "What the brightest 0.01 % of the samples carry");
 }
 
@@ -54,23 +55,23 @@ void rejected_figures(Workbench& w, const film::InvalidSamples& r) {
   figure(w, "Rejected",
          text_of("%llu not a number, %llu infinite, %llu negative", static_cast<Count>(r.nan),
                  static_cast<Count>(r.infinite), static_cast<Count>(r.negative)));
-  for (const film::Rejection& first : r.first)
+  for (const film::InvalidSample& first : r.first)
     note(w, text_of("pixel %d, %d, sample %u: %s", first.x, first.y, first.sample,
-                    std::string(film::flaw_name(first.flaw)).c_str()));
+                    std::string(film::reason_name(first.reason)).c_str()));
 }
 
 }  // namespace
 
 void draw_health_sheet(Workbench& w) {
   const render::Status status = w.session.status();
-  verdict_line(w, status.health.get());
+  verdict_line(w, status.reliability.get());
   ImGui::Spacing();
   if (!ImGui::BeginTable("##health", 2, ImGuiTableFlags_SizingStretchSame)) return;
   ImGui::TableNextColumn();
   error_figures(w, status.error);
   rejected_figures(w, status.rejected);
   ImGui::TableNextColumn();
-  if (status.health) tail_figures(w, *status.health);
+  if (status.reliability) tail_figures(w, *status.reliability);
   action_button(w, "view.health-map");
   ImGui::EndTable();
 }

@@ -151,7 +151,7 @@ void remarks(Workbench& w) {
   if (shown && !w.paths.fresh()) warning(w, "Of the view before the last edit.");
   if (shown) {
     const auto& misses = w.paths.seen().misses;
-    const std::string sentence = w.editor.document().method.integrator + " " + advisor::sentence_of(misses) + ".";
+    const std::string sentence = w.editor.document().method.integrator + " " + advisor::missing_paths_text(misses) + ".";
     misses.none() ? ImGui::TextWrapped("%s", sentence.c_str()) : warning(w, sentence);
     for (const auto& beyond : shown->beyond_methods) warning(w, "Beyond all methods: " + beyond + ".");
     if (!shown->table.unseen.empty()) {

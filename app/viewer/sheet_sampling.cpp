@@ -179,7 +179,7 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
                       ImGui::GetColorU32(ImGuiCol_FrameBg, 0.4f));
   // Of a net, each half has as many points in each of these squares.
   int cells = 1;
-  while (4 * cells * cells <= static_cast<int>(view.points / film::kHalves)) cells *= 2;
+  while (4 * cells * cells <= static_cast<int>(view.points / film::kHalfBuffers)) cells *= 2;
   const ImU32 line = ImGui::GetColorU32(ImGuiCol_Border, 0.8f);
   for (int i = 0; i <= cells; ++i) {
     const float at = side * static_cast<float>(i) / static_cast<float>(cells);
@@ -190,7 +190,7 @@ void points(Workbench& w, ImDrawList* draw, const Placement& frame, Vec2i pixel)
   const auto& list = points_of(w, pixel);
   for (size_t i = 0; i < list.size(); ++i)
     draw->AddCircleFilled({corner.x + side * list[i].x, corner.y + side * (1 - list[i].y)}, radius,
-                          half_color(w, static_cast<int>(i % film::kHalves)), 8);
+                          half_color(w, static_cast<int>(i % film::kHalfBuffers)), 8);
 }
 
 // The methods whose samples are made pixel by pixel, as the registry says.
@@ -202,7 +202,7 @@ std::string names_of_pixel_methods() {
 }
 
 void charts(Workbench& w) {
-  if (!render::PixelSamples::possible(w.editor.document()))
+  if (!render::PixelSamples::supports(w.editor.document()))
     return warning(w, "No sample of " + w.editor.document().method.integrator +
                           " belongs to one pixel: its paths end on pixels that they did not choose, or wait for what "
                           "all pixels share. Pixels can be looked at with " +

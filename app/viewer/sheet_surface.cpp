@@ -15,19 +15,19 @@ namespace {
 
 metrics::ChartPalette palette_of(const Workbench& w) {
   metrics::ChartPalette palette;
-  palette.text = ink_of(w.theme.text), palette.quiet = ink_of(w.theme.quiet);
-  palette.line = palette.quiet, palette.line.opacity = 0.7;
-  palette.thin_line = palette.quiet, palette.thin_line.opacity = 0.25;
+  palette.text = ink_of(w.theme.text), palette.secondary_text = ink_of(w.theme.quiet);
+  palette.grid = palette.secondary_text, palette.grid.opacity = 0.7;
+  palette.minor_grid = palette.secondary_text, palette.minor_grid.opacity = 0.25;
   return palette;
 }
 
-bsdf_analysis::Look look_of(const Workbench& w, const Vec2& size) {
-  bsdf_analysis::Look look;
+bsdf_analysis::DrawingOptions look_of(const Workbench& w, const Vec2& size) {
+  bsdf_analysis::DrawingOptions look;
   // Drawn in the units of the small face, so that strokes are as wide on every display.
   look.width = static_cast<int>(size.x / w.platform.scale()),
   look.height = static_cast<int>(size.y / w.platform.scale());
-  look.palette = palette_of(w), look.length = w.surface.setup.length;
-  look.turn = w.surface.turn, look.tilt = w.surface.tilt;
+  look.palette = palette_of(w), look.length_scale = w.surface.setup.length;
+  look.azimuth = w.surface.turn, look.elevation = w.surface.tilt;
   return look;
 }
 
@@ -88,7 +88,7 @@ void figures(Workbench& w, const SurfaceReading& reading) {
   const auto& sampling = reading.audit.sampling;
   for (const auto& q : sampling)
     if (q.degrees == 45)
-      figure(w, "Noise of a sample at 45\u00b0", text_of("%.2f (cosine %.2f)", q.deviation, q.by_cosine));
+      figure(w, "Noise of a sample at 45\u00b0", text_of("%.2f (cosine %.2f)", q.deviation, q.cosine_deviation));
 }
 
 void controls(Workbench& w) {
@@ -96,7 +96,7 @@ void controls(Workbench& w) {
   for (size_t side = 0; side < 2; ++side)
     if (const auto* reading = w.surface.shown(side)) {
       ImGui::PushID(static_cast<int>(side));
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::ink_of_method(side))), "%s%s",
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::method_color(side))), "%s%s",
                          reading->name.c_str(), side == 1 ? " (kept)" : "");
       figures(w, *reading);
       ImGui::PopID();
@@ -111,7 +111,7 @@ void controls(Workbench& w) {
 }  // namespace
 
 void draw_badges(Workbench& w, const SurfaceReading& reading) {
-  for (const bsdf_analysis::Check& badge : reading.audit.badges) {
+  for (const bsdf_analysis::Check& badge : reading.audit.checks) {
     traffic_light(w, badge.holds ? render::Verdict::healthy : render::Verdict::doubtful);
     ImGui::SameLine();
     ImGui::TextColored(badge.holds ? w.theme.text : w.theme.warning, "%s", badge.label());

@@ -29,7 +29,7 @@ void toggle_technique(Workbench& w, const TechniqueCell& cell) {
   const auto& method = w.editor.document().method;
   const auto& info = *integrator::find_integrator(method.integrator);
   const std::string name = info.name + "." + std::string(info.techniques.without);
-  for (const auto& binding : render::bindings(w.editor.document(), info.name))
+  for (const auto& binding : render::section_parameters(w.editor.document(), info.name))
     if (binding.info.name == name) w.edit(binding, toggled(w.techniques.left_out(), cell.s, cell.t));
 }
 

@@ -56,7 +56,7 @@ render::Document specimen() {
   render::Document d;
   if (auto cornell = render::new_document("cornell")) d = std::move(*cornell);
   auto scene = std::make_shared<scene::Scene>(*d.scene);
-  scene->lights.emplace_back().type = LightType::spot;
+  scene->lights.push_back(make_light("spot"));
   d.scene = std::move(scene);
   return d;
 }
@@ -185,7 +185,7 @@ json surface_json(const SurfaceHand& hand) {
     const auto* reading = hand.shown(side);
     if (!reading) continue;
     json badges = json::object();
-    for (const auto& badge : reading->audit.badges) badges[badge.name] = badge.holds;
+    for (const auto& badge : reading->audit.checks) badges[badge.name] = badge.holds;
     j["sides"].push_back({{"model", reading->name},
                           {"badges", badges},
                           {"albedo", bsdf_analysis::hemispherical_albedo(reading->audit.albedo)},
@@ -197,7 +197,7 @@ json surface_json(const SurfaceHand& hand) {
 json meter_json(const MeterHand& hand) {
   const auto* m = hand.shown();
   if (!m) return nullptr;
-  const auto reading = [](const render::Reading& r) {
+  const auto reading = [](const render::MeterReading& r) {
     return json{{"value", {r.value.r, r.value.g, r.value.b}}, {"standard_error", r.standard_error}};
   };
   return {{"whole", hand.whole()}, {"radiance", reading(m->radiance)}, {"irradiance", reading(m->irradiance)}};
@@ -222,7 +222,7 @@ std::string state_report(Workbench& w) {
   const auto& d = w.editor.document();
   if (!w.editor.empty())
     for (const auto& section : render::sections(d))
-      for (const auto& binding : render::bindings(d, section))
+      for (const auto& binding : render::section_parameters(d, section))
         parameters[binding.info.name] = to_json(binding.info.default_value);
   parameters["view.false-color"] = w.view.false_color;
   parameters["view.aov"] = w.view.aov.empty() ? "picture" : w.view.aov;
@@ -262,8 +262,9 @@ std::string state_report(Workbench& w) {
     state["points"] = {{"kept", points->kept}, {"seen", points->points.size()}};
   if (const auto study = w.probe.study()) state["pixel"] = pixel_json(*study);
   if (status.error.known) state["rmse"] = status.error.rmse;
-  if (status.health)
-    state["health"] = {{"verdict", render::verdict_name(status.health->verdict)}, {"reason", status.health->reason}};
+  if (status.reliability)
+    state["health"] = {{"verdict", render::verdict_name(status.reliability->verdict)},
+                       {"reason", status.reliability->reason}};
   return state.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
@@ -292,7 +293,7 @@ std::string widgets_json() {
     // Objects are numbered; the first stands for all.
     const size_t dot = section.find('.');
     if (dot != std::string::npos && section.substr(dot + 1) != "0") continue;
-    for (const auto& binding : render::bindings(d, section)) list.push_back(parameter(binding.info));
+    for (const auto& binding : render::section_parameters(d, section)) list.push_back(parameter(binding.info));
     if (section.starts_with("node."))
       for (const auto& info : euler_parameters(section, Vec3(0))) list.push_back(parameter(info));
   }

@@ -70,8 +70,8 @@ void status_parts(Workbench& w, Line& line) {
   if (d.limits.samples > 0) samples = text_of("%u / %u spp", status.samples, d.limits.samples);
   line.part(w, samples, "Complete samples of every pixel");
   line.part(w, time_text(status.seconds), "Time spent on this picture");
-  if (status.left && !status.finished)
-    line.part(w, left_text(*status.left),
+  if (status.time_left && !status.finished)
+    line.part(w, left_text(*status.time_left),
               "Until it stops; how far that may be off, in four of five cases, where it stops at an error");
   line.part(w, text_of("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
   line.part(w, text_of("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
@@ -81,7 +81,7 @@ void status_parts(Workbench& w, Line& line) {
   line.part(w, error,
             "Estimated root mean square error of the picture, from its two independent halves; not known before every "
             "pixel has samples in both");
-  if (status.health) health_part(w, line, *status.health);
+  if (status.reliability) health_part(w, line, *status.reliability);
   if (status.rejected.total() > 0)
     line.part(w, text_of("%llu rejected", static_cast<unsigned long long>(status.rejected.total())),
               "Samples that were no radiance (not finite, or negative) and were left out", true);

@@ -85,7 +85,7 @@ class WaitForWork final : public Step {
   explicit WaitForWork(bool pixel) : pixel_(pixel) {}
   Progress advance(Workbench& w, Picture&) override {
     if (!rest_.over()) return kGoingOn;
-    if (pixel_ && !render::PixelSamples::possible(w.editor.document()))
+    if (pixel_ && !render::PixelSamples::supports(w.editor.document()))
       return impossible("no sample of this integrator belongs to one pixel");
     if (pixel_ && !w.probe.pixel()) return impossible("no pixel is chosen");
     return {!(pixel_ ? w.probe.busy() : w.comparison.busy()), {}};

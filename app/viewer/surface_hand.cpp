@@ -11,10 +11,10 @@ std::shared_ptr<const SurfaceReading> read(const Material& material, double degr
   auto reading = std::make_shared<SurfaceReading>();
   const bsdf_analysis::Lobes lobes = bsdf_analysis::lobes_of(material);
   reading->material = material, reading->name = label_of_model(material);
-  reading->audit = bsdf_analysis::audit(lobes);
+  reading->audit = bsdf_analysis::analyze(lobes);
   reading->slice = bsdf_analysis::slice(lobes, degrees, cosine);
   reading->lobe.push_back(bsdf_analysis::lobe_surface(lobes, degrees, bsdf_analysis::Side::upper, cosine));
-  if (bsdf_analysis::passes_light(lobes))
+  if (bsdf_analysis::transmits_light(lobes))
     reading->lobe.push_back(bsdf_analysis::lobe_surface(lobes, degrees, bsdf_analysis::Side::lower, cosine));
   return reading;
 }

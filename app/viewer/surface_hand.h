@@ -18,8 +18,8 @@ namespace etendue::viewer {
 struct SurfaceSetup {
   Number<float> degrees{"surface.angle", "Angle of view", 45, {0, 89}, "Between the eye and the normal", "\u00b0"};
   Toggle cosine{"surface.cosine", "Times the cosine", true, "What is reflected of even light; off: f itself"};
-  Choice<bsdf_analysis::Length> length{
-      "surface.length", "Length", bsdf_analysis::Length::linear,
+  Choice<bsdf_analysis::LengthScale> length{
+      "surface.length", "Length", bsdf_analysis::LengthScale::linear,
       "Of lobes: f as it is, or its fourth root, which shows what lies beneath a peak"};
   Choice<scene::PreviewLight> light{
       "surface.light", "Light on the ball", scene::PreviewLight::studio,
@@ -31,7 +31,7 @@ struct SurfaceSetup {
 struct SurfaceReading {
   Material material;
   std::string name;  // of its model
-  bsdf_analysis::Audit audit;
+  bsdf_analysis::SurfaceAnalysis audit;
   bsdf_analysis::Slice slice;
   std::vector<bsdf_analysis::LobeSurface> lobe;
 };

@@ -102,7 +102,7 @@ class Maker {
     if (!bench::wait_for(session_, version, [&](const render::Status&) { return watch_(0, "techniques"); }))
       return false;
     film = session_.film_copy();
-    const auto energy = advisor::energy_of(film);
+    const auto energy = advisor::class_energy(film);
     cell.samples = samples, cell.mean = energy.mean, cell.standard_error = energy.standard_error;
     cell.picture = std::make_shared<const std::vector<float>>(film::radiance_of(film));
     publish_(pyramid_);

@@ -91,8 +91,8 @@ class Application {
     if (w_.comparison.watch_shift(w_.input, w_.view.typing, now)) frames_wanted_ = std::max(frames_wanted_, 1);
     const auto frame = w_.session.frame();
     const bool new_frame = frame && frame != w_.frame;
-    const bool hurry =
-        new_frame && (!w_.frame || frame->version != w_.frame->version || frame->coarseness != w_.frame->coarseness);
+    const bool hurry = new_frame && (!w_.frame || frame->version != w_.frame->version ||
+                                     frame->preview_scale != w_.frame->preview_scale);
     const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
     const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news() ||
                       w_.missing_paths.has_news() || w_.techniques.has_news() || w_.surface.has_news() ||

@@ -226,7 +226,7 @@ void draw_viewport_overlay(Workbench& w) {
   draw->PushClipRect({r.corner.x, r.corner.y}, {r.corner.x + r.size.x, r.corner.y + r.size.y});
   if (w.view.interface) outline(w, draw);
   if (w.view.health_map)
-    if (const auto health = w.session.status().health) draw_health_map(w, *health, draw);
+    if (const auto health = w.session.status().reliability) draw_health_map(w, *health, draw);
   if (w.view.points) points(w, draw);
   const bool map = w.comparison.map() && !w.comparison.reference_on_screen();
   if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);

@@ -31,8 +31,8 @@ Explained explained(const ParameterInfo& info, const std::string& option) {
     }
   if (info.name.ends_with(".model"))
     if (const auto* model = find_bsdf_model(option))
-      return {Options<ModelClass>::kOptions[static_cast<size_t>(model->description.kind)].label, "",
-              model->description.doc};
+      return {Options<ModelClass>::kOptions[static_cast<size_t>(model->description.model_class)].label, "",
+              model->description.summary};
   return {};
 }
 
@@ -63,7 +63,7 @@ void text_field(Workbench& w, const ParameterInfo& info, size_t index, Change& c
   const bool active = ImGui::IsItemActive();
   describe_field(w, info);
   if (w.checked.field != info.name || w.checked.text != typed)
-    w.checked = {info.name, typed, typed == now ? Result<void>() : info.accepts_text(typed)};
+    w.checked = {info.name, typed, typed == now ? Result<void>() : info.validate_text(typed)};
   const Result<void> accepted = typed == now ? Result<void>() : w.checked.answer;
   if (entered && accepted) change.value = typed;
   if (entered && !accepted) w.notices.complain(info.label + ": " + accepted.error().message);
@@ -87,7 +87,7 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
       const std::string& now = std::get<std::string>(info.default_value);
       const auto at = std::find(info.options.begin(), info.options.end(), now);
       const size_t index = static_cast<size_t>(at - info.options.begin());
-      if (info.accepts_text) {
+      if (info.validate_text) {
         text_field(w, info, index, change);
         ImGui::PopID();
         if (!change.value) change.value = from_script(w, info);
@@ -110,16 +110,16 @@ Change one_widget(Workbench& w, const ParameterInfo& info) {
 
 // It can be read, and says why it cannot be turned.
 void idle_widget(Workbench& w, const render::DocumentParameter& binding) {
-  if (w.items.take(binding.info.name)) w.items.answer(binding.info.name + ": " + binding.idle);
+  if (w.items.take(binding.info.name)) w.items.answer(binding.info.name + ": " + binding.inactive_reason);
   ParameterInfo info = binding.info;
-  info.doc += "\nNot now: " + binding.idle;
+  info.doc += "\nNot now: " + binding.inactive_reason;
   ImGui::BeginDisabled();
   one_widget(w, info);
   ImGui::EndDisabled();
 }
 
 void binding_widget(Workbench& w, const render::DocumentParameter& binding) {
-  if (!binding.idle.empty()) return idle_widget(w, binding);
+  if (!binding.inactive_reason.empty()) return idle_widget(w, binding);
   const Change change = one_widget(w, binding.info);
   commit(w, binding, change);
   const bool at_once = binding.info.type == ParameterType::toggle || binding.info.type == ParameterType::choice;
@@ -185,7 +185,7 @@ size_t vector_length(const std::vector<render::DocumentParameter>& list, size_t 
 
 template <class Wanted>
 void widgets(Workbench& w, const std::string& section, Wanted wanted) {
-  const auto list = render::bindings(w.editor.document(), section);
+  const auto list = render::section_parameters(w.editor.document(), section);
   for (size_t i = 0; i < list.size(); ++i) {
     const std::string bare = list[i].info.name.substr(section.size() + 1);
     if (!wanted(bare)) continue;

@@ -78,12 +78,12 @@ void Workbench::edit_camera(const Camera& camera, const std::string& name, const
 
 void Workbench::choose_integrator(const std::string& name) {
   if (editor.empty() || name == editor.document().method.integrator) return;
-  for (const auto& binding : render::bindings(editor.document(), "render"))
+  for (const auto& binding : render::section_parameters(editor.document(), "render"))
     if (binding.info.name == "render.integrator") edit(binding, name);
 }
 
 void Workbench::choose_paths(const std::string& expression) {
-  for (const auto& binding : render::bindings(editor.document(), "film"))
+  for (const auto& binding : render::section_parameters(editor.document(), "film"))
     if (binding.info.name == "film.paths") edit(binding, expression);
 }
 

@@ -14,12 +14,12 @@ float inner_index(const Material& m) {
 }
 
 bool is_solid(const InstanceData& instance, const SurfaceMaterial& material) {
-  return !instance.round && material.description.solid() && !material.description.unlit;
+  return !instance.round && material.description.is_solid() && !material.description.unlit;
 }
 
 // Whether rays may pass the surface by opacity.
 bool is_porous(const InstanceData& instance, const SurfaceMaterial& material) {
-  return material.transparent &&
+  return material.has_alpha &&
          (material.description.alpha < 1 || material.base_color || !instance.mesh->colors.empty());
 }
 
@@ -29,7 +29,7 @@ Bounds bounds_over_time(const InstanceData& instance) {
   const Motion* motion = instance.motion.get();
   if (!motion) return bounds_of(*instance.mesh, instance.identity ? Mat4(1) : instance.to_world);
   for (const Mat4& to_world : motion->to_world) bounds.extend(bounds_of(*instance.mesh, to_world));
-  for (const Vertices& vertices : motion->vertices)
+  for (const DeformedVertices& vertices : motion->vertices)
     for (const Vec3& p : vertices.positions) bounds.extend(p);
   return bounds;
 }
@@ -70,7 +70,7 @@ class BoundaryCollector final : public OpacityTest {
     return found();
   }
 
-  bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t) const override {
+  bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t) const override {
     if (instances_[instance].solid != kNoSolid) found().push_back({instance, triangle, u, v, 0});
     return false;
   }
@@ -118,7 +118,7 @@ void Solids::number(std::vector<InstanceData>& instances, const std::vector<Surf
     Solid inside;
     inside.node = instance.node, inside.material = instance.material;
     inside.eta = inner_index(material.description);
-    inside.absorbs = material.absorbs;
+    inside.absorbs = material.absorbs_inside;
     inside.attenuation_color = material.description.attenuation_color;
     inside.attenuation_distance = material.description.attenuation_distance;
     // Primitives of a node stand side by side.
@@ -128,7 +128,7 @@ void Solids::number(std::vector<InstanceData>& instances, const std::vector<Surf
     if (at == all.size()) all.push_back(inside);
     Solid& solid = all[at];
     solid.bounds.extend(bounds_over_time(instance));
-    solid.emits = solid.emits || material.emissive;
+    solid.emits = solid.emits || material.is_emissive;
     solid.porous = solid.porous || is_porous(instance, material);
     solid.moves = solid.moves || instance.motion;
     instance.solid = static_cast<uint32_t>(at);

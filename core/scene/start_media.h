@@ -7,7 +7,7 @@
 
 #include "camera/camera.h"
 #include "geometry/ray.h"
-#include "light/light_table.h"
+#include "light/sampling/light_table.h"
 #include "scene/solids.h"
 
 namespace etendue::scene {

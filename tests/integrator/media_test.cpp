@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "integrator/integrator.h"
-#include "stress/lab.h"
+#include "stress/test_context.h"
 #include "support/cut.h"
 #include "support/media_places.h"
 #include "support/motion.h"
@@ -46,7 +46,7 @@ void expect_mean(const Document& d, uint32_t samples, double expected) {
 
 // Integrators that see a light through smooth boundaries.
 std::vector<std::string> see_through_glass() {
-  std::vector<std::string> names = stress::unbiased_methods();
+  std::vector<std::string> names = stress::unbiased_integrators();
   names.insert(names.end(), {"whitted", "photonmap", "sppm", "igi", "mlt"});
   return names;
 }

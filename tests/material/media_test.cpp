@@ -34,11 +34,11 @@ TEST(Immersed, EqualIndicesNeitherReflectNorBend) {
     for (const Material& m : boundaries(1.33f, roughness))
       for (const Vec3& wo : {direction(0), direction(40), -direction(70), direction(89)}) {
         const auto lobes = immersed(m, 1.33f);
-        EXPECT_FALSE(lobes.has_non_delta());
+        EXPECT_FALSE(lobes.has_non_delta_lobe());
         Draw draw(5);
         for (int i = 0; i < 100; ++i) {
           LobeSample<Rgb> s;
-          ASSERT_TRUE(lobes.sample(wo, draw.lobe(), Transport::radiance, s));
+          ASSERT_TRUE(lobes.sample(wo, draw.lobe(), TransportMode::radiance, s));
           EXPECT_TRUE(s.transmitted && s.delta);
           EXPECT_EQ(s.wi, -wo);
           EXPECT_EQ(s.weight, Rgb(1));
@@ -53,8 +53,8 @@ TEST(Immersed, RefractsByTheRatio) {
   const auto lobes = immersed(boundary(kIce), kWater);
   for (const float degrees : {10.0f, 45.0f, 75.0f, 82.0f}) {
     const Vec3 wo = direction(degrees);
-    Deltas<Rgb> deltas;
-    lobes.add_deltas(wo, Transport::radiance, deltas);
+    DeltaSet<Rgb> deltas;
+    lobes.add_deltas(wo, TransportMode::radiance, deltas);
     const float sine = std::sqrt(1 - sqr(wo.z)) * kWater / kIce;
     float cosine;
     const float f = fresnel_dielectric(wo.z, kIce / kWater, cosine);
@@ -74,7 +74,7 @@ TEST(Immersed, IsTheSurfaceOfTheRatioInAVacuum) {
       const auto alone = lobes_of(boundaries(1.8f / 1.2f, roughness)[kind]);
       const Vec3 wo = direction(35);
       for (const Vec3& wi : {direction(20, 2), -direction(10, 1), -direction(50, 4)})
-        for (const Transport mode : {Transport::radiance, Transport::importance}) {
+        for (const Transport mode : {TransportMode::radiance, TransportMode::importance}) {
           const Rgb a = in_water.eval(wo, wi, mode), b = alone.eval(wo, wi, mode);
           for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-5f * (1 + b[k]));
           EXPECT_NEAR(in_water.pdf(wo, wi, mode), alone.pdf(wo, wi, mode), 1e-5f);

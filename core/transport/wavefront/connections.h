@@ -40,7 +40,7 @@ class Connections {
                        std::min(RayPacket::kSize, size_ - first), &seeds_[static_cast<size_t>(first)]);
     for (int i = 0; i < size_; ++i) {
       const auto slot = static_cast<size_t>(i);
-      const bool blocked = packets_[slot / RayPacket::kSize].blocked(i % RayPacket::kSize);
+      const bool blocked = packets_[slot / RayPacket::kSize].is_occluded(i % RayPacket::kSize);
       if (segments_.empty()) {
         if (!blocked) deliver(carried_[slot], Rgb(1));
         continue;

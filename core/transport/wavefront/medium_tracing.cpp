@@ -29,11 +29,12 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
     }
     bool event = scene.find_interface(stack, time, hit, segment.interface);
     const scene::InstanceData& surface = scene.instances()[hit.instance];
-    if (event && solids[surface.solid].porous) event = scene.stops(hit.instance, hit.triangle, hit.u, hit.v, seed);
+    if (event && solids[surface.solid].porous) event = scene.blocks_ray(hit.instance, hit.triangle, hit.u, hit.v, seed);
     if (event) break;
 
     const Facet f = scene::facet_of(surface, hit.triangle, time);
-    const Vec3 e1 = f.p1 - f.p0, e2 = f.p2 - f.p0, position = f.p0 + e1 * hit.u + e2 * hit.v, normal = scene::normal_of(f);
+    const Vec3 e1 = f.p1 - f.p0, e2 = f.p2 - f.p0, position = f.p0 + e1 * hit.u + e2 * hit.v,
+               normal = scene::normal_of(f);
     const float cosine = glm::dot(normal, ray.direction) / scale;
     const scene::MediumStack beyond = segment.interface.side(cosine > 0);
     const float passed = start + hit.t;

@@ -1,4 +1,5 @@
-// Solids of glass in each other, and side by side without a gap, before a plate of light.
+// Glass solids inside each other, and side by side without a gap, in front of an emitting plate.
+//                                                                                     [Schmidt and Budge 2002]
 #pragma once
 #include <cmath>
 #include <vector>
@@ -25,7 +26,7 @@ inline void add_plate(scene::Scene& scene, float depth) {
   scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0), Rgb(1)), place);
 }
 
-inline void nested_glass(Lab& lab) {
+inline void nested_glass(TestContext& test) {
   constexpr double kWater = 1.33, kDense = 1.8;
   const auto solid = [](double index) { return scene::glass(static_cast<float>(index)); };
   scene::Scene nested;
@@ -50,9 +51,10 @@ inline void nested_glass(Lab& lab) {
   const Camera camera = look_at({0.013f, 4, 0.017f}, {0.013f, 0, 0.017f}, {0, 0, 1}, 1e-4f);
   for (const auto& [point, scene, indices] : arrangements) {
     add_plate(scene, 3);
-    const auto d = lab.document(scene, camera);
-    for (const auto& method : unbiased_methods())
-      lab.expect_mean(method, point, lab.mean(Lab::with_method(d, method), 256), layers_transmission(indices));
+    const auto d = test.document(scene, camera);
+    for (const auto& method : unbiased_integrators())
+      test.expect_mean(method, point, test.mean(TestContext::with_method(d, method), 256),
+                       layers_transmission(indices));
   }
 }
 

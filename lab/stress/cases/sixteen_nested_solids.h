@@ -16,7 +16,7 @@ struct LayerStack {
   }
 };
 
-inline void sixteen_nested_solids(Lab& lab) {
+inline void sixteen_nested_solids(TestContext& test) {
   constexpr int kSolids = 16;
   constexpr double kGlass = 1.5, kWater = 1.33, kPerMetre = 0.8;
   const auto index = [](int i) { return i % 2 == 0 ? kGlass : kWater; };
@@ -38,9 +38,9 @@ inline void sixteen_nested_solids(Lab& lab) {
   stack = stack.with_boundary(index(0), 1, 1);
 
   const Camera camera = look_at({0.013f, 4, 0.017f}, {0.013f, 0, 0.017f}, {0, 0, 1}, 1e-4f);
-  const auto d = lab.document(scene, camera);
-  for (const auto& method : unbiased_methods())
-    lab.expect_mean(method, "", lab.mean(Lab::with_method(d, method), 1024), stack.passed);
+  const auto d = test.document(scene, camera);
+  for (const auto& method : unbiased_integrators())
+    test.expect_mean(method, "", test.mean(TestContext::with_method(d, method), 1024), stack.passed);
 }
 
 inline constexpr Case kSixteenNestedSolids{"sixteen-nested-solids", Kind::geometry,
