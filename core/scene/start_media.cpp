@@ -1,5 +1,6 @@
 #include "scene/start_media.h"
 
+#include "light/placed_light.h"
 #include "scene/facet.h"
 
 namespace etendue::scene {
@@ -95,7 +96,7 @@ void StartMedia::find_lights(const Solids& solids, const std::vector<InstanceDat
   placed_.resize(lights.placed().size());
   for (size_t i = 0; i < placed_.size(); ++i) {
     const PlacedLight& light = lights.placed()[i];
-    if (light.light.type != LightType::point && light.light.type != LightType::spot) continue;
+    if (light.is_infinite()) continue;
     // No boundary divides a point.
     placed_[i].varies = light.motion || any_moves(solids);
     if (!placed_[i].varies) placed_[i].stack = solids.at(instances, light.place.position, 0);
