@@ -238,10 +238,10 @@ bool CompiledScene::blocks_ray(uint32_t instance, uint32_t triangle, float u, fl
 
 namespace {
 
-// Stops rays at boundaries of solids.
-class SolidsStopRays final : public OpacityTest {
+// Stops rays at all boundaries of solids, and elsewhere by opacity.
+class SolidOpacityTest final : public OpacityTest {
  public:
-  explicit SolidsStopRays(const CompiledScene& scene) : scene_(scene) {}
+  explicit SolidOpacityTest(const CompiledScene& scene) : scene_(scene) {}
   bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override {
     return scene_.instances()[instance].solid != kNoSolid || scene_.blocks_ray(instance, triangle, u, v, ray_seed);
   }
@@ -253,16 +253,16 @@ class SolidsStopRays final : public OpacityTest {
 }  // namespace
 
 Hit CompiledScene::intersect_solids(const Ray& ray, uint32_t ray_seed, float time) const {
-  if (!solids_->porous()) return intersect(ray, ray_seed, time);
-  const SolidsStopRays opacity(*this);
+  if (!solids_->any_has_alpha()) return intersect(ray, ray_seed, time);
+  const SolidOpacityTest opacity(*this);
   Hit hit;
   accel_->intersect(ray, &opacity, ray_seed, hit, time);
   return hit;
 }
 
 void CompiledScene::intersect_solids(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const {
-  if (!solids_->porous()) return intersect(packet, count, coherent, seeds);
-  const SolidsStopRays opacity(*this);
+  if (!solids_->any_has_alpha()) return intersect(packet, count, coherent, seeds);
+  const SolidOpacityTest opacity(*this);
   accel_->intersect(packet, count, coherent, &opacity, seeds);
 }
 

@@ -99,7 +99,7 @@ class CompiledScene final : public OpacityTest {
     accel_->occluded(packet, count, opacity(), seeds);
   }
 
-  // The same, but rays stop at boundaries of solids regardless of opacity, which `blocks_ray` decides.
+  // The same, but rays stop at all boundaries of solids. The caller tests their opacity with `blocks_ray`.
   Hit intersect_solids(const Ray& ray, uint32_t ray_seed, float time) const;
   void intersect_solids(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const;
 
@@ -136,21 +136,21 @@ class CompiledScene final : public OpacityTest {
   }
 
   const LightTable& lights() const { return *lights_; }
-  // Empty where no path needs a medium state.
+  // Empty if paths need no medium state.
   const Solids& solids() const { return *solids_; }
-  // As Solids::find_interface.
-  bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& found) const {
-    return solids_->find_interface(*instances_, stack, time, hit, found);
+  // See Solids::find_interface.
+  bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& interface) const {
+    return solids_->find_interface(*instances_, stack, time, hit, interface);
   }
   // The solids that contain the start of a camera ray.
   MediumStack media_at_camera(const Ray& ray, float time) const {
     return start_media_->at_camera(*solids_, *instances_, ray, time);
   }
-  // The solids around the start of a ray that leaves a light; `point` is that of a triangle. `origin` lies off its
-  // surface, on the side that the ray leaves by.
+  // The solids around the start of a ray that leaves a light. For area lights `point` is the surface point, and
+  // `origin` is offset from it to the side on which the ray leaves; otherwise `point` is null.
   void find_media_at_light(const Emission& emission, const SurfacePoint* point, const Vec3& origin,
-                           MediumInterface& found) const {
-    start_media_->find_at_light(*solids_, *instances_, *lights_, emission, point, origin, found);
+                           MediumInterface& interface) const {
+    start_media_->find_at_light(*solids_, *instances_, *lights_, emission, point, origin, interface);
   }
 
   const Camera& camera() const { return camera_; }

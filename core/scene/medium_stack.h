@@ -1,9 +1,9 @@
 // The medium state of a path: the solids that contain a point.                              [Schmidt and Budge 2002]
 //
-// Every solid of a scene has a number, its priority: where solids overlap, the smallest number is the medium. The state
-// is a set, sorted by number. The current medium is a function of that set alone, not of the order in which a path
-// entered the solids. Camera paths and light paths therefore find the same media, refractive indices and densities at
-// the same point, which bidirectional methods rely on.
+// The number of a solid is its priority: where solids overlap, the smallest number is the medium. The state is a set,
+// sorted by number. The current medium depends on that set alone, not on the order in which a path entered the solids.
+// Camera paths and light paths therefore find the same media, refractive indices and densities at the same point, which
+// bidirectional integrators require.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace etendue::scene {
 
-// Not the number of any solid.
+// The number of no solid: a vacuum.
 inline constexpr uint32_t kNoSolid = 0xffffffffU;
 
 class MediumStack {
  public:
-  // Sixteen nested solids and the one that is entered. One more drops the solid of the lowest priority, which is the
-  // medium only after all others have been left.
+  // Sixteen nested solids and the one being entered. A further solid drops the one of the lowest priority, which
+  // becomes the medium only after all others have been left.
   static constexpr size_t kCapacity = 17;
 
   bool empty() const { return size_ == 0; }
@@ -28,7 +28,7 @@ class MediumStack {
   std::span<const uint32_t> solids() const { return {solids_.data(), size_}; }
   bool contains(uint32_t solid) const { return std::ranges::find(solids(), solid) != solids().end(); }
 
-  // Inserting what is present and erasing what is absent do nothing: meshes may be open.
+  // Inserting a member and erasing a solid that is not a member have no effect, since meshes may be open.
   void insert(uint32_t solid) {
     size_t at = 0;
     while (at < size_ && solids_[at] < solid) ++at;
@@ -57,46 +57,47 @@ class MediumStack {
 struct MediumInterface {
   static constexpr size_t kMaxBoundaries = 4;
 
-  MediumStack around;
+  MediumStack surrounding;
   std::array<uint32_t, kMaxBoundaries> boundaries{};
   uint8_t count = 0;
-  uint8_t behind = 0;  // bit i: solid boundaries[i] lies on the back of the surface, else on its front
-  // How far the boundaries may lie apart by rounding, metres.
+  uint8_t back_mask = 0;  // bit i is set if solid boundaries[i] lies on the back of the surface, else on its front
+  // Bound of the distance between the boundaries due to rounding, metres.
   float offset = 0;
 
   void clear(const MediumStack& stack) {
-    around = stack;
+    surrounding = stack;
     count = 0;
-    behind = 0;
+    back_mask = 0;
     offset = 0;
   }
-  // A boundary whose solid lies on the back of the surface, or on its front.
+  // Adds the boundary of a solid that lies on the back of the surface, or on its front. Boundaries beyond
+  // kMaxBoundaries are ignored.
   void add_boundary(uint32_t solid, bool on_back) {
     if (count == kMaxBoundaries) return;
-    around.erase(solid);
-    behind = static_cast<uint8_t>(behind | (on_back ? 1U : 0U) << count);
+    surrounding.erase(solid);
+    back_mask = static_cast<uint8_t>(back_mask | (on_back ? 1U : 0U) << count);
     boundaries[count++] = solid;
   }
-  // The surface seen from its other side.
-  void flip() { behind = static_cast<uint8_t>(~behind); }
+  // Exchanges front and back.
+  void flip() { back_mask = static_cast<uint8_t>(~back_mask); }
 
   // The solids that contain the points next to one side of the surface.
   MediumStack side(bool front) const {
-    MediumStack stack = around;
+    MediumStack stack = surrounding;
     for (size_t i = 0; i < count; ++i)
       if (is_on_side(i, front)) stack.insert(boundaries[i]);
     return stack;
   }
-  // The medium there.
+  // The medium on one side of the surface.
   uint32_t top(bool front) const {
-    uint32_t least = around.top();
+    uint32_t least = surrounding.top();
     for (size_t i = 0; i < count; ++i)
       if (is_on_side(i, front)) least = std::min(least, boundaries[i]);
     return least;
   }
 
  private:
-  bool is_on_side(size_t i, bool front) const { return ((behind >> i & 1) == 0) == front; }
+  bool is_on_side(size_t i, bool front) const { return ((back_mask >> i & 1) == 0) == front; }
 };
 
 }  // namespace etendue::scene

@@ -1,15 +1,16 @@
 // Solids: closed regions of one medium, and which of them contain a point.                  [Schmidt and Budge 2002]
 //
-// A solid is what the primitives of one node enclose that share one inside: index of refraction, attenuation colour and
-// attenuation distance. Thin walls are no solids. Solids are numbered by priority: a smaller number wins where solids
-// overlap. The solid with the smaller bounding box (by its surface area) comes first, then the earlier one in the file.
-// The file format has no explicit priorities; they would come before both.
+// A solid is the region enclosed by those primitives of one node that have the same index of refraction, attenuation
+// colour and attenuation distance. Thin-walled materials enclose no solid.
 //
-// Light passes a boundary inside a solid of higher priority without an event: the medium is the same on both sides.
-// Boundaries of different solids that lie in one surface, up to rounding, are one interface between the media before
+// Solids are numbered by priority. Where solids overlap, the smallest number is the medium. The solid with the smaller
+// bounding box (by surface area) has the smaller number; among equal boxes the order of the file decides.
+//
+// Light passes a boundary inside a solid of higher priority without scattering, since the medium is the same on both
+// sides. Boundaries of different solids that coincide up to rounding form one interface between the media in front of
 // and behind all of them. Its scattering function is that of the solid with the highest priority.
 //
-// Meshes of solids must be closed for all methods to agree.
+// Integrators agree only if the meshes of solids are closed.
 #pragma once
 #include <memory>
 #include <span>
@@ -31,16 +32,16 @@ struct Solid {
   Rgb attenuation_color{1};
   float attenuation_distance = kInfinity;  // metres
   bool absorbs = false;
-  bool meets = false;   // its bounds meet those of another solid
-  bool emits = false;   // light is sampled on its boundary: a path never passes it without an event
-  bool porous = false;  // rays may pass its boundary by opacity
-  bool moves = false;   // while the shutter is open
+  bool may_overlap = false;  // its bounds intersect or touch those of another solid
+  bool is_emissive = false;  // light is sampled on its boundary, so every path that reaches it has a vertex there
+  bool has_alpha = false;    // rays may pass its boundary by opacity
+  bool is_moving = false;    // while the shutter is open
   uint32_t node = 0;
   uint32_t material = 0;  // of its first primitive
-  Bounds bounds;          // in world space, over the time that the shutter is open
-  float offset = 0;       // largest rounding error of points on its boundary, metres
+  Bounds bounds;          // in world space, over the shutter interval
+  float offset = 0;       // bound of the rounding error of points on its boundary, metres
 
-  // What is left of light after so many metres.                                     KHR_materials_volume; Beer's law
+  // Beer's law: the transmittance of a segment of this length in metres.                       [KHR_materials_volume]
   Rgb transmittance(float distance) const {
     if (!absorbs) return Rgb(1);
     const float x = distance / attenuation_distance;
@@ -48,12 +49,12 @@ struct Solid {
   }
 };
 
-// The solids of a scene by number. Empty where each solid is clear and alone: refraction against a vacuum is exact
-// then.
+// The solids of a scene by number. Solids that neither absorb nor touch another one are left out: refraction against a
+// vacuum is exact for them.
 class Solids {
  public:
   Solids() = default;
-  // Writes InstanceData::solid. The acceleration structure is that of the instances.
+  // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances.
   Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
          std::shared_ptr<const Accel> accel);
 
@@ -63,33 +64,33 @@ class Solids {
   const Solid* find(uint32_t number) const { return number == kNoSolid ? nullptr : &solids_[number]; }
   const Solid& operator[](uint32_t number) const { return solids_[number]; }
 
-  // Whether there may be boundaries without an event, and boundaries that lie in one surface.
-  bool meet() const { return meet_; }
-  // Whether rays may enter a solid without an event.
-  bool porous() const { return porous_; }
+  // Whether solids may overlap or touch, so that a boundary may separate equal media or coincide with another one.
+  bool may_overlap() const { return may_overlap_; }
+  // Whether stochastic opacity may let rays into a solid.
+  bool any_has_alpha() const { return any_has_alpha_; }
 
-  // The solids that contain a point, but for one of them. Rays in fixed directions count the boundaries that they
-  // cross; where the first two disagree, as they may where a ray runs through an edge or a mesh is open, a third
-  // decides.
-  MediumStack at(const std::vector<InstanceData>& instances, const Vec3& point, float time,
-                 uint32_t but = kNoSolid) const;
+  // The solids that contain a point, except for one of them. Counts the boundaries along two rays in fixed directions.
+  // They can disagree if a ray hits an edge or a mesh is open; a third ray decides then.
+  MediumStack containing(const std::vector<InstanceData>& instances, const Vec3& point, float time,
+                         uint32_t except = kNoSolid) const;
 
-  // What a ray that has travelled through the solids of `stack` finds where it hits the boundary of a solid. False if
-  // both sides are the same medium and no light is sampled there: the ray goes on. Where boundaries lie in one surface,
-  // the hit becomes that on the boundary of the highest priority.
+  // Finds the media on both sides of a boundary that a ray hits after a segment in the solids of `stack`. Returns false
+  // if they are equal and no light is sampled on the boundary: the ray continues. If boundaries coincide, `hit` is
+  // replaced by the hit on the boundary of the highest priority.
   bool find_interface(const std::vector<InstanceData>& instances, const MediumStack& stack, float time, Hit& hit,
-                      MediumInterface& found) const;
+                      MediumInterface& interface) const;
 
  private:
-  void number(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials);
-  void find_meetings();
-  void add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit, MediumInterface& found) const;
+  void assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials);
+  void find_overlaps();
+  void add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
+                      MediumInterface& interface) const;
 
   std::vector<Solid> solids_;
   std::shared_ptr<const Accel> accel_;
-  bool meet_ = false;
-  bool porous_ = false;
-  float offset_ = 0;  // the largest of solids that meet
+  bool may_overlap_ = false;
+  bool any_has_alpha_ = false;
+  float offset_ = 0;  // the largest offset of solids that may overlap
 };
 
 }  // namespace etendue::scene

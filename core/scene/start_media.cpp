@@ -18,7 +18,7 @@ Bounds widened(Bounds bounds, float by) {
 
 Bounds bounds_of_point(const Vec3& p) { return {p, p}; }
 
-// Where it is at the shutter's opening.
+// At shutter opening.
 Bounds bounds_of_emitter(const InstanceData& instance) {
   Bounds bounds;
   if (instance.round) {
@@ -33,7 +33,7 @@ Bounds bounds_of_emitter(const InstanceData& instance) {
   return widened(bounds, offset_bound(farthest, bounds.max - bounds.min, Vec3(0)));
 }
 
-// Whether a triangle of the solid may come into the bounds.
+// Whether a triangle of the solid's boundary may intersect the bounds.
 bool boundary_reaches(const std::vector<InstanceData>& instances, uint32_t solid, float offset, const Bounds& bounds) {
   for (const InstanceData& instance : instances) {
     if (instance.solid != solid) continue;
@@ -49,11 +49,12 @@ bool boundary_reaches(const std::vector<InstanceData>& instances, uint32_t solid
 
 bool any_moves(const Solids& solids) {
   for (uint32_t i = 0; i < solids.size(); ++i)
-    if (solids[i].moves) return true;
+    if (solids[i].is_moving) return true;
   return false;
 }
 
-// Whether the solids around a point of the bounds depend on the point or the time. `any`: whether there may be some.
+// Whether the solids around a point of the bounds depend on the point or the time. `any` returns whether a solid may
+// contain such a point.
 bool surroundings_vary(const Solids& solids, const std::vector<InstanceData>& instances, const Bounds& bounds,
                        uint32_t own, bool& any) {
   bool vary = false;
@@ -61,7 +62,7 @@ bool surroundings_vary(const Solids& solids, const std::vector<InstanceData>& in
   for (uint32_t i = 0; i < solids.size() && !vary; ++i) {
     if (i == own || !overlap(widened(solids[i].bounds, solids[i].offset), bounds)) continue;
     any = true;
-    vary = solids[i].moves || boundary_reaches(instances, i, solids[i].offset, bounds);
+    vary = solids[i].is_moving || boundary_reaches(instances, i, solids[i].offset, bounds);
   }
   return vary;
 }
@@ -84,7 +85,7 @@ void StartMedia::find_lights(const Solids& solids, const std::vector<InstanceDat
     bool any = false;
     found.varies = surroundings_vary(solids, instances, bounds, own, any);
     found.varies = found.varies || moves;
-    if (any && !found.varies) found.stack = solids.at(instances, point, 0, own);
+    if (any && !found.varies) found.stack = solids.containing(instances, point, 0, own);
   };
   emitters_.resize(instances.size());
   for (size_t i = 0; i < instances.size(); ++i) {
@@ -97,9 +98,9 @@ void StartMedia::find_lights(const Solids& solids, const std::vector<InstanceDat
   for (size_t i = 0; i < placed_.size(); ++i) {
     const PlacedLight& light = lights.placed()[i];
     if (light.is_infinite()) continue;
-    // No boundary divides a point.
+    // A point lies on one side of every boundary.
     placed_[i].varies = light.motion || any_moves(solids);
-    if (!placed_[i].varies) placed_[i].stack = solids.at(instances, light.place.position, 0);
+    if (!placed_[i].varies) placed_[i].stack = solids.containing(instances, light.place.position, 0);
   }
 }
 
@@ -113,13 +114,13 @@ void StartMedia::find_camera(const Solids& solids, const std::vector<InstanceDat
     const Bounds lens = widened(bounds_of_point(position), camera.lens_radius);
     camera_.varies = surroundings_vary(solids, instances, lens, kNoSolid, any);
   }
-  if (!camera_.varies) camera_.stack = solids.at(instances, position, 0);
+  if (!camera_.varies) camera_.stack = solids.containing(instances, position, 0);
 }
 
 MediumStack StartMedia::at_camera(const Solids& solids, const std::vector<InstanceData>& instances, const Ray& ray,
                                   float time) const {
   if (!camera_.varies) return camera_.stack;
-  return solids.at(instances, ray.origin + ray.direction * ray.tnear, time);
+  return solids.containing(instances, ray.origin + ray.direction * ray.tnear, time);
 }
 
 void StartMedia::find_at_light(const Solids& solids, const std::vector<InstanceData>& instances,
@@ -131,7 +132,7 @@ void StartMedia::find_at_light(const Solids& solids, const std::vector<InstanceD
   const uint32_t own = instance ? instance->solid : kNoSolid;
   const Surroundings& known = instance ? emitters_[static_cast<size_t>(instance - instances.data())]
                                        : placed_[emission.light - lights.triangles().size()];
-  found.around = known.varies ? solids.at(instances, origin, emission.time, own) : known.stack;
+  found.surrounding = known.varies ? solids.containing(instances, origin, emission.time, own) : known.stack;
   if (own != kNoSolid) found.add_boundary(own, true);
 }
 

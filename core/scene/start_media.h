@@ -1,7 +1,8 @@
-// The solids around the camera and around each light: where paths begin.
+// The solids that contain the camera and the lights, where paths start.
 //
-// They are found at compile time where that decides it for every point and time. What is left is found for each path:
-// points of a light whose bounds a boundary passes through, a camera with a lens or a near plane, anything that moves.
+// They are precomputed if they are the same for all points and times. Otherwise they are found for each path: on lights
+// whose bounds a boundary intersects, for cameras with a near plane or with a lens that a boundary may intersect, and
+// for everything that moves.
 #pragma once
 #include <vector>
 
@@ -17,7 +18,7 @@ struct SurfacePoint;
 class StartMedia {
  public:
   StartMedia() = default;
-  // `same_lights` is one whose lights and solids are the same, or null.
+  // `same_lights` is a table for the same lights and solids, or null.
   StartMedia(const Solids& solids, const std::vector<InstanceData>& instances, const LightTable& lights,
              const Camera& camera, bool camera_moves, const StartMedia* same_lights);
 
@@ -28,18 +29,18 @@ class StartMedia {
                      MediumInterface& found) const;
 
  private:
-  // One set for every point of something, or a set for each of them.
+  // The solids around a light or the camera.
   struct Surroundings {
-    bool varies = false;
-    MediumStack stack;  // where they do not vary
+    bool varies = false;  // depend on the point or the time
+    MediumStack stack;    // if they do not vary
   };
 
   void find_lights(const Solids& solids, const std::vector<InstanceData>& instances, const LightTable& lights);
   void find_camera(const Solids& solids, const std::vector<InstanceData>& instances, const Camera& camera,
                    bool camera_moves);
 
-  std::vector<Surroundings> emitters_;  // by instance; empty where all are outside of every solid
-  std::vector<Surroundings> placed_;    // by placed light; the same
+  std::vector<Surroundings> emitters_;  // by instance; empty without solids
+  std::vector<Surroundings> placed_;    // by placed light; empty without solids
   Surroundings camera_;
 };
 

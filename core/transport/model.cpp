@@ -47,14 +47,14 @@ Decision decide_surfaces(const CompiledScene& scene, bool forced) {
   return d;
 }
 
-// A clear solid that meets no other refracts against a vacuum, from either side.
+// A clear solid that touches no other one refracts against a vacuum, from either side.
 std::string reason_for_media(const CompiledScene& scene) {
   const scene::Solids& solids = scene.solids();
   for (uint32_t i = 0; i < solids.size(); ++i)
     if (solids[i].absorbs) return named(scene.materials()[solids[i].material]) + " absorbs inside";
   for (uint32_t i = 0; i < solids.size(); ++i)
-    if (solids[i].meets) return "the bounds of " + node_name(scene, solids[i].node) + " meet those of another solid";
-  return "no solid absorbs or meets another one";
+    if (solids[i].may_overlap) return "the bounds of " + node_name(scene, solids[i].node) + " intersect those of another solid";
+  return "no solid absorbs or touches another one";
 }
 
 // Whether the expression leaves any path out.

@@ -1,7 +1,7 @@
 // How much model a scene needs.
 //
 // Some of it is decided at compile time (model_types.h): the colour that is carried, the lobes that surfaces can have,
-// whether paths carry the media that they are in. The rest is data: a pinhole does not draw lens samples. `model_for`
+// whether paths store the solids that contain them. The rest is data: a pinhole does not draw lens samples. `model_for`
 // looks at the compiled scene and states for each flag what it needs and why. A user can force a flag to the larger
 // model, which must not change the image.
 #pragma once
@@ -27,7 +27,7 @@ struct Decision {
 struct Model {
   bool diffuse = false;                         // every surface is Lambertian
   bool wide = false;                            // some surface needs lobes that few do
-  bool media = false;                           // paths carry the solids that they are in
+  bool media = false;                           // paths store the solids that contain them
   bool moving = false;                          // something moves while the shutter is open: paths have a time
   bool classes = false;                         // some paths do not count
   std::shared_ptr<const PathExpression> paths;  // those that do; where `classes`

@@ -8,8 +8,8 @@ namespace etendue::transport {
 
 // Colour axis: Rgb. Spectral samples join here.
 // Surfaces axis: DiffuseOnly, StandardLobes for what most files do with, or AllLobes for everything. Media axis:
-// vacuum around every solid, or paths that carry the solids they are in (wavefront/path_media.h). Classes axis: every
-// path counts, or those of an expression (transport/class_shares.h).
+// vacuum around every solid, or paths that store the solids containing them (wavefront/path_media.h). Classes axis:
+// every path counts, or those of an expression (transport/class_shares.h).
 template <class ColorType, template <class> class LobeSet, bool media, bool classes>
 struct ModelType {
   using Color = ColorType;
@@ -25,7 +25,7 @@ template <bool classes>
 using StandardVacuum = ModelType<Rgb, StandardLobes, false, classes>;
 template <bool classes>
 using StandardMedia = ModelType<Rgb, StandardLobes, true, classes>;
-// Serves scenes with rare lobes whether they need media or not.
+// Used by all scenes with rare lobes, including those without media.
 template <bool classes>
 using AnyMedia = ModelType<Rgb, AllLobes, true, classes>;
 

@@ -6,13 +6,13 @@
 
 namespace etendue::transport {
 
-// Boundaries of solids refract by the ratio of the media on both sides. What glTF's opaque layers, coats and thin walls
-// reflect is as it is in air.
+// Sets the relative index of refraction of a boundary between two media. The reflectance of opaque layers, coats and
+// thin walls stays that in air.
 template <class M>
 void set_media(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
-  if (point.instance->solid == scene::kNoSolid || !point.outside) return;
-  const float inside = point.inside ? point.inside->eta : 1;
-  bsdf.lobes.set_relative_eta(inside / point.outside->eta, point.outside->eta);
+  if (point.instance->solid == scene::kNoSolid) return;
+  const float inside = point.inside ? point.inside->eta : 1, outside = point.outside ? point.outside->eta : 1;
+  bsdf.lobes.set_relative_eta(inside / outside, outside);
 }
 
 // M is a transport model (model_types.h). The BSDF refers to the point's normals: the point must outlive it and stay in

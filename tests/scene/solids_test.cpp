@@ -30,7 +30,7 @@ MediumStack stack_of(std::initializer_list<uint32_t> solids) {
 }
 
 MediumStack solids_at(const CompiledScene& scene, const Vec3& point) {
-  return scene.solids().at(scene.instances(), point, 0);
+  return scene.solids().containing(scene.instances(), point, 0);
 }
 
 TEST(Solids, ClearOnesThatAreAloneNeedNoNumbers) {
@@ -120,7 +120,7 @@ TEST(Solids, ThatContainAPoint) {
   EXPECT_EQ(solids_at(*c, {-1, 0.5f, 0}), stack_of({1, 2}));
   EXPECT_EQ(solids_at(*c, {0, 0, 2}), stack_of({2}));
   EXPECT_EQ(solids_at(*c, {0, 0, 5}), MediumStack());
-  EXPECT_EQ(c->solids().at(c->instances(), {1, 0.5f, 0}, 0, 0), stack_of({2}));
+  EXPECT_EQ(c->solids().containing(c->instances(), {1, 0.5f, 0}, 0, 0), stack_of({2}));
 }
 
 TEST(Solids, AroundTheCamera) {

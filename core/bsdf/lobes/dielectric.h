@@ -22,7 +22,7 @@ struct Dielectric : Boundary {
   float share = 1;  // weight of this lobe in the surface's mixture
   Ggx facets;
 
-  // For a boundary between two media, neither of which is a vacuum.
+  // For a boundary between two media: the index inside over that outside, and the index outside.
   void set_relative_eta(float relative, float outside_eta) {
     eta = relative;
     this->set_media(relative, outside_eta);
@@ -109,7 +109,7 @@ struct Dielectric : Boundary {
   static Incidence incidence(const Vec3& wo, float cosine, float e) {
     Incidence at;
     if (e == 1) {
-      // Exactly no boundary: rounding would leave a reflection, and bend the path.
+      // Equal media: rounding errors would reflect light and bend the path.
       at.f = 0;
       at.refracted = cosine;
     } else {

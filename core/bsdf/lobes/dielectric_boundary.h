@@ -29,8 +29,9 @@ struct TintedBoundary {
   ThinFilm film;
   float strength = 0;  // of the thin film
 
-  // Tint and strength scale what the relative index reflects, as the extension says of a boundary to air: an index of 1
-  // reflects nothing. Interference in the film depends on ratios of indices and on wavelengths in the outer medium.
+  // For a boundary between two media. Tint and strength scale the reflectance that follows from the relative index, as
+  // the extension specifies for a boundary to air; a relative index of 1 reflects nothing. Interference in the film
+  // depends on the ratios of indices and on the wavelength in the outer medium.
   void set_media(float relative_eta, float outside_eta) {
     clear_f0 = f0_from_ior(relative_eta);
     for (int k = 0; k < 3; ++k) f0[k] = std::clamp(tint[k] * clear_f0, 0.0f, 1.0f) * f90;

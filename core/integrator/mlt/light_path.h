@@ -41,7 +41,7 @@ struct PathVertexData {
   Vec3 direction{0};
   float length = 0;  // metres, or infinite
 
-  // In models with media: the solids around the vertex, and what their media leave of light along the edge.
+  // In models with media: the solids around the vertex, and the transmittance of the edge.
   struct Media {
     scene::MediumInterface interface;
     Color transmittance{1};

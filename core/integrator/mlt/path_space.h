@@ -205,10 +205,11 @@ class PathSpace {
     return true;
   }
 
-  // The surface that a ray meets which starts in this medium state. What the media leave of light along the segment
-  // goes to `left`, where there are media.
-  template <class Left>
-  bool find(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x, Left&& left) {
+  // Finds the surface that a ray hits if it starts in this medium state. In models with media,
+  // `set_transmittance` receives the transmittance of the segment.
+  template <class SetTransmittance>
+  bool find(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x,
+            SetTransmittance&& set_transmittance) {
     ++rays_;
     Hit hit;
     if constexpr (M::kMedia) {
@@ -217,7 +218,7 @@ class PathSpace {
       rays_ += segment.rays;
       hit = segment.hit;
       x.media.interface = segment.interface;
-      left(segment.transmittance);
+      set_transmittance(segment.transmittance);
     } else {
       hit = scene_->intersect(ray, random.bits(), time);
     }
@@ -228,21 +229,21 @@ class PathSpace {
     return true;
   }
 
-  // The medium state of rays that leave a vertex.
+  // The medium state of a ray that leaves a vertex in this direction.
   Medium medium_at(const Vertex& x, const Vec3& direction) const {
     if constexpr (M::kMedia)
       return x.media.interface.side(glm::dot(x.point.ng, direction) >= 0);
     else
       return {};
   }
-  // The same of x_i, which may be a light. No solid contains what is infinitely far away.
+  // The same for x_i, which may be a light. No solid contains points at infinity.
   Medium medium_to_camera(int i, const Vec3& direction, const Path& path) const {
     if (i == 0 && path.light.infinite) return {};
     return medium_at(path[i], direction);
   }
 
-  // The medium along a connection, `length` metres up to where the camera begins to see. Both ends must agree on it:
-  // else a boundary lies in between.
+  // Sets the transmittance of a connection of `length` metres, which ends where the camera ray starts. Returns false if
+  // the media at both ends differ: a boundary lies between them.
   bool connect_media(int i, float length, Path& path) const {
     if constexpr (M::kMedia) {
       const scene::Solids& solids = scene_->solids();
@@ -250,24 +251,26 @@ class PathSpace {
       const bool from_camera = i < path.edges() - 1;
       const uint32_t medium =
           from_camera ? medium_at(path[i + 1], -x.direction).top() : medium_to_camera(i, x.direction, path).top();
-      if (from_camera && !solids.porous() && medium != medium_to_camera(i, x.direction, path).top()) return false;
+      if (from_camera && !solids.any_has_alpha() && medium != medium_to_camera(i, x.direction, path).top())
+        return false;
       const scene::Solid* solid = solids.find(medium);
       x.media.transmittance = solid ? solid->transmittance(length) : Color(1);
     }
     return true;
   }
 
-  // Whether light comes along a connection. What is left of it is known beforehand, unless it may pass boundaries of
-  // solids by opacity.
+  // Whether a connection is unoccluded. `connect_media` has set its transmittance, except where stochastic opacity may
+  // let it pass boundaries of solids.
   bool is_transparent(int i, const Ray& ray, float length, uint32_t seed, Path& path) {
     const bool from_camera = i < path.edges() - 1;
     const Medium medium = from_camera                     ? medium_at(path[i + 1], -path[i].direction)
                           : i == 0 && path.light.infinite ? medium_at_camera<M>(*context_, ray, path.time)
                                                           : medium_at(path[i], path[i].direction);
-    const Color left = transport::connection_transmittance(*scene_, ray, length, seed, path.time, medium, rays_);
-    if (is_black(left)) return false;
-    if (!scene_->solids().porous()) return true;
-    path[i].media.transmittance = left;
+    const Color transmittance =
+        transport::connection_transmittance(*scene_, ray, length, seed, path.time, medium, rays_);
+    if (is_black(transmittance)) return false;
+    if (!scene_->solids().any_has_alpha()) return true;
+    path[i].media.transmittance = transmittance;
     return settle_color(path);
   }
 
@@ -282,8 +285,8 @@ class PathSpace {
   }
 
   bool find_next(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
-    const auto left = [&](const Color& part) { set_transmittance(part, path[i]); };
-    if (!find(ray, medium, path.time, random, path[i + 1], left)) return false;
+    const auto set = [&](const Color& t) { set_transmittance(t, path[i]); };
+    if (!find(ray, medium, path.time, random, path[i + 1], set)) return false;
     path[i].direction = ray.direction;
     path[i].length =
         i == 0 && path.light.infinite ? kInfinity : glm::distance(path[i].point.position, path[i + 1].point.position);
@@ -293,7 +296,7 @@ class PathSpace {
   bool find_before(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
     Vertex& x = path[i - 1];
     x.direction = -ray.direction;
-    if (find(ray, medium, path.time, random, x, [&](const Color& part) { set_transmittance(part, x); })) {
+    if (find(ray, medium, path.time, random, x, [&](const Color& t) { set_transmittance(t, x); })) {
       x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
       if (i == 1) take_light(path);
       return x.length > 0;
@@ -304,8 +307,8 @@ class PathSpace {
     return i == 1;
   }
 
-  static void set_transmittance(const Color& part, Vertex& x) {
-    if constexpr (M::kMedia) x.media.transmittance = part;
+  static void set_transmittance(const Color& transmittance, Vertex& x) {
+    if constexpr (M::kMedia) x.media.transmittance = transmittance;
   }
 
   // x_0 is where a walk from the camera ended.

@@ -30,7 +30,7 @@ transport::PathWavefront<M>& thread_wavefront() {
   return *paths;
 }
 
-// The solids that a camera ray starts in.
+// The solids that contain the start of a camera ray.
 template <class M>
 transport::MediumState<M> medium_at_camera(const RenderContext& context, const Ray& ray, float time) {
   if constexpr (M::kMedia)

@@ -28,7 +28,7 @@ class LightSubpaths {
     Color emitted{0};
     [[no_unique_address]] std::conditional_t<M::kMedia, scene::MediumInterface, transport::Vacuum> media;
 
-    // The solids that a ray starts in that leaves in this direction.
+    // The solids at the start of a ray that leaves in this direction.
     transport::MediumState<M> medium_beyond(const Vec3& direction) const {
       if constexpr (M::kMedia)
         return media.side(!point || glm::dot(point->ng, direction) >= 0);

@@ -30,8 +30,8 @@ class Splatter {
     deliver({raster, seed, static_cast<uint16_t>(path), contribution});
   }
 
-  // What counts unless something lies along the ray at that time, attenuated by the medium that it starts in up to its
-  // end at a distance of `length`.
+  // Adds a contribution unless the ray is occluded at that time. The medium at its start attenuates it over `length`
+  // metres.
   template <class Medium>
   void connect(int path, const Ray& ray, float time, uint32_t seed, const Medium& medium, float length, Vec2 raster,
                const Rgb& contribution) {

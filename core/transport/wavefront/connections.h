@@ -1,7 +1,7 @@
 // Segments whose ends are known: contributions that count unless something lies in between.
 //
 // They are gathered until a few packets are full, and traced together; what is seen is handed to the caller in the
-// order in which it was added, with what the medium along the segment leaves of its light.
+// order in which it was added, with the transmittance of the segment.
 #pragma once
 #include <array>
 #include <vector>
@@ -18,15 +18,15 @@ class Connections {
 
   bool full() const { return size_ == kCapacity; }
 
-  // A segment that starts in these solids, with its end at this distance. The ray is at `time`, from 0 at the shutter's
-  // opening to 1 at its closing; the seed drives stochastic opacity. The caller fills what is returned, in place: what
-  // was just written in parts stalls when it is copied as words.
+  // A segment that starts in these solids and ends at a distance of `length` metres. The ray is at `time`, from 0 at
+  // the shutter's opening to 1 at its closing; the seed drives stochastic opacity. The caller fills what is returned,
+  // in place: what was just written in parts stalls when it is copied as words.
   Carried& add(const Ray& ray, float time, uint32_t seed, const scene::MediumStack& medium, float length) {
     if (segments_.empty()) segments_.resize(kCapacity);
     segments_[static_cast<size_t>(size_)] = {ray, time, length, medium};
     return add(ray, time, seed);
   }
-  // A segment in a model without media.
+  // A segment in models without media.
   Carried& add(const Ray& ray, float time, uint32_t seed, Vacuum, float) { return add(ray, time, seed); }
 
   // Empties itself and calls `deliver(carried, transmittance)`. Returns the number of rays traced.
@@ -46,8 +46,8 @@ class Connections {
         continue;
       }
       const Segment& s = segments_[slot];
-      const Rgb left = media.transmittance(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays);
-      if (!is_black(left)) deliver(carried_[slot], left);
+      const Rgb transmittance = media.transmittance(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays);
+      if (!is_black(transmittance)) deliver(carried_[slot], transmittance);
     }
     size_ = 0;
     return rays;
@@ -72,7 +72,7 @@ class Connections {
   std::array<RayPacket, kCapacity / RayPacket::kSize> packets_;
   std::array<uint32_t, kCapacity> seeds_;
   std::array<Carried, kCapacity> carried_;
-  std::vector<Segment> segments_;  // in models with media
+  std::vector<Segment> segments_;  // only in models with media
   int size_ = 0;
 };
 

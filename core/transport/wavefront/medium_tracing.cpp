@@ -18,8 +18,8 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
   Hit& hit = segment.hit;
   const float scale = std::sqrt(length_squared(ray.direction));
   Ray rest = ray;
-  float start = 0;                 // of `rest` along the ray
-  float medium_start = ray.tnear;  // along the ray
+  float start = 0;                 // parameter of the origin of `rest` along the ray
+  float medium_start = ray.tnear;  // parameter along the ray where the current medium starts
   segment.interface.clear(stack);
   while (hit) {
     const scene::InstanceData& instance = scene.instances()[hit.instance];
@@ -27,10 +27,11 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
       segment.interface.clear(stack);
       break;
     }
-    bool event = scene.find_interface(stack, time, hit, segment.interface);
+    bool is_vertex = scene.find_interface(stack, time, hit, segment.interface);
     const scene::InstanceData& surface = scene.instances()[hit.instance];
-    if (event && solids[surface.solid].porous) event = scene.blocks_ray(hit.instance, hit.triangle, hit.u, hit.v, seed);
-    if (event) break;
+    if (is_vertex && solids[surface.solid].has_alpha)
+      is_vertex = scene.blocks_ray(hit.instance, hit.triangle, hit.u, hit.v, seed);
+    if (is_vertex) break;
 
     const Facet f = scene::facet_of(surface, hit.triangle, time);
     const Vec3 e1 = f.p1 - f.p0, e2 = f.p2 - f.p0, position = f.p0 + e1 * hit.u + e2 * hit.v,

@@ -1,42 +1,43 @@
-// Segments of paths through solids: which surface ends them, and how much of the light attenuation leaves.
+// Path segments through solids: the surface at their end, and their transmittance.
 //
-// A segment has one medium, that of its start: the boundaries that it passes without an event divide equal media. Only
-// boundaries that rays may pass by opacity change the medium of a segment.
+// A segment skips boundaries between equal media. It therefore lies in one medium, unless stochastic opacity lets it
+// pass a boundary between different media.
 #pragma once
 #include "scene/compiled_scene.h"
 
 namespace etendue::transport {
 
-// A segment from the start of a ray to the next surface with an event.
+// A segment from the start of a ray to the next vertex.
 struct MediumSegment {
   Hit hit;                           // its distance is measured from the start of the ray
-  scene::MediumInterface interface;  // there
+  scene::MediumInterface interface;  // at the hit
   Rgb transmittance{1};
   uint64_t rays = 0;  // traced beyond the first hit
 };
 
-// Completes a segment that starts in the solids of `stack`. `segment.hit` is what CompiledScene::intersect_solids found
-// with the same seed and time. `length` is the distance, in metres, up to which the medium attenuates light that hits
-// nothing.
+// Completes a segment that starts in the solids of `stack`. `segment.hit` is the result of
+// CompiledScene::intersect_solids for the same seed and time. A segment that hits nothing is attenuated over `length`
+// metres.
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, MediumSegment& segment);
 
-// The same, traced from the beginning.
+// Traces a whole segment.
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                    const scene::MediumStack& stack, MediumSegment& segment);
 
-// The light that is left of a connection to a point at this distance; black where something lies in between. The
-// direction of the ray may have any length. `rays` grows by the number of rays that are traced.
+// The transmittance of a connection to a point at a distance of `length` metres; black if a surface blocks it. The
+// direction of the ray may have any length. Adds the number of rays traced to `rays`.
 Rgb connection_transmittance(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                              const scene::MediumStack& stack, uint64_t& rays);
 
-// The same for connections that CompiledScene::occluded has traced.
+// The transmittance of connections that CompiledScene::occluded has tested.
 class TracedConnections {
  public:
   explicit TracedConnections(const scene::CompiledScene& scene) : scene_(scene) {}
 
-  // Whether `occluded` decides anything: boundaries that rays may pass by opacity need every ray followed.
-  bool use_packets() const { return !scene_.solids().porous(); }
+  // Whether the results of `occluded` are used. With stochastic opacity on boundaries of solids every connection must
+  // be traced from boundary to boundary.
+  bool use_packets() const { return !scene_.solids().any_has_alpha(); }
 
   Rgb transmittance(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
                     const scene::MediumStack& stack, uint64_t& rays) const {
@@ -44,8 +45,8 @@ class TracedConnections {
     const scene::Solid* medium = solids.find(stack.top());
     if (use_packets()) {
       if (!blocked) return medium ? medium->transmittance(length) : Rgb(1);
-      // In a vacuum every boundary is a surface.
-      if (!medium || !medium->meets) return Rgb(0);
+      // A segment in a vacuum, or in a solid that overlaps no other, skips no boundary.
+      if (!medium || !medium->may_overlap) return Rgb(0);
     }
     return connection_transmittance(scene_, ray, length, seed, time, stack, rays);
   }

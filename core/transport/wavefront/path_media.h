@@ -1,4 +1,4 @@
-// The media of the paths of a wavefront, kept beside their states; empty in a model without media.
+// The media of the paths of a wavefront, stored separately from PathState. Empty in models without media.
 #pragma once
 #include <array>
 
@@ -8,7 +8,7 @@
 
 namespace etendue::transport {
 
-// The medium state of a path in a model without media.
+// The medium state of a path in models without media.
 struct Vacuum {};
 
 template <class M>
@@ -28,13 +28,13 @@ class PathMedia<M, true> {
 
   void begin(const scene::CompiledScene& scene) { scene_ = &scene; }
 
-  // The solids that the present segment of a path starts in.
+  // The solids and the ray at the start of the current segment of a path.
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
-  void travel(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
+  void set_ray(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
 
-  // Completes the segment of a path that was traced to `hit`, or to nothing, and attenuates its throughput. Returns
-  // whether it ends on a surface, vertex `slot`. `traced` grows by the number of rays that this takes.
-  bool complete(int path, int slot, uint32_t seed, float time, Hit& hit, Color& throughput, uint64_t& traced) {
+  // Completes the segment of a path that was traced to `hit`, which may be empty, and attenuates its throughput.
+  // Returns whether it ends on a surface, vertex `slot`. Adds the number of further rays to `traced`.
+  bool complete_segment(int path, int slot, uint32_t seed, float time, Hit& hit, Color& throughput, uint64_t& traced) {
     const auto p = static_cast<size_t>(path);
     scene::MediumInterface& interface = interfaces_[static_cast<size_t>(slot)];
     unattenuated_[p] = throughput;
@@ -52,19 +52,19 @@ class PathMedia<M, true> {
     return bool{hit};
   }
 
-  // Media, and what the boundaries need to be left behind, at a vertex.
+  // Sets the media on both sides of a vertex, and the offset that clears all coincident boundaries.
   void set_media(int slot, scene::SurfacePoint& point) const {
     const scene::MediumInterface& at = interfaces_[static_cast<size_t>(slot)];
     point.outside = scene_->solids().find(at.top(true));
     point.inside = scene_->solids().find(at.top(false));
     point.offset = std::max(point.offset, at.offset);
   }
-  // The solids that a ray enters which leaves the vertex.
-  MediumStack beyond(int slot, const scene::SurfacePoint& point, const Vec3& direction) const {
+  // The solids at the start of a ray that leaves the vertex in this direction.
+  MediumStack medium_beyond(int slot, const scene::SurfacePoint& point, const Vec3& direction) const {
     return interfaces_[static_cast<size_t>(slot)].side(glm::dot(point.ng, direction) >= 0);
   }
 
-  // The throughput at a point of the present segment, so far from its start.
+  // The throughput on the current segment at a distance from its start, metres.
   Color throughput_after(int path, float distance, uint32_t seed, float time) const {
     const auto p = static_cast<size_t>(path);
     Ray ray = rays_[p];
@@ -74,7 +74,7 @@ class PathMedia<M, true> {
            TracedConnections(*scene_).transmittance(false, ray, distance, seed, time, stacks_[p], rays);
   }
 
-  // A connection; `length` is the distance of its end.
+  // Stores a connection; `length` is the distance of its end, metres.
   void connect(size_t slot, const Ray& ray, float length, const MediumStack& stack) {
     connections_[slot].ray = ray;
     connections_[slot].length = length;

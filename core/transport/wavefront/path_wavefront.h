@@ -38,7 +38,7 @@ struct alignas(64) PathState {
   }
 };
 
-// Classes and media of paths are kept elsewhere: a model without them does not carry them.
+// Path classes and media are stored separately, and only in models that have them.
 static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<StandardVacuum<false>>> &&
               std::is_empty_v<PathMedia<StandardVacuum<false>>>);
 
@@ -211,14 +211,14 @@ class PathWavefront {
     return ray;
   }
 
-  // The medium state of a path that goes on in this direction.
+  // The medium state of a path that continues from a hit in this direction.
   MediumState<M> medium_beyond(int hit, const Vec3& direction) const {
     if constexpr (M::kMedia)
-      return media_.beyond(visited_ + hit, point(hit), direction);
+      return media_.medium_beyond(visited_ + hit, point(hit), direction);
     else
       return {};
   }
-  // The throughput at a point of the segment that was traced last, so far from its start.
+  // The throughput on the segment traced last, at a distance from its start, metres.
   Color throughput_after(int path, float distance) const {
     const auto p = static_cast<size_t>(path);
     if constexpr (M::kMedia)
@@ -254,7 +254,7 @@ class PathWavefront {
   void travel(int path, const Ray& ray, const MediumState<M>& medium) {
     if constexpr (M::kMedia) {
       media_.stack(path) = medium;
-      media_.travel(path, ray);
+      media_.set_ray(path, ray);
     }
     const auto slot = static_cast<size_t>(travelling_++);
     travelling_packets_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
@@ -296,7 +296,7 @@ class PathWavefront {
   void trace_rays();
   void trace_connections();
   void resolve_connections();
-  bool complete_segment(int ray, bool met);
+  bool complete_segment(int ray, bool has_hit);
   void shade();
 
   static constexpr uint32_t kConnectionSalt = 0x5bd1e995U;
@@ -360,9 +360,9 @@ void PathWavefront<M>::trace_rays() {
   for (int i = 0; i < travelling_; ++i) {
     const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
     const int lane = i % RayPacket::kSize;
-    bool met = packet.has_hit(lane);
-    if constexpr (M::kMedia) met = complete_segment(i, met);
-    if (met) {
+    bool has_hit = packet.has_hit(lane);
+    if constexpr (M::kMedia) has_hit = complete_segment(i, has_hit);
+    if (has_hit) {
       const auto slot = static_cast<size_t>(reached_++);
       reached_by_[slot] = travellers_[static_cast<size_t>(i)];
       if constexpr (!M::kMedia) packet.get(lane, hits_[slot]);
@@ -376,17 +376,18 @@ void PathWavefront<M>::trace_rays() {
   travelling_ = 0;
 }
 
-// The vertex of a ray that meets something is the next one.
+// Completes the segment of a ray and stores its hit as the next vertex; returns false if it hits nothing.
 template <class M>
-bool PathWavefront<M>::complete_segment(int ray, bool met) {
+bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   const int path = travellers_[static_cast<size_t>(ray)];
   Hit& hit = hits_[static_cast<size_t>(reached_)];
-  if (met)
+  if (has_hit)
     travelling_packets_[static_cast<size_t>(ray / RayPacket::kSize)].get(ray % RayPacket::kSize, hit);
   else
     hit = Hit();
   PathState<Color>& path_state = state(path);
-  return media_.complete(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput, rays_traced_);
+  return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
+                                 rays_traced_);
 }
 
 template <class M>
@@ -412,8 +413,8 @@ void PathWavefront<M>::resolve_connections() {
     PathState<Color>& path = state(connected_[slot]);
     if constexpr (M::kMedia) {
       const uint32_t seed = connection_seed(connected_[slot]);
-      const Color left = media_.transmittance(slot, blocked, seed, path.time, rays_traced_);
-      if (!is_black(left)) path.radiance += contributions_[slot] * left;
+      const Color transmittance = media_.transmittance(slot, blocked, seed, path.time, rays_traced_);
+      if (!is_black(transmittance)) path.radiance += contributions_[slot] * transmittance;
     } else if (!blocked) {
       path.radiance += contributions_[slot];
     }
