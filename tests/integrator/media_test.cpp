@@ -1,5 +1,8 @@
-// Media along paths: attenuation, refraction between solids that lie in each other, touch or overlap, and the camera
-// and lights inside them. Closed forms for every integrator that finds the paths in question.
+// Media along paths: attenuation, refraction between solids that are nested, touch or overlap, and the camera and
+// lights inside solids. Closed forms, for every integrator that samples the paths in question.
+//
+// Means are compared within 4.5 standard errors: one false alarm in 150,000 comparisons of normal means. Comparisons of
+// images use expect_agreement, which states its own rate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,12 +29,12 @@ Mat4 at(const Vec3& p) {
   return m;
 }
 
-// A plate of radiance 10 across the view, at this depth below the origin.
+// Adds a plate of radiance 10 that faces up, `depth` metres below the origin.
 void add_plate(scene::Scene& scene, float depth, float half_size = 1) {
   add(scene, test::quad(half_size), test::diffuse(Rgb(0), Rgb(10)), at({0, -depth, 0}));
 }
 
-// All of the picture looks straight down at one point.
+// A camera whose pixels all see one point straight below.
 Document looking_down(scene::Scene scene, float height) {
   Camera camera = look_at({0.013f, height, 0.017f}, {0.013f, 0, 0.017f}, {0, 0, 1}, 1e-4f);
   return test::document(std::move(scene), camera, 16, 16);
@@ -44,14 +47,14 @@ void expect_mean(const Document& d, uint32_t samples, double expected) {
 
 // ---- Attenuation.
 
-// Integrators that see a light through smooth boundaries.
+// Integrators that find a light through smooth boundaries.
 std::vector<std::string> see_through_glass() {
   std::vector<std::string> names = stress::unbiased_integrators();
   names.insert(names.end(), {"whitted", "photonmap", "sppm", "igi", "mlt"});
   return names;
 }
 
-// The end of the segment lies in the water, not on its boundary: a light that is hit.
+// The segment that is attenuated ends on a light in the water, not on the boundary of the water.
 TEST(Attenuation, OfAnEmitterInWater) {
   scene::Scene scene;
   add(scene, scene::box({2, 2, 2}), liquid(1, Rgb(0.5f)), at({0, -2, 0}));
@@ -59,24 +62,24 @@ TEST(Attenuation, OfAnEmitterInWater) {
   for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 3), name), 64, 2.5);
 }
 
-// A camera in the water: of all integrators.
+// A camera in the water, for all integrators.
 TEST(Attenuation, FromACameraInWater) {
   scene::Scene scene;
   add(scene, scene::box({2, 3, 2}), liquid(kWater, Rgb(0.5f)));
   add_plate(scene, 2);
   for (const auto& info : integrator::integrator_infos()) {
     Document d = by(looking_down(scene, 0), info.name);
-    if (info.name == "light-pure") continue;  // needs a lens: below
+    if (info.name == "light-pure") continue;  // cannot reach a pinhole; see UpToTheLens
     d = with(d, "film.paths", "EL");
     expect_mean(d, 64, 2.5);
-    // Light is lost from where the camera begins to see.
+    // Attenuation ends at the near plane.
     Document cut = d;
     cut.camera.near_clip = 1;
     expect_mean(cut, 64, 5);
   }
 }
 
-// Reflected in water: from the lamp to the floor and from there to the camera, 1 + 2 m.
+// Reflection in water: 1 m from the light to the floor and 2 m from there to the camera.
 TEST(Attenuation, OfDirectLight) {
   scene::Scene scene;
   add(scene, scene::box({4, 4, 4}), liquid(kWater, {0.5f, 0.25f, 1}));
@@ -94,7 +97,7 @@ TEST(Attenuation, OfDirectLight) {
   }
 }
 
-// Photons and virtual lights that arrive through water, and what is looked up under it: a lamp, a floor and a wall.
+// Photons and virtual lights that arrive through water, and lookups under water.
 TEST(Attenuation, OfIndirectLight) {
   const Document d = with(test::lamp_in_tinted_water(true), "film.paths", "ED(D|G)*L");
   const double expected = test::mean_of(test::rendered(by(d, "path"), 512)).value;
@@ -105,7 +108,7 @@ TEST(Attenuation, OfIndirectLight) {
   }
 }
 
-// Light that falls onto a lens in water has come through the water before it, and not through that behind it.
+// Light that reaches a lens in water is attenuated up to the lens, not beyond it.
 TEST(Attenuation, UpToTheLens) {
   scene::Scene scene;
   add(scene, scene::box({2, 3, 2}), liquid(kWater, Rgb(0.3f)));
@@ -123,7 +126,7 @@ TEST(Attenuation, UpToTheLens) {
 
 double reflectance(double a, double b) { return std::pow((a - b) / (a + b), 2); }
 
-// What parallel boundaries leave of light, all reflections between them included: R / T of lossless layers add up.
+// The transmittance of parallel lossless boundaries with all reflections between them: their ratios R / T add up.
 double transmission_of(const std::vector<double>& indices) {
   double ratio = 0;
   for (size_t i = 1; i < indices.size(); ++i) {
@@ -143,7 +146,7 @@ TEST(Refraction, OfBoxesInEachOther) {
   for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 3), name), 256, expected);
 }
 
-// Faces that touch are one interface.
+// Touching faces are one interface.
 TEST(Refraction, OfBoxesSideBySide) {
   scene::Scene scene;
   add(scene, scene::cube(1, false), liquid(kDense), at({0, 1, 0}));
@@ -154,7 +157,7 @@ TEST(Refraction, OfBoxesSideBySide) {
   for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 4), name), 256, expected);
 }
 
-// Three that overlap along the view: the smallest wins.
+// Three boxes that overlap along the view: the smallest has priority.
 TEST(Refraction, OfBoxesThatOverlap) {
   scene::Scene scene;
   add(scene, scene::box({1, 1, 1}), liquid(kDense), at({0, 1, 0}));              // from 0 to 2
@@ -165,8 +168,8 @@ TEST(Refraction, OfBoxesThatOverlap) {
   for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 4), name), 256, expected);
 }
 
-// From a camera in water into something denser, obliquely: where the ray goes is Snell's law of the ratio, what passes
-// are Fresnel's equations of the ratio, and radiance grows by the square of it.
+// Oblique refraction from water into a denser medium: Snell's law and Fresnel's equations use the ratio of the indices,
+// and radiance is scaled by its square.
 TEST(Refraction, FollowsSnellsLawOfTheRatio) {
   const double in = kWater, out = kDense;
   for (const double degrees : {20.0, 60.0, 80.0}) {
@@ -189,9 +192,9 @@ TEST(Refraction, FollowsSnellsLawOfTheRatio) {
   }
 }
 
-// ---- What must not change a picture.
+// ---- Boundaries that must not change an image.
 
-// Patches of light all around.
+// Adds emitting boxes around the origin.
 void add_surroundings(scene::Scene& scene) {
   for (int i = 0; i < 6; ++i) {
     const float phi = static_cast<float>(i), height = static_cast<float>(i % 3) - 1;
@@ -205,8 +208,9 @@ Document seen_from_above(scene::Scene scene) {
   return test::document(std::move(scene), look_at({0.3f, 1.5f, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f), 32, 32);
 }
 
-// Every branch is followed: no random number differs. A part of the pixels may see rounding at an edge.
-void expect_same_picture(const Document& a, const Document& b) {
+// Compares images of Whitted's integrator, which follows every branch and needs no equal random numbers. One pixel in a
+// hundred may differ by rounding at an edge.
+void expect_same_image(const Document& a, const Document& b) {
   const auto film_a = test::rendered(by(a, "whitted"), 4), film_b = test::rendered(by(b, "whitted"), 4);
   int different = 0;
   double sum = 0;
@@ -224,21 +228,21 @@ void expect_same_picture(const Document& a, const Document& b) {
   EXPECT_LE(different, a.width * a.height / 100);
 }
 
-TEST(Unseen, ASolidInALiquidOfItsOwnKind) {
+TEST(Invisible, ASolidInAnEqualMedium) {
   scene::Scene scene;
   add_surroundings(scene);
   add(scene, test::sphere(1, 16, false), liquid(kWater, {0.5f, 0.7f, 0.9f}));
   scene::Scene inside = scene;
   add(inside, test::sphere(0.5f, 8, false), liquid(kWater, {0.5f, 0.7f, 0.9f}), at({0.2f, 0.1f, 0}));
-  // Depth is cut where nothing is left; the solid itself counts as two more vertices.
+  // The cut-off paths have negligible weight. Twice the depth leaves room for boundaries that count as vertices.
   const Document a = with(seen_from_above(scene), "whitted.max-depth", "12"),
                  b = with(seen_from_above(inside), "whitted.max-depth", "24");
-  expect_same_picture(a, b);
+  expect_same_image(a, b);
   expect_mean(by(b, "path-pure"), 256, test::mean_of(test::rendered(by(a, "path-pure"), 256)).value);
 }
 
-// Water that fills a ball of glass, water that ends within the wall of a hollow one, and water that touches its wall.
-TEST(Unseen, WhatIsOverlapped) {
+// Water in a solid glass ball, water that ends inside the wall of a hollow one, and water that touches that wall.
+TEST(Invisible, OverlappedBoundaries) {
   const auto filled = [](std::shared_ptr<const Mesh> wall) {
     scene::Scene scene;
     add_surroundings(scene);
@@ -247,15 +251,15 @@ TEST(Unseen, WhatIsOverlapped) {
     return with(seen_from_above(std::move(scene)), "whitted.max-depth", "12");
   };
   const Document nested = filled(test::sphere(1, 16, false));
-  expect_same_picture(nested, filled(test::shell(1, 0.6f, 16)));
-  expect_same_picture(nested, filled(test::shell(1, 0.7f, 16)));
-  const auto off = [](const Document& d) { return test::mean_of(test::rendered(by(d, "path"), 64)); };
-  const test::Mean a = off(nested), b = off(filled(test::shell(1, 0.7f, 16)));
+  expect_same_image(nested, filled(test::shell(1, 0.6f, 16)));
+  expect_same_image(nested, filled(test::shell(1, 0.7f, 16)));
+  const auto mean = [](const Document& d) { return test::mean_of(test::rendered(by(d, "path"), 64)); };
+  const test::Mean a = mean(nested), b = mean(filled(test::shell(1, 0.7f, 16)));
   EXPECT_NEAR(a.value, b.value, 4.5 * (a.standard_error + b.standard_error));
 }
 
-// Inside a solid of higher priority even rough and tinted boundaries are not there, for shadow rays as for paths.
-TEST(Unseen, ABoundaryInsideAHigherPriority) {
+// Inside a solid of higher priority even rough and tinted boundaries have no effect, on shadow rays and on paths.
+TEST(Invisible, ABoundaryInsideAHigherPriority) {
   const auto lit = [](bool crossed) {
     scene::Scene scene;
     add(scene, scene::box({1, 1, 1}), liquid(kWater, Rgb(0.6f)));
@@ -274,9 +278,9 @@ TEST(Unseen, ABoundaryInsideAHigherPriority) {
   }
 }
 
-// ---- Opacity: what passes through the boundary of a solid has entered it.
+// ---- Opacity: a ray that passes the boundary of a solid has entered it.
 
-TEST(Porous, AHalfOfTheRaysAreInside) {
+TEST(Opacity, RaysThatPassABoundaryAreInside) {
   scene::Scene scene;
   Material water = liquid(1, Rgb(0.5f));
   water.alpha_mode = AlphaMode::blend, water.alpha = 0.5f;
@@ -285,7 +289,7 @@ TEST(Porous, AHalfOfTheRaysAreInside) {
   for (const char* name : {"path-pure", "path", "bdpt", "mlt"}) expect_mean(by(looking_down(scene, 3), name), 64, 2.5);
 }
 
-TEST(Porous, IntegratorsAgree) {
+TEST(Opacity, IntegratorsAgree) {
   Document d = test::lamp_in_tinted_water(true);
   scene::Scene scene = *d.scene;
   scene.materials[0].alpha_mode = AlphaMode::blend, scene.materials[0].alpha = 0.4f;
@@ -297,9 +301,9 @@ TEST(Porous, IntegratorsAgree) {
     test::expect_same(by(place, "path"), 96, by(place, name), 192, name, 4);
 }
 
-// ---- Everything else that a model with media must keep.
+// ---- Other guarantees.
 
-TEST(Media, TheSameBitsWithAnyNumberOfThreads) {
+TEST(Media, SameImageWithAnyNumberOfThreads) {
   Document d = test::ice_in_water_in_glass(true);
   d.width = 70, d.height = 50;
   for (const auto& info : integrator::integrator_infos()) {
@@ -312,7 +316,7 @@ TEST(Media, TheSameBitsWithAnyNumberOfThreads) {
   }
 }
 
-TEST(Media, ARenderingThatWasCutGoesOnToTheSameBits) {
+TEST(Media, ResumedRenderingIsBitIdentical) {
   Document d = test::ice_in_water_in_glass(false);
   d.width = 70, d.height = 50;
   for (const char* name : {"mlt", "bdpt", "sppm"}) {
@@ -322,7 +326,7 @@ TEST(Media, ARenderingThatWasCutGoesOnToTheSameBits) {
   }
 }
 
-TEST(Media, ClassesOfPathsAddUp) {
+TEST(Media, PathClassesAddUp) {
   for (const Document& place : {test::bubble(), test::ice_in_water_in_glass(true)})
     for (const char* name : {"path", "distribution"}) {
       const Document d = by(place, name);
@@ -347,8 +351,8 @@ TEST(Media, LargerModelsGiveTheSameImage) {
   }
 }
 
-// The solids move while the shutter is open, and take a lamp and the camera in on their way.
-TEST(Media, ThatMove) {
+// Solids that move across a light and the camera while the shutter is open.
+TEST(Media, MovingSolids) {
   scene::Scene scene;
   add(scene, test::quad(4), test::diffuse(Rgb(0.6f)), at({0, -0.6f, 0}));
   const int outer = add(scene, test::sphere(0.8f, 12, false), liquid(kWater, {0.4f, 0.7f, 0.9f}));
@@ -364,12 +368,12 @@ TEST(Media, ThatMove) {
   Document d = test::document(std::move(scene), camera, test::kSize, test::kSize);
   const auto c = scene::compile(d.scene, d.camera, nullptr);
   ASSERT_EQ(c->solids().size(), 2U);
-  ASSERT_TRUE(c->solids()[0].moves);
+  ASSERT_TRUE(c->solids()[0].is_moving);
   for (const char* name : {"path-pure", "bdpt", "mlt"})
     test::expect_same(by(d, "path"), 128, by(d, name), 256, name, 3);
 }
 
-TEST(Media, DecisionsSayWhy) {
+TEST(Media, DecisionsStateTheirReason) {
   const auto reason = [](const scene::Scene& scene) {
     const auto d = looking_down(scene, 3);
     const auto model = transport::model_for(*scene::compile(d.scene, d.camera, nullptr));
@@ -380,10 +384,10 @@ TEST(Media, DecisionsSayWhy) {
   scene::Scene scene;
   const int ball = add(scene, test::sphere(1, 8, false), liquid(kGlass));
   scene.nodes[static_cast<size_t>(ball)].name = "ball";
-  EXPECT_EQ(reason(scene), "vacuum: no solid absorbs or meets another one");
+  EXPECT_EQ(reason(scene), "vacuum: no solid absorbs or touches another one");
   scene::Scene nested = scene;
   add(nested, test::sphere(2, 8, false), liquid(kWater));
-  EXPECT_EQ(reason(nested), "solids: the bounds of node 'ball' meet those of another solid");
+  EXPECT_EQ(reason(nested), "solids: the bounds of node 'ball' intersect those of another solid");
   scene::Scene tinted = scene;
   add(tinted, test::sphere(1, 8, false), liquid(kWater, Rgb(0.5f)), at({0, 0, 9}));
   tinted.materials.back().name = "water";

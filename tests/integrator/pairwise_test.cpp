@@ -157,7 +157,7 @@ TEST(Pairwise, CausticBehindGlass) {
   expect_pairs_agree(d, "ES+DS+L", 40);
 }
 
-// ---- Solids in each other.
+// ---- Nested solids.
 
 TEST(Pairwise, StoneInTintedWater) {
   expect_pairs_agree(test::stone_in_tinted_water(), "ES.*L", 64, kRareThroughGlass);

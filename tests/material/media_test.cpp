@@ -1,4 +1,4 @@
-// Boundaries between two media: the ratio of their indices takes the place of the index against a vacuum.
+// Boundaries between two media, whose relative index replaces the index against a vacuum.
 #include <gtest/gtest.h>
 
 #include "material/gltf_cases.h"
@@ -19,7 +19,7 @@ AllLobes<Rgb> immersed(const Material& m, float outside) {
   return lobes;
 }
 
-// All kinds of boundaries of solids: exact, tinted, and that of a reflection model.
+// All kinds of boundaries of solids: exact, weakened, tinted, and that of a BSDF model.
 std::vector<Material> boundaries(float ior, float roughness) {
   Material weak = boundary(ior, roughness), colored = weak, model;
   weak.specular = 0.5f;
@@ -66,7 +66,7 @@ TEST(Immersed, RefractsByTheRatio) {
   }
 }
 
-// A material whose index is the ratio scatters alike in a vacuum.
+// The boundary equals that of a material with the relative index in a vacuum.
 TEST(Immersed, IsTheSurfaceOfTheRatioInAVacuum) {
   for (const float roughness : {0.0f, 0.4f})
     for (size_t kind = 0; kind < 4; ++kind) {
@@ -74,7 +74,7 @@ TEST(Immersed, IsTheSurfaceOfTheRatioInAVacuum) {
       const auto alone = lobes_of(boundaries(1.8f / 1.2f, roughness)[kind]);
       const Vec3 wo = direction(35);
       for (const Vec3& wi : {direction(20, 2), -direction(10, 1), -direction(50, 4)})
-        for (const Transport mode : {TransportMode::radiance, TransportMode::importance}) {
+        for (const TransportMode mode : {TransportMode::radiance, TransportMode::importance}) {
           const Rgb a = in_water.eval(wo, wi, mode), b = alone.eval(wo, wi, mode);
           for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-5f * (1 + b[k]));
           EXPECT_NEAR(in_water.pdf(wo, wi, mode), alone.pdf(wo, wi, mode), 1e-5f);

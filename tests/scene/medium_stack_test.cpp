@@ -1,4 +1,4 @@
-// The solids that contain a point: a set, whatever the order in which a path entered them.
+// MediumStack, the set of solids that contain a point, and MediumInterface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,8 +34,8 @@ TEST(MediumStack, DoesNotDependOnTheOrder) {
   }
 }
 
-// Meshes may be open.
-TEST(MediumStack, InsertsOnceAndErasesWhatIsThere) {
+// Meshes may be open: a path can enter or leave a solid twice.
+TEST(MediumStack, IgnoresRepeatedInsertionAndErasure) {
   MediumStack stack, once;
   stack.insert(2), stack.insert(2), stack.erase(9);
   once.insert(2);
@@ -61,8 +61,8 @@ TEST(MediumInterface, HasTheSolidsOfBothSides) {
   stack.insert(9), stack.insert(4);
   MediumInterface interface;
   interface.clear(stack);
-  interface.add_boundary(4, true);   // left when coming from the back
-  interface.add_boundary(2, false);  // lies on the front
+  interface.add_boundary(4, true);
+  interface.add_boundary(2, false);
   EXPECT_EQ(interface.top(true), 2U);
   EXPECT_EQ(interface.top(false), 4U);
   MediumStack front, back;

@@ -1,4 +1,4 @@
-// Solids of a scene: which there are, which comes first, which contain a point, and what a ray finds at a boundary.
+// Solids of a scene: their number and priority, the solids that contain a point, and interfaces that rays find.
 #include <gtest/gtest.h>
 
 #include "scene/builtin/shapes.h"
@@ -33,7 +33,7 @@ MediumStack solids_at(const CompiledScene& scene, const Vec3& point) {
   return scene.solids().containing(scene.instances(), point, 0);
 }
 
-TEST(Solids, ClearOnesThatAreAloneNeedNoNumbers) {
+TEST(Solids, IsolatedClearSolidsAreLeftOut) {
   Scene scene;
   add(scene, sphere(1, 8, false), glass(), at({-3, 0, 0}));
   add(scene, sphere(1, 8, false), glass(), at({3, 0, 0}));
@@ -51,7 +51,7 @@ TEST(Solids, ClearOnesThatAreAloneNeedNoNumbers) {
   EXPECT_TRUE(compiled(walls)->solids().empty());
 }
 
-TEST(Solids, SmallerBoundsComeFirstThenTheOrderOfTheFile) {
+TEST(Solids, PriorityFollowsBoundsThenFileOrder) {
   Scene scene;
   add(scene, sphere(2, 8, false), glass(1.5f));
   add(scene, sphere(1, 8, false), glass(1.2f));
@@ -63,8 +63,8 @@ TEST(Solids, SmallerBoundsComeFirstThenTheOrderOfTheFile) {
   for (uint32_t i = 0; i < 4; ++i) EXPECT_EQ(c->solids()[i].eta, expected[i]);
 }
 
-// An open sheet of water has bounds without a volume, and must not come before what swims in it.
-TEST(Solids, SheetsAreAsLargeAsTheirArea) {
+// The bounds of an open water surface have no volume. Its priority must still be below that of a ball in the water.
+TEST(Solids, PriorityUsesTheAreaOfTheBounds) {
   Scene scene;
   add(scene, quad(10), tinted(1.33f));
   add(scene, sphere(1, 8, false), glass(1.5f));
@@ -73,7 +73,7 @@ TEST(Solids, SheetsAreAsLargeAsTheirArea) {
   EXPECT_EQ(c->solids()[0].eta, 1.5f);
 }
 
-TEST(Solids, PrimitivesOfANodeWithOneInsideAreOneSolid) {
+TEST(Solids, PrimitivesOfANodeWithEqualInteriorsAreOneSolid) {
   Scene scene;
   add(scene, sphere(1, 8, false), tinted(1.5f));
   scene.materials.push_back(tinted(1.5f)), scene.materials.push_back(tinted(1.7f));
@@ -92,7 +92,7 @@ TEST(Solids, PrimitivesOfANodeWithOneInsideAreOneSolid) {
   EXPECT_EQ(solids_at(*c, {0, 0.1f, 0}), stack_of({0}));
 }
 
-TEST(Solids, OfTheModelOfAMaterial) {
+TEST(Solids, BsdfModelsDefineTheIndex) {
   Scene scene;
   Material model;
   model.model.model = make_bsdf_model("dielectric")->with("eta", 1.7);
@@ -103,8 +103,8 @@ TEST(Solids, OfTheModelOfAMaterial) {
   EXPECT_EQ(c->solids()[0].eta, 1.7f);
 }
 
-// Instances, mirrored ones included.
-TEST(Solids, ThatContainAPoint) {
+// Includes instances and mirrored instances.
+TEST(Solids, ContainingAPoint) {
   Scene scene;
   add(scene, sphere(3, 16, false), glass(1.33f));
   add(scene, sphere(1, 16, false), glass(1.5f), at({1, 0, 0}));
@@ -123,7 +123,7 @@ TEST(Solids, ThatContainAPoint) {
   EXPECT_EQ(c->solids().containing(c->instances(), {1, 0.5f, 0}, 0, 0), stack_of({2}));
 }
 
-TEST(Solids, AroundTheCamera) {
+TEST(Solids, ContainingTheCamera) {
   Scene scene;
   add(scene, sphere(1, 16, false), tinted(1.5f));
   Camera camera;
@@ -131,19 +131,19 @@ TEST(Solids, AroundTheCamera) {
   Ray ray;
   ray.origin = {0, 0, 0.5f}, ray.direction = {0, 0, -1};
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), stack_of({0}));
-  // Rays that start on a near plane begin beyond the ball.
+  // Rays that start on the near plane start outside the ball.
   camera.near_clip = 2, ray.tnear = 2;
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), MediumStack());
   camera.near_clip = 0, ray.tnear = 0;
-  // A lens that reaches out of it.
+  // A lens partly outside the ball.
   camera.lens_radius = 2, ray.origin = {1.5f, 0, 0.5f};
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), MediumStack());
   ray.origin = {0.3f, 0, 0.5f};
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), stack_of({0}));
 }
 
-// A boundary in the wall of a solid of higher priority is none.
-TEST(Interfaces, InsideAHigherPriorityArePassed) {
+// Boundaries inside a solid of higher priority are skipped.
+TEST(Interfaces, InsideAHigherPriorityAreSkipped) {
   Scene scene;
   add(scene, sphere(2, 16, false), glass(1.33f));
   add(scene, sphere(1, 16, false), glass(1.5f), at({1.5f, 0, 0}));
@@ -163,8 +163,8 @@ TEST(Interfaces, InsideAHigherPriorityArePassed) {
   EXPECT_EQ(found.top(false), 0U);
 }
 
-// Faces that touch are one interface, on the boundary of the higher priority, from either side.
-TEST(Interfaces, ThatTouchAreOne) {
+// Touching faces are one interface, on the boundary of the higher priority, from either side.
+TEST(Interfaces, TouchingFacesAreOne) {
   Scene scene;
   add(scene, cube(1, false), glass(1.33f), at({-1, 0, 0}));
   add(scene, box({0.5f, 1, 1}), glass(1.5f), at({0.5f, 0, 0}));
@@ -182,7 +182,7 @@ TEST(Interfaces, ThatTouchAreOne) {
   }
 }
 
-TEST(Solids, EditsOfOtherThingsKeepThem) {
+TEST(Solids, UnrelatedEditsReuseThem) {
   Scene scene;
   add(scene, sphere(1, 8, false), tinted(1.5f));
   const auto first = compiled(scene);

@@ -8,10 +8,10 @@
 
 namespace etendue::stress {
 
-// What parallel clear layers leave of light that meets them head-on, all reflections between them included. `indices`
-// are those of the media in order.
+// The transmittance of parallel clear layers at normal incidence, with all reflections between them. `indices` are the
+// indices of refraction of the media in order.
 inline double layers_transmission(const std::vector<double>& indices) {
-  double ratio = 0;  // of what is reflected to what passes: it adds up over the boundaries
+  double ratio = 0;  // of reflected to transmitted light; the ratios of the boundaries add up
   for (size_t i = 1; i < indices.size(); ++i) {
     const double r = std::pow((indices[i - 1] - indices[i]) / (indices[i - 1] + indices[i]), 2);
     ratio += r / (1 - r);
@@ -19,7 +19,7 @@ inline double layers_transmission(const std::vector<double>& indices) {
   return 1 / (1 + ratio);
 }
 
-// A plate of radiance one that faces up, so far below the origin. All else is black.
+// Adds a plate of radiance one that faces up, `depth` metres below the origin.
 inline void add_plate(scene::Scene& scene, float depth) {
   Mat4 place(1);
   place[3] = Vec4(0, -depth, 0, 1);
@@ -45,9 +45,9 @@ inline void nested_glass(TestContext& test) {
     const char* point;
     scene::Scene& scene;
     std::vector<double> indices;
-  } arrangements[] = {{"one in the other", nested, {1, kWater, kDense, kWater, 1}},
-                      {"face to face", touching, {1, kDense, kWater, 1}},
-                      {"one in its like", same, {1, kDense, 1}}};
+  } arrangements[] = {{"nested", nested, {1, kWater, kDense, kWater, 1}},
+                      {"touching", touching, {1, kDense, kWater, 1}},
+                      {"equal media", same, {1, kDense, 1}}};
   const Camera camera = look_at({0.013f, 4, 0.017f}, {0.013f, 0, 0.017f}, {0, 0, 1}, 1e-4f);
   for (const auto& [point, scene, indices] : arrangements) {
     add_plate(scene, 3);
@@ -58,9 +58,12 @@ inline void nested_glass(TestContext& test) {
   }
 }
 
-inline constexpr Case kNestedGlass{"nested-glass", Kind::geometry,
-                                   "Between solids that lie in each other or touch light meets the ratio of their "
-                                   "indices, head-on (n1 - n2)^2 / (n1 + n2)^2; like in like is not there",
-                                   nested_glass};
+inline constexpr Case kNestedGlass{
+    .name = "nested-glass",
+    .kind = Kind::geometry,
+    .theory =
+        "The boundary between nested or touching solids reflects (n1 - n2)^2 / (n1 + n2)^2 at normal "
+        "incidence; between equal media it has no effect",
+    .run = nested_glass};
 
 }  // namespace etendue::stress
