@@ -44,7 +44,7 @@ class PathMedia<M, true> {
     }
     MediumSegment segment;
     segment.hit = hit;
-    complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment);
+    transport::complete_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], segment);
     throughput *= segment.transmittance;
     traced += segment.rays;
     hit = segment.hit;
