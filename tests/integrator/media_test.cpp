@@ -108,6 +108,31 @@ TEST(Attenuation, OfIndirectLight) {
   }
 }
 
+// Nested and overlapping solids without refraction: every metre is attenuated by the medium of the highest priority.
+TEST(Attenuation, OfTheMediumOfHighestPriority) {
+  scene::Scene nested;
+  add(nested, scene::cube(1, false), liquid(1, Rgb(0.6f)));
+  add(nested, scene::cube(0.5f, false), liquid(1, Rgb(0.3f)));
+  // A wall from 0 to -1 m and a liquid from -0.6 to -2 m, either of which is the smaller box.
+  const auto overlapping = [](float wall_size, float liquid_size) {
+    scene::Scene scene;
+    add(scene, scene::box({wall_size, 0.5f, wall_size}), liquid(1, Rgb(0.5f)), at({0, -0.5f, 0}));
+    add(scene, scene::box({liquid_size, 0.7f, liquid_size}), liquid(1, Rgb(0.8f)), at({0, -1.3f, 0}));
+    return scene;
+  };
+  struct {
+    scene::Scene scene;
+    double transmittance;
+  } cases[] = {{nested, 0.6 * 0.3},
+               {overlapping(2, 1), std::pow(0.5, 0.6) * std::pow(0.8, 1.4)},
+               {overlapping(1, 2), 0.5 * 0.8}};
+  for (auto& [scene, transmittance] : cases) {
+    add_plate(scene, 3);
+    for (const std::string& name : see_through_glass())
+      expect_mean(by(looking_down(scene, 3), name), 64, 10 * transmittance);
+  }
+}
+
 // Light that reaches a lens in water is attenuated up to the lens, not beyond it.
 TEST(Attenuation, UpToTheLens) {
   scene::Scene scene;
