@@ -33,7 +33,9 @@ class BidirectionalSampler {
 
   std::optional<uint64_t> sample(const RenderContext& context, const BidirectionalOptions& plan,
                                  const PixelBlock& block, std::span<Rgb> radiance, const TaskContext& task_context) {
-    context_ = &context, plan_ = &plan, techniques_ = {};
+    context_ = &context;
+    plan_ = &plan;
+    techniques_ = {};
     pixels_ = static_cast<float>(context.width) * static_cast<float>(context.height);
     const PixelOrder order(block);
     Splatter splatter(context, task_context, 1 / pixels_);
@@ -61,7 +63,9 @@ class BidirectionalSampler {
   std::optional<uint64_t> evaluate(const RenderContext& context, const BidirectionalOptions& plan,
                                    const PrimarySamplePaths& given, std::span<film::Splats> found,
                                    const TaskContext& task_context) {
-    context_ = &context, plan_ = &plan, techniques_ = given.techniques;
+    context_ = &context;
+    plan_ = &plan;
+    techniques_ = given.techniques;
     pixels_ = Plane(context).area();
     Splatter splatter(context, found);
     light_.begin(*context.scene, *given.light, 0, task_context.keep_going, context.model->moving);
@@ -230,11 +234,14 @@ class BidirectionalSampler {
       if (!techniques_.empty() && technique(path).s != light_.length() + 1) continue;
       const Vertex*& last = last_[static_cast<size_t>(path)];
       Vertex& v = pool_.add();
-      v.point = light_.point(i), v.bsdf = light_.bsdf(i), v.wo = light_.wo(i);
+      v.point = light_.point(i);
+      v.bsdf = light_.bsdf(i);
+      v.wo = light_.wo(i);
       v.bsdf.rebind(v.point.shading, v.point.ng);
       v.flux = light_.state(path).throughput * walks_.flux(path);
       v.mis = light_vertices_[static_cast<size_t>(i)];
-      v.length = light_.length(), v.before = last;
+      v.length = light_.length();
+      v.before = last;
       if constexpr (M::kClasses) light_.shares().copy(path, v.shares);
       last = &v;
     }

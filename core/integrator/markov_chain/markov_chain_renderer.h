@@ -100,7 +100,8 @@ class MarkovChainRenderState final : public RenderState {
 
   std::vector<Phase> phases(uint32_t sample) override {
     Half& half = half_of(sample);
-    half.before = half.now, half.sample = sample;
+    half.before = half.now;
+    half.sample = sample;
     const uint32_t step = sample / film::kHalfBuffers;
     if (half.now.drawn == 0) open(half, sample);
     mutations_ = mutations_of(step);
@@ -108,7 +109,10 @@ class MarkovChainRenderState final : public RenderState {
     seeding_ = is_over(half.now, step);
     if (seeding_) {
       worth_.assign(candidates_of(half.now), 0);
-      if constexpr (kLearns) half.now.law.renew(), kinds_.assign(worth_.size(), 0);
+      if constexpr (kLearns) {
+        half.now.law.renew();
+        kinds_.assign(worth_.size(), 0);
+      }
       list.push_back({"seeding chains", static_cast<int>((worth_.size() + kGroupSize - 1) / kGroupSize)});
     }
     for (int done = 0; done < mutations_; done += kPart)
@@ -242,7 +246,8 @@ class MarkovChainRenderState final : public RenderState {
   void found_candidates(Half& half) {
     Epoch& epoch = half.now;
     epoch.worth_earlier += epoch.weight * static_cast<double>(epoch.drawn - epoch.first);
-    epoch.first = epoch.drawn, epoch.drawn += worth_.size();
+    epoch.first = epoch.drawn;
+    epoch.drawn += worth_.size();
     double sum = 0;
     for (const float w : worth_) sum += double{w};
     epoch.weight = sum / static_cast<double>(worth_.size());
@@ -257,7 +262,10 @@ class MarkovChainRenderState final : public RenderState {
 
   std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const TaskContext& task_context) {
     const bool first = m.sample != half.sample;
-    if (first) keep(m.now, m.before, task_context), m.sample = half.sample;
+    if (first) {
+      keep(m.now, m.before, task_context);
+      m.sample = half.sample;
+    }
     // A task that was given up is done again.
     static thread_local Group kept;
     if (part > 0) keep(m.now, kept, task_context);

@@ -47,9 +47,13 @@ class Stay {
 struct Acceptance {
   uint64_t proposed = 0, accepted = 0;
 
-  void count(const Verdict& verdict) { ++proposed, accepted += verdict.accepted ? 1 : 0; }
+  void count(const Verdict& verdict) {
+    ++proposed;
+    accepted += verdict.accepted ? 1 : 0;
+  }
   Acceptance& operator+=(const Acceptance& other) {
-    proposed += other.proposed, accepted += other.accepted;
+    proposed += other.proposed;
+    accepted += other.accepted;
     return *this;
   }
 };

@@ -84,7 +84,8 @@ class PathCandidates {
   bool assemble(int k, int c, PathSpace<M>& space, ChainRandom& random) {
     if (k - 1 - c > seen_ + (c < 0 && miss_count_ ? 1 : 0)) return false;
     path_.resize(k);
-    path_.raster = from_camera_.raster, path_.lens = from_camera_.lens;
+    path_.raster = from_camera_.raster;
+    path_.lens = from_camera_.lens;
     const int shift = from_camera_.edges() - k;
     for (int i = c + 1; i < k; ++i) path_[i] = from_camera_[shift + i];
     if (c < 0) return space.meet_light(path_) && space.settle(-1, k + 1, path_);

@@ -89,7 +89,11 @@ class LightPath {
 
   // Takes over all but the vertices.
   void take_ends(const LightPath& other) {
-    light = other.light, raster = other.raster, lens = other.lens, time = other.time, importance = other.importance;
+    light = other.light;
+    raster = other.raster;
+    lens = other.lens;
+    time = other.time;
+    importance = other.importance;
   }
 
   // Cosines at vertex i of its two edges, and what falls with the square of the length of edge i.

@@ -78,7 +78,8 @@ struct MutationGroup {
   std::vector<MutationChain<M>> chains;
 
   void write(StateWriter& out) const {
-    out.value(tally), out.value<uint64_t>(chains.size());
+    out.value(tally);
+    out.value<uint64_t>(chains.size());
     for (const auto& chain : chains) chain.write(out);
   }
   bool read(StateReader& in) {

@@ -17,13 +17,22 @@ struct MutationChain {
   bool bare = false;    // of the path, only what is written below is known
 
   void write(StateWriter& out) const {
-    out.value(path.light), out.value(path.raster), out.value(path.lens), out.value(path.time), out.value(random),
-        out.value(rounds);
+    out.value(path.light);
+    out.value(path.raster);
+    out.value(path.lens);
+    out.value(path.time);
+    out.value(random);
+    out.value(rounds);
     out.value<int32_t>(path.edges());
     for (int i = 0; i < path.edges(); ++i) {
       const PathVertex<M>& x = path[i];
-      out.value(x.hit), out.value(x.found_from), out.value(x.delta), out.value(x.transmitted);
-      out.value(x.point.position), out.value(x.direction), out.value(x.length);
+      out.value(x.hit);
+      out.value(x.found_from);
+      out.value(x.delta);
+      out.value(x.transmitted);
+      out.value(x.point.position);
+      out.value(x.direction);
+      out.value(x.length);
     }
   }
   bool read(StateReader& in) {

@@ -96,18 +96,21 @@ double propose(Mutation mutation, const MutationPlan& plan, PathSpace<M>& space,
       const Vec2 raster = anew ? space.point_of_picture(point_of_picture()) : moved(x.raster, plan.pixels, random);
       const Vec2 lens = anew ? random.next_2d() : x.lens;
       if (!retrace_from_camera(x, raster, lens, end, plan.angles, space, random, y)) return 0;
-      there = retraced_from_camera(end, y), back = retraced_from_camera(end, x);
+      there = retraced_from_camera(end, y);
+      back = retraced_from_camera(end, x);
       break;
     }
     case Mutation::caustic: {
       const int start = shape.caustic_start;
       if (!retrace_from_light(x, start, plan.angles, plan.size, space, random, y)) return 0;
-      there = retraced_from_light(start, y), back = retraced_from_light(start, x);
+      there = retraced_from_light(start, y);
+      back = retraced_from_light(start, x);
       break;
     }
   }
   shape_of_y = integrator::shape_of(y);
-  there *= plan.mutations.probability(mutation, shape), back *= plan.mutations.probability(mutation, shape_of_y);
+  there *= plan.mutations.probability(mutation, shape);
+  back *= plan.mutations.probability(mutation, shape_of_y);
   const double ratio = back / there;
   return std::isfinite(ratio) ? ratio : 0;
 }

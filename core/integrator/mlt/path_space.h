@@ -29,7 +29,10 @@ class PathSpace {
         scene_(context.scene),
         margin_(context.filter->radius()),
         size_(Vec2(static_cast<float>(context.width), static_cast<float>(context.height)) + 2 * margin_) {
-    if constexpr (M::kClasses) shares_.resize(automaton().size()), moved_.resize(automaton().size());
+    if constexpr (M::kClasses) {
+      shares_.resize(automaton().size());
+      moved_.resize(automaton().size());
+    }
   }
 
   // The points of the picture that a path may go through: those that a filter reaches.
@@ -54,15 +57,18 @@ class PathSpace {
     const Vec2 point = random.next_2d(), direction = random.next_2d();
     const Emission e = scene_->lights().sample_emission({choice, point, direction, path.time});
     if (!(e.density.first > 0)) return false;
-    path.light.kind = e.kind, path.light.number = e.light;
-    path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
+    path.light.kind = e.kind;
+    path.light.number = e.light;
+    path.light.infinite = e.density.infinite;
+    path.light.extended = !e.density.delta;
     Vertex& x = path[0];
     x.delta = false;
     if (e.kind == LightKind::triangle) {
       scene_->locate(e, x.hit, x.found_from);
       place(x, path.time);
     } else {
-      x.point.position = e.position, x.direction = e.direction;
+      x.point.position = e.position;
+      x.direction = e.direction;
     }
     return true;
   }
@@ -71,8 +77,11 @@ class PathSpace {
   bool leave_light(ChainRandom& random, Path& path) {
     if (path.light.kind == LightKind::triangle && path.light.number == Path::Light::kUnlisted) return false;
     Emission e;
-    e.kind = path.light.kind, e.light = path.light.number;
-    e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
+    e.kind = path.light.kind;
+    e.light = path.light.number;
+    e.position = path[0].point.position;
+    e.direction = path[0].direction;
+    e.time = path.time;
     scene_->lights().resample_emission(random.next_2d(), e);
     if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
     const Vec3& ng = path[0].point.ng;
@@ -82,7 +91,8 @@ class PathSpace {
   // The same along a known ray.
   bool leave_light(const Vec3& origin, const Vec3& direction, ChainRandom& random, Path& path) {
     Ray ray;
-    ray.origin = origin, ray.direction = direction;
+    ray.origin = origin;
+    ray.direction = direction;
     if (path.light.kind == LightKind::triangle) path[0].point.spawn(direction, ray);
     return find_next(ray, 0, random, path);
   }
@@ -104,7 +114,8 @@ class PathSpace {
 
   // Finds x_{k-1} through this point of the picture and of the lens.
   bool leave_camera(Vec2 raster, Vec2 lens, ChainRandom& random, Path& path) {
-    path.raster = raster, path.lens = lens;
+    path.raster = raster;
+    path.lens = lens;
     return find_before(camera().ray(raster, lens, path.time), path.edges(), random, path);
   }
   // Finds x_{i-1} from x_i, 0 < i < k.
@@ -121,7 +132,10 @@ class PathSpace {
   }
 
   // Makes x_0, which a walk from the camera has found, the light; false if it is none.
-  bool meet_light(Path& path) const { return take_light(path), settle_light(path); }
+  bool meet_light(Path& path) const {
+    take_light(path);
+    return settle_light(path);
+  }
 
   // ---- Connecting.
 
@@ -132,7 +146,10 @@ class PathSpace {
     x.delta = false;
     if (i == last) return connect_to_lens(path);
     path[i + 1].delta = false;
-    if (i == 0 && path.light.infinite) return x.length = kInfinity, true;
+    if (i == 0 && path.light.infinite) {
+      x.length = kInfinity;
+      return true;
+    }
     const Vec3 edge = path[i + 1].point.position - x.point.position;
     x.length = std::sqrt(length_squared(edge));
     if (!(x.length > 0)) return false;
@@ -181,7 +198,8 @@ class PathSpace {
   static bool sample(Vertex& x, const Vec3& wo, TransportMode mode, ChainRandom& random, LobeSample<Color>& s) {
     const float choice = random.next();
     if (!x.bsdf.sample(wo, {choice, random.next_2d()}, mode, s)) return false;
-    x.delta = s.delta, x.transmitted = s.transmitted;
+    x.delta = s.delta;
+    x.transmitted = s.transmitted;
     return true;
   }
 
@@ -190,7 +208,8 @@ class PathSpace {
     ++rays_;
     const Hit hit = scene_->intersect(ray, random.bits(), time);
     if (!hit) return false;
-    x.hit = hit, x.found_from = -ray.direction;
+    x.hit = hit;
+    x.found_from = -ray.direction;
     place(x, time);
     x.delta = false;
     return true;
@@ -218,7 +237,8 @@ class PathSpace {
       return x.length > 0;
     }
     if (scene_->lights().environment().black()) return false;
-    x.length = kInfinity, x.delta = false;
+    x.length = kInfinity;
+    x.delta = false;
     if (i == 1) take_light(path);
     return i == 1;
   }
@@ -237,7 +257,8 @@ class PathSpace {
     if (last == 0 && path.light.infinite) {
       const auto view = camera().view_direction(-x.direction, path.lens, path.time);
       if (!view) return false;
-      path.raster = view->raster, x.length = kInfinity;
+      path.raster = view->raster;
+      x.length = kInfinity;
       return in_picture(path.raster);
     }
     const auto view = camera().view(x.point.position, path.lens, path.time);
@@ -258,11 +279,13 @@ class PathSpace {
       if (!x.bsdf.delta_direction(wi, x.transmitted, TransportMode::importance, sent)) return false;
       f = seen.value;
       x.stretch = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
-      x.to_light = seen.probability, x.to_camera = sent.probability * x.stretch;
+      x.to_light = seen.probability;
+      x.to_camera = sent.probability * x.stretch;
     } else {
       const auto seen = x.bsdf.evaluate(wo, wi, TransportMode::radiance);
       f = seen.f_cos;
-      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
+      x.to_light = seen.pdf;
+      x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
     }
     x.value = max_component(f);
     if (!(x.value > 0) || !std::isfinite(x.value) || !is_finite(f)) return false;
@@ -291,10 +314,12 @@ class PathSpace {
       if (path.edges() == 1) return false;
       light.emitted = scene_->lights().emitted_by_placed(light.number, direction, path[0].length, path.time);
       LightSample sample;
-      sample.kind = LightKind::placed, sample.light = light.number;
+      sample.kind = LightKind::placed;
+      sample.light = light.number;
       density = scene_->lights().emission_density(sample, path.time);
     }
-    light.first = density.first, light.second = density.second;
+    light.first = density.first;
+    light.second = density.second;
     return !is_black(light.emitted);
   }
 

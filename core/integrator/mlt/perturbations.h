@@ -64,7 +64,8 @@ bool retrace_from_camera(const LightPath<M>& x, Vec2 raster, Vec2 lens, int end,
   for (int i = 0; i < end; ++i) y[i] = x[i];
   if (!space.leave_camera(raster, lens, random, y)) return false;
   for (int i = k - 1; i > end; --i) {
-    y[i].delta = x[i].delta, y[i].transmitted = x[i].transmitted;
+    y[i].delta = x[i].delta;
+    y[i].transmitted = x[i].transmitted;
     DeltaDirection<typename M::Color> only;
     if (!y[i].delta)
       only.wi = turned(x.direction_to_light(i), angles, random);
@@ -107,7 +108,8 @@ bool retrace_from_light(const LightPath<M>& x, int start, const Octaves& angles,
       return false;
   }
   for (int i = start + 1; i < k - 1; ++i) {
-    y[i].delta = true, y[i].transmitted = x[i].transmitted;
+    y[i].delta = true;
+    y[i].transmitted = x[i].transmitted;
     DeltaDirection<typename M::Color> only;
     if (!y[i].bsdf.delta_direction(y.direction_to_light(i), y[i].transmitted, TransportMode::importance, only))
       return false;

@@ -31,7 +31,8 @@ class Whitted final : public CameraPathIntegrator<Whitted> {
 
   // Rays that mirrors hold captive would go on for ever.
   Whitted() {
-    max_depth.value = 16, max_depth.range = {1, 1000};
+    max_depth.value = 16;
+    max_depth.range = {1, 1000};
     max_depth.doc = "Path segments from camera to light: 1 is a light seen directly, 2 direct illumination";
   }
 

@@ -21,8 +21,12 @@ class FinalGather {
 
   // `rays` from each vertex; where they are shorter than `near`, they gather again.
   void begin(const Source& global, const Source& caustics, int rays, float near) {
-    global_ = global, caustics_ = caustics, rays_ = rays, near_ = near;
-    rays_traced_ = 0, given_up_ = false;
+    global_ = global;
+    caustics_ = caustics;
+    rays_ = rays;
+    near_ = near;
+    rays_traced_ = 0;
+    given_up_ = false;
   }
   bool cancelled() const { return given_up_; }
   uint64_t rays_traced() const { return rays_traced_; }
@@ -42,7 +46,10 @@ class FinalGather {
         const auto number = static_cast<uint32_t>(eye.length() * rays_ + k);
         origins_[static_cast<size_t>(paths_.size())] = static_cast<uint8_t>(i);
         paths_.add(hash_combine(eye.state_at(i).seed, number));
-        if (paths_.size() == PathWavefront::kCapacity) trace(task_context, eye), begin_rays(context, task_context, eye);
+        if (paths_.size() == PathWavefront::kCapacity) {
+          trace(task_context, eye);
+          begin_rays(context, task_context, eye);
+        }
       }
     }
     if (paths_.size() > 0) trace(task_context, eye);

@@ -37,7 +37,8 @@ inline Vec3 unfolded_direction(uint32_t packed, int bits) {
   Vec3 v(static_cast<float>(packed >> bits & mask) * scale - 1, static_cast<float>(packed & mask) * scale - 1, 0);
   v.z = 1 - std::abs(v.x) - std::abs(v.y);
   const float fold = std::max(-v.z, 0.0f);
-  v.x += v.x < 0 ? fold : -fold, v.y += v.y < 0 ? fold : -fold;
+  v.x += v.x < 0 ? fold : -fold;
+  v.y += v.y < 0 ? fold : -fold;
   return v;
 }
 inline Vec3 unpacked_direction(uint32_t packed, int bits) { return glm::normalize(unfolded_direction(packed, bits)); }

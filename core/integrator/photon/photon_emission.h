@@ -16,7 +16,8 @@ class PhotonEmission {
 
   // Another emission in the place of this one.
   void begin(const PhotonPlan& plan, uint32_t sample) {
-    plan_ = plan, sample_ = sample;
+    plan_ = plan;
+    sample_ = sample;
     found_.resize(static_cast<size_t>(plan.tasks()));
     traced_.assign(found_.size(), 0);
     ordered_.fill(0);
@@ -49,9 +50,10 @@ class PhotonEmission {
 
   // Called alone, after the last task of a step.
   void finish(Step step) {
-    if (step == kOrder)
-      map_.end(), ready_ = true;
-    else if (!collected_)
+    if (step == kOrder) {
+      map_.end();
+      ready_ = true;
+    } else if (!collected_)
       collect();
   }
 

@@ -37,7 +37,10 @@ void PhotonMap::begin(std::vector<Photon> photons) {
   pieces_.clear();
   if (source_.empty()) return;
   Corners box{source_[0].position(), source_[0].position()};
-  for (const Photon& p : source_) box[0] = glm::min(box[0], p.position()), box[1] = glm::max(box[1], p.position());
+  for (const Photon& p : source_) {
+    box[0] = glm::min(box[0], p.position());
+    box[1] = glm::max(box[1], p.position());
+  }
   build_below({1, 0, source_.size(), box}, std::bit_width(unsigned{kPieces}) - 1U);
 }
 
@@ -61,7 +64,8 @@ void PhotonMap::build_below(const Piece& piece, size_t levels) {
   if (levels == 0) return pieces_.push_back(piece);
   Piece left{2 * piece.node, piece.first, 0, {}}, right{2 * piece.node + 1, 0, piece.last, {}};
   const size_t median = split(piece, left.box, right.box);
-  left.last = median, right.first = median + 1;
+  left.last = median;
+  right.first = median + 1;
   build_below(left, levels - 1);
   build_below(right, levels - 1);
 }
@@ -70,7 +74,11 @@ void PhotonMap::build_piece(int piece) {
   if (static_cast<size_t>(piece) < pieces_.size()) build_below(pieces_[static_cast<size_t>(piece)], 64);
 }
 
-void PhotonMap::end() { pieces_.clear(), source_.clear(), source_.shrink_to_fit(); }
+void PhotonMap::end() {
+  pieces_.clear();
+  source_.clear();
+  source_.shrink_to_fit();
+}
 
 void PhotonMap::build(std::vector<Photon> photons) {
   begin(std::move(photons));

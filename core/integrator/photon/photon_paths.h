@@ -36,8 +36,10 @@ struct PackedArrivals {
   explicit PackedArrivals(const transport::PathWavefront<M>& paths) {
     static_assert(kSize == transport::PathWavefront<M>::kHitsAtATime);
     Vec3Lanes<kSize> normal, direction;
-    for (int i = 0; i < paths.hit_count(); ++i)
-      normal.set(static_cast<size_t>(i), paths.point(i).ng), direction.set(static_cast<size_t>(i), paths.wo(i));
+    for (int i = 0; i < paths.hit_count(); ++i) {
+      normal.set(static_cast<size_t>(i), paths.point(i).ng);
+      direction.set(static_cast<size_t>(i), paths.wo(i));
+    }
     const auto count = static_cast<size_t>(paths.hit_count());
     photon::packed_directions(normal, count, photon::Photon::kNormalBits, normals.data());
     photon::packed_directions(direction, count, photon::Photon::kDirectionBits, directions.data());
@@ -60,7 +62,8 @@ void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& walks, transp
     if constexpr (M::kClasses) {
       const auto drawn = draw_state(paths.shares(), path, paths.random(vertex_dimension::kLightChoice, i));
       if (is_black(drawn.weight)) continue;
-      power *= drawn.weight, state = drawn.state;
+      power *= drawn.weight;
+      state = drawn.state;
     }
     const auto hit = static_cast<size_t>(i);
     photons.emplace_back(paths.point(i).position, packed.directions[hit], packed.normals[hit], power, paths.length(),

@@ -43,7 +43,8 @@ void launch_primary_sample_paths(const RenderContext& context, const PrimarySamp
   const size_t count = given.seeds.size();
   for (size_t i = 0; i < count; ++i) {
     rasters[i] = plane.corner + plane.extent * Vec2(x[i], y[i]);
-    x[i] = rasters[i].x, y[i] = rasters[i].y;
+    x[i] = rasters[i].x;
+    y[i] = rasters[i].y;
   }
   std::array<Ray, transport::PathWavefront<M>::kCapacity> rays;
   context.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, times, count, rays.data());

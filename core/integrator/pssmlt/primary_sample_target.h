@@ -43,7 +43,10 @@ class PrimarySampleTarget {
                                const TechniqueDistribution& law, size_t lanes, const TaskContext& task_context) {
     PrimarySamplePaths given{&proposals.sampler(kCamera), &proposals.sampler(kLight), {seeds_.data(), lanes}};
     if (form == PrimaryForm::path) return walk<M>(context, plan, given, task_context);
-    if (form == PrimaryForm::multiplexed) choose_techniques(law, lanes), given.techniques = techniques_;
+    if (form == PrimaryForm::multiplexed) {
+      choose_techniques(law, lanes);
+      given.techniques = techniques_;
+    }
     static thread_local const auto walks = std::make_unique<BidirectionalSampler<M>>();
     const auto rays = walks->evaluate(context, plan, given, found, task_context);
     if (!given.techniques.empty()) weigh_techniques(lanes);
@@ -87,7 +90,8 @@ class PrimarySampleTarget {
     for (size_t i = 0; i < lanes; ++i) {
       const auto length = to_unit_float(static_cast<uint32_t>(mix_bits(roots[i] + 0xe7037ed1a0b428dbULL) >> 32));
       const auto choice = law.choose(length, choices[i][0]);
-      techniques_[i] = choice.technique, kinds[i] = choice.kind;
+      techniques_[i] = choice.technique;
+      kinds[i] = choice.kind;
       over_probability_[i] = 1 / choice.probability;
     }
   }
@@ -100,7 +104,10 @@ class PrimarySampleTarget {
   void measure(size_t lane) {
     float sum = 0;
     for (const film::Splat& splat : found[lane]) sum += luminance(splat.radiance);
-    if (!std::isfinite(sum) || !(sum > 0)) found[lane].clear(), sum = 0;
+    if (!std::isfinite(sum) || !(sum > 0)) {
+      found[lane].clear();
+      sum = 0;
+    }
     targets[lane] = sum;
   }
 

@@ -118,10 +118,16 @@ struct PrimaryGroup {
   std::vector<PrimaryState> states;
 
   void write(StateWriter& out) const {
-    out.value(tally), out.value(mutations), out.value(points.clocks);
+    out.value(tally);
+    out.value(mutations);
+    out.value(points.clocks);
     for (const auto& blocks : points.streams) out.list(std::span(blocks));
     out.value<uint64_t>(states.size());
-    for (const PrimaryState& s : states) out.value(s.root), out.value(s.target), out.list(std::span(s.splats));
+    for (const PrimaryState& s : states) {
+      out.value(s.root);
+      out.value(s.target);
+      out.list(std::span(s.splats));
+    }
   }
   bool read(StateReader& in) {
     if (!in.value(tally) || !in.value(mutations) || !in.value(points.clocks)) return false;
@@ -282,7 +288,8 @@ class PrimaryKernel {
   static void go(PrimarySampleTarget& paths, size_t lane, Group& group) {
     paths.proposals.accept(lane, group.points);
     PrimaryState& state = group.states[lane];
-    state.root = paths.roots[lane], state.target = paths.targets[lane];
+    state.root = paths.roots[lane];
+    state.target = paths.targets[lane];
     std::swap(state.splats, paths.found[lane]);
   }
 

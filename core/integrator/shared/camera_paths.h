@@ -44,7 +44,10 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   for (int i = 0; i < order.size(); ++i)
     paths.add(pixel_seed(context.seed, block.x + order.x(i), block.y + order.y(i), half_buffer));
   std::array<float, transport::PathWavefront<M>::kCapacity> together;
-  if (context.shared_time) together.fill(*context.shared_time), given_times = together.data();
+  if (context.shared_time) {
+    together.fill(*context.shared_time);
+    given_times = together.data();
+  }
   const bool draws_time = context.samples_time() && !given_times;
   SampleTable& random = paths.draw_start(dimensions(camera_dimension::kPixel, 2) |
                                          (context.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
@@ -53,7 +56,8 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
   const float* times = draws_time ? random.values[camera_dimension::kTime].data() : given_times;
   const auto count = static_cast<size_t>(order.size());
-  context.filter->sample_all(x.data(), count), context.filter->sample_all(y.data(), count);
+  context.filter->sample_all(x.data(), count);
+  context.filter->sample_all(y.data(), count);
   for (int i = 0; i < order.size(); ++i) {
     const auto path = static_cast<size_t>(i);
     x[path] += static_cast<float>(block.x + order.x(i)) + 0.5f;

@@ -83,7 +83,8 @@ void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks,
                     int path, const Vec3& direction, float length, Splatter& splatter, Weigh&& weigh) {
   const auto& state = paths.state(path);
   Ray ray;
-  ray.origin = state.from, ray.direction = direction;
+  ray.origin = state.from;
+  ray.direction = direction;
   const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
   auto carried = transport::admitted(paths, state, path) * (walks.flux(path) * hit->importance);

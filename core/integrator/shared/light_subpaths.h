@@ -66,7 +66,8 @@ class LightSubpaths {
         times_[static_cast<size_t>(i)] = time;
         if (!keep_going(i)) continue;
         Start& start = starts_[static_cast<size_t>(size++)];
-        start.path = i, start.point = nullptr;
+        start.path = i;
+        start.point = nullptr;
         start.emission = {};
         context.scene->lights().sample_emission({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
                                                  cosine_directions_[static_cast<size_t>(i - first)]},
@@ -129,7 +130,8 @@ class LightSubpaths {
     start.emitted = e.weight > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
     Ray& ray = rays_[static_cast<size_t>(k)];
     ray = Ray();
-    ray.origin = e.position, ray.direction = e.direction;
+    ray.origin = e.position;
+    ray.direction = e.direction;
     if (start.point) start.point->spawn(e.direction, ray);
   }
 
@@ -140,7 +142,8 @@ class LightSubpaths {
     const float beam = start.point ? start.point->beam(e.direction) : 1;
     const Color flux = start.emitted * (e.weight * beam);
     const float most = max_component(flux);
-    flux_[path] = most, lights_[path] = e.light;
+    flux_[path] = most;
+    lights_[path] = e.light;
     if (!(most > 0)) return;
     paths.launch(start.path, rays_[static_cast<size_t>(k)], e.time);
     paths.state(start.path).throughput = flux / most;

@@ -33,7 +33,9 @@ class Splatter {
   // What counts unless something lies along the ray at that time.
   void connect(int path, const Ray& ray, float time, uint32_t seed, Vec2 raster, const Rgb& contribution) {
     Seen& seen = connections_.add(ray, time, seed);
-    seen.raster = raster, seen.seed = seed, seen.path = static_cast<uint16_t>(path);
+    seen.raster = raster;
+    seen.seed = seed;
+    seen.path = static_cast<uint16_t>(path);
     seen.contribution = contribution;
     if (connections_.full()) settle();
   }

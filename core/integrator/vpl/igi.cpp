@@ -112,7 +112,10 @@ class VirtualLights final : public RenderState {
 
   std::vector<Phase> phases(uint32_t sample) override {
     Lights& lights = lights_of(sample);
-    if (renews()) lights.sample = sample, lights.ready = false;
+    if (renews()) {
+      lights.sample = sample;
+      lights.ready = false;
+    }
     if (lights.ready || !indirect()) return {};
     lights.found.resize(static_cast<size_t>(plan_.tasks()));
     return {{"making virtual lights", plan_.tasks()}};

@@ -29,7 +29,8 @@ class VirtualLighting {
   // `subset_of(path)` is that of the virtual lights which a path is connected to.
   template <class SubsetOf>
   void begin(const Options& options, int paths, SubsetOf&& subset_of) {
-    options_ = options, rays_traced_ = 0;
+    options_ = options;
+    rays_traced_ = 0;
     for (int i = 0; i < paths; ++i) subsets_[static_cast<size_t>(i)] = subset_of(i);
   }
   uint64_t rays_traced() const { return rays_traced_; }

@@ -61,14 +61,17 @@ class VirtualLightMaker {
   void add(PathWavefront& paths, int hit, const Color& scattered, float side) const {
     const int path = paths.path_at(hit);
     VirtualLight light;
-    light.point = paths.point(hit), light.wo = paths.wo(hit), light.side = side;
+    light.point = paths.point(hit);
+    light.wo = paths.wo(hit);
+    light.side = side;
     const float subset_size = static_cast<float>(plan_.paths) / static_cast<float>(plan_.subsets);
     light.power = paths.state(path).throughput * scattered * (walks_.flux(path) / subset_size);
     light.length = paths.length();
     light.subset = static_cast<uint32_t>((first_ + path) % plan_.subsets);
     if constexpr (M::kClasses) {
       const auto drawn = transport::draw_state(paths.shares(), path, paths.random(vertex_dimension::kLightChoice, hit));
-      light.power *= drawn.weight, light.state = drawn.state;
+      light.power *= drawn.weight;
+      light.state = drawn.state;
     }
     if (!is_black(light.power)) lights_.push_back(light);
   }

@@ -23,7 +23,8 @@ inline float mis_weight_over_pdf(MisHeuristic heuristic, float own, float other)
     case MisHeuristic::power:
       break;
   }
-  own = std::min(own, kLargestDensity), other = std::min(other, kLargestDensity);
+  own = std::min(own, kLargestDensity);
+  other = std::min(other, kLargestDensity);
   return own / (own * own + other * other);
 }
 

@@ -99,11 +99,18 @@ class MisChain {
   // At the first vertex. `reached`: the other side can do without it (a light that is hit, a lens that is).
   // `far`: it is infinitely far away.
   void start(float density, bool reached, bool far) {
-    ahead_ = density, settled_ = 0, inner_ = reached ? 1.0f : 0.0f, possible_ = reached;
-    connectible_ = true, far_ = far;
+    ahead_ = density;
+    settled_ = 0;
+    inner_ = reached ? 1.0f : 0.0f;
+    possible_ = reached;
+    connectible_ = true;
+    far_ = far;
   }
   // A direction was chosen with this density per solid angle (per area across it if `far`); its cosine to the normal.
-  void leave(float pdf, float cosine) { pdf_ = pdf, cosine_ = cosine; }
+  void leave(float pdf, float cosine) {
+    pdf_ = pdf;
+    cosine_ = cosine;
+  }
 
   // At the next vertex: so far away, and the cosine to its normal there.
   MisVertex arrive(const MisRule& rule, float distance_squared, float cosine) {

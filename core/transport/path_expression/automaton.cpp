@@ -52,14 +52,17 @@ Pattern::Part Pattern::sequence(Part first, Part second) {
 
 Pattern::Part Pattern::either(Part a, Part b) {
   const Part part{add(), add()};
-  connect(part.entry, a.entry), connect(part.entry, b.entry);
-  connect(a.exit, part.exit), connect(b.exit, part.exit);
+  connect(part.entry, a.entry);
+  connect(part.entry, b.entry);
+  connect(a.exit, part.exit);
+  connect(b.exit, part.exit);
   return part;
 }
 
 Pattern::Part Pattern::optional(Part inner) {
   const Part part{add(), add()};
-  connect(part.entry, inner.entry), connect(part.entry, part.exit);
+  connect(part.entry, inner.entry);
+  connect(part.entry, part.exit);
   connect(inner.exit, part.exit);
   return part;
 }
@@ -67,7 +70,8 @@ Pattern::Part Pattern::optional(Part inner) {
 Pattern::Part Pattern::at_least_once(Part inner) {
   const Part part{add(), add()};
   connect(part.entry, inner.entry);
-  connect(inner.exit, inner.entry), connect(inner.exit, part.exit);
+  connect(inner.exit, inner.entry);
+  connect(inner.exit, part.exit);
   return part;
 }
 
@@ -188,7 +192,8 @@ std::optional<Automaton> Automaton::minimal(const std::vector<WideRow>& rows) {
   Numbering<int> order;
   std::map<int, size_t> example;
   for (size_t i = 0; i < rows.size(); ++i) example.emplace(kind[i], i);
-  order(dead), order(kind[0]);
+  order(dead);
+  order(kind[0]);
   for (size_t i = 0; i < order.size(); ++i)
     for (size_t e = 0; order[i] != dead && e < kEvents; ++e) order(kind_after(rows[example.at(order[i])], e));
   if (order.size() > kMostStates) return {};

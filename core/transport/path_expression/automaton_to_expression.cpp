@@ -36,10 +36,16 @@ Term optional(const Term& term) {
 // What both begin or end with stands once: DL|L is [D]L.
 Term either(Term a, Term b) {
   Term first, last;
-  while (!a.empty() && !b.empty() && a.front() == b.front())
-    first.push_back(a.front()), a.erase(a.begin()), b.erase(b.begin());
-  while (!a.empty() && !b.empty() && a.back() == b.back())
-    last.insert(last.begin(), a.back()), a.pop_back(), b.pop_back();
+  while (!a.empty() && !b.empty() && a.front() == b.front()) {
+    first.push_back(a.front());
+    a.erase(a.begin());
+    b.erase(b.begin());
+  }
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    last.insert(last.begin(), a.back());
+    a.pop_back();
+    b.pop_back();
+  }
   if (!a.empty() || !b.empty()) {
     const Term choice = a.empty()   ? optional(b)
                         : b.empty() ? optional(a)
@@ -112,7 +118,10 @@ class Graph {
         in += ends.second == q && ends.first != q;
         out += ends.first == q && ends.second != q;
       }
-      if (in * out < least) least = in * out, best = q;
+      if (in * out < least) {
+        least = in * out;
+        best = q;
+      }
     }
     return best;
   }

@@ -50,8 +50,10 @@ class ClassShares<M, true> {
 
   // `automaton` must stay where it is while walks go on. Words begin with `first` and end with `last`.
   void begin(const Automaton& automaton, Event first = Event::camera, Event last = Event::light) {
-    automaton_ = &automaton, states_ = automaton.size();
-    first_ = first, last_ = last;
+    automaton_ = &automaton;
+    states_ = automaton.size();
+    first_ = first;
+    last_ = last;
     shares_.resize((SampleTable::kPaths + 1) * states_);
     moved_.resize(states_);
     find_lit_states();

@@ -146,7 +146,8 @@ class Parser {
     if (peek() != closing)
       return fail(at_, std::string("'") + peek() + "' does not close the '" + opening + "' of column " +
                            std::to_string(column + 1) + "; give '" + closing + "'");
-    ++at_, --open_;
+    ++at_;
+    --open_;
     return opening == '[' ? pattern_.optional(*inner) : *inner;
   }
 

@@ -54,7 +54,8 @@ class BranchingPaths {
           continue;
         // All of them look for the same light, with so many times the density.
         const auto share = static_cast<float>(count);
-        s.weight /= share, s.pdf_solid_angle *= share;
+        s.weight /= share;
+        s.pdf_solid_angle *= share;
         enqueue(i, s, share, lives);
       }
     }
@@ -97,9 +98,16 @@ class BranchingPaths {
   };
 
   void begin(PathWavefront<M>& paths) {
-    paths_ = &paths, roots_ = paths.size();
-    for (Level& level : levels_) level.branches.clear(), level.shares.clear();
-    for (int i = 0; i < roots_; ++i) found_[static_cast<size_t>(i)] = Color(0), root_[static_cast<size_t>(i)] = id(i);
+    paths_ = &paths;
+    roots_ = paths.size();
+    for (Level& level : levels_) {
+      level.branches.clear();
+      level.shares.clear();
+    }
+    for (int i = 0; i < roots_; ++i) {
+      found_[static_cast<size_t>(i)] = Color(0);
+      root_[static_cast<size_t>(i)] = id(i);
+    }
   }
 
   static uint16_t id(int path) { return static_cast<uint16_t>(path); }
