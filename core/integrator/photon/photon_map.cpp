@@ -10,8 +10,8 @@ namespace {
 size_t left_size(size_t count) {
   if (count <= 1) return 0;
   const size_t filled = std::bit_floor(count + 1) - 1;  // in the complete levels
-  const size_t half = (filled - 1) / 2, last = count - filled, room = (filled + 1) / 2;
-  return half + std::min(last, room);
+  const size_t half = (filled - 1) / 2, last = count - filled, capacity = (filled + 1) / 2;
+  return half + std::min(last, capacity);
 }
 
 // The largest comes first.
@@ -19,14 +19,14 @@ bool nearer(const Neighbour& a, const Neighbour& b) { return a.distance2 < b.dis
 
 // Puts a neighbour in place of the farthest one.
 void replace_first(std::vector<Neighbour>& heap, const Neighbour& neighbour) {
-  size_t hole = 0;
-  for (size_t child = 1; child < heap.size(); child = 2 * hole + 1) {
+  size_t slot = 0;
+  for (size_t child = 1; child < heap.size(); child = 2 * slot + 1) {
     if (child + 1 < heap.size() && nearer(heap[child], heap[child + 1])) ++child;
     if (!nearer(neighbour, heap[child])) break;
-    heap[hole] = heap[child];
-    hole = child;
+    heap[slot] = heap[child];
+    slot = child;
   }
-  heap[hole] = neighbour;
+  heap[slot] = neighbour;
 }
 
 }  // namespace
@@ -91,18 +91,18 @@ std::vector<Photon> PhotonMap::take_memory() {
   return std::exchange(tree_, {});
 }
 
-Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_t most, float farthest2,
+Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                                  std::vector<Neighbour>& found) const {
   found.clear();
-  float radius2 = farthest2;
+  float radius2 = max_distance2;
   search(
       position,
       [&](const Photon& photon, const Vec3& d, float distance2) {
-        if (!(distance2 < radius2) || !continues(photon, d, distance2, normal)) return radius2;
+        if (!(distance2 < radius2) || !is_on_same_surface(photon, d, distance2, normal)) return radius2;
         const Neighbour neighbour{distance2, static_cast<uint32_t>(&photon - &tree_[1])};
-        if (found.size() < most) {
+        if (found.size() < count) {
           found.push_back(neighbour);
-          if (found.size() < most) return radius2;
+          if (found.size() < count) return radius2;
           std::make_heap(found.begin(), found.end(), nearer);
         } else {
           replace_first(found, neighbour);
@@ -110,9 +110,9 @@ Neighbourhood PhotonMap::nearest(const Vec3& position, const Vec3& normal, size_
         return radius2 = found.front().distance2;
       },
       radius2);
-  if (found.size() < most && std::isfinite(farthest2)) return {found, farthest2};
+  if (found.size() < count && std::isfinite(max_distance2)) return {found, max_distance2};
   if (found.empty()) return {};
-  if (found.size() < most) std::iter_swap(found.begin(), std::max_element(found.begin(), found.end(), nearer));
+  if (found.size() < count) std::iter_swap(found.begin(), std::max_element(found.begin(), found.end(), nearer));
   return {std::span(found).subspan(1), found.front().distance2};
 }
 

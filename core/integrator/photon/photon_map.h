@@ -51,7 +51,7 @@ class PhotonMap {
   // bias (O18). Photons beyond an edge, on the other side of a thin wall or behind it belong to another light. Where
   // there are fewer, the disc has the largest radius, or goes through the farthest if there is none. `found` is room to
   // work in.
-  Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t most, float farthest2,
+  Neighbourhood nearest(const Vec3& position, const Vec3& normal, size_t count, float max_distance2,
                         std::vector<Neighbour>& found) const;
 
   // Calls `visit(photon, distance2)` for every photon within the radius that lies on the surface's continuation.
@@ -60,7 +60,7 @@ class PhotonMap {
     search(
         position,
         [&](const Photon& photon, const Vec3& d, float distance2) {
-          if (distance2 < radius2 && continues(photon, d, distance2, normal)) visit(photon, distance2);
+          if (distance2 < radius2 && is_on_same_surface(photon, d, distance2, normal)) visit(photon, distance2);
           return radius2;
         },
         radius2);
@@ -75,14 +75,14 @@ class PhotonMap {
 
   // Whether a photon at the offset d may lie on the same surface: that faces about as there, and the photon is less
   // than 30 degrees above or below the plane. What curves does so within ever smaller discs.
-  static bool continues(const Photon& photon, const Vec3& d, float distance2, const Vec3& normal) {
+  static bool is_on_same_surface(const Photon& photon, const Vec3& d, float distance2, const Vec3& normal) {
     return sqr(glm::dot(d, normal)) <= 0.25f * distance2 && photon.faces(normal);
   }
 
   // `look(photon, offset, distance2)` is called for what lies in cells that reach into the sphere, and returns its
   // squared radius from there on.
-  template <class Look>
-  void search(const Vec3& position, Look&& look, float radius2) const;
+  template <class Visit>
+  void search(const Vec3& position, Visit&& visit, float radius2) const;
 
   size_t split(const Piece& piece, Corners& left, Corners& right);
   void build_below(const Piece& piece, size_t levels);
@@ -91,31 +91,31 @@ class PhotonMap {
   std::vector<Piece> pieces_;
 };
 
-template <class Look>
-void PhotonMap::search(const Vec3& position, Look&& look, float radius2) const {
-  struct Waiting {
+template <class Visit>
+void PhotonMap::search(const Vec3& position, Visit&& visit, float radius2) const {
+  struct Pending {
     size_t node;
     float distance2;  // of its plane
   };
-  std::array<Waiting, 48> waiting;
+  std::array<Pending, 48> pending;
   size_t count = 0;
   const size_t end = tree_.size();
   for (size_t node = 1;;) {
     while (node < end) {
       const Photon& photon = tree_[node];
       const int axis = photon.axis();
-      const float apart = position[axis] - photon.position()[axis];
-      const bool right = apart > 0;
-      if (sqr(apart) < radius2) waiting[count++] = {node, sqr(apart)};
+      const float offset = position[axis] - photon.position()[axis];
+      const bool right = offset > 0;
+      if (sqr(offset) < radius2) pending[count++] = {node, sqr(offset)};
       node = 2 * node + (right ? 1 : 0);
     }
     while (true) {
       if (count == 0) return;
-      const Waiting next = waiting[--count];
+      const Pending next = pending[--count];
       if (!(next.distance2 < radius2)) continue;
       const Photon& photon = tree_[next.node];
       const Vec3 d = photon.position() - position;
-      radius2 = look(photon, d, glm::dot(d, d));
+      radius2 = visit(photon, d, glm::dot(d, d));
       if (!(next.distance2 < radius2)) continue;
       const int axis = photon.axis();
       node = 2 * next.node + (position[axis] - photon.position()[axis] > 0 ? 0 : 1);

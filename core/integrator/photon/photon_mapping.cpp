@@ -26,7 +26,7 @@
 
 namespace etendue::integrator {
 
-enum class PhotonUse { direct, classic };
+enum class PhotonUse { is_direct, classic };
 
 }  // namespace etendue::integrator
 
@@ -114,7 +114,7 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
   Toggle renew{"renew", "New photons for every sample", false,
                "Averages the blotches of many maps; the bias of one stays. What moves always gets new ones"};
   Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
     return std::tie(max_depth, mode, photons, caustic_photons, nearest, beta, radius, kernel, roughness, gather, near,
@@ -125,14 +125,14 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
 
  private:
   transport::LobeSplit split() const { return transport::LobeSplit(roughness); }
-  bool direct() const { return mode == PhotonUse::direct; }
+  bool is_direct() const { return mode == PhotonUse::is_direct; }
 
   // In an estimate from a map of so many photons.
   NearestPhotons nearest_of(int emitted, float size) const {
     constexpr double kReference = 100'000;
-    const double most = nearest * std::pow(emitted / kReference, double{beta});
-    const float farthest = radius > 0 ? radius * size : kInfinity;
-    return {static_cast<size_t>(std::clamp(most + 0.5, 2.0, 1e7)), sqr(farthest), kernel};
+    const double count = nearest * std::pow(emitted / kReference, double{beta});
+    const float max_distance = radius > 0 ? radius * size : kInfinity;
+    return {static_cast<size_t>(std::clamp(count + 0.5, 2.0, 1e7)), sqr(max_distance), kernel};
   }
 
   PhotonPlan plan(bool caustics) const {
@@ -140,8 +140,8 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
     plan.photons = max_depth == 1 ? 0 : caustics ? caustic_photons : photons;
     plan.split = split();
     plan.caustics = caustics;
-    plan.shortest = caustics ? 2 : 1;
-    plan.longest = std::max(0, max_depth - 1);
+    plan.min_length = caustics ? 2 : 1;
+    plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
 
@@ -151,17 +151,17 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
 // Of each half of the film, a global map and one of caustics.
 class PhotonMapping::Maps final : public RenderState {
  public:
-  Maps(const PhotonMapping& method, const RenderContext& context, const Maps* previous)
-      : method_(method), context_(context), size_(2 * context.scene->bounds().radius()) {
+  Maps(const PhotonMapping& integrator, const RenderContext& context, const Maps* previous)
+      : integrator_(integrator), context_(context), size_(2 * context.scene->bounds().radius()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
-    const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(context);
+    const bool can_reuse = previous && !renews() && !previous->renews() && previous->same_light(context);
     for (uint32_t half = 0; half < film::kHalfBuffers; ++half)
       for (const bool caustics : {false, true}) {
-        if (caustics && (method.direct() || context.model->diffuse)) continue;
-        auto& mine = emissions_[half][caustics];
-        const PhotonPlan plan = method.plan(caustics);
-        if (reusable) mine = previous->emissions_[half][caustics];
-        if (!mine || !(mine->plan() == plan)) mine = std::make_shared<PhotonEmission>(plan, half);
+        if (caustics && (integrator.is_direct() || context.model->diffuse)) continue;
+        auto& emission = emissions_[half][caustics];
+        const PhotonPlan plan = integrator.plan(caustics);
+        if (can_reuse) emission = previous->emissions_[half][caustics];
+        if (!emission || !(emission->plan() == plan)) emission = std::make_shared<PhotonEmission>(plan, half);
       }
   }
 
@@ -171,7 +171,7 @@ class PhotonMapping::Maps final : public RenderState {
     for (const auto& emission : emissions_[sample % film::kHalfBuffers]) {
       if (!emission) continue;
       if (renews()) emission->begin(emission->plan(), sample);
-      if (emission->ready()) continue;
+      if (emission->is_ready()) continue;
       emission->add_phases(phases);
       running_.push_back(emission.get());
     }
@@ -203,13 +203,13 @@ class PhotonMapping::Maps final : public RenderState {
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
     auto points = std::make_shared<std::vector<StoredPoint>>();
     for (const auto& emission : emissions_[0])
-      if (emission && emission->ready()) add_points(emission->map(), kMostPoints / 2, *points);
+      if (emission && emission->is_ready()) add_points(emission->map(), kMostPoints / 2, *points);
     return points;
   }
 
  private:
   // What moves needs photons of its own time.
-  bool renews() const { return method_.renew || context_.model->moving; }
+  bool renews() const { return integrator_.renew || context_.model->moving; }
 
   bool same_light(const RenderContext& context) const {
     const transport::Model &a = *context_.model, &b = *context.model;
@@ -220,8 +220,8 @@ class PhotonMapping::Maps final : public RenderState {
 
   PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {
     const auto& emission = emissions_[sample % film::kHalfBuffers][caustics];
-    return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth,
-            task_context.overhead_timer};
+    return {emission ? &emission->map() : nullptr, integrator_.split(), join_ ? &*join_ : nullptr,
+            integrator_.max_depth, task_context.overhead_timer};
   }
 
   template <class M>
@@ -230,15 +230,16 @@ class PhotonMapping::Maps final : public RenderState {
     transport::PathWavefront<M>& paths = thread_wavefront<M>();
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
-    if (method_.direct()) {
-      if (!estimate_directly(view(block.sample, false, task_context), task_context, paths)) return {};
+    if (integrator_.is_direct()) {
+      if (!estimate_direct(view(block.sample, false, task_context), task_context, paths)) return {};
       return collect(paths, order, radiance);
     }
     static thread_local const auto gatherer = std::make_unique<FinalGather<M>>();
-    gatherer->begin({view(block.sample, false, task_context), method_.nearest_of(method_.photons, size_)},
-                    {view(block.sample, true, task_context), method_.nearest_of(method_.caustic_photons, size_)},
-                    method_.gather, method_.near * size_);
-    if (!estimate_in_terms(task_context, *gatherer, paths)) return {};
+    gatherer->begin(
+        {view(block.sample, false, task_context), integrator_.nearest_of(integrator_.photons, size_)},
+        {view(block.sample, true, task_context), integrator_.nearest_of(integrator_.caustic_photons, size_)},
+        integrator_.gather, integrator_.near * size_);
+    if (!estimate_by_terms(task_context, *gatherer, paths)) return {};
     const auto rays = collect(paths, order, radiance);
     if (!rays || gatherer->cancelled()) return {};
     return *rays + gatherer->rays_traced();
@@ -246,44 +247,44 @@ class PhotonMapping::Maps final : public RenderState {
 
   // False if nobody wants it any more: lookups take a while.
   template <class M>
-  bool estimate_directly(const PhotonView& view, const TaskContext& task_context,
-                         transport::PathWavefront<M>& paths) const {
+  bool estimate_direct(const PhotonView& view, const TaskContext& task_context,
+                       transport::PathWavefront<M>& paths) const {
     using namespace transport;
     while (paths.trace()) {
-      add_environment(paths, kPartsHeuristic);
+      add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
-        add_emission(paths, kPartsHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
-        add_light_by_parts(paths, view.split, LitParts::near_specular);
-        add_nearest_photons(paths, view, method_.nearest_of(method_.photons, size_), 0);
-        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
+        add_emission(paths, kLobeSplitHeuristic);
+        if (integrator_.at_max_depth(paths.length())) continue;
+        add_direct_light_by_lobe(paths, view.split, LitLobes::near_specular);
+        add_nearest_photons(paths, view, integrator_.nearest_of(integrator_.photons, size_), 0);
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
       }
     }
     return true;
   }
 
   template <class M>
-  bool estimate_in_terms(const TaskContext& task_context, FinalGather<M>& gatherer,
+  bool estimate_by_terms(const TaskContext& task_context, FinalGather<M>& gatherer,
                          transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const LobeSplit split = method_.split();
+    const LobeSplit split = integrator_.split();
     while (paths.trace()) {
-      add_environment(paths, kPartsHeuristic);
+      add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
-        add_emission(paths, kPartsHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
-        add_light_by_parts(paths, split, LitParts::both);
+        add_emission(paths, kLobeSplitHeuristic);
+        if (integrator_.at_max_depth(paths.length())) continue;
+        add_direct_light_by_lobe(paths, split, LitLobes::both);
         gatherer.add_caustics(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{split});
       }
     }
     return true;
   }
 
-  const PhotonMapping& method_;
+  const PhotonMapping& integrator_;
   const RenderContext context_;
   const float size_;  // of the scene
   const RandomSampler random_;

@@ -19,8 +19,8 @@ struct PhotonPlan {
   int photons = 0;  // that leave the lights
   transport::LobeSplit split{0.0f};
   bool caustics = false;
-  int shortest = 1;  // edges of a path whose end is stored
-  int longest = 0;   // 0: no limit
+  int min_length = 1;  // edges of a path whose end is stored
+  int max_length = 0;  // 0: no limit
   static constexpr int kTask = SampleTable::kPaths;
   int tasks() const { return (photons + kTask - 1) / kTask; }
 
@@ -28,12 +28,12 @@ struct PhotonPlan {
 };
 
 // Normals and directions of the present vertices, packed as photons keep them.
-struct PackedArrivals {
+struct PackedVertices {
   static constexpr size_t kSize = 64;
   std::array<uint32_t, kSize> normals, directions;
 
   template <class M>
-  explicit PackedArrivals(const transport::PathWavefront<M>& paths) {
+  explicit PackedVertices(const transport::PathWavefront<M>& paths) {
     static_assert(kSize == transport::PathWavefront<M>::kHitsAtATime);
     Vec3Lanes<kSize> normal, direction;
     for (int i = 0; i < paths.hit_count(); ++i) {
@@ -41,23 +41,23 @@ struct PackedArrivals {
       direction.set(static_cast<size_t>(i), paths.wo(i));
     }
     const auto count = static_cast<size_t>(paths.hit_count());
-    photon::packed_directions(normal, count, photon::Photon::kNormalBits, normals.data());
-    photon::packed_directions(direction, count, photon::Photon::kDirectionBits, directions.data());
+    photon::pack_directions(normal, count, photon::Photon::kNormalBits, normals.data());
+    photon::pack_directions(direction, count, photon::Photon::kDirectionBits, directions.data());
   }
 };
 
 template <class M>
-void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
                    std::vector<photon::Photon>& photons) {
   using namespace transport;
-  if (paths.length() < plan.shortest) return;
+  if (paths.length() < plan.min_length) return;
   if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
-  const PackedArrivals packed(paths);
+  const PackedVertices packed(paths);
   const float share = 1 / static_cast<float>(plan.photons);
   for (int i = 0; i < paths.hit_count(); ++i) {
     if (!plan.split.has_rough(paths.bsdf(i))) continue;
     const int path = paths.path_at(i);
-    auto power = paths.state(path).throughput * (walks.flux(path) * share);
+    auto power = paths.state(path).throughput * (subpaths.flux(path) * share);
     uint8_t state = 0;
     if constexpr (M::kClasses) {
       const auto drawn = draw_state(paths.shares(), path, paths.random(vertex_dimension::kLightChoice, i));
@@ -76,23 +76,23 @@ template <class M>
 std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sample, const PhotonPlan& plan, int task,
                                       const TaskContext& task_context, std::vector<photon::Photon>& photons) {
   using namespace transport;
-  static thread_local const auto walks = std::make_unique<LightSubpaths<M>>();
+  static thread_local const auto subpaths = std::make_unique<LightSubpaths<M>>();
   static thread_local std::vector<photon::Photon> stored;
   PathWavefront<M>& paths = thread_wavefront<M>();
   stored.clear();
   const int first = task * PhotonPlan::kTask;
-  constexpr uint32_t kCaustics = 1U << 31;  // others than those of the global map
-  const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCaustics : 0);
-  walks->launch(
+  constexpr uint32_t kCausticSeed = 1U << 31;  // others than those of the global map
+  const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCausticSeed : 0);
+  subpaths->launch(
       context, sample, std::min(PhotonPlan::kTask, plan.photons - first), task_context, paths,
       [&](int i) { return start + static_cast<uint32_t>(i); }, [](auto&&...) { return true; });
   while (paths.trace())
     while (paths.next_hits()) {
-      if (paths.length() == 1) walks->dim_first_vertices(paths);
-      store_photons(plan, *walks, paths, stored);
-      if (plan.longest > 0 && paths.length() >= plan.longest) continue;
+      if (paths.length() == 1) subpaths->apply_range_window(paths);
+      store_photons(plan, *subpaths, paths, stored);
+      if (plan.max_length > 0 && paths.length() >= plan.max_length) continue;
       if (plan.caustics)
-        sample_bsdf(paths, 1, TransportMode::importance, TakeNearSpecular{plan.split, TransportMode::importance});
+        sample_bsdf(paths, 1, TransportMode::importance, AcceptNearSpecular{plan.split, TransportMode::importance});
       else
         sample_bsdf(paths, 1, TransportMode::importance);
     }

@@ -58,7 +58,7 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
                           {0, 1},
                           "Glossy lobes below are followed by rays as mirrors are, others are estimated from photons"};
   Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
+      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Length of camera paths from which they are terminated at random. Lower is faster and noisier"};
 
   using IntegratorBase::at_max_depth;
 
@@ -70,13 +70,13 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
     PhotonPlan plan;
     plan.photons = max_depth == 1 ? 0 : photons > 0 ? photons : pixels;
     plan.split = transport::LobeSplit(roughness);
-    plan.shortest = connect ? 2 : 1;
-    plan.longest = std::max(0, max_depth - 1);
+    plan.min_length = connect ? 2 : 1;
+    plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
 
   // The squared radius of a half's sample number `index` (from 0) over the first one.
-  double shrinking(uint32_t index) const {
+  double radius2_ratio(uint32_t index) const {
     double ratio = 1;
     for (uint32_t i = 1; i <= index; ++i) ratio *= (i + double{alpha}) / (i + 1.0);
     return ratio;
@@ -88,28 +88,29 @@ namespace {
 struct Footprint {
   float angle = 0, width = 0;
 
-  Footprint(const CameraRays& camera, int width_of_picture, int height) {
-    const Vec2 middle(0.5f * static_cast<float>(width_of_picture), 0.5f * static_cast<float>(height)), lens(0.5f);
-    const Ray a = camera.ray(middle, lens), b = camera.ray(middle + Vec2(1, 0), lens);
+  Footprint(const CameraRays& camera, int image_width, int height) {
+    const Vec2 center(0.5f * static_cast<float>(image_width), 0.5f * static_cast<float>(height)), lens(0.5f);
+    const Ray a = camera.ray(center, lens), b = camera.ray(center + Vec2(1, 0), lens);
     angle = glm::length(glm::cross(a.direction, b.direction));
     width = glm::distance(a.origin, b.origin);
   }
   float over(float length) const { return width + angle * length; }
 };
 
-class Progress final : public RenderState {
+class State final : public RenderState {
  public:
-  Progress(const ProgressivePhotonMapping& method, const RenderContext& context)
-      : method_(method),
+  State(const ProgressivePhotonMapping& integrator, const RenderContext& context)
+      : integrator_(integrator),
         context_(context),
         footprint_(*context.camera, context.width, context.height),
-        emission_(method.plan(context.width * context.height), 0) {
+        emission_(integrator.plan(context.width * context.height), 0) {
     if (context.model->classes) join_.emplace(*context.model->paths);
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalfBuffers)));
+    radius_ =
+        integrator_.radius * static_cast<float>(std::sqrt(integrator_.radius2_ratio(sample / film::kHalfBuffers)));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;
@@ -130,7 +131,7 @@ class Progress final : public RenderState {
 
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
     auto points = std::make_shared<std::vector<StoredPoint>>();
-    if (emission_.ready()) add_points(emission_.map(), kMostPoints, *points);
+    if (emission_.is_ready()) add_points(emission_.map(), kMostPoints, *points);
     return points;
   }
 
@@ -148,29 +149,29 @@ class Progress final : public RenderState {
   template <class M>
   void estimate(transport::PathWavefront<M>& paths, Stopwatch* watch) const {
     using namespace transport;
-    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, method_.max_depth,
+    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, integrator_.max_depth,
                           watch};
-    static thread_local std::array<float, PathWavefront<M>::kCapacity> walked;  // metres, of each path
-    walked.fill(0);
+    static thread_local std::array<float, PathWavefront<M>::kCapacity> path_lengths;  // metres, of each path
+    path_lengths.fill(0);
     const auto radius2 = [&](int i) {
-      return sqr(radius_ * footprint_.over(walked[static_cast<size_t>(paths.path_at(i))]));
+      return sqr(radius_ * footprint_.over(path_lengths[static_cast<size_t>(paths.path_at(i))]));
     };
     while (paths.trace()) {
-      add_environment(paths, kPartsHeuristic);
+      add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
-        add_emission(paths, kPartsHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
+        add_emission(paths, kLobeSplitHeuristic);
+        if (integrator_.at_max_depth(paths.length())) continue;
         for (int i = 0; i < paths.hit_count(); ++i)
-          walked[static_cast<size_t>(paths.path_at(i))] +=
+          path_lengths[static_cast<size_t>(paths.path_at(i))] +=
               glm::distance(paths.state_at(i).from, paths.point(i).position);
-        add_light_by_parts(paths, view.split, method_.connect ? LitParts::both : LitParts::near_specular);
+        add_direct_light_by_lobe(paths, view.split, integrator_.connect ? LitLobes::both : LitLobes::near_specular);
         add_photons_within(paths, view, radius2);
-        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
       }
     }
   }
 
-  const ProgressivePhotonMapping& method_;
+  const ProgressivePhotonMapping& integrator_;
   const RenderContext context_;
   const Footprint footprint_;
   PhotonEmission emission_;
@@ -181,7 +182,7 @@ class Progress final : public RenderState {
 }  // namespace
 
 std::unique_ptr<RenderState> ProgressivePhotonMapping::begin(const RenderContext& context, const RenderState*) const {
-  return std::make_unique<Progress>(*this, context);
+  return std::make_unique<State>(*this, context);
 }
 
 Registration progressive_photon_mapping() { return registration<ProgressivePhotonMapping>(); }

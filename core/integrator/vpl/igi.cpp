@@ -70,7 +70,7 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
   Toggle renew{"renew", "New lights for every sample", true,
                "Else the error of the first lights stays, unless something moves"};
   Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
+      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Length of camera paths from which they are terminated at random. Lower is faster and noisier"};
 
   using IntegratorBase::at_max_depth;
 
@@ -85,7 +85,7 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
     plan.subsets = interleave * interleave;
     plan.paths = (light_paths + plan.subsets - 1) / plan.subsets * plan.subsets;
     plan.lambertian = !full;
-    plan.longest = max_depth > 0 ? std::max(1, max_depth - 2) : 0;
+    plan.max_length = max_depth > 0 ? std::max(1, max_depth - 2) : 0;
     return plan;
   }
 };
@@ -95,47 +95,47 @@ namespace {
 constexpr auto kHeuristic = transport::MisHeuristic::power;
 
 // The virtual lights of one sample, or of a half of the film, in the making.
-struct Lights {
-  uint32_t sample = 0;                           // whose random numbers they are made with
-  std::vector<std::vector<VirtualLight>> found;  // by task
+struct LightSet {
+  uint32_t sample = 0;                             // whose random numbers they are made with
+  std::vector<std::vector<VirtualLight>> by_task;  // by task
   std::vector<VirtualLight> all;
-  bool ready = false;
+  bool is_ready = false;
 };
 
-class VirtualLights final : public RenderState {
+class IgiState final : public RenderState {
  public:
-  VirtualLights(const InstantGlobalIllumination& method, const RenderContext& context)
-      : method_(method), context_(context), plan_(method.plan()) {
+  IgiState(const InstantGlobalIllumination& integrator, const RenderContext& context)
+      : integrator_(integrator), context_(context), plan_(integrator.plan()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
     for (uint32_t half = 0; half < film::kHalfBuffers; ++half) lights_[half].sample = half;
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
-    Lights& lights = lights_of(sample);
-    if (renews()) {
+    LightSet& lights = lights_for(sample);
+    if (renews_lights()) {
       lights.sample = sample;
-      lights.ready = false;
+      lights.is_ready = false;
     }
-    if (lights.ready || !indirect()) return {};
-    lights.found.resize(static_cast<size_t>(plan_.tasks()));
+    if (lights.is_ready || !has_indirect()) return {};
+    lights.by_task.resize(static_cast<size_t>(plan_.tasks()));
     return {{"making virtual lights", plan_.tasks()}};
   }
 
   std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
-    Lights& lights = lights_of(sample);
+    LightSet& lights = lights_for(sample);
     RenderContext context = at_shared_time(context_, sample);
-    if (!renews()) context.sampler = &random_;
+    if (!renews_lights()) context.sampler = &random_;
     return transport::with_model(*context_.model, [&]<class M>(M) {
       return make_virtual_lights<M>(context, lights.sample, plan_, task, task_context,
-                                    lights.found[static_cast<size_t>(task)]);
+                                    lights.by_task[static_cast<size_t>(task)]);
     });
   }
 
   void finish(uint32_t sample, size_t) override {
-    Lights& lights = lights_of(sample);
+    LightSet& lights = lights_for(sample);
     lights.all.clear();
-    for (const auto& list : lights.found) lights.all.insert(lights.all.end(), list.begin(), list.end());
-    lights.ready = true;
+    for (const auto& list : lights.by_task) lights.all.insert(lights.all.end(), list.begin(), list.end());
+    lights.is_ready = true;
   }
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
@@ -146,9 +146,9 @@ class VirtualLights final : public RenderState {
 
   size_t memory() const override {
     size_t count = 0;
-    for (const Lights& lights : lights_) {
+    for (const LightSet& lights : lights_) {
       count += lights.all.capacity();
-      for (const auto& list : lights.found) count += list.capacity();
+      for (const auto& list : lights.by_task) count += list.capacity();
     }
     return count * sizeof(VirtualLight);
   }
@@ -162,11 +162,11 @@ class VirtualLights final : public RenderState {
 
  private:
   // What moves needs lights of its own time.
-  bool renews() const { return method_.renew || context_.model->moving; }
+  bool renews_lights() const { return integrator_.renew || context_.model->moving; }
 
-  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
+  LightSet& lights_for(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
   // Virtual lights are the second vertex at the earliest.
-  bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
+  bool has_indirect() const { return integrator_.max_depth == 0 || integrator_.max_depth > 2; }
 
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
@@ -175,13 +175,13 @@ class VirtualLights final : public RenderState {
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
     static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
-    const int side = method_.interleave;
-    lighting->begin(
-        {lights_[block.sample % film::kHalfBuffers].all, plan_.lambertian, method_.bound, method_.max_depth,
-         join_ ? &*join_ : nullptr},
-        order.size(), [&](int i) {
-          return static_cast<uint32_t>((block.y + order.y(i)) % side * side + (block.x + order.x(i)) % side);
-        });
+    const int interleave_width = integrator_.interleave;
+    lighting->begin({lights_[block.sample % film::kHalfBuffers].all, plan_.lambertian, integrator_.bound,
+                     integrator_.max_depth, join_ ? &*join_ : nullptr},
+                    order.size(), [&](int i) {
+                      return static_cast<uint32_t>((block.y + order.y(i)) % interleave_width * interleave_width +
+                                                   (block.x + order.x(i)) % interleave_width);
+                    });
     if (!estimate(task_context, *lighting, paths)) return {};
     const auto rays = collect(paths, order, radiance);
     if (!rays) return {};
@@ -193,22 +193,23 @@ class VirtualLights final : public RenderState {
   bool estimate(const TaskContext& task_context, VirtualLighting<M>& lighting,
                 transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    static thread_local std::array<float, PathWavefront<M>::kCapacity> departures;  // cosines by which paths left
+    static thread_local std::array<float, PathWavefront<M>::kCapacity>
+        departure_cosines;  // cosines by which paths left
     while (paths.trace()) {
       add_environment(paths, kHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
         add_emission(paths, kHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
-        weigh_by_loss(paths, departures);
+        if (integrator_.at_max_depth(paths.length())) continue;
+        apply_bound_compensation(paths, departure_cosines);
         add_direct_light(paths, LightStrategy::automatic, kHeuristic);
         lighting.add(paths);
         sample_bsdf_and_record(
-            paths, method_.roulette_start, TransportMode::radiance,
+            paths, integrator_.roulette_start, TransportMode::radiance,
             [&](int i, const auto& s) {
-              departures[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
+              departure_cosines[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
             },
-            [](PathWavefront<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
+            [](PathWavefront<M>& subpaths, int i, auto& s) { return accept_direction(subpaths, i, s); });
       }
     }
     return true;
@@ -217,37 +218,37 @@ class VirtualLights final : public RenderState {
   // Mirrors from the camera on; from the first other vertex one step that may meet a light, and more where a bound
   // loses something, but not by mirrors: virtual lights are not connected through them.
   template <class M>
-  static bool goes_on(transport::PathWavefront<M>& paths, int i, LobeSample<typename M::Color>& s) {
+  static bool accept_direction(transport::PathWavefront<M>& paths, int i, LobeSample<typename M::Color>& s) {
     const auto& path = paths.state_at(i);
-    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::TakeAll()(paths, i, s);
+    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::AcceptAll()(paths, i, s);
   }
 
   // What virtual lights have done for the vertex before is not done again.
   template <class M>
-  void weigh_by_loss(transport::PathWavefront<M>& paths, std::span<const float> departures) const {
-    const bool follows_bound = method_.bound > 0 && method_.compensate;
+  void apply_bound_compensation(transport::PathWavefront<M>& paths, std::span<const float> departure_cosines) const {
+    const bool follows_bound = integrator_.bound > 0 && integrator_.compensate;
     for (int i = 0; i < paths.hit_count(); ++i) {
       auto& path = paths.state_at(i);
       if (path.all_specular) continue;
       const Vec3 d = paths.point(i).position - path.from;
-      const float left = departures[static_cast<size_t>(paths.path_at(i))];
-      const float geometry = geometry_term(left, glm::dot(paths.point(i).ng, paths.wo(i)), glm::dot(d, d));
-      path.throughput *= follows_bound ? 1 - kept_of(geometry, method_.bound) : 0;
+      const float departure_cosine = departure_cosines[static_cast<size_t>(paths.path_at(i))];
+      const float geometry = geometry_term(departure_cosine, glm::dot(paths.point(i).ng, paths.wo(i)), glm::dot(d, d));
+      path.throughput *= follows_bound ? 1 - bounded_fraction(geometry, integrator_.bound) : 0;
     }
   }
 
-  const InstantGlobalIllumination& method_;
+  const InstantGlobalIllumination& integrator_;
   const RenderContext context_;
   const VirtualLightPlan plan_;
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<Lights, film::kHalfBuffers> lights_;
+  std::array<LightSet, film::kHalfBuffers> lights_;
 };
 
 }  // namespace
 
 std::unique_ptr<RenderState> InstantGlobalIllumination::begin(const RenderContext& context, const RenderState*) const {
-  return std::make_unique<VirtualLights>(*this, context);
+  return std::make_unique<IgiState>(*this, context);
 }
 
 Registration instant_global_illumination() { return registration<InstantGlobalIllumination>(); }

@@ -27,7 +27,7 @@ struct VirtualLightPlan {
   int paths = 1;    // a multiple of subsets
   int subsets = 1;  // path k belongs to subset k modulo their number, and is one of paths / subsets
   bool lambertian = true;
-  int longest = 0;  // edges to the light; 0: no limit
+  int max_length = 0;  // edges to the light; 0: no limit
   static constexpr int kTask = 64;
   int tasks() const { return (paths + kTask - 1) / kTask; }
 
@@ -36,25 +36,25 @@ struct VirtualLightPlan {
 
 // Leaves a light at every arrival, with what arrives there, or with what a sample of the BSDF carries on.
 template <class M>
-class VirtualLightMaker {
+class VirtualLightRecorder {
  public:
   using Color = typename M::Color;
   using PathWavefront = transport::PathWavefront<M>;
 
-  VirtualLightMaker(const VirtualLightPlan& plan, const LightSubpaths<M>& walks, int first,
-                    std::vector<VirtualLight>& lights)
-      : plan_(plan), walks_(walks), first_(first), lights_(lights) {}
+  VirtualLightRecorder(const VirtualLightPlan& plan, const LightSubpaths<M>& subpaths, int first,
+                       std::vector<VirtualLight>& lights)
+      : plan_(plan), subpaths_(subpaths), first_(first), lights_(lights) {}
 
-  void add_arrivals(PathWavefront& paths) {
+  void add_hits(PathWavefront& paths) {
     for (int i = 0; i < paths.hit_count(); ++i)
       if (paths.bsdf(i).has_non_delta_lobe()) add(paths, i, Color(1), 1);
   }
 
   // What `scatter` is given for Lambertian ones.
   bool operator()(PathWavefront& paths, int hit, LobeSample<Color>& s) const {
-    const bool goes_on = transport::TakeAll()(paths, hit, s);
-    if (goes_on && !s.delta) add(paths, hit, s.weight, glm::dot(paths.point(hit).ng, s.wi) < 0 ? -1.0f : 1.0f);
-    return goes_on;
+    const bool accepted = transport::AcceptAll()(paths, hit, s);
+    if (accepted && !s.delta) add(paths, hit, s.weight, glm::dot(paths.point(hit).ng, s.wi) < 0 ? -1.0f : 1.0f);
+    return accepted;
   }
 
  private:
@@ -65,7 +65,7 @@ class VirtualLightMaker {
     light.wo = paths.wo(hit);
     light.side = side;
     const float subset_size = static_cast<float>(plan_.paths) / static_cast<float>(plan_.subsets);
-    light.power = paths.state(path).throughput * scattered * (walks_.flux(path) / subset_size);
+    light.power = paths.state(path).throughput * scattered * (subpaths_.flux(path) / subset_size);
     light.length = paths.length();
     light.subset = static_cast<uint32_t>((first_ + path) % plan_.subsets);
     if constexpr (M::kClasses) {
@@ -77,7 +77,7 @@ class VirtualLightMaker {
   }
 
   const VirtualLightPlan& plan_;
-  const LightSubpaths<M>& walks_;
+  const LightSubpaths<M>& subpaths_;
   int first_;
   std::vector<VirtualLight>& lights_;
 };
@@ -88,23 +88,23 @@ std::optional<uint64_t> make_virtual_lights(const RenderContext& context, uint32
                                             int task, const TaskContext& task_context,
                                             std::vector<VirtualLight>& lights) {
   using namespace transport;
-  static thread_local const auto walks = std::make_unique<LightSubpaths<M>>();
+  static thread_local const auto subpaths = std::make_unique<LightSubpaths<M>>();
   PathWavefront<M>& paths = thread_wavefront<M>();
   lights.clear();
   const int first = task * VirtualLightPlan::kTask;
-  walks->launch(
+  subpaths->launch(
       context, sample, std::min(VirtualLightPlan::kTask, plan.paths - first), task_context, paths,
       [&](int i) { return static_cast<uint32_t>(first + i); }, [](auto&&...) { return true; });
-  VirtualLightMaker<M> maker(plan, *walks, first, lights);
+  VirtualLightRecorder<M> recorder(plan, *subpaths, first, lights);
   while (paths.trace())
     while (paths.next_hits()) {
-      if (paths.length() == 1) walks->dim_first_vertices(paths);
-      if (plan.longest > 0 && paths.length() > plan.longest) continue;
+      if (paths.length() == 1) subpaths->apply_range_window(paths);
+      if (plan.max_length > 0 && paths.length() > plan.max_length) continue;
       if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
       if (plan.lambertian) {
-        sample_bsdf(paths, 1, TransportMode::importance, maker);
+        sample_bsdf(paths, 1, TransportMode::importance, recorder);
       } else {
-        maker.add_arrivals(paths);
+        recorder.add_hits(paths);
         sample_bsdf(paths, 1, TransportMode::importance);
       }
     }

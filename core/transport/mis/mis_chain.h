@@ -33,18 +33,18 @@ class MisRule {
 
   MisRule(MisHeuristic heuristic, Side side)
       : heuristic_(heuristic),
-        tilt_(heuristic != MisHeuristic::maximum ? 1
-              : side == Side::light              ? 0.999f
-                                                 : 1 / 0.999f) {}
+        tie_break_(heuristic != MisHeuristic::maximum ? 1
+                   : side == Side::light              ? 0.999f
+                                                      : 1 / 0.999f) {}
 
   // Of a part of a ratio of two densities.
   float power(float part) const {
-    const float x = std::min(part, kMost);
+    const float x = std::min(part, kMaxRatio);
     return heuristic_ == MisHeuristic::power ? x * x : x;
   }
   // Of a ratio, or of the part of it that stands for the whole.
-  float ratio(float r) const { return power(r * tilt_); }
-  float join(float a, float b) const { return heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b; }
+  float ratio(float r) const { return power(r * tie_break_); }
+  float combine(float a, float b) const { return heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b; }
   // `light` and `camera` are the S of both sides.
   static float weight(MisHeuristic heuristic, float light, float camera) {
     if (heuristic == MisHeuristic::maximum) return std::max(light, camera) < 1 ? 1.0f : 0.0f;
@@ -53,43 +53,44 @@ class MisRule {
 
  private:
   // The squares of larger ones are no floats.
-  static constexpr float kMost = 1e15f;
+  static constexpr float kMaxRatio = 1e15f;
 
   MisHeuristic heuristic_;
-  float tilt_;
+  float tie_break_;
 };
 
 // What a vertex v_j knows of the subpath behind it.
 struct MisVertex {
-  float ahead = 1;           // density of the vertex as the one before it finds it, per area
-  float open = 0;            // what the power of the density back to the vertex before is to be multiplied by
+  float pdf = 1;             // density of the vertex as the one before it finds it, per area
+  float weighted_sum = 0;    // what the power of the density back to the vertex before is to be multiplied by
   bool connectible = false;  // the vertex before can be an end of a connection: c_j, as far as it is decided
 
   // The same in single terms, for sums that leave some out: what back_{j-1} / ahead_{j-1} lacks of the density back per
   // solid angle; the ratio of vertex j - 2; c_{j-1}.
-  float link = 0, settled = 0;
-  bool before = false;
+  float reverse_ratio = 0, previous_ratio = 0;
+  bool previous_connectible = false;
 
   // S of the subpath that ends here, and is continued by a connection. `back` is the density of this vertex as the
   // other end finds it, per area; `further_back` that of the direction to the vertex before, per solid angle.
-  float sum(const MisRule& rule, float back, float further_back) const {
+  float sum(const MisRule& rule, float reverse_pdf, float previous_reverse_pdf) const {
     const float c = connectible ? 1.0f : 0.0f;
-    return rule.ratio(back / ahead) * rule.join(c, rule.power(further_back) * open);
+    return rule.ratio(reverse_pdf / pdf) * rule.combine(c, rule.power(previous_reverse_pdf) * weighted_sum);
   }
 };
 
 // S_{j+1} term by term, of those that counts(number of vertices of this side) admits; vertex(i) gives v_i, 1 <= i <= j.
-template <class VertexOf, class Counts>
-float sum_of_terms(const MisRule& rule, int j, float back, float further_back, VertexOf&& vertex, Counts&& counts) {
+template <class VertexOf, class Enabled>
+float sum_of_terms(const MisRule& rule, int j, float reverse_pdf, float previous_reverse_pdf, VertexOf&& vertex,
+                   Enabled&& enabled) {
   float sum = 0, product = 1;
-  const auto add = [&](int taken, float ratio, bool possible) {
+  const auto add = [&](int count, float ratio, bool connectible) {
     product *= rule.ratio(ratio);
-    if (possible && counts(taken)) sum = rule.join(sum, product);
+    if (connectible && enabled(count)) sum = rule.combine(sum, product);
   };
   const MisVertex& last = vertex(j);
-  add(j, back / last.ahead, last.connectible);
-  add(j - 1, further_back * last.link, last.before);
-  for (int i = j; i >= 2; --i) add(i - 2, vertex(i).settled, vertex(i - 1).before);
+  add(j, reverse_pdf / last.pdf, last.connectible);
+  add(j - 1, previous_reverse_pdf * last.reverse_ratio, last.previous_connectible);
+  for (int i = j; i >= 2; --i) add(i - 2, vertex(i).previous_ratio, vertex(i - 1).previous_connectible);
   return sum;
 }
 
@@ -98,48 +99,53 @@ class MisChain {
  public:
   // At the first vertex. `reached`: the other side can do without it (a light that is hit, a lens that is).
   // `far`: it is infinitely far away.
-  void start(float density, bool reached, bool far) {
-    ahead_ = density;
-    settled_ = 0;
-    inner_ = reached ? 1.0f : 0.0f;
-    possible_ = reached;
+  void start(float density, bool can_be_hit, bool infinite) {
+    pdf_forward_ = density;
+    previous_ratio_ = 0;
+    partial_sum_ = can_be_hit ? 1.0f : 0.0f;
+    previous_connectible_ = can_be_hit;
     connectible_ = true;
-    far_ = far;
+    infinite_ = infinite;
   }
   // A direction was chosen with this density per solid angle (per area across it if `far`); its cosine to the normal.
-  void leave(float pdf, float cosine) {
+  void sample_direction(float pdf, float cosine) {
     pdf_ = pdf;
     cosine_ = cosine;
   }
 
   // At the next vertex: so far away, and the cosine to its normal there.
-  MisVertex arrive(const MisRule& rule, float distance_squared, float cosine) {
-    const float per_area = far_ ? cosine : cosine / distance_squared;
-    const float back_per_area = far_ ? 1 : cosine_ / distance_squared;
-    return reach(rule, pdf_ * per_area, back_per_area);
+  MisVertex add_vertex(const MisRule& rule, float distance_squared, float cosine) {
+    const float per_area = infinite_ ? cosine : cosine / distance_squared;
+    const float reverse_per_area = infinite_ ? 1 : cosine_ / distance_squared;
+    return advance(rule, pdf_ * per_area, reverse_per_area);
   }
   // The next vertex is infinitely far away. Densities there are per solid angle; those back from it are per area
   // across.
-  MisVertex arrive_at_infinity(const MisRule& rule) { return reach(rule, pdf_, cosine_); }
+  MisVertex add_vertex_at_infinity(const MisRule& rule) { return advance(rule, pdf_, cosine_); }
 
   // The walk goes on from the vertex. `back` is the density of the direction to the vertex before, per solid angle.
-  void scatter(const MisRule& rule, const MisVertex& vertex, float back, bool delta) {
-    possible_ = vertex.connectible && !delta;
-    inner_ = rule.join(possible_ ? 1.0f : 0.0f, rule.power(back) * vertex.open);
-    settled_ = back * vertex.link;
+  void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta) {
+    previous_connectible_ = vertex.connectible && !delta;
+    partial_sum_ = rule.combine(previous_connectible_ ? 1.0f : 0.0f, rule.power(reverse_pdf) * vertex.weighted_sum);
+    previous_ratio_ = reverse_pdf * vertex.reverse_ratio;
     connectible_ = !delta;
-    far_ = false;
+    infinite_ = false;
   }
 
  private:
-  MisVertex reach(const MisRule& rule, float ahead, float back_per_area) {
-    const float link = back_per_area / ahead_;
-    ahead_ = ahead;
-    return {ahead, inner_ * rule.ratio(link), connectible_, link, settled_, possible_};
+  MisVertex advance(const MisRule& rule, float pdf, float reverse_per_area) {
+    const float reverse_ratio = reverse_per_area / pdf_forward_;
+    pdf_forward_ = pdf;
+    return {pdf,
+            partial_sum_ * rule.ratio(reverse_ratio),
+            connectible_,
+            reverse_ratio,
+            previous_ratio_,
+            previous_connectible_};
   }
 
-  float ahead_ = 1, inner_ = 0, settled_ = 0, pdf_ = 0, cosine_ = 1;
-  bool connectible_ = false, far_ = false, possible_ = false;
+  float pdf_forward_ = 1, partial_sum_ = 0, previous_ratio_ = 0, pdf_ = 0, cosine_ = 1;
+  bool connectible_ = false, infinite_ = false, previous_connectible_ = false;
 };
 
 }  // namespace etendue::transport

@@ -7,7 +7,7 @@ namespace etendue::transport {
 namespace {
 
 // Subset construction can double the states with every letter of an expression; nobody means that.
-constexpr size_t kMostSubsets = 1024;
+constexpr size_t kMaxSubsets = 1024;
 
 // Numbers things in the order in which they are first asked for.
 template <class T>
@@ -107,7 +107,7 @@ std::optional<Automaton> Automaton::of(const Pattern& pattern, Pattern::Part who
     }
     row.accepting = std::binary_search(subset.begin(), subset.end(), whole.exit);
     rows.push_back(row);
-    if (subsets.size() > kMostSubsets) return {};
+    if (subsets.size() > kMaxSubsets) return {};
   }
   return minimal(rows);
 }
@@ -145,7 +145,7 @@ std::optional<Automaton> Automaton::reversal(const Automaton& a) {
     for (size_t e = 0; e < kEvents; ++e) row.next[e] = sets(a.before(set, static_cast<Event>(e)));
     row.accepting = set >> a.start() & 1;
     rows.push_back(row);
-    if (sets.size() > kMostSubsets) return {};
+    if (sets.size() > kMaxSubsets) return {};
   }
   return minimal(rows);
 }

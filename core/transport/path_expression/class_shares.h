@@ -40,7 +40,7 @@ class ClassShares;
 template <class M>
 class ClassShares<M, false> {
  public:
-  struct Kept {};
+  struct Saved {};
 };
 
 template <class M>
@@ -55,8 +55,8 @@ class ClassShares<M, true> {
     first_ = first;
     last_ = last;
     shares_.resize((SampleTable::kPaths + 1) * states_);
-    moved_.resize(states_);
-    find_lit_states();
+    next_shares_.resize(states_);
+    find_final_states();
   }
   void launch(int path) {
     const Automaton::State first = automaton_->next(automaton_->start(), first_);
@@ -72,34 +72,34 @@ class ClassShares<M, true> {
   }
   // What a branch has, for as long as no path stands for it. Its shares are put at the end of `shares`, where
   // `give_back` takes them from again.
-  struct Kept {
+  struct Saved {
     uint64_t alive;
   };
-  Kept keep_branch(std::vector<Color>& shares) const {
+  Saved save_branch(std::vector<Color>& shares) const {
     for_each(alive(kBranch), [&](Automaton::State q) { shares.push_back(row(kBranch)[q]); });
     return {alive(kBranch)};
   }
-  void give_back(const Kept& kept, std::vector<Color>& shares, int path) {
-    alive_[static_cast<size_t>(path)] = kept.alive;
-    shares.resize(shares.size() - static_cast<size_t>(std::popcount(kept.alive)));
+  void restore_branch(const Saved& saved, std::vector<Color>& shares, int path) {
+    alive_[static_cast<size_t>(path)] = saved.alive;
+    shares.resize(shares.size() - static_cast<size_t>(std::popcount(saved.alive)));
     const Color* share = shares.data() + shares.size();
-    for_each(kept.alive, [&](Automaton::State q) { row(path)[q] = *share++; });
+    for_each(saved.alive, [&](Automaton::State q) { row(path)[q] = *share++; });
   }
 
   // Of the throughput, if the path ends here, on a light or on the lens.
-  Color of_end(int path) const { return sum(path, alive(path) & lit_); }
+  Color end_share(int path) const { return sum(path, alive(path) & final_); }
 
   // Of f cos, if the path is connected to its end in direction wi: the same but for the letters that do not count.
-  Color of_connection(int path, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, const Color& f_cos) const {
-    const States diffuse = alive(path) & lit_after_diffuse_, glossy = alive(path) & lit_after_glossy_;
+  Color connection_value(int path, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, const Color& f_cos) const {
+    const States diffuse = alive(path) & final_after_diffuse_, glossy = alive(path) & final_after_glossy_;
     if (diffuse == glossy) return diffuse == 0 ? Color(0) : f_cos * sum(path, diffuse);
-    const Parts parts = parts_of(bsdf, wo, wi, Event::diffuse);
+    const Parts parts = letter_parts(bsdf, wo, wi, Event::diffuse);
     return f_cos * (parts.diffuse * sum(path, diffuse) + parts.glossy * sum(path, glossy));
   }
 
   // The same apart for light that is scattered by one letter, diffuse or glossy.
-  Color of_connection_by(int path, Event letter) const {
-    return sum(path, alive(path) & (letter == Event::diffuse ? lit_after_diffuse_ : lit_after_glossy_));
+  Color connection_share(int path, Event letter) const {
+    return sum(path, alive(path) & (letter == Event::diffuse ? final_after_diffuse_ : final_after_glossy_));
   }
 
   // The states that a path is in, and its share in each.
@@ -108,7 +108,7 @@ class ClassShares<M, true> {
   const Automaton& automaton() const { return *automaton_; }
 
   // The path is where another one is, of shares in the same automaton.
-  void take_over(int path, const ClassShares& other, int other_path) {
+  void copy_from(int path, const ClassShares& other, int other_path) {
     alive_[static_cast<size_t>(path)] = other.alive(other_path);
     for_each(alive(path), [&](Automaton::State q) { row(path)[q] = other.row(other_path)[q]; });
   }
@@ -126,8 +126,8 @@ class ClassShares<M, true> {
     out.assign(states_, Color(0));
     for_each(alive(path), [&](Automaton::State q) { out[q] = row(path)[q]; });
   }
-  void connected(const Row& shares, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Row& out) const {
-    const Parts parts = parts_of(bsdf, wo, wi, Event::diffuse);
+  void after_connection(const Row& shares, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Row& out) const {
+    const Parts parts = letter_parts(bsdf, wo, wi, Event::diffuse);
     out.assign(states_, Color(0));
     for (size_t i = 0; i < states_; ++i) {
       const auto q = static_cast<Automaton::State>(i);
@@ -140,10 +140,10 @@ class ClassShares<M, true> {
   bool scatter(int path, const Bsdf<M>& bsdf, const Vec3& wo, const LobeSample<Color>& s) {
     if (s.delta)
       move(path, {Color(0), Color(0), Color(1)});
-    else if ((alive(path) & apart_) == 0)
+    else if ((alive(path) & split_states_) == 0)
       move(path, {Color(1), Color(0), Color(0)});
     else
-      move(path, parts_of(bsdf, wo, s.wi, event_of(s.type)));
+      move(path, letter_parts(bsdf, wo, s.wi, event_of(s.type)));
     return alive(path) != 0;
   }
 
@@ -153,7 +153,7 @@ class ClassShares<M, true> {
   };
 
   // `otherwise` is the letter where rounding leaves nothing to compare.
-  static Parts parts_of(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Event otherwise) {
+  static Parts letter_parts(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Event otherwise) {
     if (!bsdf.has_component(ScatterType::glossy)) return {Color(1), Color(0), Color(0)};
     if (!bsdf.has_component(ScatterType::diffuse)) return {Color(0), Color(1), Color(0)};
     const Color diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi),
@@ -186,46 +186,46 @@ class ClassShares<M, true> {
   // Shares go to the states that the letters lead to.
   void move(int path, const Parts& parts) {
     Color* shares = row(path);
-    for (size_t q = 0; q < states_; ++q) moved_[q] = Color(0);
+    for (size_t q = 0; q < states_; ++q) next_shares_[q] = Color(0);
     States reached = 0;
     const auto give = [&](Automaton::State q, Event event, const Color& part) {
       const Automaton::State to = automaton_->next(q, event);
       if (to == Automaton::kDead || is_black(part)) return;
-      moved_[to] += shares[q] * part;
-      if (!is_black(moved_[to])) reached |= bit(to);
+      next_shares_[to] += shares[q] * part;
+      if (!is_black(next_shares_[to])) reached |= bit(to);
     };
     for_each(alive(path), [&](Automaton::State q) {
       give(q, Event::diffuse, parts.diffuse);
       give(q, Event::glossy, parts.glossy);
       give(q, Event::specular, parts.specular);
     });
-    for_each(reached, [&](Automaton::State q) { shares[q] = moved_[q]; });
+    for_each(reached, [&](Automaton::State q) { shares[q] = next_shares_[q]; });
     alive_[static_cast<size_t>(path)] = reached;
   }
 
-  void find_lit_states() {
+  void find_final_states() {
     const auto lit = [&](Automaton::State q) { return automaton_->accepts(automaton_->next(q, last_)); };
-    lit_ = lit_after_diffuse_ = lit_after_glossy_ = apart_ = 0;
+    final_ = final_after_diffuse_ = final_after_glossy_ = split_states_ = 0;
     for (size_t i = 1; i < states_; ++i) {
       const auto q = static_cast<Automaton::State>(i);
       const auto d = automaton_->next(q, Event::diffuse), g = automaton_->next(q, Event::glossy);
-      if (lit(q)) lit_ |= bit(q);
-      if (lit(d)) lit_after_diffuse_ |= bit(q);
-      if (lit(g)) lit_after_glossy_ |= bit(q);
-      if (d != g) apart_ |= bit(q);
+      if (lit(q)) final_ |= bit(q);
+      if (lit(d)) final_after_diffuse_ |= bit(q);
+      if (lit(g)) final_after_glossy_ |= bit(q);
+      if (d != g) split_states_ |= bit(q);
     }
   }
 
   const Automaton* automaton_ = nullptr;
   size_t states_ = 0;
   Event first_ = Event::camera, last_ = Event::light;
-  States lit_ = 0;                                       // the last letter is accepted from here
-  States lit_after_diffuse_ = 0, lit_after_glossy_ = 0;  // after a D, a G
-  States apart_ = 0;                                     // D and G lead to different states
+  States final_ = 0;                                         // the last letter is accepted from here
+  States final_after_diffuse_ = 0, final_after_glossy_ = 0;  // after a D, a G
+  States split_states_ = 0;                                  // D and G lead to different states
   // By path.
   std::array<States, SampleTable::kPaths + 1> alive_{};  // states with a share; the other shares are not defined
   std::vector<Color> shares_;                            // of each state
-  std::vector<Color> moved_;
+  std::vector<Color> next_shares_;
 };
 
 }  // namespace etendue::transport

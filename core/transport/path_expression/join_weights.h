@@ -17,7 +17,7 @@ struct JoinWeights {
   struct ByLetter {
     Color diffuse{0}, glossy{0};
   };
-  std::array<ByLetter, Automaton::kMostStates> of;
+  std::array<ByLetter, Automaton::kMostStates> by_state;
 };
 
 template <class M>
@@ -25,13 +25,14 @@ void find_join_weights(const ClassShares<M>& shares, int path, const ClassJoin& 
                        JoinWeights<typename M::Color>& weights) {
   const Automaton& automaton = shares.automaton();
   const size_t size = join.light().size();
-  for (size_t r = 0; r < size; ++r) weights.of[r] = {};
+  for (size_t r = 0; r < size; ++r) weights.by_state[r] = {};
   for (Automaton::States states = shares.states(path); states != 0; states &= states - 1) {
     const auto q = static_cast<Automaton::State>(std::countr_zero(states));
     const auto add = [&](Event letter, auto part) {
       const Automaton::State after = automaton.next(q, letter);
       for (size_t r = 1; r < size; ++r)
-        if (join.go_together(after, static_cast<Automaton::State>(r))) weights.of[r].*part += shares.share(path, q);
+        if (join.are_compatible(after, static_cast<Automaton::State>(r)))
+          weights.by_state[r].*part += shares.share(path, q);
     };
     add(Event::diffuse, &JoinWeights<typename M::Color>::ByLetter::diffuse);
     add(Event::glossy, &JoinWeights<typename M::Color>::ByLetter::glossy);

@@ -44,8 +44,8 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text) {}
 
   Result<Automaton> run() {
-    if (text_.size() > PathExpression::kLongest)
-      return usage_error("path expression: it has more than " + std::to_string(PathExpression::kLongest) +
+    if (text_.size() > PathExpression::kMaxLength)
+      return usage_error("path expression: it has more than " + std::to_string(PathExpression::kMaxLength) +
                          " characters; give a shorter one");
     const auto whole = alternatives();
     if (whole && !at_end()) fail(at_, closing_without_opening());
@@ -137,8 +137,8 @@ class Parser {
 
   std::optional<Part> bracketed(size_t column, char opening) {
     const char closing = opening == '(' ? ')' : ']';
-    if (++open_ > PathExpression::kDeepest)
-      return fail(column, "more than " + std::to_string(PathExpression::kDeepest) +
+    if (++open_ > PathExpression::kMaxNesting)
+      return fail(column, "more than " + std::to_string(PathExpression::kMaxNesting) +
                               " brackets stand inside each other; give a simpler expression");
     const auto inner = alternatives();
     if (!inner) return {};

@@ -28,8 +28,8 @@ namespace etendue::transport {
 class PathExpression {
  public:
   // Letters that an expression may be long, and brackets that may stand inside each other.
-  static constexpr size_t kLongest = 256;
-  static constexpr int kDeepest = 64;
+  static constexpr size_t kMaxLength = 256;
+  static constexpr int kMaxNesting = 64;
 
   // A usage error says what is wrong, at which column (from 1), and what would be right. An expression that needs more
   // than Automaton::kMostStates states is one.

@@ -37,11 +37,11 @@ class BranchingPaths {
 
   // Every walk goes on in `count` directions, each of which carries an equal share. Where there is more than one, they
   // are of the surface without its deltas: those are followed too, one branch each with all of its weight (Remark 8.5).
-  void branch(int count, int roulette_from) {
-    if (count == 1) return sample_bsdf(*paths_, roulette_from);
-    const bool roulette = paths_->length() >= roulette_from;
+  void branch(int count, int roulette_start) {
+    if (count == 1) return sample_bsdf(*paths_, roulette_start);
+    const bool roulette = paths_->length() >= roulette_start;
     const DimensionSet numbers = roulette ? dimensions(vertex_dimension::kRoulette, 1) : 0;
-    const auto lives = [&](PathState<Color>& path, int hit) {
+    const auto survives = [&](PathState<Color>& path, int hit) {
       return !roulette || survives_roulette(path, paths_->random(vertex_dimension::kRoulette, hit));
     };
     for (int stream = 0; stream < count; ++stream) {
@@ -56,16 +56,16 @@ class BranchingPaths {
         const auto share = static_cast<float>(count);
         s.weight /= share;
         s.pdf_solid_angle *= share;
-        enqueue(i, s, share, lives);
+        enqueue(i, s, share, survives);
       }
     }
-    follow_deltas(static_cast<uint32_t>(count), numbers, lives);
+    follow_deltas(static_cast<uint32_t>(count), numbers, survives);
   }
 
   // Every walk goes on along each delta of its surface if `keep` says so of what it then carries; of the vertices'
   // random numbers `keep` needs these. The branches are twigs from `first_twig` on.
-  template <class Keep>
-  void follow_deltas(uint32_t first_twig, DimensionSet numbers, Keep&& keep) {
+  template <class Condition>
+  void follow_deltas(uint32_t first_stream, DimensionSet numbers, Condition&& should_follow) {
     if constexpr (M::kDiffuse) return;
     int most = 0;
     for (int i = 0; i < paths_->hit_count(); ++i) {
@@ -74,11 +74,11 @@ class BranchingPaths {
       most = std::max(most, deltas.count);
     }
     for (int k = 0; k < most; ++k) {
-      paths_->select_rng_stream(first_twig + static_cast<uint32_t>(k));
+      paths_->select_rng_stream(first_stream + static_cast<uint32_t>(k));
       paths_->draw(numbers);
       for (int i = 0; i < paths_->hit_count(); ++i) {
         const DeltaSet<Color>& deltas = deltas_[static_cast<size_t>(i)];
-        if (k < deltas.count) enqueue(i, deltas.lobes[static_cast<size_t>(k)], 1, keep);
+        if (k < deltas.count) enqueue(i, deltas.lobes[static_cast<size_t>(k)], 1, should_follow);
       }
     }
   }
@@ -89,7 +89,7 @@ class BranchingPaths {
     PathState<Color> path;
     Ray ray;
     uint16_t root;
-    [[no_unique_address]] typename Shares::Kept kept;
+    [[no_unique_address]] typename Shares::Saved saved;
   };
   // What left vertices of one distance. Shares of path classes are kept apart, as they differ in number.
   struct Level {
@@ -105,31 +105,31 @@ class BranchingPaths {
       level.shares.clear();
     }
     for (int i = 0; i < roots_; ++i) {
-      found_[static_cast<size_t>(i)] = Color(0);
-      root_[static_cast<size_t>(i)] = id(i);
+      radiance_[static_cast<size_t>(i)] = Color(0);
+      root_of_path_[static_cast<size_t>(i)] = id(i);
     }
   }
 
   static uint16_t id(int path) { return static_cast<uint16_t>(path); }
 
   // A branch from an arrival. `share`: of so many alike this is one.
-  template <class Keep>
-  void enqueue(int hit, const LobeSample<Color>& s, float share, Keep&& keep) {
+  template <class Condition>
+  void enqueue(int hit, const LobeSample<Color>& s, float share, Condition&& should_follow) {
     const int from = paths_->path_at(hit);
     PathState<Color> path = paths_->state(from);
     path.throughput *= s.weight;
     path.eta_scale *= sqr(s.eta) * share;
-    if (!keep(path, hit)) return;
+    if (!should_follow(path, hit)) return;
     path.radiance = Color(0);
     path.seed = paths_->seed(hit);
-    leave(path, paths_->point(hit).position, s);
+    record_scattering(path, paths_->point(hit).position, s);
     if constexpr (M::kClasses) {
       paths_->shares().copy_to_branch(from);
       if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s)) return;
     }
     Level& level = level_at(paths_->length());
-    level.branches.push_back({path, paths_->ray_from(hit, s.wi), root_[static_cast<size_t>(from)], {}});
-    if constexpr (M::kClasses) level.branches.back().kept = paths_->shares().keep_branch(level.shares);
+    level.branches.push_back({path, paths_->ray_from(hit, s.wi), root_of_path_[static_cast<size_t>(from)], {}});
+    if constexpr (M::kClasses) level.branches.back().saved = paths_->shares().save_branch(level.shares);
   }
 
   Level& level_at(int length) {
@@ -139,7 +139,8 @@ class BranchingPaths {
   }
 
   void collect() {
-    for (int i = 0; i < paths_->size(); ++i) found_[root_[static_cast<size_t>(i)]] += paths_->state(i).radiance;
+    for (int i = 0; i < paths_->size(); ++i)
+      radiance_[root_of_path_[static_cast<size_t>(i)]] += paths_->state(i).radiance;
   }
 
   // Fills the front with what waits farthest from the camera; false if nothing does.
@@ -149,11 +150,11 @@ class BranchingPaths {
     if (length == 0) return false;
     Level& level = levels_[--length];
     paths_->begin_batch(static_cast<int>(length));
-    for (size_t n = std::min(level.branches.size(), root_.size()); n > 0; --n) {
+    for (size_t n = std::min(level.branches.size(), root_of_path_.size()); n > 0; --n) {
       const Branch& branch = level.branches.back();
       const int path = paths_->add_resumed(branch.path, branch.ray);
-      if constexpr (M::kClasses) paths_->shares().give_back(branch.kept, level.shares, path);
-      root_[static_cast<size_t>(path)] = branch.root;
+      if constexpr (M::kClasses) paths_->shares().restore_branch(branch.saved, level.shares, path);
+      root_of_path_[static_cast<size_t>(path)] = branch.root;
       level.branches.pop_back();
     }
     return true;
@@ -163,14 +164,14 @@ class BranchingPaths {
     paths_->begin_batch(0);
     for (int i = 0; i < roots_; ++i) {
       paths_->add(0);
-      paths_->state(i).radiance = found_[static_cast<size_t>(i)];
+      paths_->state(i).radiance = radiance_[static_cast<size_t>(i)];
     }
   }
 
   PathWavefront<M>* paths_ = nullptr;
   int roots_ = 0;
-  std::array<uint16_t, PathWavefront<M>::kCapacity> root_;  // of each path in the front
-  std::array<Color, PathWavefront<M>::kCapacity> found_;    // by each root
+  std::array<uint16_t, PathWavefront<M>::kCapacity> root_of_path_;  // of each path in the front
+  std::array<Color, PathWavefront<M>::kCapacity> radiance_;         // by each root
   std::vector<Level> levels_;
   std::array<DeltaSet<Color>, PathWavefront<M>::kHitsAtATime> deltas_;
 };

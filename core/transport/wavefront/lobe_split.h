@@ -31,7 +31,7 @@ class LobeSplit {
 
   // The wide part of f.
   template <class M>
-  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  typename M::Color rough_value(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return has_near_specular_gloss(bsdf) ? bsdf.eval_component(ScatterType::diffuse, wo, wi, mode)
                                          : bsdf.eval(wo, wi, mode);
   }
@@ -43,7 +43,7 @@ class LobeSplit {
 };
 
 // A walk goes on by the narrow part alone.
-struct TakeNearSpecular {
+struct AcceptNearSpecular {
   LobeSplit split;
   TransportMode mode = TransportMode::radiance;
 
@@ -63,43 +63,45 @@ struct TakeNearSpecular {
 
 // What is reflected of a sampled light: by the wide part, for which nothing else finds it, and by the narrow part, for
 // which the walk's own direction does too.
-enum class LitParts { near_specular, rough, both };
-inline constexpr MisHeuristic kPartsHeuristic = MisHeuristic::power;
+enum class LitLobes { near_specular, rough, both };
+inline constexpr MisHeuristic kLobeSplitHeuristic = MisHeuristic::power;
 
 template <class M, class Selected = EveryHit>
-void add_light_by_parts(PathWavefront<M>& paths, const LobeSplit& split, LitParts lit, const Selected& selected = {}) {
+void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, LitLobes lobes,
+                              const Selected& selected = {}) {
   using Color = typename M::Color;
   const scene::CompiledScene& scene = paths.scene();
-  if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::near_specular)) return;
+  if (scene.lights().empty() || (M::kDiffuse && lobes == LitLobes::near_specular)) return;
   const std::span<const LightSample> samples = paths.sample_lights(LightStrategy::automatic);
   for (int i = 0; i < paths.hit_count(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    const bool narrow_gloss = split.has_near_specular_gloss(bsdf);
-    if (light.pdf == 0 || !selected(i) || !(narrow_gloss || (lit != LitParts::near_specular && split.has_rough(bsdf))))
+    const bool has_near_specular = split.has_near_specular_gloss(bsdf);
+    if (light.pdf == 0 || !selected(i) ||
+        !(has_near_specular || (lobes != LitLobes::near_specular && split.has_rough(bsdf))))
       continue;
     const Vec3& wo = paths.wo(i);
-    const auto whole = bsdf.evaluate(wo, light.wi);
-    Color diffuse = whole.f_cos, glossy(0);
+    const auto full = bsdf.evaluate(wo, light.wi);
+    Color diffuse = full.f_cos, glossy(0);
     if (bsdf.has_component(ScatterType::glossy)) {
       glossy = bsdf.eval_component(ScatterType::glossy, wo, light.wi) * bsdf.cosine(light.wi);
       diffuse = bsdf.eval_component(ScatterType::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
     }
     if constexpr (M::kClasses) {
-      diffuse *= paths.shares().of_connection_by(paths.path_at(i), Event::diffuse);
-      glossy *= paths.shares().of_connection_by(paths.path_at(i), Event::glossy);
+      diffuse *= paths.shares().connection_share(paths.path_at(i), Event::diffuse);
+      glossy *= paths.shares().connection_share(paths.path_at(i), Event::glossy);
     }
-    const float alone = lit == LitParts::near_specular ? 0 : 1 / light.pdf;
-    float of_gloss = alone;
-    if (narrow_gloss)
-      of_gloss = lit == LitParts::rough ? 0
-                 : light.delta          ? 1 / light.pdf
-                                        : mis_weight_over_pdf(kPartsHeuristic, light.pdf, whole.pdf);
-    const Color reflected = diffuse * alone + glossy * of_gloss;
-    if (is_black(reflected)) continue;
+    const float rough_weight = lobes == LitLobes::near_specular ? 0 : 1 / light.pdf;
+    float glossy_weight = rough_weight;
+    if (has_near_specular)
+      glossy_weight = lobes == LitLobes::rough ? 0
+                      : light.delta            ? 1 / light.pdf
+                                               : mis_weight_over_pdf(kLobeSplitHeuristic, light.pdf, full.pdf);
+    const Color scattered = diffuse * rough_weight + glossy * glossy_weight;
+    if (is_black(scattered)) continue;
     auto& path = paths.state_at(i);
-    auto& gain = light.distance > 0 ? paths.connect(i, light.wi, light.distance) : path.radiance;
-    gain += path.throughput * reflected * scene.radiance_of(light);
+    auto& contribution = light.distance > 0 ? paths.connect(i, light.wi, light.distance) : path.radiance;
+    contribution += path.throughput * scattered * scene.radiance_of(light);
   }
 }
 

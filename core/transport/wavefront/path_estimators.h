@@ -16,24 +16,24 @@ using Combination = std::optional<MisHeuristic>;
 // Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that
 // keeps r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made
 // heavier than one by living is therefore hardly played for any more.
-inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalOfTheHeavy = 0.995f;
+inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalAboveOne = 0.995f;
 
 // The weight of emission that the walk's own direction found.
 template <class Color>
-float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
-                    Combination shared, LightStrategy strategy) {
-  if (!shared || path.pdf == 0) return 1;
+float emission_weight(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
+                      Combination combination, LightStrategy strategy) {
+  if (!combination || path.pdf == 0) return 1;
   const uint32_t light = scene.light_at(point);
   if (light == scene::InstanceData::kNotALight) return 1;
-  return mis_weight(*shared, path.pdf,
+  return mis_weight(*combination, path.pdf,
                     scene.lights().pdf_triangle(light, path.from, point.position, path.time, strategy));
 }
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
 template <class M>
-typename M::Color admitted(PathWavefront<M>& paths, const PathState<typename M::Color>& path, int index) {
+typename M::Color terminal_throughput(PathWavefront<M>& paths, const PathState<typename M::Color>& path, int index) {
   if constexpr (M::kClasses)
-    return path.throughput * paths.shares().of_end(index);
+    return path.throughput * paths.shares().end_share(index);
   else
     return path.throughput;
 }
@@ -49,14 +49,16 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     if (point.material->description.unlit && !path.all_specular) continue;
     const Rgb emitted = scene.emitted(point, paths.wo(i));
     if (is_black(emitted)) continue;
-    path.radiance += admitted(paths, path, paths.path_at(i)) * emitted * weigh(i);
+    path.radiance += terminal_throughput(paths, path, paths.path_at(i)) * emitted * weigh(i);
   }
 }
 
 template <class M>
-void add_emission(PathWavefront<M>& paths, Combination shared = {}, LightStrategy strategy = LightStrategy::automatic) {
-  add_emission_weighted(
-      paths, [&](int i) { return weight_of_hit(paths.state_at(i), paths.scene(), paths.point(i), shared, strategy); });
+void add_emission(PathWavefront<M>& paths, Combination combination = {},
+                  LightStrategy strategy = LightStrategy::automatic) {
+  add_emission_weighted(paths, [&](int i) {
+    return emission_weight(paths.state_at(i), paths.scene(), paths.point(i), combination, strategy);
+  });
 }
 
 // Light from infinity along the last direction of the walks that left, times weigh(escape).
@@ -68,18 +70,18 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   for (int i = 0; i < paths.miss_count(); ++i) {
     auto& path = paths.missed_path(i);
     const Vec3& direction = paths.miss_direction(i);
-    path.radiance += admitted(paths, path, paths.path_of_miss(i)) * map.radiance(direction) * weigh(i);
+    path.radiance += terminal_throughput(paths, path, paths.path_of_miss(i)) * map.radiance(direction) * weigh(i);
   }
 }
 
 template <class M>
-void add_environment(PathWavefront<M>& paths, Combination shared = {},
+void add_environment(PathWavefront<M>& paths, Combination combination = {},
                      LightStrategy strategy = LightStrategy::automatic) {
   const LightTable& lights = paths.scene().lights();
   add_environment_weighted(paths, [&](int i) {
-    const float own = paths.missed_path(i).pdf;
-    if (!shared || own == 0) return 1.0f;
-    return mis_weight(*shared, own, lights.pdf_environment(paths.miss_direction(i), strategy));
+    const float bsdf_pdf = paths.missed_path(i).pdf;
+    if (!combination || bsdf_pdf == 0) return 1.0f;
+    return mis_weight(*combination, bsdf_pdf, lights.pdf_environment(paths.miss_direction(i), strategy));
   });
 }
 
@@ -104,23 +106,24 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     if (light.pdf == 0 || !bsdf.has_non_delta_lobe()) continue;
     auto scattered = bsdf.evaluate(paths.wo(i), light.wi);
     if constexpr (M::kClasses)
-      scattered.f_cos = paths.shares().of_connection(paths.path_at(i), bsdf, paths.wo(i), light.wi, scattered.f_cos);
+      scattered.f_cos = paths.shares().connection_value(paths.path_at(i), bsdf, paths.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
     const float weight = weigh(i, light, scattered);
     if (weight == 0) continue;
     auto& path = paths.state_at(i);
     const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
-    auto& gain = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
-    gain += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
+    auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
+    contribution += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
   }
 }
 
 // `branches` is the number of directions that the walk then takes, each of which may find the same light.
 template <class M>
-void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination shared,
+void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination combination,
                        Shadows shadows, float branches) {
   add_light_samples_weighted(paths, samples, shadows, [&](int, const LightSample& light, const auto& scattered) {
-    return shared && !light.delta ? mis_weight_over_pdf(*shared, light.pdf, branches * scattered.pdf) : 1 / light.pdf;
+    return combination && !light.delta ? mis_weight_over_pdf(*combination, light.pdf, branches * scattered.pdf)
+                                       : 1 / light.pdf;
   });
 }
 
@@ -133,23 +136,23 @@ void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&&
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
 template <class M>
-void add_light_of_every_source(PathWavefront<M>& paths, Combination shared, Shadows shadows = Shadows::cast,
-                               float branches = 1) {
+void add_light_of_all_sources(PathWavefront<M>& paths, Combination combination, Shadows shadows = Shadows::cast,
+                              float branches = 1) {
   for (size_t source = 0; source < paths.scene().lights().source_count(); ++source) {
     paths.reserve_connections();
-    add_light_samples(paths, paths.sample_source(source), shared, shadows, branches);
+    add_light_samples(paths, paths.sample_source(source), combination, shadows, branches);
   }
   paths.select_rng_stream(0);
 }
 
 template <class M>
-void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combination shared,
+void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combination combination,
                       Shadows shadows = Shadows::cast, float branches = 1) {
   if (paths.scene().lights().empty()) return;
   if (strategy == LightStrategy::every)
-    add_light_of_every_source(paths, shared, shadows, branches);
+    add_light_of_all_sources(paths, combination, shadows, branches);
   else
-    add_light_samples(paths, paths.sample_lights(strategy), shared, shadows, branches);
+    add_light_samples(paths, paths.sample_lights(strategy), combination, shadows, branches);
 }
 
 // Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
@@ -157,7 +160,7 @@ void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combinati
 template <class Color>
 bool survives_roulette(PathState<Color>& path, float random) {
   const float weight = max_component(path.throughput) * path.eta_scale;
-  const float survival = std::min(weight, weight > 1 ? kMaxSurvivalOfTheHeavy : kMaxSurvival);
+  const float survival = std::min(weight, weight > 1 ? kMaxSurvivalAboveOne : kMaxSurvival);
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;
@@ -165,7 +168,7 @@ bool survives_roulette(PathState<Color>& path, float random) {
 
 // What a walk remembers of the event by which it goes on.
 template <class Color>
-void leave(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
+void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
   path.from = from;
   path.all_specular = path.all_specular && s.delta;
@@ -173,7 +176,7 @@ void leave(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s)
 
 // What a walk takes of a direction that was sampled at an arrival: all of it. False if nothing that counts can come of
 // it.
-struct TakeAll {
+struct AcceptAll {
   template <class M>
   bool operator()(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color>& s) const {
     if constexpr (M::kClasses) return paths.shares().scatter(paths.path_at(hit), paths.bsdf(hit), paths.wo(hit), s);
@@ -186,39 +189,39 @@ struct TakeAll {
 // compress.
 // Those for which goes_on(arrival) says no stay behind too. `note` is called with the arrival and its sample where the
 // walk goes on.
-template <class M, class GoesOn, class Note, class Take = TakeAll>
-void sample_bsdf_where(PathWavefront<M>& paths, int roulette_from, TransportMode mode, GoesOn&& goes_on, Note&& note,
-                       const Take& take = {}) {
-  const bool roulette = paths.length() >= roulette_from;
+template <class M, class Continues, class Record, class Accept = AcceptAll>
+void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMode mode, Continues&& continues,
+                       Record&& record, const Accept& accept = {}) {
+  const bool roulette = paths.length() >= roulette_start;
   paths.draw_lobes();
   if (roulette) paths.draw(dimensions(vertex_dimension::kRoulette, 1));
   for (int i = 0; i < paths.hit_count(); ++i) {
-    if (!goes_on(i)) continue;
+    if (!continues(i)) continue;
     LobeSample<typename M::Color> s;
     if (!paths.bsdf(i).sample(paths.wo(i), paths.lobe_draw(i), mode, s)) continue;
-    if (!take(paths, i, s)) continue;
+    if (!accept(paths, i, s)) continue;
     auto& path = paths.state_at(i);
     path.throughput *= s.weight;
     if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
     if (roulette && !survives_roulette(path, paths.random(vertex_dimension::kRoulette, i))) continue;
-    leave(path, paths.point(i).position, s);
-    note(i, s);
+    record_scattering(path, paths.point(i).position, s);
+    record(i, s);
     paths.continue_path(i, s.wi);
   }
 }
 
-template <class M, class Note, class Take = TakeAll>
-void sample_bsdf_and_record(PathWavefront<M>& paths, int roulette_from, TransportMode mode, Note&& note,
-                            const Take& take = {}) {
+template <class M, class Record, class Accept = AcceptAll>
+void sample_bsdf_and_record(PathWavefront<M>& paths, int roulette_start, TransportMode mode, Record&& record,
+                            const Accept& accept = {}) {
   sample_bsdf_where(
-      paths, roulette_from, mode, [](int) { return true; }, note, take);
+      paths, roulette_start, mode, [](int) { return true; }, record, accept);
 }
 
-template <class M, class Take = TakeAll>
-void sample_bsdf(PathWavefront<M>& paths, int roulette_from, TransportMode mode = TransportMode::radiance,
-                 const Take& take = {}) {
+template <class M, class Accept = AcceptAll>
+void sample_bsdf(PathWavefront<M>& paths, int roulette_start, TransportMode mode = TransportMode::radiance,
+                 const Accept& accept = {}) {
   sample_bsdf_and_record(
-      paths, roulette_from, mode, [](int, const auto&) {}, take);
+      paths, roulette_start, mode, [](int, const auto&) {}, accept);
 }
 
 }  // namespace etendue::transport
