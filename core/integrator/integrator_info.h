@@ -34,7 +34,8 @@ inline constexpr std::array<GroupInfo, 5> kGroups{
      {"shooting", "Shooting", "Paths from the lights, splatted to the image"},
      {"bidirectional", "Bidirectional", "Connected subpaths from the camera and the lights"},
      {"markov-chain", "Markov chain", "Mutations of paths, distributed in proportion to their contribution"},
-     {"two-pass", "Two-pass", "Light is stored in the scene in a first pass and looked up from the camera in a second"}}};
+     {"two-pass", "Two-pass",
+      "Light is stored in the scene in a first pass and looked up from the camera in a second"}}};
 inline const GroupInfo& info_of(Group group) { return kGroups[static_cast<size_t>(group)]; }
 
 // The names of the parameters that select bidirectional techniques (s, t), s vertices from the light and t from the
@@ -50,7 +51,7 @@ struct IntegratorInfo {
   std::string name, label;
   std::string summary;  // one sentence
   Group group = Group::gathering;
-  std::string paths;  // the sampled light paths, as a path expression
+  std::string paths;        // the sampled light paths, as a path expression
   std::string point_paths;  // those sampled for point, spot and directional lights; empty: none
   Bias bias = Bias::unbiased;
   std::string cost, limitations;

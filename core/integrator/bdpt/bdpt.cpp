@@ -53,8 +53,11 @@ class Bdpt final : public IntegratorBase<Bdpt> {
 
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How the techniques that find a path are weighted"};
-  Number<int> roulette_start{
-      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Path length from which paths are terminated at random. Lower is faster and noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
   Text without{
       "without",
       "Excluded techniques",
@@ -75,11 +78,11 @@ class Bdpt final : public IntegratorBase<Bdpt> {
              {"0,*", "Hits of lights, s = 0"},
              {"1,*", "Light samples, s = 1"},
              {"*,1", "To the camera, t = 1"}}};
-  Toggle reuse{
-      "reuse", "Connect all", true,
-      "Connects all pairs of vertices. Off: only the ends of the two subpaths; fewer rays, much more noise"};
-  Toggle weighted{"weighted", "Apply MIS weights", true,
-                  "Off: each technique contributes in full, so that a path is counted once per technique that finds it"};
+  Toggle reuse{"reuse", "Connect all", true,
+               "Connects all pairs of vertices. Off: only the ends of the two subpaths; fewer rays, much more noise"};
+  Toggle weighted{
+      "weighted", "Apply MIS weights", true,
+      "Off: each technique contributes in full, so that a path is counted once per technique that finds it"};
 
   auto parameters() { return std::tie(max_depth, heuristic, roulette_start, reuse, without, only, weighted); }
 

@@ -483,8 +483,8 @@ class BidirectionalSampler {
   const BidirectionalOptions* options_ = nullptr;
   std::span<const Technique> techniques_;             // the only technique of each path; empty: all
   std::array<Technique, kPaths> sampled_techniques_;  // without reuse
-  PerPath<float> inverse_probability_;  // of the sampled technique
-  float pixels_ = 1;  // number of pixels of the image
+  PerPath<float> inverse_probability_;                // of the sampled technique
+  float pixels_ = 1;                                  // number of pixels of the image
   PathWavefront light_, camera_;
   LightSubpaths<M> light_subpaths_;
   VertexPool<M> pool_;

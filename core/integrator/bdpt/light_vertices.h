@@ -15,7 +15,7 @@ template <class M>
 struct LightVertex {
   scene::SurfacePoint point;
   Bsdf<M> bsdf;  // at `point`
-  Vec3 wo;  // toward the previous vertex
+  Vec3 wo;       // toward the previous vertex
   typename M::Color flux;
   transport::MisVertex mis;
   int length;                   // edges from the light

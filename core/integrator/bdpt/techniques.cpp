@@ -29,9 +29,10 @@ Result<Techniques> Techniques::parse(std::string_view text) {
     const auto s = number_of(word.substr(0, comma), kAny);
     const auto t = comma == word.npos ? std::nullopt : number_of(word.substr(comma + 1), kAny);
     if (!s || !t)
-      return usage_error("'" + std::string(word) +
-                         "' is not a technique: write s,t, the numbers of vertices from the light and from the camera, or * for any: "
-                         "'0,3', '1,*'");
+      return usage_error(
+          "'" + std::string(word) +
+          "' is not a technique: write s,t, the numbers of vertices from the light and from the camera, or * for any: "
+          "'0,3', '1,*'");
     set.pairs_.push_back({*s, *t});
   }
   return set;

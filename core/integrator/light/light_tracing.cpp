@@ -38,8 +38,11 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
     };
   }
 
-  Number<int> roulette_start{
-      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Path length from which paths are terminated at random. Lower is faster and noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() { return std::tie(max_depth, roulette_start); }
 

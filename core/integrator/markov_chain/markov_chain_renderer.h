@@ -39,7 +39,8 @@
 //     starts one chain at each of these bootstrap samples; replaces the group except for its tally
 //   std::optional<uint64_t> mutate(const Epoch&, Group&, int group, int mutations, float scale,
 //                                  const TaskContext&) const;
-//     advances every chain of a group by so many mutations. A state x counts `scale` times b f / f*(x) in each iteration
+//     advances every chain of a group by so many mutations. A state x counts `scale` times b f / f*(x) in each
+//     iteration
 //
 // All random numbers must follow from the epoch's key, the chain and its state.
 #pragma once
@@ -68,13 +69,13 @@ struct ChainTally {
 
 // The data that the chains of a half-buffer share.
 struct Epoch {
-  uint64_t key = 0;  // random, the same for all epochs
-  uint64_t first = 0;  // index of its first bootstrap sample: the number of those in earlier epochs
-  uint64_t drawn = 0;  // bootstrap samples in all epochs
-  double mean_weight = 0;  // b: the mean weight of its bootstrap samples
+  uint64_t key = 0;           // random, the same for all epochs
+  uint64_t first = 0;         // index of its first bootstrap sample: the number of those in earlier epochs
+  uint64_t drawn = 0;         // bootstrap samples in all epochs
+  double mean_weight = 0;     // b: the mean weight of its bootstrap samples
   double earlier_weight = 0;  // sum of the weights in earlier epochs
-  uint32_t first_step = 0;  // the step of the half-buffer at which the first epoch began
-  bool started = false;  // chains exist
+  uint32_t first_step = 0;    // the step of the half-buffer at which the first epoch began
+  bool started = false;       // chains exist
 
   // The mean weight in all earlier epochs: an estimate of b that does not depend on this epoch's bootstrap samples.
   // Zero in the first epoch.
@@ -201,7 +202,7 @@ class MarkovChainRenderState final : public RenderState {
   static constexpr uint32_t kNoSample = UINT32_MAX;
 
   struct GroupState {
-    Group current, saved;  // `saved`: as before the sample
+    Group current, saved;         // `saved`: as before the sample
     uint32_t sample = kNoSample;  // the last one that it took part in
     std::vector<uint64_t> seeds;
   };

@@ -106,7 +106,7 @@ class BootstrapPaths {
   SubpathLengths lengths_;
   LightPath<M> from_camera_, from_light_, path_;
   int camera_count_ = 0, light_count_ = 0;  // vertices of either subpath
-  bool reaches_environment_ = false;  // the camera subpath leaves the scene
+  bool reaches_environment_ = false;        // the camera subpath leaves the scene
 };
 
 }  // namespace etendue::integrator

@@ -28,12 +28,12 @@ struct PathVertexData {
   using Color = typename M::Color;
   scene::SurfacePoint point;  // point lights: the position alone; infinite lights: unused
   Bsdf<M> bsdf;
-  Hit hit;  // the ray hit that `point` was computed from
-  Vec3 traced_from{0};  // the direction toward the origin of the ray that hit it
+  Hit hit;                                  // the ray hit that `point` was computed from
+  Vec3 traced_from{0};                      // the direction toward the origin of the ray that hit it
   bool delta = false, transmitted = false;  // the kind of scattering at the vertex
 
   Color color{1};                     // F / value
-  float value = 1;  // largest component of F
+  float value = 1;                    // largest component of F
   float to_light = 0, to_camera = 0;  // densities of the directions to both neighbours, per solid angle
   float projected_ratio = 1;
 
@@ -74,9 +74,9 @@ class LightPath {
   Light light;
   Vec2 raster{0}, lens{0};  // pixels; a point of the unit square
   float time = 0;           // from 0 at the shutter's opening to 1 at its closing
-  float importance = 0;  // pixels per square metre across the last edge; infinite lights: per solid angle
-  Color color{0};  // f, scaled to a luminance of one
-  double brightness = 0;  // luminance of f, divided by all factors that the functions below compute
+  float importance = 0;     // pixels per square metre across the last edge; infinite lights: per solid angle
+  Color color{0};           // f, scaled to a luminance of one
+  double brightness = 0;    // luminance of f, divided by all factors that the functions below compute
 
   int edges() const { return static_cast<int>(vertices_.size()); }
   void resize(int edges) { vertices_.resize(static_cast<size_t>(edges)); }

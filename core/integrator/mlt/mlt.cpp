@@ -37,8 +37,7 @@ class Mlt final : public IntegratorBase<Mlt> {
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
         .bias = Bias::consistent,
-        .cost =
-            "1 mutation per pixel and sample, about 3 rays; a path for each chain and one image besides the film",
+        .cost = "1 mutation per pixel and sample, about 3 rays; a path for each chain and one image besides the film",
         .limitations =
             "Inefficient for simple scenes, because successive samples are correlated. Paths at which no chain starts "
             "stay missing or spotty for long. Point lights seen in mirrors by way of a scattering surface are never "
@@ -50,28 +49,33 @@ class Mlt final : public IntegratorBase<Mlt> {
 
   Number<int> chains{"chains", "Chains",          512, {1, 65536}, "Parallel Markov chains per half-buffer",
                      "",       Scale::logarithmic};
-  Number<int> candidates{
-      "candidates",
-      "Bootstrap samples",
-      16384,
-      {16, 1 << 24},
-      "Pairs of subpaths that seed the chains of a half-buffer and estimate the image brightness. Raising it reduces the "
-      "error of the brightness",
-      "",
-      Scale::logarithmic};
+  Number<int> candidates{"candidates",
+                         "Bootstrap samples",
+                         16384,
+                         {16, 1 << 24},
+                         "Pairs of subpaths that seed the chains of a half-buffer and estimate the image brightness. "
+                         "Raising it reduces the "
+                         "error of the brightness",
+                         "",
+                         Scale::logarithmic};
   Number<float> bidirectional{
       "bidirectional",
       "Bidirectional",
       1,
       {0.01f, 1},
       "Weight of bidirectional mutations, which replace parts of a path; required for chains to reach all paths"};
-  Number<float> lens{"lens-perturbation", "Lens", 1, {0, 1}, "Weight of lens perturbations, which move the image point"};
+  Number<float> lens{
+      "lens-perturbation", "Lens", 1, {0, 1}, "Weight of lens perturbations, which move the image point"};
   Number<float> caustic{"caustic-perturbation",
                         "Caustic",
                         1,
                         {0, 1},
                         "Weight of caustic perturbations, which turn the light's direction before the last surface"};
-  Number<float> chain{"multi-chain", "Multi-chain", 1, {0, 1}, "Weight of multi-chain perturbations, for caustics seen in mirrors or through glass"};
+  Number<float> chain{"multi-chain",
+                      "Multi-chain",
+                      1,
+                      {0, 1},
+                      "Weight of multi-chain perturbations, for caustics seen in mirrors or through glass"};
   Number<float> subpath{"lens-subpath",
                         "Lens subpath",
                         1,

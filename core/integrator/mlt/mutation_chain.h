@@ -14,7 +14,7 @@ struct MutationChain {
   PathShape shape;
   ChainRandom random;
   uint32_t subpath_mutations = 0;  // number of lens subpath mutations so far
-  bool needs_rebuild = false;  // the path has been read from a checkpoint: only the data written below is valid
+  bool needs_rebuild = false;      // the path has been read from a checkpoint: only the data written below is valid
 
   void write(StateWriter& out) const {
     out.value(path.light);

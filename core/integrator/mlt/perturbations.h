@@ -12,8 +12,8 @@ namespace etendue::integrator {
 // The perturbations that are applicable to a path. Those from the camera retrace the vertices down to `end`: at 0 they
 // hit the light, else they are connected to the previous vertex.
 struct PathShape {
-  int lens_end = -1;  // lens perturbation: ES*(D|L) and a connectible vertex beyond D; -1: not applicable
-  int chain_end = -1;  // multi-chain perturbation: the same for E(S*D)+S+ D(D|L)
+  int lens_end = -1;       // lens perturbation: ES*(D|L) and a connectible vertex beyond D; -1: not applicable
+  int chain_end = -1;      // multi-chain perturbation: the same for E(S*D)+S+ D(D|L)
   int caustic_start = -1;  // caustic perturbation: (D|L)S*DE, the vertex whose ray is moved
 };
 

@@ -29,7 +29,8 @@ class Appel final : public CameraPathIntegrator<Appel> {
         .point_paths = "E(D|G)L",
         .bias = Bias::unbiased,
         .cost = "1 ray per sample and 1 per light; no memory",
-        .limitations = "Indirect light is missing; mirrors and glass are black. Narrow glossy lobes under large lights are noisy.",
+        .limitations =
+            "Indirect light is missing; mirrors and glass are black. Narrow glossy lobes under large lights are noisy.",
     };
   }
 

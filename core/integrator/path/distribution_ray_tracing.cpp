@@ -39,14 +39,22 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
 
   Number<int> branches_1{"branches-1", "Branches at the first vertex", 4, {1, 64}, kBranchesDoc};
   Number<int> branches_2{"branches-2", "Branches at the second vertex", 1, {1, 64}, kBranchesDoc};
-  Number<int> branches_3{"branches-3", "Branches at the third vertex", 1, {1, 64}, "Later vertices have one. Raising it reduces noise and multiplies the cost of all later vertices"};
+  Number<int> branches_3{
+      "branches-3",
+      "Branches at the third vertex",
+      1,
+      {1, 64},
+      "Later vertices have one. Raising it reduces noise and multiplies the cost of all later vertices"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
                      "Samples lights directly. Off: only emitters that a ray hits count"};
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How light sampling and BSDF sampling are weighted"};
-  Number<int> roulette_start{
-      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Path length from which paths are terminated at random. Lower is faster and noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
     return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, roulette_start);

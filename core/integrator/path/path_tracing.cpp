@@ -3,7 +3,8 @@
 // Estimates L = L_e + T L with one random path per sample. At each vertex x_i the direct light is estimated twice, by
 // sampling a light and by sampling the BSDF:
 //
-//    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b ),   beta_i = prod f_s |cos| / p_b
+//    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b ),   beta_i = prod f_s |cos| /
+//    p_b
 //
 // w_l and w_b are weights of multiple importance sampling [Lang, sec. 6.6.9; Veach and Guibas 1995].
 //
@@ -40,8 +41,11 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How light sampling and BSDF sampling are weighted"};
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
-  Number<int> roulette_start{
-      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Path length from which paths are terminated at random. Lower is faster and noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() { return std::tie(max_depth, heuristic, lights, roulette_start); }
 

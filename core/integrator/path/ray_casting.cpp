@@ -30,14 +30,14 @@ class RayCasting final : public CameraPathIntegrator<RayCasting> {
         .point_paths = "E(D|G)L",
         .bias = Bias::biased,
         .cost = "1 ray per sample",
-        .limitations = "Indirect light and shadows are missing. Point lights have no effect without local illumination.",
+        .limitations =
+            "Indirect light and shadows are missing. Point lights have no effect without local illumination.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '1',
     };
   }
 
-  Toggle local{"local", "Local illumination", true,
-               "Adds direct light without shadows. Off: emission only"};
+  Toggle local{"local", "Local illumination", true, "Adds direct light without shadows. Off: emission only"};
 
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 

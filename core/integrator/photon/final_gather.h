@@ -1,6 +1,8 @@
-// Final gathering: what a wide surface gets from other wide surfaces, estimated from photons where rays arrive.
-//                                                                      thesis Remark 9.34, L18169-18188; S37 d, S38
-// Rays are drawn from the surface's BSDF and follow narrow parts further. They count no light that they meet.
+// Final gathering: indirect light between rough surfaces, estimated from photons at the ends of gather rays.
+//                                                                          [Lang, Remark 9.34; Jensen 2001]
+//
+// Gather rays are sampled from the rough lobes and continue by near-specular lobes. They do not count light that they
+// hit.
 #pragma once
 #include "integrator/photon/photon_lookup.h"
 #include "integrator/shared/camera_paths.h"
@@ -13,13 +15,13 @@ class FinalGather {
   using Color = typename M::Color;
   using PathWavefront = transport::PathWavefront<M>;
 
-  // A map and how it is looked up; a map that is null holds nothing.
+  // A map and its lookup parameters; a null map is empty.
   struct MapLookup {
     PhotonView view;
     NearestPhotons nearest;
   };
 
-  // `rays` from each vertex; where they are shorter than `near`, they gather again.
+  // `rays` is the number of gather rays from each vertex; at rays shorter than `near` gathering is repeated.
   void begin(const MapLookup& global, const MapLookup& caustics, int rays, float near) {
     global_ = global;
     caustics_ = caustics;
@@ -31,13 +33,13 @@ class FinalGather {
   bool cancelled() const { return cancelled_; }
   uint64_t rays_traced() const { return rays_traced_; }
 
-  // What arrivals reflect of caustics.
+  // Adds the caustics that the current hits reflect.
   template <class Selected = transport::EveryHit>
   void add_caustics(PathWavefront& paths, int before = 0, const Selected& selected = {}) const {
     if (caustics_.view.map) add_nearest_photons(paths, caustics_.view, caustics_.nearest, before, selected);
   }
 
-  // What arrivals of walks from the camera reflect from wide surfaces.
+  // Adds the indirect light from rough surfaces that the current hits of the camera paths reflect.
   void gather(const RenderContext& context, const TaskContext& task_context, PathWavefront& camera_paths) {
     begin_rays(context, task_context, camera_paths);
     for (int i = 0; i < camera_paths.hit_count(); ++i) {
@@ -56,7 +58,7 @@ class FinalGather {
   }
 
  private:
-  static constexpr int kLobe = 2;  // the number for the choice of a lobe, after those for the direction
+  static constexpr int kLobe = 2;  // dimension of the lobe choice, after those of the direction
 
   const transport::LobeSplit& split() const { return global_.view.split; }
 
@@ -99,7 +101,7 @@ class FinalGather {
       auto &path = paths_.state(ray), &from = camera_paths.state_at(i);
       const auto rays = static_cast<float>(rays_);
       path.throughput = from.throughput * s.weight / rays;
-      path.eta_scale = from.eta_scale * sqr(s.eta) * rays;  // roulette takes the rays for one
+      path.eta_scale = from.eta_scale * sqr(s.eta) * rays;  // Russian roulette ignores the division by `rays`
       path.from = camera_paths.point(i).position;
       path.all_specular = false;
       if constexpr (M::kClasses) {
@@ -152,7 +154,7 @@ class FinalGather {
   uint64_t rays_traced_ = 0;
   bool cancelled_ = false;
   PathWavefront paths_;
-  std::array<uint8_t, PathWavefront::kCapacity> origins_;  // by ray: the camera's arrival that it left
+  std::array<uint8_t, PathWavefront::kCapacity> origins_;  // by ray: the hit of the camera paths from which it starts
   std::array<bool, PathWavefront::kHitsAtATime> is_near_{};
 };
 

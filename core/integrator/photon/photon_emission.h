@@ -1,7 +1,7 @@
-// One emission of photons and the tree of them, in the making: two phases of tasks.
+// An emission of photons and their tree, built in two phases of tasks.
 //
-// It may be shared by several works. What one of them has traced the others find done: a map that an edit of the camera
-// cuts short goes on from there.
+// An emission can be shared by several render states: what one of them has traced is complete for the others, so that
+// building continues after an edit of the camera has interrupted it.
 #pragma once
 #include "integrator/photon/photon_map.h"
 #include "integrator/photon/photon_paths.h"
@@ -10,11 +10,11 @@ namespace etendue::integrator {
 
 class PhotonEmission {
  public:
-  // Everything that is stored depends on these, and on the scene, the model and the seed. The sample number decides
-  // about random numbers: where they are the sampler's they must be drawn while it has tables for that sample.
+  // The photons depend on the plan and the sample number, and on the scene, the model and the seed. If their random
+  // numbers come from the sampler, they must be traced while the sampler has tables for that sample.
   PhotonEmission(const PhotonPlan& plan, uint32_t sample) { begin(plan, sample); }
 
-  // Another emission in the place of this one.
+  // Starts another emission.
   void begin(const PhotonPlan& plan, uint32_t sample) {
     plan_ = plan;
     sample_ = sample;
@@ -49,7 +49,7 @@ class PhotonEmission {
     return rays;
   }
 
-  // Called alone, after the last task of a step.
+  // Called after the last task of a step, while no other task runs.
   void finish(Step step) {
     if (step == kBuild) {
       map_.end();
@@ -80,14 +80,14 @@ class PhotonEmission {
 
   PhotonPlan plan_;
   uint32_t sample_ = 0;
-  std::vector<std::vector<photon::Photon>> photons_by_task_;  // by task
+  std::vector<std::vector<photon::Photon>> photons_by_task_;
   std::vector<char> is_traced_;
   std::array<char, photon::PhotonMap::kPieces> is_ordered_{};
   bool is_collected_ = false, is_ready_ = false;
   photon::PhotonMap map_;
 };
 
-// A look at some photons, thinned out evenly.
+// Appends up to `max_count` photons at regular intervals, for display.
 inline void add_points(const photon::PhotonMap& map, size_t max_count, std::vector<StoredPoint>& points) {
   const size_t stride = std::max<size_t>(1, (map.size() + max_count - 1) / std::max<size_t>(1, max_count));
   for (size_t i = 0; i < map.size(); i += stride) points.push_back({map[i].position(), map[i].power()});

@@ -1,9 +1,10 @@
-// What the wide part of surfaces reflects of the light that photons brought.         thesis (9.127)-(9.138), E31; S33
+// Radiance estimates from photons, for the rough lobes of surfaces (transport/wavefront/lobe_split.h).
+//                                                                                   [Lang, eq. 9.127-9.138, corrected]
 //
 //   L_o = 1 / (pi r^2)  sum of f(w_photon, w_o) Phi
 //
-// with the photons in a disc of radius r around. Photons lie as densely as light falls onto the real surface, while f
-// belongs to the shading normal: each counts with the ratio of its cosines to both, as in path tracing.
+// over the photons in a disc of radius r. The photon density follows the geometric surface, but f the shading normal:
+// each photon is weighted by the ratio of its cosines to both normals, as in path tracing.
 #pragma once
 #include "base/stopwatch.h"
 #include "integrator/photon/kernel.h"
@@ -13,16 +14,16 @@
 
 namespace etendue::integrator {
 
-// Which photons count, whatever vertex looks them up.
+// The photons of a lookup, and their limits.
 struct PhotonView {
   const photon::PhotonMap* map = nullptr;
   transport::LobeSplit split{0.0f};
   const transport::ClassJoin* join = nullptr;  // in a model with path classes
   int max_length = 0;                          // edges of a whole path; 0: no limit
-  Stopwatch* watch = nullptr;                  // runs while photons are looked up
+  Stopwatch* watch = nullptr;                  // runs during photon lookups
 };
 
-// One vertex, `edges` from the camera, for all photons around it.
+// The reflection of photons at a vertex that is `edges` edges from the camera.
 template <class M>
 class PhotonReflection {
  public:
@@ -43,7 +44,7 @@ class PhotonReflection {
       f = value_by_letter(wi, weights_.by_state[photon.state()]);
     else
       f = view_.split.rough_value(bsdf_, wo_, wi, TransportMode::radiance);
-    // Directions along the surface are as rare as they are heavy.
+    // Directions along the surface are as rare as their ratio of cosines is large: the cosine is bounded from below.
     constexpr float kMinCosine = 1e-3f;
     const float cosines =
         has_geometric_normal_ ? 1 : bsdf_.cosine(wi) / std::max(std::abs(glm::dot(ng_, wi)), kMinCosine);
@@ -69,14 +70,15 @@ class PhotonReflection {
   [[no_unique_address]] std::conditional_t<M::kClasses, transport::JoinWeights<Color>, Empty> weights_;
 };
 
-// How many photons an estimate takes, and from how far.
+// The number of photons in an estimate, and their maximum squared distance.
 struct NearestPhotons {
   size_t count = 2;
   float max_distance2 = kInfinity;
   photon::Kernel kernel = photon::Kernel::constant;
 };
 
-// Adds what the arrivals reflect. They are `before` more edges from the camera than the front says.
+// Adds the light that the current hits reflect, with the nearest photons. `before` is the number of edges between the
+// camera and the start of these paths.
 template <class M, class Selected = transport::EveryHit>
 void add_nearest_photons(transport::PathWavefront<M>& paths, const PhotonView& view, const NearestPhotons& nearest,
                          int before, const Selected& selected = {}) {
@@ -98,7 +100,7 @@ void add_nearest_photons(transport::PathWavefront<M>& paths, const PhotonView& v
   }
 }
 
-// The same with a radius that every arrival has of its own: `radius2(i)`.
+// The same with all photons within a radius: `radius2(i)` is the squared radius of hit i.
 template <class M, class Radius2>
 void add_photons_within(transport::PathWavefront<M>& paths, const PhotonView& view, const Radius2& radius2) {
   const Stopwatch::Lap lap(view.watch);

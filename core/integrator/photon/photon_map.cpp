@@ -6,7 +6,7 @@
 namespace etendue::photon {
 namespace {
 
-// Photons in the left half of a tree of so many, every level but the last filled.
+// The number of photons in the left subtree of a tree of `count` photons with all levels but the last full.
 size_t left_size(size_t count) {
   if (count <= 1) return 0;
   const size_t filled = std::bit_floor(count + 1) - 1;  // in the complete levels
@@ -14,10 +14,10 @@ size_t left_size(size_t count) {
   return half + std::min(last, capacity);
 }
 
-// The largest comes first.
+// Orders a heap with the farthest neighbour first.
 bool nearer(const Neighbour& a, const Neighbour& b) { return a.distance2 < b.distance2; }
 
-// Puts a neighbour in place of the farthest one.
+// Replaces the farthest neighbour in the heap.
 void replace_first(std::vector<Neighbour>& heap, const Neighbour& neighbour) {
   size_t slot = 0;
   for (size_t child = 1; child < heap.size(); child = 2 * slot + 1) {
@@ -44,7 +44,7 @@ void PhotonMap::begin(std::vector<Photon> photons) {
   build_below({1, 0, source_.size(), box}, std::bit_width(unsigned{kPieces}) - 1U);
 }
 
-// The median along the longest axis goes into the tree; photons before and after it are on either side.
+// Stores the median along the longest axis as a node; the other photons are partitioned around it.
 size_t PhotonMap::split(const Piece& piece, Corners& left, Corners& right) {
   const Vec3 size = piece.box[1] - piece.box[0];
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;

@@ -1,11 +1,12 @@
-// Photons: what lights send out, stored where it arrives.             thesis 9.5, (9.125), (9.126), erratum E32;
-// S30-S32
+// Photon tracing.                                           [Lang, sec. 9.5, eq. 9.125, 9.126, corrected; Jensen 2001]
 //
-// Every photon of an emission stands for about the same power: lights are chosen by theirs, and roulette by albedo is
-// played from the first vertex on. Each arrival at a surface with a wide part (transport/lobe_split.h) is stored, also
-// of those that go on by a narrow part: what multiplies them later is the whole of the wide part.
+// All photons of an emission have about the same power: lights are chosen in proportion to theirs, and Russian roulette
+// is applied from the first vertex on. Photons are stored at every hit of a surface with rough lobes
+// (transport/wavefront/lobe_split.h), even if they continue by a near-specular lobe: the estimate multiplies them by
+// the rough lobes as a whole.
 //
-// The caustics map has what came by narrow parts alone, one at least: D_G S_G+ L, read from the camera.
+// The caustics map contains photons that have been scattered by near-specular lobes only, at least once: D_G S_G+ L,
+// from the camera.
 #pragma once
 #include "integrator/photon/photon.h"
 #include "integrator/shared/light_subpaths.h"
@@ -14,12 +15,12 @@
 
 namespace etendue::integrator {
 
-// Which photons are traced, and which of them are stored.
+// The photons to be traced, and those to be stored.
 struct PhotonPlan {
-  int photons = 0;  // that leave the lights
+  int photons = 0;  // emitted by the lights
   transport::LobeSplit split{0.0f};
   bool caustics = false;
-  int min_length = 1;  // edges of a path whose end is stored
+  int min_length = 1;  // number of edges at which photons are stored
   int max_length = 0;  // 0: no limit
   static constexpr int kTask = SampleTable::kPaths;
   int tasks() const { return (photons + kTask - 1) / kTask; }
@@ -27,7 +28,7 @@ struct PhotonPlan {
   friend bool operator==(const PhotonPlan&, const PhotonPlan&) = default;
 };
 
-// Normals and directions of the present vertices, packed as photons keep them.
+// Normals and directions of the current hits, packed as in photons.
 struct PackedVertices {
   static constexpr size_t kSize = 64;
   std::array<uint32_t, kSize> normals, directions;
@@ -71,7 +72,7 @@ void store_photons(const PhotonPlan& plan, const LightSubpaths<M>& subpaths, tra
   }
 }
 
-// Traces the photons of one task of a sample; the number of rays, or nothing if they were given up.
+// Traces the photons of one task of a sample. Returns the number of rays, or nothing if it was cancelled.
 template <class M>
 std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sample, const PhotonPlan& plan, int task,
                                       const TaskContext& task_context, std::vector<photon::Photon>& photons) {
@@ -81,7 +82,7 @@ std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sam
   PathWavefront<M>& paths = thread_wavefront<M>();
   stored.clear();
   const int first = task * PhotonPlan::kTask;
-  constexpr uint32_t kCausticSeed = 1U << 31;  // others than those of the global map
+  constexpr uint32_t kCausticSeed = 1U << 31;  // makes paths of both maps independent
   const uint32_t start = static_cast<uint32_t>(first) + (plan.caustics ? kCausticSeed : 0);
   subpaths->launch(
       context, sample, std::min(PhotonPlan::kTask, plan.photons - first), task_context, paths,

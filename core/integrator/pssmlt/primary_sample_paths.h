@@ -7,10 +7,10 @@
 namespace etendue::integrator {
 
 struct PrimarySamplePaths {
-  const Sampler *camera, *light;  // random numbers of the camera and light subpaths
-  std::span<const uint32_t> seeds;  // of each path, for both subpaths
+  const Sampler *camera, *light;            // random numbers of the camera and light subpaths
+  std::span<const uint32_t> seeds;          // of each path, for both subpaths
   std::span<const Technique> techniques{};  // the only technique of each path; empty: all
-  uint32_t light_salt = 0x68e31da4U;  // makes opacity decisions of the two subpaths independent
+  uint32_t light_salt = 0x68e31da4U;        // makes opacity decisions of the two subpaths independent
 };
 
 // The part of the image plane within the filter radius of a pixel.

@@ -14,10 +14,10 @@ class PrimarySampleTarget {
   static constexpr size_t kLanes = PrimarySamplePoints::kLanes;
 
   PrimarySampleProposals proposals;
-  std::array<uint64_t, kLanes> roots;  // of each point: the key of its last large step
+  std::array<uint64_t, kLanes> roots;       // of each point: the key of its last large step
   std::array<film::Splats, kLanes> splats;  // its contributions to pixels
-  std::array<float, kLanes> targets;  // the luminance of their sum
-  std::array<uint16_t, kLanes> kinds{};  // the technique, in the multiplexed form
+  std::array<float, kLanes> targets;        // the luminance of their sum
+  std::array<uint16_t, kLanes> kinds{};     // the technique, in the multiplexed form
 
   // Evaluates the first `lanes` proposals. Returns the number of rays, or nothing if it was cancelled.
   std::optional<uint64_t> evaluate(const RenderContext& context, PrimaryForm form, const BidirectionalOptions& options,

@@ -42,14 +42,12 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
     return {
         .name = "pssmlt",
         .label = "Primary sample space MLT",
-        .summary =
-            "Markov chains in the space of the random numbers of paths; the sampler has no effect",
+        .summary = "Markov chains in the space of the random numbers of paths; the sampler has no effect",
         .group = Group::markov_chain,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
         .bias = Bias::consistent,
-        .cost =
-            "1 sample of its form per mutation; random numbers and splats of every chain",
+        .cost = "1 sample of its form per mutation; random numbers and splats of every chain",
         .limitations =
             "Inefficient for simple scenes, because successive samples are correlated. Noise appears as blotches that "
             "resemble structure. The brightness comes from independent samples: too dark until they have found rare, "
@@ -60,8 +58,12 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
 
   Choice<PrimaryForm> form{"form", "Form", PrimaryForm::bidirectional,
                            "The kind of sample that a point of primary sample space defines"};
-  Number<float> large_steps{
-      "large-steps", "Large step probability", 0.3f, {0.01f, 1}, "Share of mutations that draw all random numbers anew. Raising it finds new paths more often and explores bright ones less"};
+  Number<float> large_steps{"large-steps",
+                            "Large step probability",
+                            0.3f,
+                            {0.01f, 1},
+                            "Share of mutations that draw all random numbers anew. Raising it finds new paths more "
+                            "often and explores bright ones less"};
   Number<float> step{"step",
                      "Largest small step",
                      1.0f / 64,
@@ -72,13 +74,9 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
   Number<float> least_step{
       "least-step", "Smallest small step", 1.0f / 1024, {1e-6f, 0.25f}, "Smallest change of a random number",
       "",           Scale::logarithmic};
-  Number<int> chains{"chains",
-                     "Chains",
-                     4096,
-                     {1, 1 << 20},
-                     "Parallel Markov chains per half-buffer; at most one per pixel",
-                     "",
-                     Scale::logarithmic};
+  Number<int> chains{
+      "chains", "Chains",          4096, {1, 1 << 20}, "Parallel Markov chains per half-buffer; at most one per pixel",
+      "",       Scale::logarithmic};
   Number<int> candidates{"candidates",
                          "Bootstrap samples",
                          16384,
@@ -88,7 +86,8 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
                          "",
                          Scale::logarithmic};
   Toggle combined{"combined", "Combine large steps (MIS)", true,
-                  "Records large steps as independent samples as well, weighted against the chains by multiple importance sampling"};
+                  "Records large steps as independent samples as well, weighted against the chains by multiple "
+                  "importance sampling"};
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
                                             "How the techniques that find a path are weighted"};
   Number<int> roulette_start{"roulette-start",

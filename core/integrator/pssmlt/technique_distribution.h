@@ -115,7 +115,7 @@ class TechniqueDistribution {
   }
 
   PathLengths lengths_;
-  int extra_techniques_;  // number of techniques minus number of edges
+  int extra_techniques_;     // number of techniques minus number of edges
   float learned_share_ = 0;  // weight of the learned lengths
   std::array<float, kListedLengths> learned_lengths_{};
   std::array<Row, kListedLengths> techniques_{};

@@ -13,7 +13,8 @@ namespace etendue::integrator {
 inline std::string incompatibility_with_point_lights(const RenderContext& context) {
   const LightTable& lights = context.scene->lights();
   if (lights.placed_count() == 0 || !lights.triangles().empty() || !lights.environment().black()) return {};
-  return "all lights of the scene are points or directions, which paths without light sampling cannot hit: use an integrator "
+  return "all lights of the scene are points or directions, which paths without light sampling cannot hit: use an "
+         "integrator "
          "that samples lights";
 }
 

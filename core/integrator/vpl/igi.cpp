@@ -1,17 +1,30 @@
-// Instant global illumination: a few light paths for all pixels.       thesis 9.6, (9.148)-(9.158), E33; S40, S41
-//                                              Keller 1997; interleaved: Keller & Heidrich 2001; bounded: Kollig &
-//                                              Keller 2004
-// The camera's walk follows mirrors and clear glass to the first other vertex z, where direct light is found as in path
-// tracing and every virtual light (virtual_lights.h) is connected. Vertices y and z that come close make G = cos cos /
-// r^2, and with it the variance, infinite. Where G is kept below a bound, what is lost is found again, if wanted, by a
-// walk from z by the BSDF: at the vertex where it arrives everything is done as at z, weighed by what the bound cut
-// off,
+// Instant global illumination      [Lang, sec. 9.6, eq. 9.148-9.158, corrected; Keller 1997; Keller and Heidrich 2001;
+//                                  Kollig and Keller 2004]
 //
-//   1 = min(1, bound / G)  +  max(0, 1 - bound / G)
-//                    lights   walk
+// The vertices y_j of a few light paths become virtual point lights with flux Phi_j (virtual_lights.h). A camera path
+// follows mirrors and clear glass to its first other vertex z. There direct light is estimated as in path tracing, and
+// every virtual light is connected:
 //
-// Unbiased with the full BSDF of virtual lights, or where all surfaces are diffuse; and with no bound, or with what it
-// loses found again. Pixels that share virtual lights share their error: it shows as a wrong brightness, not as noise.
+//    L(z)  ~  direct light  +  sum over j  f_s(z) G(y_j, z) V f_s(y_j) Phi_j,      G = cos cos / r^2
+//
+// G, and with it the variance, is unbounded for close y and z. If G is clamped to a bound, the missing part can be
+// estimated by BSDF sampling from z [Kollig and Keller 2004]: the next vertex is treated like z and weighted by the
+// clamped fraction,
+//
+//    1 = min(1, bound / G)  +  max(0, 1 - bound / G)
+//             lights              BSDF sampling
+//
+// With interleaving, the virtual lights are divided among the pixels of small squares [Keller and Heidrich 2001].
+// Pixels that share virtual lights have correlated errors: a wrong brightness instead of noise.
+//
+//   Paths         ES*[(D|G)[(D|G).*]]L; point lights: ES*(D|G)[(D|G).*]L
+//   Bias          biased by default. None with the full BSDF of virtual lights, or if all surfaces are diffuse, and
+//   with
+//                 no bound, or with compensation
+//   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
+//   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
+//                 or with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse
+//                 unless the full BSDF is used.
 #include "integrator/integrator_base.h"
 #include "integrator/registration.h"
 #include "integrator/vpl/virtual_lighting.h"
@@ -26,51 +39,57 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
     return {
         .name = "igi",
         .label = "Instant global illumination",
-        .summary = "Virtual point lights on a few light paths, connected to what all pixels see",
+        .summary =
+            "Virtual point lights at the vertices of a few light paths, connected to the visible surfaces of all "
+            "pixels",
         .group = Group::two_pass,
         .paths = "ES*[(D|G)[(D|G).*]]L",
         .point_paths = "ES*(D|G)[(D|G).*]L",
         .bias = Bias::biased,
-        .cost =
-            "3 + the number of virtual lights rays per sample: 2 to 4 for each light path; a few hundred bytes for "
-            "each",
+        .cost = "per sample 3 rays and 1 per virtual light; each light path makes 2 to 4 of a few hundred bytes",
         .limitations =
-            "caustics and whatever shines through glass onto what is seen: black; corners: splotches, or with a bound "
-            "and without compensation too dark; glossy surfaces as virtual lights are taken for matt ones unless told "
-            "otherwise",
+            "Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches, or "
+            "with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse unless "
+            "the full BSDF is used.",
         .accumulation = Accumulation::per_image,
     };
   }
 
-  Number<int> light_paths{"light-paths",
-                          "Light paths",
-                          32,
-                          {1, 100'000},
-                          "Each leaves a few virtual lights, which every pixel is connected to",
-                          "",
-                          Scale::logarithmic};
+  Number<int> light_paths{
+      "light-paths",
+      "Light paths",
+      32,
+      {1, 100'000},
+      "Each makes a few virtual lights that all pixels are connected to. Raising it reduces the error and is slower",
+      "",
+      Scale::logarithmic};
   Number<int> interleave{
       "interleave",
       "Interleaved pixels",
       1,
       {1, 16},
-      "The lights are dealt out to squares of so many pixels a side: faster, and the error becomes a "
-      "pattern"};
+      "Side length of pixel squares among which the virtual lights are divided. Raising it is faster; the error "
+      "becomes a pattern"};
   Toggle full{"full-bsdf", "Full BSDF of virtual lights", false,
-              "Virtual lights scatter as their surface does; else as if it were matt"};
-  Number<float> bound{"bound",
-                      "Bound of G",
-                      0,
-                      {0, 1e9f},
-                      "The largest cos cos / r^2 of a connection; 0: none. Lower: darker corners without splotches",
-                      "1/m^2",
-                      Scale::logarithmic};
-  Toggle compensate{"compensate", "Find what the bound loses", true,
-                    "By walks from the camera's vertices: no bias, noise"};
-  Toggle renew{"renew", "New lights for every sample", true,
-               "Else the error of the first lights stays, unless something moves"};
+              "Virtual lights scatter by the BSDF of their surface. Off: diffusely"};
+  Number<float> bound{
+      "bound",
+      "Clamp geometry term",
+      0,
+      {0, 1e9f},
+      "Maximum of cos cos / r^2 of a connection; 0: no clamping. Lower values remove splotches and darken corners",
+      "1/m^2",
+      Scale::logarithmic};
+  Toggle compensate{"compensate", "Bias compensation", true,
+                    "Estimates the clamped light by BSDF sampling: removes the bias, adds noise"};
+  Toggle renew{"renew", "New lights per sample", true,
+               "Off: the error of the first lights remains, unless the scene moves"};
   Number<int> roulette_start{
-      "roulette-start", "Russian roulette start depth", 4, {1, 64}, "Length of camera paths from which they are terminated at random. Lower is faster and noisier"};
+      "roulette-start",
+      "Russian roulette start depth",
+      4,
+      {1, 64},
+      "Length of camera paths from which they are terminated at random. Lower is faster and noisier"};
 
   using IntegratorBase::at_max_depth;
 
@@ -91,12 +110,12 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
 };
 namespace {
 
-// By which light samples and the walk's own direction share direct light.
+// Combines light sampling and BSDF sampling of direct light.
 constexpr auto kHeuristic = transport::MisHeuristic::power;
 
-// The virtual lights of one sample, or of a half of the film, in the making.
+// The virtual lights of one sample, or of a half-buffer.
 struct LightSet {
-  uint32_t sample = 0;                             // whose random numbers they are made with
+  uint32_t sample = 0;                             // of the random numbers
   std::vector<std::vector<VirtualLight>> by_task;  // by task
   std::vector<VirtualLight> all;
   bool is_ready = false;
@@ -161,11 +180,11 @@ class IgiState final : public RenderState {
   }
 
  private:
-  // What moves needs lights of its own time.
+  // Moving objects require virtual lights of the same time.
   bool renews_lights() const { return integrator_.renew || context_.model->moving; }
 
   LightSet& lights_for(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
-  // Virtual lights are the second vertex at the earliest.
+  // The shortest path with a virtual light has three edges.
   bool has_indirect() const { return integrator_.max_depth == 0 || integrator_.max_depth > 2; }
 
   template <class M>
@@ -188,13 +207,12 @@ class IgiState final : public RenderState {
     return *rays + lighting->rays_traced();
   }
 
-  // False if nobody wants it any more: a few vertices take a while.
+  // False if the task was cancelled, which is polled because connections are slow.
   template <class M>
   bool estimate(const TaskContext& task_context, VirtualLighting<M>& lighting,
                 transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    static thread_local std::array<float, PathWavefront<M>::kCapacity>
-        departure_cosines;  // cosines by which paths left
+    static thread_local std::array<float, PathWavefront<M>::kCapacity> departure_cosines;  // of the sampled directions
     while (paths.trace()) {
       add_environment(paths, kHeuristic);
       while (paths.next_hits()) {
@@ -215,15 +233,16 @@ class IgiState final : public RenderState {
     return true;
   }
 
-  // Mirrors from the camera on; from the first other vertex one step that may meet a light, and more where a bound
-  // loses something, but not by mirrors: virtual lights are not connected through them.
+  // Accepts specular samples while the path is purely specular. From the first other vertex on, one step that may hit a
+  // light, and further steps where the bound is compensated; but no specular ones, because virtual lights are not
+  // connected through mirrors.
   template <class M>
   static bool accept_direction(transport::PathWavefront<M>& paths, int i, LobeSample<typename M::Color>& s) {
     const auto& path = paths.state_at(i);
     return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::AcceptAll()(paths, i, s);
   }
 
-  // What virtual lights have done for the vertex before is not done again.
+  // Weights throughputs by the fraction of the connection that was clamped at the previous vertex.
   template <class M>
   void apply_bound_compensation(transport::PathWavefront<M>& paths, std::span<const float> departure_cosines) const {
     const bool follows_bound = integrator_.bound > 0 && integrator_.compensate;

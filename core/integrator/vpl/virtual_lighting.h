@@ -1,15 +1,15 @@
-// What virtual lights do for the walks of a block.
+// Illumination of a block of camera paths by virtual lights.
 #pragma once
 #include "integrator/vpl/virtual_lights.h"
 #include "transport/wavefront/connections.h"
 
 namespace etendue::integrator {
 
-// By what connections are weighed; both cosines are to the geometric normals.
+// The geometry term of a connection; both cosines are to the geometric normals.
 inline float geometry_term(float cosine_a, float cosine_b, float distance2) {
   return std::abs(cosine_a * cosine_b) / distance2;
 }
-// The part of a connection that a bound keeps; 0 is no bound.
+// The fraction of a connection that remains if the geometry term is clamped to `bound`; 0: no bound.
 inline float bounded_fraction(float geometry, float bound) {
   return bound > 0 && geometry > bound ? bound / geometry : 1;
 }
@@ -28,7 +28,7 @@ class VirtualLighting {
     const transport::ClassJoin* join = nullptr;
   };
 
-  // `subset_of(path)` is that of the virtual lights which a path is connected to.
+  // `subset_of(path)` is the subset of virtual lights that a path is connected to.
   template <class SubsetOf>
   void begin(const Options& options, int paths, SubsetOf&& subset_of) {
     options_ = options;
@@ -37,7 +37,8 @@ class VirtualLighting {
   }
   uint64_t rays_traced() const { return rays_traced_; }
 
-  // Adds what all arrivals get. Light by light: its rays to neighbouring pixels lie close together.
+  // Adds the illumination of all current hits. The outer loop is over lights, because rays from neighbouring pixels to
+  // one light are coherent.
   void add(PathWavefront& paths) {
     find_join_weights_of_hits(paths);
     for (const VirtualLight& light : options_.lights) {
@@ -58,7 +59,7 @@ class VirtualLighting {
     int path;
     Color radiance;
   };
-  // The letters of a scattering function times its cosine.
+  // The components of f |cos| by path letter.
   struct ByLetter {
     Color diffuse, glossy;
   };
@@ -92,7 +93,7 @@ class VirtualLighting {
     if (connections_.full()) trace_connections(paths);
   }
 
-  // f cos at both ends, without what classes leave out.
+  // f |cos| at both ends, restricted to the selected path classes.
   Color scattering(PathWavefront& paths, int i, const VirtualLight& light, const Vec3& w, float cosine) {
     if constexpr (!M::kClasses) {
       const Color at_point = paths.bsdf(i).evaluate(paths.wo(i), w).f_cos;
@@ -132,7 +133,7 @@ class VirtualLighting {
 
   Options options_;
   uint64_t rays_traced_ = 0;
-  Bsdf<M> bsdf_;  // of the light at hand
+  Bsdf<M> bsdf_;  // of the current light
   std::array<uint32_t, PathWavefront::kCapacity> subsets_;
   transport::Connections<Contribution> connections_;
   [[no_unique_address]] std::conditional_t<

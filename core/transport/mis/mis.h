@@ -1,4 +1,5 @@
-// Weights of multiple importance sampling.                                        thesis 6.6.9; Veach 1997, 9.2
+// Weights of multiple importance sampling.                  [Lang, sec. 6.6.9; Veach and Guibas 1995; Veach 1997, sec.
+// 9.2]
 #pragma once
 #include <array>
 
@@ -9,11 +10,11 @@ namespace etendue::transport {
 
 enum class MisHeuristic { balance, power, maximum };
 
-// Densities beyond this count as this: the squares of larger ones are no floats.
+// Densities are clamped to this value; the squares of larger ones overflow.
 inline constexpr float kLargestDensity = 1e19f;
 
-// The weight of the technique with density `own` where the other one has density `other`, both of the same measure,
-// over `own`: what an estimate is multiplied with.
+// The weight of the technique with density `pdf`, divided by `pdf`, where one other technique has density `other_pdf`
+// of the same measure: the factor of an estimate.
 inline float mis_weight_over_pdf(MisHeuristic heuristic, float pdf, float other_pdf) {
   switch (heuristic) {
     case MisHeuristic::balance:

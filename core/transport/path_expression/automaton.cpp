@@ -6,10 +6,10 @@
 namespace etendue::transport {
 namespace {
 
-// Subset construction can double the states with every letter of an expression; nobody means that.
+// Bound of the subset construction, which is exponential in the worst case.
 constexpr size_t kMaxSubsets = 1024;
 
-// Numbers things in the order in which they are first asked for.
+// Assigns consecutive numbers to values in the order of their first occurrence.
 template <class T>
 class Numbering {
  public:
@@ -77,7 +77,7 @@ Pattern::Part Pattern::at_least_once(Part inner) {
 
 std::optional<Automaton> Automaton::of(const Pattern& pattern, Pattern::Part whole) {
   const auto& nodes = pattern.nodes_;
-  // Everything that can be reached without a letter, in order.
+  // The sorted set of nodes that are reachable by empty transitions.
   const auto closure = [&](std::vector<int> open) {
     std::vector<bool> seen(nodes.size(), false);
     std::vector<int> reached;
@@ -134,7 +134,7 @@ Automaton::States Automaton::accepting() const {
   return accepting;
 }
 
-// A state of the reversal is a set of states: those from which what was read, the other way round, is accepted.
+// A state of the reversal is a set of states: those from which the reversed prefix is accepted.
 std::optional<Automaton> Automaton::reversal(const Automaton& a) {
   Numbering<States> sets;
   sets(a.accepting());
@@ -164,7 +164,8 @@ std::optional<Automaton> Automaton::product(const Automaton& a, const Automaton&
   return minimal(rows);
 }
 
-// States are told apart by what they accept after no letter, then after one, and so on, until nothing new appears.
+// Moore's algorithm: partitions the states by the words of length 0, 1, ... that they accept, until the partition is
+// stable.
 std::optional<Automaton> Automaton::minimal(const std::vector<WideRow>& rows) {
   std::vector<int> kind(rows.size());
   for (size_t i = 0; i < rows.size(); ++i) kind[i] = rows[i].accepting ? 1 : 0;
@@ -181,14 +182,14 @@ std::optional<Automaton> Automaton::minimal(const std::vector<WideRow>& rows) {
     if (finer.size() == kinds) break;
     kinds = finer.size();
   }
-  // The dead kind is the one that rejects and only leads to itself.
+  // The dead class rejects and leads only to itself.
   int dead = -1;
   for (size_t i = 0; i < rows.size(); ++i) {
     bool stays = !rows[i].accepting;
     for (size_t e = 0; e < kEvents; ++e) stays = stays && kind_after(rows[i], e) == kind[i];
     if (stays) dead = kind[i];
   }
-  // Numbers in the order of a walk from the start, after the dead one.
+  // Numbers in breadth-first order from the start, after the dead state.
   Numbering<int> order;
   std::map<int, size_t> example;
   for (size_t i = 0; i < rows.size(); ++i) example.emplace(kind[i], i);

@@ -1,9 +1,9 @@
-// Words that are read from both ends: whether what a walk from the camera and a walk from a light have read so far
-// makes a path that is asked for.
+// Path expressions evaluated from the camera and from the light: whether the words of a camera subpath and a light
+// subpath together form a selected path.
 //
-// A state of the automaton that reads from the light knows which states of the other one it goes with: those from which
-// what it has read, the other way round, is accepted. The share of a connection is the sum over all pairs that go
-// together of the product of their shares.
+// For each state of the automaton that reads from the light, the compatible states of the one that reads from the
+// camera are those from which it accepts the reversed word. The share of a connection is the sum over all compatible
+// pairs of the product of both shares.
 #pragma once
 #include <vector>
 

@@ -1,7 +1,7 @@
-// What a vertex looks up of walks from the lights that were stored before, where classes of paths are asked for.
+// Path classes of stored light subpaths (photons, virtual lights).
 //
-// A walk that is stored (a photon, a virtual light) remembers one state of the automaton that reads from the light.
-// What looks it up holds, for each such state, the part of its own throughput that goes together with it.
+// A stored vertex has one state of the automaton that reads from the light. The vertex that looks it up computes, for
+// each such state, the part of its own throughput that is compatible with it.
 #pragma once
 #include <array>
 #include <bit>
@@ -10,8 +10,8 @@
 
 namespace etendue::transport {
 
-// For each state of a walk from the light: the part of a camera walk's throughput that counts if both meet at a vertex
-// that scatters by one letter or the other.
+// For each state of a light subpath: the part of a camera path's throughput that counts if both meet at a vertex that
+// scatters by one letter or the other.
 template <class Color>
 struct JoinWeights {
   struct ByLetter {
@@ -39,8 +39,8 @@ void find_join_weights(const ClassShares<M>& shares, int path, const ClassJoin& 
   }
 }
 
-// One of the states that a walk is in, chosen by its share: what a photon remembers. `weight` is what its power is
-// multiplied by; black if nothing of the walk counts.
+// A state of a path, chosen in proportion to its share, to be stored with a photon. `weight` is the factor of its
+// power; black if the path has no share.
 template <class Color>
 struct DrawnState {
   Automaton::State state = Automaton::kDead;

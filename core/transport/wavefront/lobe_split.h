@@ -1,7 +1,8 @@
-// The thesis's letters D_G and S_G: what is diffuse or slightly glossy, and what is specular or highly glossy.
-//                                                                                       thesis L16849, L17950; S1
-// Photons are stored where something of a surface is wide, and its wide part is estimated from them; its narrow part is
-// followed by rays. All of a surface's glossy lobes have the same facets, so that they are wide or narrow together.
+// Division of lobes by roughness: D_G (diffuse or rough glossy) and S_G (specular or near-specular).
+//                                                                             [Lang, sec. 8.1, 9.5]
+//
+// Photons are stored at surfaces with rough lobes, whose reflection is estimated from them; near-specular lobes are ray
+// traced. All glossy lobes of a surface have the same microfacets, so that all of them are in the same group.
 #pragma once
 #include "transport/wavefront/path_estimators.h"
 
@@ -9,7 +10,7 @@ namespace etendue::transport {
 
 class LobeSplit {
  public:
-  // Glossy lobes of a lower roughness (the root of the facets' slope) are narrow.
+  // Glossy lobes below this roughness (the root of the facet slope) are near-specular.
   explicit LobeSplit(float roughness) : alpha_(sqr(roughness)) {}
 
   template <class M>
@@ -29,7 +30,7 @@ class LobeSplit {
     return bsdf.has_component(ScatterType::glossy) && !gloss_is_rough(bsdf);
   }
 
-  // The wide part of f.
+  // The rough lobes of f.
   template <class M>
   typename M::Color rough_value(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return has_near_specular_gloss(bsdf) ? bsdf.eval_component(ScatterType::diffuse, wo, wi, mode)
@@ -42,7 +43,7 @@ class LobeSplit {
   float alpha_;
 };
 
-// A walk goes on by the narrow part alone.
+// Filter of BSDF samples (AcceptAll): continues paths by near-specular lobes only.
 struct AcceptNearSpecular {
   LobeSplit split;
   TransportMode mode = TransportMode::radiance;
@@ -61,8 +62,8 @@ struct AcceptNearSpecular {
   }
 };
 
-// What is reflected of a sampled light: by the wide part, for which nothing else finds it, and by the narrow part, for
-// which the walk's own direction does too.
+// The lobes that reflect light samples: rough lobes, for which light sampling is the only technique, and near-specular
+// lobes, for which BSDF sampling finds the same light.
 enum class LitLobes { near_specular, rough, both };
 inline constexpr MisHeuristic kLobeSplitHeuristic = MisHeuristic::power;
 

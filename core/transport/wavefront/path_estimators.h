@@ -1,8 +1,9 @@
-// What gathering methods do at the vertices of a front of walks: the terms of thesis (9.26)-(9.29).
+// Estimators for the terms of the light transport equation, for the current vertices of a wavefront of paths from the
+// camera.                                                                                     [Lang, eq. 9.26-9.29]
 //
-// Each goes over all vertices that the last step reached. A method that finds the same light in two ways names the
-// heuristic by which they share it; without one the way at hand counts alone. In a model with path classes only the
-// part that belongs to the classes asked for is added (class_shares.h).
+// Each function processes all current hits or misses. Integrators that find the same light by two techniques pass the
+// heuristic by which they are combined; without one, the technique counts alone. In a model with path classes, only the
+// share of the selected classes is added (path_expression/class_shares.h).
 #pragma once
 #include <optional>
 
@@ -11,14 +12,15 @@
 
 namespace etendue::transport {
 
+// The heuristic that combines two techniques; empty: one technique alone.
 using Combination = std::optional<MisHeuristic>;
 
-// Roulette never lets a path live with certainty, so that a lossless room ends too (digest: albedo 1). A walk that
-// keeps r of its throughput and lives with the probability q has a finite variance only if r^2 < q: what was made
-// heavier than one by living is therefore hardly played for any more.
+// Bounds of the survival probability of Russian roulette: below one, so that paths end in scenes without absorption.
+// With a throughput factor r and a survival probability q per vertex, the variance is finite only if r^2 < q. Paths
+// whose throughput has grown above one therefore survive with a higher probability.
 inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalAboveOne = 0.995f;
 
-// The weight of emission that the walk's own direction found.
+// The MIS weight of emission that BSDF sampling has hit.
 template <class Color>
 float emission_weight(const PathState<Color>& path, const scene::CompiledScene& scene, const scene::SurfacePoint& point,
                       Combination combination, LightStrategy strategy) {
@@ -29,7 +31,7 @@ float emission_weight(const PathState<Color>& path, const scene::CompiledScene& 
                     scene.lights().pdf_triangle(light, path.from, point.position, path.time, strategy));
 }
 
-// The part of the throughput that counts if walk number `index` ends on a light here.
+// The throughput of a path that ends at an emitter or the lens, restricted to the selected path classes.
 template <class M>
 typename M::Color terminal_throughput(PathWavefront<M>& paths, const PathState<typename M::Color>& path, int index) {
   if constexpr (M::kClasses)
@@ -38,7 +40,8 @@ typename M::Color terminal_throughput(PathWavefront<M>& paths, const PathState<t
     return path.throughput;
 }
 
-// Light that surfaces emit towards the walks, times weigh(arrival). An unlit surface shows itself and lights nothing.
+// Adds the emission of the current hits, times weigh(hit). An unlit surface (KHR_materials_unlit) is directly visible
+// but lights nothing.
 template <class M, class Weigh>
 void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const scene::CompiledScene& scene = paths.scene();
@@ -61,7 +64,7 @@ void add_emission(PathWavefront<M>& paths, Combination combination = {},
   });
 }
 
-// Light from infinity along the last direction of the walks that left, times weigh(escape).
+// Adds the environment radiance for the paths that left the scene, times weigh(miss).
 template <class M, class Weigh>
 void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const LightTable& lights = paths.scene().lights();
@@ -85,16 +88,16 @@ void add_environment(PathWavefront<M>& paths, Combination combination = {},
   });
 }
 
-// Whether shadow rays are traced: thesis 8.2 knows local illumination without them.
+// Whether shadow rays are traced; local illumination [Lang, sec. 8.2] has none.
 enum class Shadows { cast, ignored };
 
-// Which of the present vertices a term is for: all of them, unless a method says otherwise.
+// Selects the current hits to be processed: all.
 struct EveryHit {
   constexpr bool operator()(int) const { return true; }
 };
 
-// Light from these points, one for each vertex that is wanted, times weigh(arrival, light sample, value of the
-// scattering function), which is a weight over the density of the sample.
+// Adds direct light from one light sample per selected hit, times weigh(hit, light sample, BSDF value), which is a
+// weight divided by the density of the sample.
 template <class M, class Weigh, class Selected = EveryHit>
 void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSample> samples, Shadows shadows,
                                 Weigh&& weigh, const Selected& selected = {}) {
@@ -117,7 +120,7 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
   }
 }
 
-// `branches` is the number of directions that the walk then takes, each of which may find the same light.
+// `branches` is the number of BSDF samples of the vertex, each of which can find the same light.
 template <class M>
 void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination combination,
                        Shadows shadows, float branches) {
@@ -127,14 +130,14 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
   });
 }
 
-// Next event estimation: one point on one light for each vertex, as it would be found by walks from the lights.
+// Next event estimation with one light sample per hit, distributed as the starts of light subpaths.
 template <class M, class Weigh, class Selected = EveryHit>
 void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
   add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
 }
 
-// The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
+// The same with one sample on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
 template <class M>
 void add_light_of_all_sources(PathWavefront<M>& paths, Combination combination, Shadows shadows = Shadows::cast,
                               float branches = 1) {
@@ -155,8 +158,8 @@ void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combinati
     add_light_samples(paths, paths.sample_lights(strategy), combination, shadows, branches);
 }
 
-// Russian roulette: a walk survives with the probability of its throughput's largest component (refraction's
-// compression of radiance taken out), and is weighted so that the expectation does not change. thesis (9.10)
+// Russian roulette: a path survives with the probability of its throughput's largest component (corrected for the
+// change of radiance by refraction), and its throughput is divided by that probability. [Lang, eq. 9.10]
 template <class Color>
 bool survives_roulette(PathState<Color>& path, float random) {
   const float weight = max_component(path.throughput) * path.eta_scale;
@@ -166,7 +169,7 @@ bool survives_roulette(PathState<Color>& path, float random) {
   return true;
 }
 
-// What a walk remembers of the event by which it goes on.
+// Records the scattering event that the path continues with.
 template <class Color>
 void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSample<Color>& s) {
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
@@ -174,8 +177,8 @@ void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSampl
   path.all_specular = path.all_specular && s.delta;
 }
 
-// What a walk takes of a direction that was sampled at an arrival: all of it. False if nothing that counts can come of
-// it.
+// The default filter of BSDF samples: accepts all of them, restricted to the selected path classes. Filters may change
+// the sample; they return false if the path does not continue.
 struct AcceptAll {
   template <class M>
   bool operator()(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color>& s) const {
@@ -184,11 +187,10 @@ struct AcceptAll {
   }
 };
 
-// Chooses the next direction of every walk; those that are absorbed, or lose at roulette from the given vertex on, stay
-// behind. Walks from lights carry importance's mode: what flows along them is power, which refraction does not
-// compress.
-// Those for which goes_on(arrival) says no stay behind too. `note` is called with the arrival and its sample where the
-// walk goes on.
+// Samples the next direction of every current path. Paths end if they are absorbed, rejected by `accept`, terminated by
+// Russian roulette from length `roulette_start` on, or if continues(hit) is false. Paths from lights use
+// TransportMode::importance: their power is not scaled by refraction as radiance is. record(hit, sample) is called for
+// every path that continues.
 template <class M, class Continues, class Record, class Accept = AcceptAll>
 void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMode mode, Continues&& continues,
                        Record&& record, const Accept& accept = {}) {
