@@ -1,9 +1,8 @@
-// Bidirectional path tracing      [Lang, sec. 9.3, eq. 9.78-9.110, corrected; Veach and Guibas 1994; Lafortune and
-//                                 Willems 1993]
+// Bidirectional path tracing                         [Lang, sec. 9.3, eq. 9.78-9.110, corrected; Veach and Guibas 1994]
 //
 // Each sample of a pixel traces one subpath from the camera and one from the lights, and connects every vertex of the
-// one with every vertex of the other. A path of k edges can be found by k + 2 techniques (s, t), with s vertices from
-// the light and t from the camera:
+// one with every vertex of the other [Lafortune and Willems 1993]. A path of k edges can be found by k + 2 techniques
+// (s, t), with s vertices from the light and t from the camera:
 //
 //    s = 0   the camera subpath hits a light                  t = 0   the light subpath hits the lens
 //    s = 1   a point on a light is sampled                    t = 1   the vertex is connected to the camera and

@@ -1,4 +1,4 @@
-// Light tracing with next event estimation     [Lang, sec. 9.2.2, Remarks 9.10, 9.11; Arvo 1986; Dutré et al. 1993]
+// Light tracing with next event estimation         [Lang, sec. 9.2.2, Remarks 9.10, 9.11; Arvo 1986; Dutré et al. 1993]
 //
 // Random paths from the lights. Every vertex x is connected to the camera; this is the adjoint of path tracing:
 //

@@ -1,4 +1,4 @@
-// Pure light tracing                                             [Lang, sec. 9.2.1, eq. 9.33-9.35, corrected]
+// Pure light tracing                                                       [Lang, sec. 9.2.1, eq. 9.33-9.35, corrected]
 //
 // Random paths from the lights that count when they hit the lens of the camera; this is the adjoint of pure path
 // tracing. With X_0 on the light and scattering at X_1 .. X_M,

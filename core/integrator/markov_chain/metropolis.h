@@ -1,6 +1,5 @@
 // The Metropolis-Hastings acceptance decision, and the contributions of both states.
-//                              [Lang, sec. 9.4, eq. 9.116, 9.120, fig. 9.27, corrected; Metropolis et al. 1953; Veach
-//                              1997]
+//                                                  [Lang, sec. 9.4, eq. 9.116, 9.120, fig. 9.27, corrected; Veach 1997]
 //
 // Every iteration counts, whether its proposal is accepted or not. The current state is recorded with the weight 1 - a,
 // the proposal with the acceptance probability a: the same mean as recording the state of the chain, with less

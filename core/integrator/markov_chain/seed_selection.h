@@ -1,6 +1,5 @@
 // Selection of the first states of Markov chains without start-up bias.
-//                                                 [Lang, Remark 9.18, eq. 9.113-9.118, corrected; Veach and Guibas
-//                                                 1997]
+//                                                [Lang, Remark 9.18, eq. 9.113-9.118, corrected; Veach and Guibas 1997]
 //
 // A chain that starts at x_0 with density p_0 and counts f(x_0) / p_0(x_0) in every iteration is unbiased from the
 // first iteration. Of n bootstrap samples with weights W_i, chains start at some that are chosen in proportion to W_i,

@@ -1,5 +1,5 @@
 // Bootstrap samples: independent light paths at which Markov chains start.
-//                                                        [Lang, sec. 9.3.2, Remark 9.18; Veach and Guibas 1997]
+//                                                                [Lang, sec. 9.3.2, Remark 9.18; Veach and Guibas 1997]
 //
 // One subpath from either end, and all paths of a prefix of each, joined by a connection or, if the camera subpath hits
 // a light, without one: bidirectional path tracing with the balance heuristic. All of them together are the bootstrap

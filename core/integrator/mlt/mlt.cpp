@@ -1,4 +1,4 @@
-// Metropolis light transport         [Lang, sec. 9.4, eq. 9.112-9.124, corrected; Veach and Guibas 1997; Veach 1997]
+// Metropolis light transport            [Lang, sec. 9.4, eq. 9.112-9.124, corrected; Veach and Guibas 1997; Veach 1997]
 //
 // Markov chains over light paths with stationary density f*(x) / b, where f* is the luminance of the contribution and b
 // its integral. Mutations propose a path y with the transition density T(x -> y), which is accepted with

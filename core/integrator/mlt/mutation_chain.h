@@ -1,4 +1,4 @@
-// A Markov chain over light paths, and its contributions to the image.  [Lang, sec. 9.4.2, 9.4.4, Remark 9.19]
+// A Markov chain over light paths, and its contributions to the image.           [Lang, sec. 9.4.2, 9.4.4, Remark 9.19]
 #pragma once
 #include "film/splats.h"
 #include "integrator/markov_chain/chain_state.h"

@@ -1,4 +1,4 @@
-// Path tracing with next event estimation                     [Lang, sec. 9.1.2, eq. 9.26-9.29; Kajiya 1986]
+// Path tracing with next event estimation                                [Lang, sec. 9.1.2, eq. 9.26-9.29; Kajiya 1986]
 //
 // Estimates L = L_e + T L with one random path per sample. At each vertex x_i the direct light is estimated twice, by
 // sampling a light and by sampling the BSDF:

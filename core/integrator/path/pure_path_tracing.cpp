@@ -1,5 +1,4 @@
-// Pure path tracing                                                          [Lang, sec. 9.1.1, eq. 9.1-9.9; Kajiya
-// 1986]
+// Pure path tracing                                                        [Lang, sec. 9.1.1, eq. 9.1-9.9; Kajiya 1986]
 //
 // Estimates L = L_e + T L with one random path per sample. Light counts only where the path hits an emitter:
 //

@@ -1,5 +1,4 @@
-// Ray casting                                                        [Lang, sec. 8.2, eq. 8.14-8.19, corrected; Appel
-// 1968]
+// Ray casting                                                    [Lang, sec. 8.2, eq. 8.14-8.19, corrected; Appel 1968]
 //
 // Shows the first surface that a camera ray hits: its emission and, with the local illumination model, unshadowed
 // direct light,

@@ -1,5 +1,5 @@
 // Final gathering: indirect light between rough surfaces, estimated from photons at the ends of gather rays.
-//                                                                          [Lang, Remark 9.34; Jensen 2001]
+//                                                                                      [Lang, Remark 9.34; Jensen 2001]
 //
 // Gather rays are sampled from the rough lobes and continue by near-specular lobes. They do not count light that they
 // hit.

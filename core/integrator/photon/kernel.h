@@ -1,4 +1,4 @@
-// The kernels of photon density estimation.                                            [Jensen 2001, sec. 7.2]
+// The kernels of photon density estimation.                                                     [Jensen 2001, sec. 7.2]
 //
 // Every kernel has mean one over the disc, so that uniform illumination is unchanged. The Gaussian has the shape of
 // [Jensen 2001], whose factor of 0.918 does not normalise it.

@@ -1,4 +1,4 @@
-// A stored photon in 32 bytes.                                        [Lang, sec. 9.5; Cigolle et al. 2014]
+// A stored photon in 32 bytes.                                                    [Lang, sec. 9.5; Cigolle et al. 2014]
 //
 // Position and power have full precision. The normal has 30 bits, beside the axis of the tree; the direction has 20
 // bits, beside the length of its path and the state of its path class.

@@ -1,5 +1,5 @@
 // Radiance estimates from photons, for the rough lobes of surfaces (transport/wavefront/lobe_split.h).
-//                                                                                   [Lang, eq. 9.127-9.138, corrected]
+//                                                                                    [Lang, eq. 9.127-9.138, corrected]
 //
 //   L_o = 1 / (pi r^2)  sum of f(w_photon, w_o) Phi
 //

@@ -1,4 +1,4 @@
-// A balanced kd-tree of photons.                                  [Lang, sec. 9.5; Jensen 2001, sec. 6.1]
+// A balanced kd-tree of photons.                                                [Lang, sec. 9.5; Jensen 2001, sec. 6.1]
 //
 // The tree is stored without pointers: the children of photon i are photons 2i and 2i + 1, so that all levels but the
 // last are full. Splitting planes go through the median photon, perpendicular to the longest axis of the bounding box.

@@ -1,4 +1,4 @@
-// Photon tracing.                                           [Lang, sec. 9.5, eq. 9.125, 9.126, corrected; Jensen 2001]
+// Photon tracing.                                            [Lang, sec. 9.5, eq. 9.125, 9.126, corrected; Jensen 2001]
 //
 // All photons of an emission have about the same power: lights are chosen in proportion to theirs, and Russian roulette
 // is applied from the first vertex on. Photons are stored at every hit of a surface with rough lobes

@@ -1,4 +1,4 @@
-// Progressive photon mapping [Lang, Remark 9.33, eq. 9.138; Hachisuka and Jensen 2009; Knaus and Zwicker 2011]
+// Progressive photon mapping          [Lang, Remark 9.33, eq. 9.138; Hachisuka and Jensen 2009; Knaus and Zwicker 2011]
 //
 // Each sample traces its own photons and estimates the radiance at the first rough surface of each camera path from all
 // photons within a radius that shrinks from sample to sample:

@@ -1,4 +1,4 @@
-// Metropolis light transport in primary sample space                        [Kelemen et al. 2002; Lang, sec. 9.4]
+// Metropolis light transport in primary sample space                              [Kelemen et al. 2002; Lang, sec. 9.4]
 //
 // A path is a function of the random numbers that sample it. Markov chains explore the unit cube of these numbers with
 // a stationary density proportional to the target function: the luminance of the contribution of a sample to the image.

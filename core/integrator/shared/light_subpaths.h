@@ -1,4 +1,4 @@
-// Subpaths that start on lights.                                           [Lang, sec. 9.2, eq. 9.33-9.35, corrected]
+// Subpaths that start on lights.                                             [Lang, sec. 9.2, eq. 9.33-9.35, corrected]
 //
 // The throughput of a subpath is its flux relative to the flux at its start, so that Russian roulette depends on
 // scattering alone. `flux` is the flux at the start, in watts.

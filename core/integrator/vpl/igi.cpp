@@ -1,5 +1,4 @@
-// Instant global illumination      [Lang, sec. 9.6, eq. 9.148-9.158, corrected; Keller 1997; Keller and Heidrich 2001;
-//                                  Kollig and Keller 2004]
+// Instant global illumination                                 [Lang, sec. 9.6, eq. 9.148-9.158, corrected; Keller 1997]
 //
 // The vertices y_j of a few light paths become virtual point lights with flux Phi_j (virtual_lights.h). A camera path
 // follows mirrors and clear glass to its first other vertex z. There direct light is estimated as in path tracing, and

@@ -1,5 +1,4 @@
-// Virtual point lights: the vertices of a few light paths.          [Lang, sec. 9.6, eq. 9.148-9.158, corrected; Keller
-//                                                                    1997]
+// Virtual point lights: the vertices of a few light paths.    [Lang, sec. 9.6, eq. 9.148-9.158, corrected; Keller 1997]
 //
 // With y_1, y_2, ... the vertices after that on the light, each light path creates a virtual light at every y_j that is
 // not purely specular. The incident flux at y_j is

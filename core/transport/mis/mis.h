@@ -1,5 +1,4 @@
-// Weights of multiple importance sampling.                  [Lang, sec. 6.6.9; Veach and Guibas 1995; Veach 1997, sec.
-// 9.2]
+// Weights of multiple importance sampling.              [Lang, sec. 6.6.9; Veach and Guibas 1995; Veach 1997, sec. 9.2]
 #pragma once
 #include <array>
 

@@ -1,5 +1,5 @@
 // MIS weights of bidirectional techniques, in constant time per technique.
-//                [Lang, sec. 9.3, eq. 9.104-9.110, corrected; van Antwerpen 2011; Georgiev et al. 2012]
+//                                [Lang, sec. 9.3, eq. 9.104-9.110, corrected; van Antwerpen 2011; Georgiev et al. 2012]
 //
 // A path x_0 .. x_k can be sampled with i vertices from the light and the rest from the camera, i = 0 .. k + 1, with
 // the density p_i in area measure. The weight of the technique with s vertices from the light is

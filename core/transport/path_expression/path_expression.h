@@ -1,4 +1,4 @@
-// Classes of light paths in Heckbert's notation.                [Heckbert 1990; Lang, sec. 8.1, Example 8.1]
+// Classes of light paths in Heckbert's notation.                           [Heckbert 1990; Lang, sec. 8.1, Example 8.1]
 //
 // A path is a word, read from the camera to the light: E (the eye), one letter for each scattering event, L (the
 // light).

@@ -1,5 +1,5 @@
 // Division of lobes by roughness: D_G (diffuse or rough glossy) and S_G (specular or near-specular).
-//                                                                             [Lang, sec. 8.1, 9.5]
+//                                                                                                 [Lang, sec. 8.1, 9.5]
 //
 // Photons are stored at surfaces with rough lobes, whose reflection is estimated from them; near-specular lobes are ray
 // traced. All glossy lobes of a surface have the same microfacets, so that all of them are in the same group.
