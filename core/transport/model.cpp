@@ -30,7 +30,7 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
   return d;
 }
 
-// Lambert's lobe alone, the lobes that most glTF files do with, or all there are.
+// Only Lambertian lobes, the lobes of most glTF files, or all lobes.
 Decision decide_surfaces(const CompiledScene& scene, bool forced) {
   const auto* shiny = find_used(scene, [](const auto& m) { return !m.is_lambertian; });
   const auto* rare = find_used(scene, [](const auto& m) { return !m.uses_standard_lobes; });
@@ -42,7 +42,7 @@ Decision decide_surfaces(const CompiledScene& scene, bool forced) {
   return d;
 }
 
-// Whether the expression leaves any path out.
+// Whether the expression excludes any path.
 bool filters(std::string_view paths) {
   return !paths.empty() && PathExpression::parse_paths(paths)->automaton() != PathExpression::all().automaton();
 }

@@ -1,4 +1,4 @@
-// The transport models that loops are compiled for, and the choice between them at run time.
+// The transport models for which rendering loops are compiled, and the run-time choice between them.
 #pragma once
 #include "bsdf/all_lobes.h"
 #include "bsdf/lobe_set.h"
@@ -6,10 +6,9 @@
 
 namespace etendue::transport {
 
-// Colour axis: Rgb. Spectral samples join here.
-// Surfaces axis: DiffuseOnly, StandardLobes for what most files do with, or AllLobes for everything. Media axis:
-// vacuum, or absorption inside solids (Beer's law). Classes axis: every path counts, or those of an expression
-// (transport/class_shares.h).
+// Colour: Rgb; the parameter is reserved for spectral samples. Surfaces: DiffuseOnly, StandardLobes for most glTF
+// files, or AllLobes. Media: vacuum, or absorption inside solids (Beer's law). Classes: all paths, or those of a path
+// expression (path_expression/class_shares.h).
 template <class ColorType, template <class> class LobeSet, bool absorbing, bool classes>
 struct ModelType {
   using Color = ColorType;
@@ -25,13 +24,13 @@ template <bool classes>
 using StandardVacuum = ModelType<Rgb, StandardLobes, false, classes>;
 template <bool classes>
 using StandardAbsorbing = ModelType<Rgb, StandardLobes, true, classes>;
-// Whose rarer scenes do not ask for a loop that saves the question whether a solid absorbs.
+// Used by all scenes with rare lobes, with or without absorption.
 template <bool classes>
 using AnyAbsorbing = ModelType<Rgb, AllLobes, true, classes>;
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
-  // Each loop costs minutes of building: where classes of paths are told apart, absorbing solids take the widest.
+  // Each loop takes minutes to compile: with path classes, scenes with absorbing solids use the largest model.
   if (model.wide || (classes && model.absorbing)) return f(AnyAbsorbing<classes>{});
   if constexpr (!classes)
     if (model.absorbing) return f(StandardAbsorbing<classes>{});
@@ -39,7 +38,7 @@ decltype(auto) with_surfaces(const Model& model, F& f) {
   return f(StandardVacuum<classes>{});
 }
 
-// Calls `f` with a value of the model type that the flags ask for.
+// Calls `f` with a value of the model's type.
 template <class F>
 decltype(auto) with_model(const Model& model, F&& f) {
   if (model.classes) return with_surfaces<true>(model, f);

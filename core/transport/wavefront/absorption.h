@@ -1,4 +1,4 @@
-// What absorbing solids leave of light.                                                KHR_materials_volume; Beer's law
+// Transmittance of absorbing solids: Beer's law.                                               [KHR_materials_volume]
 #pragma once
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 namespace etendue::transport {
 
-// Over so many metres on the inner side of the surface that the point lies on.
+// The transmittance of a distance in metres on the inner side of the surface at `point`.
 template <class Color>
 Color inner_transmittance(const scene::SurfacePoint& point, float distance) {
   const Material& m = point.material->description;
@@ -16,7 +16,7 @@ Color inner_transmittance(const scene::SurfacePoint& point, float distance) {
                std::pow(m.attenuation_color.b, x));
 }
 
-// The same along a segment that starts at the point.
+// The transmittance of a segment that starts at the point.
 template <class M>
 typename M::Color transmittance(const scene::SurfacePoint& point, const Vec3& direction, float distance) {
   using Color = typename M::Color;

@@ -1,7 +1,7 @@
-// Segments whose ends are known: contributions that count unless something lies in between.
+// Segments between given points, and their contributions, which count unless the segment is occluded.
 //
-// They are gathered until a few packets are full, and traced together; what is seen is handed to the caller in the
-// order in which it was added.
+// Segments are collected in packets and traced together. Contributions of unoccluded ones are delivered in the order in
+// which they were added.
 #pragma once
 #include <array>
 
@@ -9,7 +9,7 @@
 
 namespace etendue::transport {
 
-// `Carried` is what the caller wants back.
+// `Carried` is the type of contributions.
 template <class Carried>
 class Connections {
  public:
@@ -17,8 +17,9 @@ class Connections {
 
   bool full() const { return size_ == kCapacity; }
 
-  // The ray is at `time`, from 0 at the shutter's opening to 1 at its closing; the seed drives stochastic opacity. The
-  // caller fills what is returned, in place: what was just written in parts stalls when it is copied as words.
+  // Adds a segment at `time`, from 0 (shutter opens) to 1 (shutter closes); the seed drives stochastic opacity. The
+  // caller fills the returned contribution in place, because copying parts that were just written stalls on store
+  // forwarding.
   Carried& add(const Ray& ray, float time, uint32_t seed) {
     const auto i = static_cast<size_t>(size_++);
     packets_[i / RayPacket::kSize].set(static_cast<int>(i % RayPacket::kSize), ray);
@@ -27,7 +28,7 @@ class Connections {
     return carried_[i];
   }
 
-  // Empties itself; returns the number of rays traced.
+  // Traces all segments, delivers the contributions and removes them. Returns the number of rays traced.
   template <class Deliver>
   uint64_t settle(const scene::CompiledScene& scene, Deliver&& deliver) {
     for (int first = 0; first < size_; first += RayPacket::kSize)
