@@ -95,14 +95,14 @@ class BdptState final : public RenderState {
  public:
   BdptState(const Bdpt& integrator, const RenderContext& context)
       : context_(context),
-        options_{integrator.heuristic,
-                 integrator.max_depth,
-                 integrator.roulette_start,
-                 parse(integrator.without),
-                 parse(integrator.only),
-                 integrator.weighted,
-                 integrator.reuse,
-                 context.model->classes ? std::optional<transport::ClassJoin>(*context.model->paths) : std::nullopt} {}
+        options_{.heuristic = integrator.heuristic,
+                 .max_depth = integrator.max_depth,
+                 .roulette_start = integrator.roulette_start,
+                 .excluded = parse(integrator.without),
+                 .shown = parse(integrator.only),
+                 .apply_mis = integrator.weighted,
+                 .reuse = integrator.reuse,
+                 .classes = class_join(*context.model)} {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
@@ -114,15 +114,15 @@ class BdptState final : public RenderState {
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
                                       const TaskContext& task_context) const {
-    using Sampler = BidirectionalSampler<M>;
-    static thread_local const auto subpaths = std::make_unique<Sampler>();
-    std::array<Rgb, size_t{Sampler::kWidth} * Sampler::kHeight> part;
+    using BlockSampler = BidirectionalSampler<M>;
+    static thread_local const auto sampler = std::make_unique<BlockSampler>();
+    std::array<Rgb, size_t{BlockSampler::kWidth} * BlockSampler::kHeight> part;
     uint64_t rays = 0;
-    for (int top = 0; top < block.height; top += Sampler::kHeight)
-      for (int left = 0; left < block.width; left += Sampler::kWidth) {
-        const PixelBlock piece{block.x + left, block.y + top, std::min(Sampler::kWidth, block.width - left),
-                               std::min(Sampler::kHeight, block.height - top), block.sample};
-        const auto traced = subpaths->sample(context_, options_, piece, part, task_context);
+    for (int top = 0; top < block.height; top += BlockSampler::kHeight)
+      for (int left = 0; left < block.width; left += BlockSampler::kWidth) {
+        const PixelBlock piece{block.x + left, block.y + top, std::min(BlockSampler::kWidth, block.width - left),
+                               std::min(BlockSampler::kHeight, block.height - top), block.sample};
+        const auto traced = sampler->sample(context_, options_, piece, part, task_context);
         if (!traced) return {};
         rays += *traced;
         const Rgb* next = part.data();

@@ -172,14 +172,10 @@ class PrimaryKernel {
   PrimaryKernel(const Pssmlt& integrator, const RenderContext& context)
       : integrator_(&integrator),
         context_(context),
-        options_{integrator.heuristic,
-                 integrator.max_depth,
-                 integrator.roulette_start,
-                 *Techniques::parse(""),
-                 *Techniques::parse(""),
-                 true,
-                 true,
-                 context.model->classes ? std::optional<transport::ClassJoin>(*context.model->paths) : std::nullopt} {}
+        options_{.heuristic = integrator.heuristic,
+                 .max_depth = integrator.max_depth,
+                 .roulette_start = integrator.roulette_start,
+                 .classes = class_join(*context.model)} {}
 
   int chains() const { return std::min<int>(integrator_->chains, context_.width * context_.height); }
   int candidates() const {
