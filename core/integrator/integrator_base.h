@@ -1,7 +1,7 @@
-// What all methods have: a description that stands in one place, and knobs that describe themselves.
+// The common base of integrators (CRTP): parameters and the path length limit.
 //
-// Derived offers a static function info() that returns an IntegratorInfo and a std::tie of its parameters,
-// `parameters()`.
+// Derived offers a static function info() that returns an IntegratorInfo, and parameters(), a std::tie of its
+// parameters.
 #pragma once
 #include "integrator/integrator.h"
 
@@ -12,10 +12,10 @@ class IntegratorBase : public Integrator {
  public:
   Number<int> max_depth{
       "max-depth",
-      "Longest path",
+      "Max. path length",
       0,
       {0, 1000},
-      "Path segments from camera to light: 1 is a light seen directly, 2 direct illumination, 0 no limit"};
+      "Segments from camera to light: 1 is directly visible light, 2 direct illumination, 0 no limit"};
 
   std::vector<ParameterInfo> parameter_infos() const final {
     return describe_all(const_cast<Derived&>(self()).parameters());

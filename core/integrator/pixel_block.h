@@ -1,4 +1,4 @@
-// The rectangles of pixels that integrators sample at a time.
+// The rectangles of pixels that are sampled as one task.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@ struct PixelBlock {
   static constexpr int kWidth = 32, kHeight = 16;
   static constexpr size_t kMostPixels = size_t{kWidth} * kHeight;
   int x, y, width, height;
-  uint32_t sample;  // counts all samples of a pixel: it alternates between the film's halves
+  uint32_t sample;  // index among all samples of a pixel; even and odd ones belong to different half-buffers
 };
 
 }  // namespace etendue::integrator

@@ -1,10 +1,10 @@
-// How an integrator enters the registry.
+// Registration of integrators.
 //
 // An integrator is one .cpp file: its class with `static IntegratorInfo info()`, and at the end of the file
 //
-//   Registration path_tracing() { return registration<Path>(); }
+//   Registration path_tracing() { return registration<PathTracing>(); }
 //
-// The second place is one line in registry.cpp, which names that function.
+// and one line in registry.cpp with the name of that function.
 #pragma once
 #include "integrator/integrator.h"
 

@@ -1,4 +1,4 @@
-// Every integrator, in the order of the thesis; one line each.
+// All integrators, in the order of [Lang].
 #include <cassert>
 
 #include "base/hash.h"
@@ -63,11 +63,11 @@ const IntegratorInfo* find_integrator(std::string_view name) {
 
 bool finds_any(const IntegratorInfo& info, std::string_view paths) {
   if (paths.empty()) return true;
-  const auto found = transport::PathExpression::parse(info.paths),
-             asked = transport::PathExpression::parse_paths(paths);
-  assert(found && asked);
-  // Too many states for an automaton are not nothing.
-  const auto both = transport::Automaton::intersection(found->automaton(), asked->automaton());
+  const auto sampled = transport::PathExpression::parse(info.paths),
+             requested = transport::PathExpression::parse_paths(paths);
+  assert(sampled && requested);
+  // An intersection with too many states for an automaton counts as non-empty.
+  const auto both = transport::Automaton::intersection(sampled->automaton(), requested->automaton());
   return !both || !both->empty();
 }
 

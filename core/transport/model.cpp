@@ -35,7 +35,7 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
   return d;
 }
 
-// Lambert's lobe alone, the lobes that most glTF files do with, or all there are.
+// Only Lambertian lobes, the lobes of most glTF files, or all lobes.
 Decision decide_surfaces(const CompiledScene& scene, bool forced) {
   const auto* shiny = find_used(scene, [](const auto& m) { return !m.is_lambertian; });
   const auto* rare = find_used(scene, [](const auto& m) { return !m.uses_standard_lobes; });
@@ -53,11 +53,12 @@ std::string reason_for_media(const CompiledScene& scene) {
   for (uint32_t i = 0; i < solids.size(); ++i)
     if (solids[i].absorbs) return named(scene.materials()[solids[i].material]) + " absorbs inside";
   for (uint32_t i = 0; i < solids.size(); ++i)
-    if (solids[i].may_overlap) return "the bounds of " + node_name(scene, solids[i].node) + " intersect those of another solid";
+    if (solids[i].may_overlap)
+      return "the bounds of " + node_name(scene, solids[i].node) + " intersect those of another solid";
   return "no solid absorbs or touches another one";
 }
 
-// Whether the expression leaves any path out.
+// Whether the expression excludes any path.
 bool filters(std::string_view paths) {
   return !paths.empty() && PathExpression::parse_paths(paths)->automaton() != PathExpression::all().automaton();
 }

@@ -1,9 +1,9 @@
-// How much model a scene needs.
+// The transport model of a scene: the features that it needs.
 //
-// Some of it is decided at compile time (model_types.h): the colour that is carried, the lobes that surfaces can have,
-// whether paths store the solids that contain them. The rest is data: a pinhole does not draw lens samples. `model_for`
-// looks at the compiled scene and states for each flag what it needs and why. A user can force a flag to the larger
-// model, which must not change the image.
+// Some features are compile-time parameters of the rendering loops (model_types.h): the colour type, the lobes of
+// surfaces, whether paths store the solids that contain them. The others are data: a pinhole camera draws no lens samples. `model_for` determines for
+// each flag the value that the compiled scene needs, and the reason. A user can force a flag to the larger model, which
+// must not change the image.
 #pragma once
 #include <memory>
 #include <span>
@@ -19,29 +19,29 @@ class PathExpression;
 
 struct Decision {
   std::string flag;    // "colour", "media", "surfaces", ...
-  std::string value;   // what is run
-  std::string needed;  // what the scene needs
+  std::string value;   // the value in use
+  std::string needed;  // the value that the scene needs
   std::string reason;
 };
 
 struct Model {
   bool diffuse = false;                         // every surface is Lambertian
-  bool wide = false;                            // some surface needs lobes that few do
+  bool wide = false;                            // some surface has rarely used lobes
   bool media = false;                           // paths store the solids that contain them
-  bool moving = false;                          // something moves while the shutter is open: paths have a time
-  bool classes = false;                         // some paths do not count
-  std::shared_ptr<const PathExpression> paths;  // those that do; where `classes`
+  bool moving = false;                          // something moves while the shutter is open: paths have times
+  bool classes = false;                         // only some path classes count
+  std::shared_ptr<const PathExpression> paths;  // the selected paths, if `classes`
   std::vector<Decision> decisions;
 
-  // "RGB, vacuum, diffuse, ..." for a status bar.
+  // A summary for the status bar: "RGB, vacuum, diffuse, ...".
   std::string summary() const;
 };
 
 // The flags that can be forced with `model.FLAG=on`.
 std::vector<std::string> model_flags();
 
-// `forced` lists the flags that are switched on whatever the scene needs. `paths` is the expression that paths have to
-// match; empty if all count. It must be one that PathExpression::parse_paths takes.
+// `forced` lists the flags that are on whatever the scene needs. `paths` is the expression that paths must match;
+// empty: all paths. It must be one that PathExpression::parse_paths accepts.
 Model model_for(const scene::CompiledScene& scene, std::span<const std::string> forced = {},
                 std::string_view paths = {});
 

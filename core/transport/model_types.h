@@ -1,4 +1,4 @@
-// The transport models that loops are compiled for, and the choice between them at run time.
+// The transport models for which rendering loops are compiled, and the run-time choice between them.
 #pragma once
 #include "bsdf/all_lobes.h"
 #include "bsdf/lobe_set.h"
@@ -6,10 +6,10 @@
 
 namespace etendue::transport {
 
-// Colour axis: Rgb. Spectral samples join here.
-// Surfaces axis: DiffuseOnly, StandardLobes for what most files do with, or AllLobes for everything. Media axis:
-// vacuum around every solid, or paths that store the solids containing them (wavefront/path_media.h). Classes axis:
-// every path counts, or those of an expression (transport/class_shares.h).
+// Colour: Rgb; the parameter is reserved for spectral samples. Surfaces: DiffuseOnly, StandardLobes for most glTF
+// files, or AllLobes. Media: vacuum around
+// every solid, or paths that store the solids that contain them (wavefront/path_media.h). Classes: all paths, or those of a path
+// expression (path_expression/class_shares.h).
 template <class ColorType, template <class> class LobeSet, bool media, bool classes>
 struct ModelType {
   using Color = ColorType;
@@ -31,7 +31,7 @@ using AnyMedia = ModelType<Rgb, AllLobes, true, classes>;
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
-  // Each loop costs minutes of building: where classes of paths are told apart, media take the widest.
+  // Each loop takes minutes to compile: with path classes, scenes with media use the largest model.
   if (model.wide || (classes && model.media)) return f(AnyMedia<classes>{});
   if constexpr (!classes)
     if (model.media) return f(StandardMedia<classes>{});
@@ -39,7 +39,7 @@ decltype(auto) with_surfaces(const Model& model, F& f) {
   return f(StandardVacuum<classes>{});
 }
 
-// Calls `f` with a value of the model type that the flags ask for.
+// Calls `f` with a value of the model's type.
 template <class F>
 decltype(auto) with_model(const Model& model, F&& f) {
   if (model.classes) return with_surfaces<true>(model, f);

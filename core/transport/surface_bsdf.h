@@ -1,4 +1,4 @@
-// The BSDF at a point of a surface, for a transport model.
+// The BSDF at a surface point, for a transport model.
 #pragma once
 #include "bsdf/bsdf.h"
 #include "material/gltf_surface.h"
@@ -15,8 +15,8 @@ void set_media(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
   bsdf.lobes.set_relative_eta(inside / outside, outside);
 }
 
-// M is a transport model (model_types.h). The BSDF refers to the point's normals: the point must outlive it and stay in
-// its place.
+// M is a transport model (model_types.h). The BSDF refers to the normals of the point, which must outlive it at the
+// same address.
 template <class M>
 void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
   bsdf.reset(point.shading, point.ng);

@@ -107,7 +107,7 @@ TEST_F(Cli, TechniquesAreLeftOutByName) {
   const Outcome r = run("render cornell --size 8x8 --spp 1 --integrator bdpt --set bdpt.without=0,* -o a.exr --json -");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(nlohmann::json::parse(r.out)["certificate"]["bias"], "biased");
-  expect_error("render cornell --spp 1 --integrator bdpt --set 'bdpt.without=0;1' -o a.exr", 2, "is no technique");
+  expect_error("render cornell --spp 1 --integrator bdpt --set 'bdpt.without=0;1' -o a.exr", 2, "is not a technique");
 }
 
 TEST_F(Cli, IntegratorsAreListedWithTheirGroups) {

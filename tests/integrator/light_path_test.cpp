@@ -15,7 +15,7 @@ using integrator::EdgeCounts;
 using integrator::LightPath;
 using integrator::Mutation;
 using integrator::MutationPlan;
-using integrator::PathCandidates;
+using integrator::BootstrapPaths;
 using integrator::PathShape;
 using integrator::PathSpace;
 using integrator::PathVertex;
@@ -49,7 +49,7 @@ std::vector<std::pair<const char*, render::Document>> places() {
           {"directional through a lens", test::through_a_lens(test::under("directional"))}};
 }
 
-constexpr integrator::Octaves kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
+constexpr integrator::LogUniform kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
 
 MutationPlan plan_with(std::array<float, integrator::kMutations> weights) {
   return {integrator::MutationChoice(weights), EdgeCounts(0), kPixels, kAngles, 5};
@@ -62,7 +62,7 @@ TEST(LightPaths, FromNothingAreWorthThePicture) {
     PathSpace<M> space(place.context);
     LightPath<M> path;
     film::SplatFilter filter(place.filter, d.width, d.height);
-    PathCandidates<M> paths(0);
+    BootstrapPaths<M> paths(0);
     constexpr int kPaths = 200000;
     double sum = 0, squares = 0;
     for (int i = 0; i < kPaths; ++i) {
@@ -142,8 +142,8 @@ TEST(LightPaths, TentativeDensityTwoWays) {
     const Place place(d);
     PathSpace<M> space(place.context);
     LightPath<M> x;
-    PathCandidates<M> paths(0);
-    const double area = double{space.picture_area()};
+    BootstrapPaths<M> paths(0);
+    const double area = double{space.image_area()};
     int found = 0;
     for (uint64_t i = 0; i < 3000; ++i) {
       ChainRandom random(i);
@@ -169,7 +169,7 @@ double log_density(Mutation mutation, const PathShape& shape, const LightPath<M>
   double p = 0;
   if (mutation == Mutation::caustic) {
     for (int i = shape.caustic_start; i + 1 < y.edges(); ++i)
-      p += std::log(area_ahead(y, i) * (i > shape.caustic_start ? double{y[i].stretch} : 1));
+      p += std::log(area_ahead(y, i) * (i > shape.caustic_start ? double{y[i].projected_ratio} : 1));
     return p;
   }
   p = std::log(pixels_back(y));
@@ -186,7 +186,7 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
     const Place place(d);
     PathSpace<M> space(place.context);
     LightPath<M> x, y;
-    PathCandidates<M> paths(0);
+    BootstrapPaths<M> paths(0);
     const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
     for (uint64_t i = 0; i < 80000; ++i) {
       ChainRandom random(i);
@@ -214,7 +214,7 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
 // The law of (9.123): density 1 / (r ln(r2 / r1)), mean (r2 - r1) / ln(r2 / r1), median sqrt(r1 r2). Within 4.5
 // standard errors.
 TEST(LightPaths, DistancesOfPerturbations) {
-  constexpr integrator::Octaves kLaw{0.1f, 50};
+  constexpr integrator::LogUniform kLaw{0.1f, 50};
   EXPECT_FLOAT_EQ(kLaw.at(0), 50);
   EXPECT_NEAR(kLaw.at(kOneMinusEpsilon), 0.1, 1e-6);
   ChainRandom random(1);
@@ -252,28 +252,28 @@ TEST(LightPaths, LengthsInTheGoldenSphere) {
   const Place place(test::integrating_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
   const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
   integrator::MutationRunner<M> runner(place.context, plan);
-  constexpr int kBatches = 24, kSteps = 20000, kLongest = 5;
-  std::array<double, kLongest + 1> sum{}, squares{};
+  constexpr int kBatches = 24, kSteps = 20000, kMaxLength = 5;
+  std::array<double, kMaxLength + 1> sum{}, squares{};
   film::Splats splats;
   for (int batch = 0; batch < kBatches; ++batch) {
-    PathCandidates<M> paths(0);
+    BootstrapPaths<M> paths(0);
     integrator::MutationChain<M> chain;
     chain.random = ChainRandom(static_cast<uint64_t>(batch));
     while (!(paths.draw(runner.space(), chain.random, chain.path) > 0)) continue;
     chain.shape = shape_of(chain.path);
-    std::array<double, kLongest + 2> count{};
+    std::array<double, kMaxLength + 2> count{};
     for (int i = 0; i < kSteps; ++i) {
       splats.clear();
       runner.step(
           chain, 1, [&] { return chain.random.next_2d(); }, [](auto&&...) {}, splats);
-      ++count[static_cast<size_t>(std::min(chain.path.edges(), kLongest + 1))];
+      ++count[static_cast<size_t>(std::min(chain.path.edges(), kMaxLength + 1))];
     }
-    for (size_t k = 2; k <= kLongest; ++k) {
+    for (size_t k = 2; k <= kMaxLength; ++k) {
       const double ratio = count[k] / count[2];
       sum[k] += ratio, squares[k] += ratio * ratio;
     }
   }
-  for (int k = 3; k <= kLongest; ++k) {
+  for (int k = 3; k <= kMaxLength; ++k) {
     const auto i = static_cast<size_t>(k);
     const double mean = sum[i] / kBatches, error = std::sqrt((squares[i] / kBatches - sqr(mean)) / (kBatches - 1));
     EXPECT_NEAR(mean, std::pow(kRho, k - 2), 4.5 * error + 1e-3) << k;

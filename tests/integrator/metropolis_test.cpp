@@ -23,11 +23,11 @@ TEST(Metropolis, EveryIterationCounts) {
   std::uniform_real_distribution<double> uniform;
   double counted[2] = {0, 0}, went[2] = {0, 0};
   size_t at = 0;
-  Stay stay;
+  Occupancy stay;
   Acceptance acceptance;
   for (int i = 0; i < kIterations; ++i) {
     const size_t next = 1 - at;
-    const Verdict verdict = judge(kTarget[at], kTarget[next], uniform(engine));
+    const AcceptanceDecision verdict = decide_acceptance(kTarget[at], kTarget[next], uniform(engine));
     acceptance.count(verdict);
     stay.take(
         verdict, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
@@ -48,11 +48,11 @@ TEST(Metropolis, ProposalsNeedNotBeSymmetric) {
   std::uniform_real_distribution<double> uniform;
   double counted[2] = {0, 0};
   size_t at = 0;
-  Stay stay;
+  Occupancy stay;
   for (int i = 0; i < kIterations; ++i) {
     const size_t next = uniform(engine) < kProposed[at] ? 1 - at : at;
     const double back = next == at ? 1 : kProposed[next] / kProposed[at];
-    const Verdict verdict = judge(kTarget[at], kTarget[next], uniform(engine), back);
+    const AcceptanceDecision verdict = decide_acceptance(kTarget[at], kTarget[next], uniform(engine), back);
     stay.take(
         verdict, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
     if (verdict.accepted) at = next;
@@ -63,10 +63,10 @@ TEST(Metropolis, ProposalsNeedNotBeSymmetric) {
 
 TEST(Metropolis, ValuesThatAreNothingAreNeverGoneTo) {
   for (const double nothing : {0.0, -1.0, std::nan("")}) {
-    EXPECT_FALSE(judge(1, nothing, 0).accepted);
-    EXPECT_FALSE(judge(0, nothing, 0).accepted);
+    EXPECT_FALSE(decide_acceptance(1, nothing, 0).accepted);
+    EXPECT_FALSE(decide_acceptance(0, nothing, 0).accepted);
   }
-  EXPECT_TRUE(judge(0, 1e-30, 0.999).accepted);
+  EXPECT_TRUE(decide_acceptance(0, 1e-30, 0.999).accepted);
 }
 
 // f(x) = x on the unit interval, steps of up to 0.05 reflected at its ends: the integral over [0.9, 1] is 0.095 after
@@ -115,7 +115,7 @@ Interval integral_near_one(int iterations, bool chosen) {
     std::vector<float> weight(kCandidates);
     double total = 0;
     for (float& w : weight) w = static_cast<float>(uniform(engine)), total += double{w};
-    auto starts = choose_starts(weight, kChains, uniform(engine));
+    auto starts = select_seeds(weight, kChains, uniform(engine));
     EXPECT_EQ(starts.size(), kChains);
     if (!chosen)
       for (size_t i = 0; i < kChains; ++i) starts[i] = static_cast<uint32_t>(i);
@@ -124,11 +124,11 @@ Interval integral_near_one(int iterations, bool chosen) {
     const auto record = [&](double x, double n) { found += x >= 0.9 ? n : 0; };
     for (const uint32_t start : starts) {
       double x = double{weight[start]};
-      Stay stay;
+      Occupancy stay;
       for (int i = 0; i < iterations; ++i) {
         double y = std::abs(x + 0.1 * uniform(engine) - 0.05);
         if (y > 1) y = 2 - y;
-        const Verdict verdict = judge(x, y, uniform(engine));
+        const AcceptanceDecision verdict = decide_acceptance(x, y, uniform(engine));
         stay.take(
             verdict, [&](double n) { record(x, n); }, [&](double n) { record(y, n); });
         if (verdict.accepted) x = y;
@@ -153,8 +153,8 @@ TEST(Metropolis, StartsLeaveNothingInTheMean) {
 
 TEST(Metropolis, StartsFollowTheirShares) {
   const std::vector<float> weight{0, 1, 0, 2.5f, 0.5f, 0};
-  EXPECT_EQ(choose_starts(weight, 8, 0.5), (std::vector<uint32_t>{1, 1, 3, 3, 3, 3, 3, 4}));
-  EXPECT_TRUE(choose_starts(std::vector<float>(5, 0), 8, 0.5).empty());
+  EXPECT_EQ(select_seeds(weight, 8, 0.5), (std::vector<uint32_t>{1, 1, 3, 3, 3, 3, 3, 4}));
+  EXPECT_TRUE(select_seeds(std::vector<float>(5, 0), 8, 0.5).empty());
 }
 
 TEST(ChainState, IsReadBackAndNeverBeyondItsEnd) {

@@ -118,7 +118,7 @@ scene::Scene ball_over_a_floor(const Material& material) {
 
 TEST(Photons, OfCausticsHaveComeByMirrorsAlone) {
   integrator::PhotonPlan plan = plan_of(20'000);
-  plan.caustics = true, plan.shortest = 2;
+  plan.caustics = true, plan.min_length = 2;
   const Emitted through(ball_over_a_floor(scene::glass()), plan);
   EXPECT_GT(through.photons().size(), 200U);
   for (const auto& p : through.photons()) {

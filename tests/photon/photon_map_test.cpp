@@ -81,14 +81,14 @@ TEST(Photon, DirectionsArePackedCloseToWhatTheyWere) {
     float most = 0;
     for (int i = 0; i < 100'000; ++i) {
       const Vec3 v = square_to_sphere(random.pair());
-      most = std::max(most, glm::length(v - unpacked_direction(packed_direction(v, bits), bits)));
+      most = std::max(most, glm::length(v - unpack_direction(pack_direction(v, bits), bits)));
     }
     return most;
   };
   EXPECT_LT(worst(10), 4.3f / (1 << 10));
   EXPECT_LT(worst(15), 4.3f / (1 << 15));
   for (const Vec3& v : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -1), Vec3(0, 0, 1)})
-    EXPECT_LT(glm::length(v - unpacked_direction(packed_direction(v, 10), 10)), 4.3f / (1 << 10));
+    EXPECT_LT(glm::length(v - unpack_direction(pack_direction(v, 10), 10)), 4.3f / (1 << 10));
 }
 
 TEST(Photon, ManyDirectionsArePackedAsEachAlone) {
@@ -97,8 +97,8 @@ TEST(Photon, ManyDirectionsArePackedAsEachAlone) {
   Vec3Lanes<80> v{};
   std::array<uint32_t, 80> packed{};
   for (size_t i = 0; i < kCount; ++i) v.set(i, square_to_sphere(random.pair()));
-  packed_directions(v, kCount, 10, packed.data());
-  for (size_t i = 0; i < kCount; ++i) EXPECT_EQ(packed[i], packed_direction(v[i], 10)) << i;
+  pack_directions(v, kCount, 10, packed.data());
+  for (size_t i = 0; i < kCount; ++i) EXPECT_EQ(packed[i], pack_direction(v[i], 10)) << i;
 }
 
 TEST(Photon, KeepsWhatItIsGiven) {
@@ -111,7 +111,7 @@ TEST(Photon, KeepsWhatItIsGiven) {
   EXPECT_EQ(p.axis(), 2);
   EXPECT_GT(p.normal().y, 0.9999f);
   EXPECT_GT(p.direction().z, 0.9999f);
-  EXPECT_EQ(Photon({}, kUp, kUp, Rgb(1), 1000).length(), Photon::kLongest);
+  EXPECT_EQ(Photon({}, kUp, kUp, Rgb(1), 1000).length(), Photon::kMaxLength);
 }
 
 TEST(PhotonMap, PlanesPartTheSubtreesOfATreeWithoutGaps) {

@@ -211,12 +211,12 @@ TEST(PathExpression, ErrorsSayWhatWhereAndWhatWouldBeRight) {
                         {"E(DL", "column 2", "never closed; add ')'"},
                         {"E[DL", "column 2", "add ']'"},
                         {"E(D]L", "column 4", "give ')'"},
-                        {"ED)L", "column 3", "closes nothing"},
-                        {")", "column 1", "closes nothing"},
+                        {"ED)L", "column 3", "has no opening bracket"},
+                        {")", "column 1", "has no opening bracket"},
                         {"E()L", "column 3", "nothing between"},
                         {"E(D|)L", "column 5", "one side of '|' is empty"},
                         {"E(D| )L", "column 6", "one side of '|' is empty"},
-                        {" )", "column 2", "closes nothing"},
+                        {" )", "column 2", "has no opening bracket"},
                         {"E(|D)L", "column 3", "one side of '|' is empty"},
                         {"ED|", "column 4", "missing"},
                         {"*DL", "column 1", "nothing to repeat"},
@@ -227,8 +227,8 @@ TEST(PathExpression, ErrorsSayWhatWhereAndWhatWouldBeRight) {
                         {"ED_GL", "column 3", "D_G"},
                         {"ERL", "column 2", "D, G or S"},
                         {"ED{2}L", "column 3", "write repetitions out"},
-                        {"E#L", "column 2", "'#' is no letter"},
-                        {"E\xc3\xa9L", "column 2", "is no letter"}}) {
+                        {"E#L", "column 2", "'#' is not a letter"},
+                        {"E\xc3\xa9L", "column 2", "is not a letter"}}) {
     const auto e = PathExpression::parse(c.text);
     ASSERT_FALSE(e) << c.text;
     EXPECT_NE(e.error().message.find(c.column), std::string::npos) << c.text << ": " << e.error().message;

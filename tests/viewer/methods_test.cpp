@@ -90,7 +90,7 @@ TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
   EXPECT_EQ(state("b.json")["parameters"]["bdpt.without"], "");
   EXPECT_EQ(state("c.json")["parameters"]["bdpt.without"], "1,2");
   expect_refusal(joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0;1")})),
-                 "is no technique");
+                 "is not a technique");
 }
 
 TEST_F(Methods, WhatOneKnowsOfItsOwnWorkIsTold) {

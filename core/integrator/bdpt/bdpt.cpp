@@ -1,13 +1,22 @@
-// Bidirectional path tracing.             thesis 9.3, (9.78)-(9.110), errata E20-E26; Veach & Guibas 1995; Lafortune &
-// Willems 1993
+// Bidirectional path tracing                         [Lang, sec. 9.3, eq. 9.78-9.110, corrected; Veach and Guibas 1994]
 //
-// Each sample of a pixel lets a walk go from the camera and one from the lights, and connects every vertex of the one
-// with every vertex of the other: a path of k edges is found by up to k + 2 techniques (s, t), with s vertices from the
-// light and t from the camera, whose contributions are weighted by their densities (transport/mis_chain.h):
+// Each sample of a pixel traces one subpath from the camera and one from the lights, and connects every vertex of the
+// one with every vertex of the other [Lafortune and Willems 1993]. A path of k edges can be found by k + 2 techniques
+// (s, t), with s vertices from the light and t from the camera:
 //
-//   s = 0   the walk from the camera meets a light           t = 0   the walk from the light falls onto the lens
-//   s = 1   a point on a light is chosen anew                t = 1   the vertex is seen by the camera, anywhere in the
-//   else    the two vertices see each other                          picture
+//    s = 0   the camera subpath hits a light                  t = 0   the light subpath hits the lens
+//    s = 1   a point on a light is sampled                    t = 1   the vertex is connected to the camera and
+//    else    the two last vertices are connected                      contributes to any pixel
+//
+// Their contributions are combined by multiple importance sampling (transport/mis/mis_chain.h):
+//
+//    L  ~  sum over (s, t)  w_s,t f(x_s,t) / p_s,t(x_s,t),    w_s,t = p_s,t^beta / sum over i of p_i,k+1-i^beta
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L, E(D|G).*L and E.*(D|G)(D|G).*L
+//   Bias          none; Russian roulette on the throughput
+//   Cost          rays grow with the square of the path length; two subpaths and one image besides the film
+//   Limitations   Caustics seen in mirrors or through glass are found only if a subpath happens to hit the light or the
+//                 lens, and never for point lights. Inefficient if the lights are far from the visible surfaces.
 #include "integrator/bdpt/bidirectional_sampler.h"
 #include "integrator/bdpt/techniques.h"
 #include "integrator/integrator_base.h"
@@ -25,17 +34,16 @@ class Bdpt final : public IntegratorBase<Bdpt> {
         .name = "bdpt",
         .label = "Bidirectional path tracing",
         .summary =
-            "Walks from the camera and from the lights, every vertex of the one connected with every vertex of the "
-            "other",
+            "Subpaths from the camera and from the lights, with every vertex of the one connected to every vertex of "
+            "the other",
         .group = Group::bidirectional,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
         .bias = Bias::unbiased,
-        .cost = "about the square of the path's length in rays; two walks and a picture beside the film",
+        .cost = "rays grow with the square of the path length; two subpaths and one image besides the film",
         .limitations =
-            "caustics seen in mirrors or through glass: found by chance alone, and never if the light is a point; "
-            "scenes "
-            "whose lights are far from what is seen",
+            "Caustics seen in mirrors or through glass are found only if a subpath happens to hit the light or the "
+            "lens, and never for point lights. Inefficient if the lights are far from the visible surfaces.",
         .accumulation = Accumulation::with_splats,
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
@@ -43,35 +51,37 @@ class Bdpt final : public IntegratorBase<Bdpt> {
   }
 
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How the techniques that find a path share it"};
-  Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+                                            "How the techniques that find a path are weighted"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
   Text without{
       "without",
-      "Techniques left out",
+      "Excluded techniques",
       "",
-      "Lets the others do the work of these: pairs s,t of vertices from the light and from the camera, '1,*' all "
-      "with s = 1. What none of the others finds is missing",
+      "Excludes these techniques; the remaining ones are reweighted. Pairs s,t of vertices from the light and from the "
+      "camera; '1,*' is all with s = 1. Paths that no other technique finds are missing",
       accepts_techniques,
       {{"", "None"},
        {"0,*", "Hits of lights, s = 0"},
        {"1,*", "Light samples, s = 1"},
        {"*,1", "To the camera, t = 1"}}};
   Text only{"only",
-            "Techniques shown",
+            "Displayed techniques",
             "",
-            "Shows what these alone find, weighted as if all were there",
+            "Shows the contributions of these techniques alone, with the MIS weights of all",
             accepts_techniques,
             {{"", "All"},
              {"0,*", "Hits of lights, s = 0"},
              {"1,*", "Light samples, s = 1"},
              {"*,1", "To the camera, t = 1"}}};
-  Toggle reuse{
-      "reuse", "Connect all", true,
-      "Off: only the ends of the two walks are connected, the basic form of thesis 9.3.1: fewer rays, much more "
-      "noise"};
-  Toggle weighted{"weighted", "Weighted", true,
-                  "Off: each technique counts in full, so that several that find a path count it several times"};
+  Toggle reuse{"reuse", "Connect all", true,
+               "Connects all pairs of vertices. Off: only the ends of the two subpaths; fewer rays, much more noise"};
+  Toggle weighted{
+      "weighted", "Apply MIS weights", true,
+      "Off: each technique contributes in full, so that a path is counted once per technique that finds it"};
 
   auto parameters() { return std::tie(max_depth, heuristic, roulette_start, reuse, without, only, weighted); }
 
@@ -79,20 +89,20 @@ class Bdpt final : public IntegratorBase<Bdpt> {
 };
 namespace {
 
-Techniques parsed(const std::string& text) { return *Techniques::parse(text); }
+Techniques parse(const std::string& text) { return *Techniques::parse(text); }
 
-class Samples final : public RenderState {
+class BdptState final : public RenderState {
  public:
-  Samples(const Bdpt& method, const RenderContext& context)
+  BdptState(const Bdpt& integrator, const RenderContext& context)
       : context_(context),
-        plan_{method.heuristic,
-              method.max_depth,
-              method.roulette_start,
-              parsed(method.without),
-              parsed(method.only),
-              method.weighted,
-              method.reuse,
-              context.model->classes ? std::optional<transport::ClassJoin>(*context.model->paths) : std::nullopt} {}
+        options_{.heuristic = integrator.heuristic,
+                 .max_depth = integrator.max_depth,
+                 .roulette_start = integrator.roulette_start,
+                 .excluded = parse(integrator.without),
+                 .shown = parse(integrator.only),
+                 .apply_mis = integrator.weighted,
+                 .reuse = integrator.reuse,
+                 .classes = class_join(*context.model)} {}
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
@@ -104,15 +114,15 @@ class Samples final : public RenderState {
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
                                       const TaskContext& task_context) const {
-    using Walks = BidirectionalSampler<M>;
-    static thread_local const auto walks = std::make_unique<Walks>();
-    std::array<Rgb, size_t{Walks::kWidth} * Walks::kHeight> part;
+    using BlockSampler = BidirectionalSampler<M>;
+    static thread_local const auto sampler = std::make_unique<BlockSampler>();
+    std::array<Rgb, size_t{BlockSampler::kWidth} * BlockSampler::kHeight> part;
     uint64_t rays = 0;
-    for (int top = 0; top < block.height; top += Walks::kHeight)
-      for (int left = 0; left < block.width; left += Walks::kWidth) {
-        const PixelBlock piece{block.x + left, block.y + top, std::min(Walks::kWidth, block.width - left),
-                               std::min(Walks::kHeight, block.height - top), block.sample};
-        const auto traced = walks->sample(context_, plan_, piece, part, task_context);
+    for (int top = 0; top < block.height; top += BlockSampler::kHeight)
+      for (int left = 0; left < block.width; left += BlockSampler::kWidth) {
+        const PixelBlock piece{block.x + left, block.y + top, std::min(BlockSampler::kWidth, block.width - left),
+                               std::min(BlockSampler::kHeight, block.height - top), block.sample};
+        const auto traced = sampler->sample(context_, options_, piece, part, task_context);
         if (!traced) return {};
         rays += *traced;
         const Rgb* next = part.data();
@@ -123,18 +133,18 @@ class Samples final : public RenderState {
   }
 
   const RenderContext context_;
-  const BidirectionalOptions plan_;
+  const BidirectionalOptions options_;
 };
 
 }  // namespace
 
 Result<void> accepts_techniques(std::string_view text) {
-  const auto parsed = Techniques::parse(text);
-  return parsed ? Result<void>() : parsed.error();
+  const auto parse = Techniques::parse(text);
+  return parse ? Result<void>() : parse.error();
 }
 
 std::unique_ptr<RenderState> Bdpt::begin(const RenderContext& context, const RenderState*) const {
-  return std::make_unique<Samples>(*this, context);
+  return std::make_unique<BdptState>(*this, context);
 }
 
 Registration bdpt() { return registration<Bdpt>(); }

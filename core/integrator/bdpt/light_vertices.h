@@ -1,4 +1,4 @@
-// Walks from lights that are kept, vertex by vertex, for connections.
+// Stored vertices of light subpaths, for connections.
 #pragma once
 #include <memory>
 #include <vector>
@@ -15,17 +15,17 @@ template <class M>
 struct LightVertex {
   scene::SurfacePoint point;
   Bsdf<M> bsdf;  // at `point`
-  Vec3 wo;       // to the vertex before
+  Vec3 wo;       // toward the previous vertex
   typename M::Color flux;
   transport::MisVertex mis;
-  int length;                 // edges from the light
-  const LightVertex* before;  // null at the first one
-  // Of the classes, in a model with classes.
+  int length;                   // edges from the light
+  const LightVertex* previous;  // null for the first
+  // Shares of the path classes, in a model with classes.
   using Shares = std::conditional_t<M::kClasses, std::vector<typename M::Color>, NoShares>;
   [[no_unique_address]] Shares shares;
 };
 
-// Vertices stay where they are, and their memory is used again.
+// Vertices at stable addresses; their memory is reused.
 template <class M>
 class VertexPool {
  public:

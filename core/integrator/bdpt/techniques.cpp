@@ -7,14 +7,14 @@
 namespace etendue::integrator {
 namespace {
 
-constexpr int kMost = 1000;
+constexpr int kMaxVertices = 1000;
 
 std::optional<int> number_of(std::string_view text, int any) {
   if (text == "*") return any;
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && value >= 0 && value <= kMost ? std::optional(value) : std::nullopt;
+  return whole && value >= 0 && value <= kMaxVertices ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace
@@ -29,9 +29,10 @@ Result<Techniques> Techniques::parse(std::string_view text) {
     const auto s = number_of(word.substr(0, comma), kAny);
     const auto t = comma == word.npos ? std::nullopt : number_of(word.substr(comma + 1), kAny);
     if (!s || !t)
-      return usage_error("'" + std::string(word) +
-                         "' is no technique: give s,t, the vertices from the light and from the camera, or * for any: "
-                         "'0,3', '1,*'");
+      return usage_error(
+          "'" + std::string(word) +
+          "' is not a technique: write s,t, the numbers of vertices from the light and from the camera, or * for any: "
+          "'0,3', '1,*'");
     set.pairs_.push_back({*s, *t});
   }
   return set;

@@ -1,5 +1,4 @@
-// Sets of bidirectional techniques, as people write them: (s, t) is the one that takes s vertices from the light and t
-// from the camera.
+// Sets of bidirectional techniques in text form: (s, t) has s vertices from the light and t from the camera.
 //
 //   "0,3"  one    "1,*"  all with s = 1    "0,* 2,2"  several    ""  none
 #pragma once
@@ -17,7 +16,7 @@ struct Technique {
 
 class Techniques {
  public:
-  // What is no list of pairs is a usage error that says what would be right.
+  // Text that is not a list of pairs is a usage error that states the expected form.
   static Result<Techniques> parse(std::string_view text);
 
   bool empty() const { return pairs_.empty(); }

@@ -1,7 +1,17 @@
-// Light tracing with next event estimation: contribution rays.   thesis 9.2.2, Remarks 9.10, 9.11; digest 8-10: S20
+// Light tracing with next event estimation         [Lang, sec. 9.2.2, Remarks 9.10, 9.11; Arvo 1986; Dutré et al. 1993]
 //
-// At every vertex of a random walk from a light the camera is connected: the dual of path tracing. Accidental hits of
-// the lens are not counted besides.
+// Random paths from the lights. Every vertex x is connected to the camera; this is the adjoint of path tracing:
+//
+//    I_pixel  +=  Phi(x) f*(x) |cos| V d(raster) / d(area across the ray)
+//
+// averaged over as many light paths as the image has pixels. Hits of the lens are not counted, since connections find
+// the same paths.
+//
+//   Paths         E[(D|G).*]L; point lights: E(D|G).*L
+//   Bias          none for these paths
+//   Cost          two rays per vertex, one image besides the film
+//   Limitations   Surfaces viewed in mirrors or through glass are black.
+//                 Views of a small part of the lit scene receive few paths.
 #include "integrator/registration.h"
 #include "integrator/shared/light_path_estimators.h"
 #include "integrator/shared/light_path_integrator.h"
@@ -14,40 +24,43 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
     return {
         .name = "light",
         .label = "Light tracing",
-        .summary = "Random walks from the lights, each vertex of which is connected to the camera",
+        .summary = "Random paths from the lights with every vertex connected to the camera",
         .group = Group::shooting,
         .paths = "E[(D|G).*]L",
         .point_paths = "E(D|G).*L",
         .bias = Bias::unbiased,
-        .cost = "2 rays per vertex; a picture beside the film",
+        .cost = "2 rays per vertex; one image besides the film",
         .limitations =
-            "what the camera sees in mirrors and through glass: black; views of a small part of what is lit: few walks "
-            "come by",
+            "Surfaces viewed in mirrors or through glass are black. Views of a small part of the lit scene receive few "
+            "paths.",
         .accumulation = Accumulation::splats_only,
         .shortcut = '5',
     };
   }
 
-  Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() { return std::tie(max_depth, roulette_start); }
 
   template <class M>
-  void see_light(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens, uint32_t seed,
-                 Splatter& splatter) const {
-    integrator::see_light<M>(context, start, lens, seed, splatter, [](auto&&...) { return 1.0f; });
+  void connect_light_to_camera(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens,
+                               uint32_t seed, Splatter& splatter) const {
+    integrator::connect_light_to_camera<M>(context, start, lens, seed, splatter, [](auto&&...) { return 1.0f; });
   }
 
   template <class M>
-  void estimate(const RenderContext& context, LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
+  void estimate(const RenderContext& context, LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
                 Splatter& splatter) const {
     using namespace transport;
     while (paths.trace())
       while (paths.next_hits()) {
-        if (paths.length() == 1) walks.dim_first_vertices(paths);
+        if (paths.length() == 1) subpaths.apply_range_window(paths);
         if (at_max_depth(paths.length())) continue;
-        connect_to_camera(context, walks, paths, splatter, [](int, const auto&) { return 1.0f; });
+        connect_to_camera(context, subpaths, paths, splatter, [](int, const auto&) { return 1.0f; });
         sample_bsdf(paths, roulette_start, TransportMode::importance);
       }
   }

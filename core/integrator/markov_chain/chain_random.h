@@ -1,4 +1,4 @@
-// Random numbers of a Markov chain: as many as it asks for, one after the other.         splitmix64; Steele et al. 2014
+// The random number generator of a Markov chain: splitmix64 [Steele et al. 2014].
 #pragma once
 #include "base/hash.h"
 #include "base/vec.h"
@@ -21,11 +21,11 @@ class ChainRandom {
   uint64_t state_ = 0;
 };
 
-// Distances and angles of perturbations: from `least` to `most` and as often in each octave; u = 0 is the largest.
-//                                                                                                      thesis (9.123)
-struct Octaves {
-  float least, most;
-  float at(float u) const { return most * std::exp(-std::log(most / least) * u); }
+// A distribution with density proportional to 1 / x on [min, max], for distances and angles of perturbations; u = 0
+// gives the maximum. [Lang, eq. 9.123]
+struct LogUniform {
+  float min, max;
+  float sample(float u) const { return max * std::exp(-std::log(max / min) * u); }
 };
 
 }  // namespace etendue::integrator

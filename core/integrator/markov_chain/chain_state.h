@@ -1,4 +1,4 @@
-// The states of chains as bytes, for checkpoints: numbers as they stand in memory, lists behind their lengths.
+// Serialisation of chain states for checkpoints: values as in memory, lists preceded by their lengths.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +34,7 @@ class StateWriter {
   std::vector<std::byte> bytes_;
 };
 
-// What is read is false once the bytes have run out.
+// Reading functions return false if too few bytes are left.
 class StateReader {
  public:
   explicit StateReader(std::span<const std::byte> bytes) : bytes_(bytes) {}

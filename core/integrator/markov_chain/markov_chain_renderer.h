@@ -1,43 +1,48 @@
-// What all methods of Markov chains share: seeding, chains that go side by side, what their states count, acceptance,
-// and their state in checkpoints.                                                      thesis 9.4; digest: S23, S24
+// The common part of Markov chain integrators: bootstrap, parallel chains, normalisation, acceptance statistics and
+// checkpoints.                                                              [Lang, sec. 9.4; Veach and Guibas 1997]
 //
-// Each half of the film has chains of its own, and one step of either is about as many mutations as the picture has
-// pixels. The chains of a half are spread over groups, each of which is one task at a time; how many there are follows
-// from the settings, never from the number of threads.
+// Each half-buffer has its own chains. One step of a half-buffer is about as many mutations as the image has pixels.
+// Its chains are divided into groups, each of which is one task at a time; the number of groups follows from the
+// parameters, never from the number of threads.
 //
-// Time goes in eras. Each begins with candidates of its own, from which its chains start, and the mean worth of these
-// is what its states count by: so the mean of any era, of any length, is that of the picture. (Independent samples that
-// came later would know the mean worth better, but are nothing to the chains that started: where few candidates are
-// worth anything, the product of both would be too dark.) The next era begins once the mutations have taken ten
-// times as long as the candidates, and draws as many as all before it: a tenth of the time goes there, and the mean
-// worth becomes surer as the picture does. An era whose candidates are all worth nothing leaves its steps black, as it
-// must.
+// Rendering is divided into epochs. Each epoch draws new bootstrap samples, starts its chains at some of them, and
+// normalises its contributions by their mean weight b. So the expectation of every epoch, of any length, is the image.
+// (Bootstrap samples of later epochs would estimate b better, but they are independent of the chains that run: where
+// few bootstrap samples contribute, the product of both would be too dark.) The next epoch begins when the mutations
+// have taken ten times as long as the bootstrap samples, and draws as many samples as all epochs before: a tenth of the
+// time is spent on them, and b converges with the image. The steps of an epoch whose bootstrap samples are all zero are
+// black.
 //
-// Kernel says what a chain is:
+// Kernel defines the chains:
 //
-//   struct Era;
-//     integrator::Era or more: it may have a `law` that learns from candidates (technique_law.h)
-//   Era era() const;
-//     the first one, before anything is known
+//   struct Epoch;
+//     integrator::Epoch or derived from it; it may have a `distribution` that learns from bootstrap samples
+//     (technique_distribution.h)
+//   Epoch epoch() const;
+//     the initial one
 //   struct Group;
-//     some chains; copied, and has a ChainTally `tally`, void write(StateWriter&) const, bool read(StateReader&),
+//     some chains; copyable, with a ChainTally `tally`, void write(StateWriter&) const, bool read(StateReader&) and
 //     size_t memory() const
 //   int chains() const, candidates() const;
-//     of a half; the latter of its first era
+//     number of chains of a half-buffer, and of bootstrap samples of its first epoch
 //   static constexpr int kGroupSize;
-//     256 if there is none
+//     optional; 256 by default
 //   static constexpr uint64_t kMutationsPerCandidate;
-//     of an era: as many as take ten times as long
+//     mutations of an epoch per bootstrap sample: as many as take ten times as long
 //   static constexpr std::array<MutationKind, n> kKinds;
-//   std::optional<uint64_t> weigh(const Era&, uint64_t first, const Candidates&, const Turn&) const;
-//     the worth of candidates `first` and so on, independent of each other: contribution over density. Rays traced
-//   std::optional<uint64_t> start(const Era&, Group&, int group, std::span<const uint64_t> starts, const Turn&) const;
-//     lets one chain start at each of these candidates; what the group was before is gone, but for its tally
-//   std::optional<uint64_t> mutate(const Era&, Group&, int group, int mutations, float scale, const Turn&) const;
-//     advances every chain of a group by so many mutations. A state x counts `scale` times era.worth f / target(x) in
-//     each iteration
+//   std::optional<uint64_t> evaluate_bootstrap(const Epoch&, uint64_t first, const BootstrapSamples&,
+//                                              const TaskContext&) const;
+//     computes the weights (contribution over density) of the independent samples from index `first` on; returns the
+//     number of rays
+//   std::optional<uint64_t> start(const Epoch&, Group&, int group, std::span<const uint64_t> seeds,
+//                                 const TaskContext&) const;
+//     starts one chain at each of these bootstrap samples; replaces the group except for its tally
+//   std::optional<uint64_t> mutate(const Epoch&, Group&, int group, int mutations, float scale,
+//                                  const TaskContext&) const;
+//     advances every chain of a group by so many mutations. A state x counts `scale` times b f / f*(x) in each
+//     iteration
 //
-// Everything random must follow from the era's key, the chain and what it has done.
+// All random numbers must follow from the epoch's key, the chain and its state.
 #pragma once
 #include <array>
 #include <string>
@@ -56,29 +61,30 @@ struct MutationKind {
   const char* doc;
 };
 
-// Of a group, since its first start.
+// Acceptance counts of a group since its first start.
 struct ChainTally {
-  static constexpr size_t kMostKinds = 8;
-  std::array<Acceptance, kMostKinds> kinds{};
+  static constexpr size_t kMaxKinds = 8;
+  std::array<Acceptance, kMaxKinds> kinds{};
 };
 
-// What the chains of a half have in common.
+// The data that the chains of a half-buffer share.
 struct Epoch {
-  uint64_t key = 0;          // random, the same for all eras
-  uint64_t first = 0;        // of its candidates: there were as many in the eras before
-  uint64_t drawn = 0;        // candidates, in all eras
-  double weight = 0;         // mean of its candidates
-  double worth_earlier = 0;  // sum of those before
-  uint32_t since = 0;        // the step of the half that the first era began with
-  bool started = false;      // there are chains
+  uint64_t key = 0;           // random, the same for all epochs
+  uint64_t first = 0;         // index of its first bootstrap sample: the number of those in earlier epochs
+  uint64_t drawn = 0;         // bootstrap samples in all epochs
+  double mean_weight = 0;     // b: the mean weight of its bootstrap samples
+  double earlier_weight = 0;  // sum of the weights in earlier epochs
+  uint32_t first_step = 0;    // the step of the half-buffer at which the first epoch began
+  bool started = false;       // chains exist
 
-  // What was expected of `worth` before its candidates were drawn; zero in the first era.
-  double expected() const { return first > 0 ? worth_earlier / static_cast<double>(first) : 0; }
+  // The mean weight in all earlier epochs: an estimate of b that does not depend on this epoch's bootstrap samples.
+  // Zero in the first epoch.
+  double expected_weight() const { return first > 0 ? earlier_weight / static_cast<double>(first) : 0; }
 };
 
-// What is found out about candidates; their kinds are those that a law knows.
+// The results of bootstrap samples; `kinds` are those of the kernel's distribution.
 struct BootstrapSamples {
-  std::span<float> weight;
+  std::span<float> weights;
   std::span<uint16_t> kinds;
 };
 
@@ -93,54 +99,58 @@ class MarkovChainRenderState final : public RenderState {
   }();
 
   MarkovChainRenderState(const RenderContext& context, Kernel kernel)
-      : context_(context), kernel_(std::move(kernel)), halves_(film::kHalfBuffers, Half(kernel_.epoch())) {
+      : context_(context), kernel_(std::move(kernel)), half_buffers_(film::kHalfBuffers, HalfBuffer(kernel_.epoch())) {
     const int groups = (kernel_.chains() + kGroupSize - 1) / kGroupSize;
-    for (Half& half : halves_) half.groups.resize(static_cast<size_t>(groups));
+    for (HalfBuffer& half_buffer : half_buffers_) half_buffer.groups.resize(static_cast<size_t>(groups));
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
-    Half& half = half_of(sample);
-    half.before = half.now, half.sample = sample;
+    HalfBuffer& half_buffer = half_buffer_of(sample);
+    half_buffer.saved = half_buffer.current;
+    half_buffer.sample = sample;
     const uint32_t step = sample / film::kHalfBuffers;
-    if (half.now.drawn == 0) open(half, sample);
-    mutations_ = mutations_of(step);
+    if (half_buffer.current.drawn == 0) start_first_epoch(half_buffer, sample);
+    mutations_ = mutations_in(step);
     std::vector<Phase> list;
-    seeding_ = is_over(half.now, step);
-    if (seeding_) {
-      worth_.assign(candidates_of(half.now), 0);
-      if constexpr (kLearns) half.now.law.renew(), kinds_.assign(worth_.size(), 0);
-      list.push_back({"seeding chains", static_cast<int>((worth_.size() + kGroupSize - 1) / kGroupSize)});
+    bootstrapping_ = epoch_is_over(half_buffer.current, step);
+    if (bootstrapping_) {
+      weights_.assign(bootstrap_count(half_buffer.current), 0);
+      if constexpr (kHasDistribution) {
+        half_buffer.current.distribution.update();
+        kinds_.assign(weights_.size(), 0);
+      }
+      list.push_back({"seeding chains", static_cast<int>((weights_.size() + kGroupSize - 1) / kGroupSize)});
     }
-    for (int done = 0; done < mutations_; done += kPart)
-      list.push_back({"mutating", static_cast<int>(half.groups.size())});
+    for (int done = 0; done < mutations_; done += kMutationsPerPhase)
+      list.push_back({"mutating", static_cast<int>(half_buffer.groups.size())});
     return list;
   }
 
   std::optional<uint64_t> run(uint32_t sample, size_t phase, int task, const TaskContext& task_context) override {
-    Half& half = half_of(sample);
+    HalfBuffer& half_buffer = half_buffer_of(sample);
     const auto index = static_cast<size_t>(task);
-    if (seeding_ && phase == 0) return weigh(half, index, task_context);
-    if (!half.now.started) return 0;
-    const size_t part = phase - (seeding_ ? 1 : 0);
-    return mutate(half, half.groups[index], task, part, task_context);
+    if (bootstrapping_ && phase == 0) return evaluate_bootstrap(half_buffer, index, task_context);
+    if (!half_buffer.current.started) return 0;
+    const size_t part = phase - (bootstrapping_ ? 1 : 0);
+    return mutate(half_buffer, half_buffer.groups[index], task, part, task_context);
   }
 
   void finish(uint32_t sample, size_t phase) override {
-    if (seeding_ && phase == 0) found_candidates(half_of(sample));
+    if (bootstrapping_ && phase == 0) begin_epoch(half_buffer_of(sample));
   }
 
   size_t memory() const override {
-    size_t bytes = worth_.capacity() * sizeof(float) + kinds_.capacity() * sizeof(uint16_t);
-    for (const Half& half : halves_)
-      for (const Member& m : half.groups) bytes += m.now.memory() + m.before.memory();
+    size_t bytes = weights_.capacity() * sizeof(float) + kinds_.capacity() * sizeof(uint16_t);
+    for (const HalfBuffer& half_buffer : half_buffers_)
+      for (const GroupState& group : half_buffer.groups) bytes += group.current.memory() + group.saved.memory();
     return bytes;
   }
 
   std::vector<Statistic> statistics() const override {
-    std::array<Acceptance, ChainTally::kMostKinds> sums{};
-    for (const Half& half : halves_)
-      for (const Member& m : half.groups)
-        for (size_t k = 0; k < Kernel::kKinds.size(); ++k) sums[k] += m.now.tally.kinds[k];
+    std::array<Acceptance, ChainTally::kMaxKinds> sums{};
+    for (const HalfBuffer& half_buffer : half_buffers_)
+      for (const GroupState& group : half_buffer.groups)
+        for (size_t k = 0; k < Kernel::kKinds.size(); ++k) sums[k] += group.current.tally.kinds[k];
     std::vector<Statistic> list;
     for (size_t k = 0; k < Kernel::kKinds.size(); ++k) {
       const MutationKind& kind = Kernel::kKinds[k];
@@ -155,11 +165,12 @@ class MarkovChainRenderState final : public RenderState {
   std::vector<std::byte> state(uint32_t sample) const override {
     StateWriter out;
     out.value(kLayout);
-    for (const Half& half : halves_) {
-      const bool running = half.sample == sample;
-      out.value(running ? half.before : half.now);
-      out.value<uint64_t>(half.groups.size());
-      for (const Member& m : half.groups) (m.sample == sample ? m.before : m.now).write(out);
+    for (const HalfBuffer& half_buffer : half_buffers_) {
+      const bool running = half_buffer.sample == sample;
+      out.value(running ? half_buffer.saved : half_buffer.current);
+      out.value<uint64_t>(half_buffer.groups.size());
+      for (const GroupState& group : half_buffer.groups)
+        (group.sample == sample ? group.saved : group.current).write(out);
     }
     return out.take();
   }
@@ -168,132 +179,139 @@ class MarkovChainRenderState final : public RenderState {
     StateReader in(state);
     uint64_t layout = 0;
     if (!in.value(layout) || layout != kLayout) return false;
-    auto halves = halves_;
-    for (Half& half : halves) {
+    auto half_buffers = half_buffers_;
+    for (HalfBuffer& half_buffer : half_buffers) {
       uint64_t groups = 0;
-      if (!in.value(half.now) || !in.value(groups) || groups != half.groups.size()) return false;
-      for (Member& m : half.groups)
-        if (!m.now.read(in)) return false;
+      if (!in.value(half_buffer.current) || !in.value(groups) || groups != half_buffer.groups.size()) return false;
+      for (GroupState& group : half_buffer.groups)
+        if (!group.current.read(in)) return false;
     }
     if (!in.at_end()) return false;
-    halves_ = std::move(halves);
+    half_buffers_ = std::move(half_buffers);
     return true;
   }
 
  private:
   using Group = typename Kernel::Group;
   using Epoch = typename Kernel::Epoch;
-  static constexpr bool kLearns = requires(Epoch epoch) { epoch.law; };
+  static constexpr bool kHasDistribution = requires(Epoch epoch) { epoch.distribution; };
   static constexpr uint64_t kLayout = 0x32534e4941484345;  // "ECHAINS2"
-  // Mutations of a chain in one phase: what is found in between is kept in lists.
-  static constexpr int kPart = 16;
-  static constexpr uint64_t kMostCandidates = 1 << 22;  // of an era: its worths are kept in a list
+  // Mutations of a chain in one phase; it bounds the lists of splats between phases.
+  static constexpr int kMutationsPerPhase = 16;
+  static constexpr uint64_t kMaxBootstrapSamples = 1 << 22;  // of an epoch: their weights are stored
   static constexpr uint32_t kNoSample = UINT32_MAX;
 
-  struct Member {
-    Group now, before;            // `before`: as it was before the sample
-    uint32_t sample = kNoSample;  // the last one it took part in
-    std::vector<uint64_t> starts;
+  struct GroupState {
+    Group current, saved;         // `saved`: as before the sample
+    uint32_t sample = kNoSample;  // the last one that it took part in
+    std::vector<uint64_t> seeds;
   };
-  struct Half {
-    explicit Half(const Epoch& epoch) : now(epoch), before(epoch) {}
+  struct HalfBuffer {
+    explicit HalfBuffer(const Epoch& epoch) : current(epoch), saved(epoch) {}
 
-    Epoch now, before;
+    Epoch current, saved;
     uint32_t sample = kNoSample;
-    std::vector<Member> groups;
+    std::vector<GroupState> groups;
   };
 
-  Half& half_of(uint32_t sample) { return halves_[sample % film::kHalfBuffers]; }
+  HalfBuffer& half_buffer_of(uint32_t sample) { return half_buffers_[sample % film::kHalfBuffers]; }
 
-  // The key knows the sample, so that a half that starts anew (a film goes on whose chains are lost) does not repeat
-  // itself.
-  void open(Half& half, uint32_t sample) {
-    half.now.since = sample / film::kHalfBuffers;
-    half.now.key = mix_bits(mix_bits(context_.seed + 0x3c6ef372fe94f82bULL) ^ sample);
+  // The key depends on the sample, so that a half-buffer whose chains were lost does not repeat itself when rendering
+  // is resumed.
+  void start_first_epoch(HalfBuffer& half_buffer, uint32_t sample) {
+    half_buffer.current.first_step = sample / film::kHalfBuffers;
+    half_buffer.current.key = mix_bits(mix_bits(context_.seed + 0x3c6ef372fe94f82bULL) ^ sample);
   }
 
-  // Before this step.
-  bool is_over(const Epoch& epoch, uint32_t step) const {
-    return uint64_t{step - epoch.since} * static_cast<uint64_t>(context_.width) *
+  // Whether the epoch ends before this step.
+  bool epoch_is_over(const Epoch& epoch, uint32_t step) const {
+    return uint64_t{step - epoch.first_step} * static_cast<uint64_t>(context_.width) *
                static_cast<uint64_t>(context_.height) >=
            Kernel::kMutationsPerCandidate * epoch.drawn;
   }
 
-  // Of the next era.
-  size_t candidates_of(const Epoch& epoch) const {
-    const auto least = static_cast<uint64_t>(kernel_.candidates());
-    return std::clamp(epoch.drawn, least, std::max(least, kMostCandidates));
+  // The number of bootstrap samples of the next epoch.
+  size_t bootstrap_count(const Epoch& epoch) const {
+    const auto min_count = static_cast<uint64_t>(kernel_.candidates());
+    return std::clamp(epoch.drawn, min_count, std::max(min_count, kMaxBootstrapSamples));
   }
 
-  // Of every chain; together as many as there are pixels, on average over the steps.
-  int mutations_of(uint32_t step) const {
+  // Mutations of every chain in a step; together as many as the image has pixels, on average over the steps.
+  int mutations_in(uint32_t step) const {
     const int64_t pixels = int64_t{context_.width} * context_.height, chains = kernel_.chains(), n = step;
     return static_cast<int>((n + 1) * pixels / chains - n * pixels / chains);
   }
 
-  std::optional<uint64_t> weigh(const Half& half, size_t task, const TaskContext& task_context) {
+  std::optional<uint64_t> evaluate_bootstrap(const HalfBuffer& half_buffer, size_t task,
+                                             const TaskContext& task_context) {
     const size_t first = task * kGroupSize;
-    const size_t count = std::min<size_t>(kGroupSize, worth_.size() - first);
-    BootstrapSamples candidates{std::span(worth_).subspan(first, count), {}};
-    if constexpr (kLearns) candidates.kinds = std::span(kinds_).subspan(first, count);
-    return kernel_.weigh(half.now, half.now.drawn + first, candidates, task_context);
+    const size_t count = std::min<size_t>(kGroupSize, weights_.size() - first);
+    BootstrapSamples candidates{std::span(weights_).subspan(first, count), {}};
+    if constexpr (kHasDistribution) candidates.kinds = std::span(kinds_).subspan(first, count);
+    return kernel_.evaluate_bootstrap(half_buffer.current, half_buffer.current.drawn + first, candidates, task_context);
   }
 
-  void found_candidates(Half& half) {
-    Epoch& epoch = half.now;
-    epoch.worth_earlier += epoch.weight * static_cast<double>(epoch.drawn - epoch.first);
-    epoch.first = epoch.drawn, epoch.drawn += worth_.size();
+  void begin_epoch(HalfBuffer& half_buffer) {
+    Epoch& epoch = half_buffer.current;
+    epoch.earlier_weight += epoch.mean_weight * static_cast<double>(epoch.drawn - epoch.first);
+    epoch.first = epoch.drawn;
+    epoch.drawn += weights_.size();
     double sum = 0;
-    for (const float w : worth_) sum += double{w};
-    epoch.weight = sum / static_cast<double>(worth_.size());
-    if constexpr (kLearns) epoch.law.note(worth_, kinds_);
+    for (const float w : weights_) sum += double{w};
+    epoch.mean_weight = sum / static_cast<double>(weights_.size());
+    if constexpr (kHasDistribution) epoch.distribution.add_weights(weights_, kinds_);
     const double u = static_cast<double>(mix_bits(epoch.key ^ epoch.first) >> 11) * 0x1p-53;
-    const auto starts = choose_starts(worth_, static_cast<size_t>(kernel_.chains()), u);
-    // Neighbours in the list are alike: they are dealt out to the groups in turn.
-    for (size_t i = 0; i < starts.size(); ++i)
-      half.groups[i % half.groups.size()].starts.push_back(epoch.first + starts[i]);
-    epoch.started = !starts.empty();
+    const auto seeds = select_seeds(weights_, static_cast<size_t>(kernel_.chains()), u);
+    // Successive seeds may be equal: they are distributed over the groups in turn.
+    for (size_t i = 0; i < seeds.size(); ++i)
+      half_buffer.groups[i % half_buffer.groups.size()].seeds.push_back(epoch.first + seeds[i]);
+    epoch.started = !seeds.empty();
   }
 
-  std::optional<uint64_t> mutate(Half& half, Member& m, int index, size_t part, const TaskContext& task_context) {
-    const bool first = m.sample != half.sample;
-    if (first) keep(m.now, m.before, task_context), m.sample = half.sample;
-    // A task that was given up is done again.
-    static thread_local Group kept;
-    if (part > 0) keep(m.now, kept, task_context);
-    const auto rays = move_on(half, m, index, part, task_context);
-    if (!rays) m.now = part > 0 ? kept : m.before;
-    if (rays) m.starts.clear();
+  std::optional<uint64_t> mutate(HalfBuffer& half_buffer, GroupState& group, int index, size_t part,
+                                 const TaskContext& task_context) {
+    const bool first = group.sample != half_buffer.sample;
+    if (first) {
+      save(group.current, group.saved, task_context);
+      group.sample = half_buffer.sample;
+    }
+    // A cancelled task is repeated.
+    static thread_local Group backup;
+    if (part > 0) save(group.current, backup, task_context);
+    const auto rays = advance(half_buffer, group, index, part, task_context);
+    if (!rays) group.current = part > 0 ? backup : group.saved;
+    if (rays) group.seeds.clear();
     return rays;
   }
 
-  static void keep(const Group& group, Group& kept, const TaskContext& task_context) {
+  static void save(const Group& group, Group& backup, const TaskContext& task_context) {
     const Stopwatch::Lap lap(task_context.overhead_timer);
-    kept = group;
+    backup = group;
   }
 
-  std::optional<uint64_t> move_on(Half& half, Member& m, int index, size_t part, const TaskContext& task_context) {
+  std::optional<uint64_t> advance(HalfBuffer& half_buffer, GroupState& group, int index, size_t part,
+                                  const TaskContext& task_context) {
     uint64_t rays = 0;
-    if (!m.starts.empty()) {
-      const auto started = kernel_.start(half.now, m.now, index, m.starts, task_context);
+    if (!group.seeds.empty()) {
+      const auto started = kernel_.start(half_buffer.current, group.current, index, group.seeds, task_context);
       if (!started) return {};
       rays += *started;
     }
-    const int mutations = std::min(kPart, mutations_ - static_cast<int>(part) * kPart);
+    const int mutations = std::min(kMutationsPerPhase, mutations_ - static_cast<int>(part) * kMutationsPerPhase);
     const float scale = 1 / (static_cast<float>(kernel_.chains()) * static_cast<float>(mutations_));
-    const auto mutated = kernel_.mutate(half.now, m.now, index, mutations, scale, task_context);
+    const auto mutated = kernel_.mutate(half_buffer.current, group.current, index, mutations, scale, task_context);
     if (!mutated) return {};
     return rays + *mutated;
   }
 
   const RenderContext context_;
   const Kernel kernel_;
-  std::vector<Half> halves_;
-  // Of the candidates that are being looked at.
-  std::vector<float> worth_;
+  std::vector<HalfBuffer> half_buffers_;
+  // Results of the bootstrap samples of the running phase.
+  std::vector<float> weights_;
   std::vector<uint16_t> kinds_;
   int mutations_ = 0;  // of every chain in the running step
-  bool seeding_ = false;
+  bool bootstrapping_ = false;
 };
 
 }  // namespace etendue::integrator

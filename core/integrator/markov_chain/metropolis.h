@@ -1,8 +1,9 @@
-// The heart of Metropolis sampling: whether a chain goes on to what was proposed, and what either state counts.
-//                                                     thesis 9.4, (9.116), (9.120), Fig 9.27; errata E27; digest: S23
+// The Metropolis-Hastings acceptance decision, and the contributions of both states.
+//                                                  [Lang, sec. 9.4, eq. 9.116, 9.120, fig. 9.27, corrected; Veach 1997]
 //
-// Every iteration counts, accepted or not. Both states are recorded, each with the probability that the chain is there
-// afterwards: the same mean as of recording where it is, with less noise.
+// Every iteration counts, whether its proposal is accepted or not. The current state is recorded with the weight 1 - a,
+// the proposal with the acceptance probability a: the same mean as recording the state of the chain, with less
+// variance.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -10,46 +11,51 @@
 
 namespace etendue::integrator {
 
-struct Verdict {
-  double acceptance;  // probability that the chain goes on to the proposal
+struct AcceptanceDecision {
+  double acceptance;  // probability of accepting the proposal
   bool accepted;
 };
 
-// Of the values of the target function at both states, at least zero; `back_over_forth` is the density with which the
-// present state would be proposed from the other, over that of the proposal. `u` is uniform in [0, 1).
-inline Verdict judge(double present, double proposed, double u, double back_over_forth = 1) {
-  const double ratio = proposed * back_over_forth;
-  const double acceptance = !(ratio > 0) ? 0.0 : present > 0 ? std::min(1.0, ratio / present) : 1.0;
+// The decision for target values `current` and `proposed`, both at least zero. `reverse_over_forward` is the density of
+// proposing the current state from the proposal over that of the proposal. `u` is uniform in [0, 1).
+inline AcceptanceDecision decide_acceptance(double current, double proposed, double u,
+                                            double reverse_over_forward = 1) {
+  const double ratio = proposed * reverse_over_forward;
+  const double acceptance = !(ratio > 0) ? 0.0 : current > 0 ? std::min(1.0, ratio / current) : 1.0;
   return {acceptance, u < acceptance};
 }
 
-// How many iterations the present state of a chain has counted since it was last recorded.
-class Stay {
+// The expected number of iterations in the current state of a chain since it was last recorded.
+class Occupancy {
  public:
-  // leave(iterations) records the state that the chain leaves, pass(iterations) a proposal that it does not go to.
-  // `more` is what the proposal counts besides.
-  template <class Leave, class RenderContext>
-  void take(const Verdict& verdict, Leave&& leave, RenderContext&& context, double more = 0) {
+  // on_leave(weight) records the state that the chain leaves, on_reject(weight) a proposal that was rejected. `extra`
+  // is added to the weight of the proposal.
+  template <class OnLeave, class OnReject>
+  void record(const AcceptanceDecision& verdict, OnLeave&& on_leave, OnReject&& on_reject, double extra = 0) {
     iterations_ += 1 - verdict.acceptance;
     if (verdict.accepted)
-      leave(std::exchange(iterations_, verdict.acceptance + more));
-    else if (verdict.acceptance + more > 0)
-      context(verdict.acceptance + more);
+      on_leave(std::exchange(iterations_, verdict.acceptance + extra));
+    else if (verdict.acceptance + extra > 0)
+      on_reject(verdict.acceptance + extra);
   }
-  // To be recorded for the present state at the end.
-  double settle() { return std::exchange(iterations_, 0.0); }
+  // The weight to be recorded for the current state at the end.
+  double take_remaining() { return std::exchange(iterations_, 0.0); }
 
  private:
   double iterations_ = 0;
 };
 
-// Of one kind of mutation.
+// Counts of one kind of mutation.
 struct Acceptance {
   uint64_t proposed = 0, accepted = 0;
 
-  void count(const Verdict& verdict) { ++proposed, accepted += verdict.accepted ? 1 : 0; }
+  void count(const AcceptanceDecision& verdict) {
+    ++proposed;
+    accepted += verdict.accepted ? 1 : 0;
+  }
   Acceptance& operator+=(const Acceptance& other) {
-    proposed += other.proposed, accepted += other.accepted;
+    proposed += other.proposed;
+    accepted += other.accepted;
     return *this;
   }
 };

@@ -1,20 +1,21 @@
-// A light path as a value: what Markov chains over whole paths keep, change and compare.   thesis 8.3.4, 9.4.4; Veach
-// 1997, chapter 8 and 11
+// A light path as a value: the state of Markov chains over paths.   [Lang, sec. 8.3.4, 9.4.4; Veach 1997, ch. 8 and 11]
 //
-// A path of k edges has vertices x_0 .. x_k, x_0 on a light and x_k on the lens. Its contribution is a product,
+// A path of k edges has vertices x_0 .. x_k, x_0 on a light and x_k on the lens. Its contribution is the product
 //
 //   f = L_e(x_0 -> x_1)  prod over edges 0 .. k-2 of |cos_i| / r^2  prod over i = 1 .. k-1 of F_i
 //       |cos_{k-1}| d(raster) / d(area across the ray)
 //
-// with F_i = f_s |cos| as the camera sees it, in the product of area measures: of a light infinitely far away the
-// direction stands for x_0 (per solid angle, and no r^2), of a light without extent its number; x_k is a point of the
-// unit square that the lens is made from. The sum over all pixels of a picture is the integral of f. (A light of
-// infinity seen directly is measured by the point of the picture instead: f = L_e.)
+// with F_i = f_s |cos| in the direction of radiance transport, relative to the product of area measures. For an
+// infinite light x_0 is a direction (per solid angle, without r^2); for a light without extent, its index. x_k is the
+// point of the unit square from which the lens point is made. The integral of f is the sum over all pixels of the
+// image. (A directly visible infinite light is measured per image point instead: f = L_e.)
 //
-// Deltas: F_i is the coefficient and densities are probabilities, all of them against the delta as a walk from the
-// camera meets it. A walk from the light meets another one, by the ratio of projected solid angles: `stretch`.
+// Specular vertices: F_i is the coefficient of the delta, and densities are probabilities relative to the delta of a
+// subpath from the camera. The delta of a light subpath differs by the ratio of projected solid angles,
+// `projected_ratio`.
 //
-// Densities matter only as quotients to f. They are taken factor by factor, so that long paths do no harm to floats.
+// Densities occur only in quotients with f. They are computed factor by factor, so that long paths neither overflow nor
+// underflow.
 #pragma once
 #include <vector>
 
@@ -26,18 +27,18 @@ namespace etendue::integrator {
 template <class M>
 struct PathVertexData {
   using Color = typename M::Color;
-  scene::SurfacePoint point;  // of a point light its position alone, of a light of infinity nothing
+  scene::SurfacePoint point;  // point lights: the position alone; infinite lights: unused
   Bsdf<M> bsdf;
-  Hit hit;                                  // what `point` was made from, and
-  Vec3 found_from{0};                       // the direction to where it was found from
-  bool delta = false, transmitted = false;  // how the light goes on here
+  Hit hit;                                  // the ray hit that `point` was computed from
+  Vec3 traced_from{0};                      // the direction toward the origin of the ray that hit it
+  bool delta = false, transmitted = false;  // the kind of scattering at the vertex
 
-  Color tint{1};                      // F over `value`,
-  float value = 1;                    // its largest component
+  Color color{1};                     // F / value
+  float value = 1;                    // largest component of F
   float to_light = 0, to_camera = 0;  // densities of the directions to both neighbours, per solid angle
-  float stretch = 1;
+  float projected_ratio = 1;
 
-  // The edge to the next vertex on the way to the camera.
+  // The edge to the next vertex toward the camera.
   Vec3 direction{0};
   float length = 0;  // metres, or infinite
 
@@ -72,18 +73,18 @@ class LightPath {
   struct Light {
     static constexpr uint32_t kUnlisted = scene::InstanceData::kNotALight;
     LightKind kind = LightKind::triangle;
-    uint32_t number = kUnlisted;  // in the table of lights, of which the environment needs none
+    uint32_t number = kUnlisted;  // index in the light table; kUnlisted for the environment
     bool infinite = false, extended = true;
-    float first = 0, second = 0;  // densities as EmissionDensity has them
+    float first = 0, second = 0;  // densities as in EmissionDensity
     Color emitted{0};
   };
 
   Light light;
   Vec2 raster{0}, lens{0};  // pixels; a point of the unit square
   float time = 0;           // from 0 at the shutter's opening to 1 at its closing
-  float importance = 0;     // pixels to a square metre across the last edge (to a solid angle at infinity)
-  Color color{0};           // of f, with a luminance of one
-  double brightness = 0;    // luminance of f over all that the functions below know of
+  float importance = 0;     // pixels per square metre across the last edge; infinite lights: per solid angle
+  Color color{0};           // f, scaled to a luminance of one
+  double brightness = 0;    // luminance of f, divided by all factors that the functions below compute
 
   int edges() const { return static_cast<int>(vertices_.size()); }
   void resize(int edges) { vertices_.resize(static_cast<size_t>(edges)); }
@@ -95,55 +96,59 @@ class LightPath {
   Vec3 direction_to_light(int i) const { return -(*this)[i - 1].direction; }
   bool is_surface(int i) const { return i > 0 || light.kind == LightKind::triangle; }
 
-  // Takes over all but the vertices.
-  void take_ends(const LightPath& other) {
-    light = other.light, raster = other.raster, lens = other.lens, time = other.time, importance = other.importance;
+  // Copies everything except the vertices.
+  void copy_ends(const LightPath& other) {
+    light = other.light;
+    raster = other.raster;
+    lens = other.lens;
+    time = other.time;
+    importance = other.importance;
   }
 
-  // Cosines at vertex i of its two edges, and what falls with the square of the length of edge i.
+  // The cosines at vertex i of its two edges, and the inverse square of the length of edge i.
   double cosine_to_camera(int i) const { return is_surface(i) ? cosine(i, (*this)[i].direction) : 1; }
   double cosine_to_light(int i) const { return cosine(i, (*this)[i - 1].direction); }
-  double spread(int i) const { return i == 0 && light.infinite ? 1 : 1 / sqr(double{(*this)[i].length}); }
+  double inverse_square(int i) const { return i == 0 && light.infinite ? 1 : 1 / sqr(double{(*this)[i].length}); }
 
-  // ---- Densities over their part of f.
+  // ---- Densities divided by their factors of f.
 
-  // Of a step from vertex i of the walk from the light to the next one; from -1 it is the choice of x_0.
+  // The step from vertex i of a light subpath to the next vertex; i = -1 is the choice of x_0.
   double step_from_light(int i) const {
     if (i < 0) return light.first;
     if (i == 0) return light.second / cosine_to_camera(0);
     const Vertex& v = (*this)[i];
     return v.to_camera / (v.value * cosine_to_camera(i)) * cosine_to_light(i);
   }
-  // Of a step from vertex i of the walk from the camera; `area` is that of the picture in pixels.
+  // The step from vertex i of a camera subpath; `area` is that of the image in pixels.
   double step_from_camera(int i, double area) const {
     if (i > edges()) return 1;
     if (i == edges()) return 1 / area;
     return double{(*this)[i].to_light} / (*this)[i].value;
   }
-  // One over what a connection along edge i is worth, zero if it cannot be: at -1 the walk from the camera meets the
-  // light.
+  // The inverse of the factors of f of a connection along edge i, zero if it is impossible; i = -1: the camera subpath
+  // hits the light.
   double connection(int i) const {
     if (i < 0) return light.extended ? 1 : 0;
     const int last = edges() - 1;
     if ((i > 0 && (*this)[i].delta) || (i < last && (*this)[i + 1].delta)) return 0;
     double weight = cosine_to_camera(i);
     if (i > 0) weight *= (*this)[i].value / cosine_to_light(i);
-    weight *= i == last ? double{importance} : spread(i) * (*this)[i + 1].value;
+    weight *= i == last ? double{importance} : inverse_square(i) * (*this)[i + 1].value;
     return weight > 0 ? 1 / weight : 0;
   }
 
-  // The density of all vertices between l and m, over f, summed over all ways to find them by a walk from either end
-  // and a connection of the two; tried(c) is how often that by way of edge c is looked for. l = -1 and m = k + 1 are
-  // the ends beyond the path. The lens is never found by chance.
+  // The density of all vertices between l and m, divided by f, summed over all ways to sample them by a subpath from
+  // either end and a connection; technique_probability(c) is the probability of the connection along edge c. l = -1 and
+  // m = k + 1 lie beyond the ends. The lens is never hit by a light subpath.
   template <class Tried>
-  double density_between(int l, int m, double area, Tried&& tried) const {
+  double density_between(int l, int m, double area, Tried&& technique_probability) const {
     double sum = 0, camera = 1;
     for (int c = m - 1; c >= l; --c) {
       if (c < m - 1) {
         camera *= step_from_camera(c + 2, area);
         sum *= step_from_light(c);
       }
-      if (c < edges()) sum += connection(c) * camera * tried(c);
+      if (c < edges()) sum += connection(c) * camera * technique_probability(c);
     }
     return sum / brightness;
   }

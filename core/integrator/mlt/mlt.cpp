@@ -1,9 +1,20 @@
-// Metropolis light transport: Markov chains over whole paths.    thesis 9.4, (9.112)-(9.124), errata E27-E29; Veach &
-// Guibas 1997; digest 8-10: S23-S29
+// Metropolis light transport            [Lang, sec. 9.4, eq. 9.112-9.124, corrected; Veach and Guibas 1997; Veach 1997]
 //
-// A chain goes from path to path by mutations, and stays at each for as long as its brightness asks for: it is at a
-// path x with the density f(x) / b, and what it visits is the picture but for the factor b, the mean of what paths from
-// nothing are worth. Chains start from such paths, chosen by what they are worth (chain_work.h).
+// Markov chains over light paths with stationary density f*(x) / b, where f* is the luminance of the contribution and b
+// its integral. Mutations propose a path y with the transition density T(x -> y), which is accepted with
+//
+//    a(x -> y)  =  min(1,  f*(y) T(y -> x) / (f*(x) T(x -> y)))
+//
+// Every iteration adds b f / f* to the pixel of its path; b is estimated from bootstrap samples, of which the chains
+// start at some (markov_chain/markov_chain_renderer.h). Mutations: bidirectional, lens, caustic and multi-chain
+// perturbations, lens subpath mutations.
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L, E(D|G).*L and E.*(D|G)(D|G).*L
+//   Bias          consistent
+//   Cost          about 3 rays per mutation, one mutation per pixel and sample; a path for each chain
+//   Limitations   Inefficient for simple scenes, because successive samples are correlated. Paths at which no chain
+//                 starts stay missing or spotty for long. Point lights seen in mirrors by way of a scattering surface
+//                 are never found.
 #include "integrator/integrator_base.h"
 #include "integrator/markov_chain/markov_chain_renderer.h"
 #include "integrator/mlt/bootstrap_paths.h"
@@ -20,51 +31,56 @@ class Mlt final : public IntegratorBase<Mlt> {
         .name = "mlt",
         .label = "Metropolis light transport",
         .summary =
-            "Markov chains over whole paths, which change by bidirectional mutations and by perturbations of the lens, "
-            "of caustics and of chains of them",
+            "Markov chains over light paths with bidirectional mutations and lens, caustic and multi-chain "
+            "perturbations",
         .group = Group::markov_chain,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
         .bias = Bias::consistent,
-        .cost =
-            "a mutation for each pixel and sample, about 3 rays; a path for each chain and a picture beside the film",
+        .cost = "1 mutation per pixel and sample, about 3 rays; a path for each chain and one image besides the film",
         .limitations =
-            "simple scenes, where samples that depend on each other are worse than others; paths that no chain starts "
-            "from stay missing or spotty for long; point lights seen in mirrors by way of something that scatters: "
-            "never",
+            "Inefficient for simple scenes, because successive samples are correlated. Paths at which no chain starts "
+            "stay missing or spotty for long. Point lights seen in mirrors by way of a scattering surface are never "
+            "found.",
         .accumulation = Accumulation::splats_only,
         .shortcut = '7',
     };
   }
 
-  Number<int> chains{"chains", "Chains",          512, {1, 65536}, "Of each half of the samples, side by side",
+  Number<int> chains{"chains", "Chains",          512, {1, 65536}, "Parallel Markov chains per half-buffer",
                      "",       Scale::logarithmic};
-  Number<int> candidates{
-      "candidates",
-      "Candidates",
-      16384,
-      {16, 1 << 24},
-      "Pairs of walks, whose paths the chains of a half start from; more make the brightness of the picture surer",
-      "",
-      Scale::logarithmic};
+  Number<int> candidates{"candidates",
+                         "Bootstrap samples",
+                         16384,
+                         {16, 1 << 24},
+                         "Pairs of subpaths that seed the chains of a half-buffer and estimate the image brightness. "
+                         "Raising it reduces the "
+                         "error of the brightness",
+                         "",
+                         Scale::logarithmic};
   Number<float> bidirectional{
       "bidirectional",
       "Bidirectional",
       1,
       {0.01f, 1},
-      "How often, against the others: new paths; without them chains would stay where they are"};
-  Number<float> lens{"lens-perturbation", "Lens", 1, {0, 1}, "How often: the point of the picture is moved"};
+      "Weight of bidirectional mutations, which replace parts of a path; required for chains to reach all paths"};
+  Number<float> lens{
+      "lens-perturbation", "Lens", 1, {0, 1}, "Weight of lens perturbations, which move the image point"};
   Number<float> caustic{"caustic-perturbation",
                         "Caustic",
                         1,
                         {0, 1},
-                        "How often: the light's direction is turned before it meets the last surface"};
-  Number<float> chain{"multi-chain", "Multi-chain", 1, {0, 1}, "How often: caustics seen in mirrors or through glass"};
+                        "Weight of caustic perturbations, which turn the light's direction before the last surface"};
+  Number<float> chain{"multi-chain",
+                      "Multi-chain",
+                      1,
+                      {0, 1},
+                      "Weight of multi-chain perturbations, for caustics seen in mirrors or through glass"};
   Number<float> subpath{"lens-subpath",
                         "Lens subpath",
                         1,
                         {0, 1},
-                        "How often: the point of the picture is chosen anew, all parts of the picture alike"};
+                        "Weight of lens subpath mutations, which resample the image point, stratified over the image"};
 
   auto parameters() { return std::tie(max_depth, chains, candidates, bidirectional, lens, caustic, chain, subpath); }
 
@@ -78,12 +94,13 @@ struct MutationGroup {
   std::vector<MutationChain<M>> chains;
 
   void write(StateWriter& out) const {
-    out.value(tally), out.value<uint64_t>(chains.size());
+    out.value(tally);
+    out.value<uint64_t>(chains.size());
     for (const auto& chain : chains) chain.write(out);
   }
   bool read(StateReader& in) {
     uint64_t size = 0;
-    if (!in.value(tally) || !in.value(size) || size > kMost) return false;
+    if (!in.value(tally) || !in.value(size) || size > kMaxChains) return false;
     chains.resize(size);
     for (auto& chain : chains)
       if (!chain.read(in)) return false;
@@ -95,7 +112,7 @@ struct MutationGroup {
     return bytes;
   }
 
-  static constexpr uint64_t kMost = 1 << 16;
+  static constexpr uint64_t kMaxChains = 1 << 16;
 };
 
 template <class M>
@@ -112,24 +129,24 @@ class MutationKernel {
        {"multi-chain", "Multi-chain perturbations that were accepted"},
        {"lens-subpath", "Lens subpath mutations that were accepted"}}};
 
-  MutationKernel(const Mlt& method, const RenderContext& context)
-      : method_(&method), context_(context), plan_(plan_of(method, context)) {}
+  MutationKernel(const Mlt& integrator, const RenderContext& context)
+      : integrator_(&integrator), context_(context), plan_(plan_of(integrator, context)) {}
 
   Epoch epoch() const { return {}; }
-  int chains() const { return std::min<int>(method_->chains, context_.width * context_.height); }
+  int chains() const { return std::min<int>(integrator_->chains, context_.width * context_.height); }
   int candidates() const {
-    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * context_.width * context_.height));
+    return static_cast<int>(std::min<int64_t>(integrator_->candidates, int64_t{16} * context_.width * context_.height));
   }
 
-  std::optional<uint64_t> weigh(const Epoch& epoch, uint64_t first, const BootstrapSamples& candidates,
-                                const TaskContext& task_context) const {
+  std::optional<uint64_t> evaluate_bootstrap(const Epoch& epoch, uint64_t first, const BootstrapSamples& candidates,
+                                             const TaskContext& task_context) const {
     if (!should_continue(task_context)) return {};
     PathSpace<M> space(context_);
-    PathCandidates<M> paths(method_->max_depth);
+    BootstrapPaths<M> bootstrap_paths(integrator_->max_depth);
     LightPath<M> path;
-    for (size_t i = 0; i < candidates.weight.size(); ++i) {
-      ChainRandom random = random_of_candidate(epoch, first + i);
-      candidates.weight[i] = static_cast<float>(paths.draw(space, random, path));
+    for (size_t i = 0; i < candidates.weights.size(); ++i) {
+      ChainRandom random = bootstrap_random(epoch, first + i);
+      candidates.weights[i] = static_cast<float>(bootstrap_paths.draw(space, random, path));
     }
     return space.take_rays();
   }
@@ -137,14 +154,14 @@ class MutationKernel {
   std::optional<uint64_t> start(const Epoch& epoch, Group& group, int index, std::span<const uint64_t> candidates,
                                 const TaskContext&) const {
     PathSpace<M> space(context_);
-    PathCandidates<M> paths(method_->max_depth);
+    BootstrapPaths<M> bootstrap_paths(integrator_->max_depth);
     group.chains.resize(candidates.size());
     for (size_t i = 0; i < candidates.size(); ++i) {
       MutationChain<M>& chain = group.chains[i];
-      ChainRandom random = random_of_candidate(epoch, candidates[i]);
-      paths.draw(space, random, chain.path);
+      ChainRandom random = bootstrap_random(epoch, candidates[i]);
+      bootstrap_paths.draw(space, random, chain.path);
       chain.shape = shape_of(chain.path);
-      chain.random = ChainRandom(~epoch.key ^ mix_bits(epoch.first + number_of(index, i) + 1));
+      chain.random = ChainRandom(~epoch.key ^ mix_bits(epoch.first + chain_index(index, i) + 1));
     }
     return space.take_rays();
   }
@@ -153,44 +170,48 @@ class MutationKernel {
                                  const TaskContext& task_context) const {
     if (!should_continue(task_context)) return {};
     MutationRunner<M> runner(context_, plan_);
-    const auto count = [&](Mutation m, const Verdict& v) { group.tally.kinds[static_cast<size_t>(m)].count(v); };
-    const float of_path = scale * static_cast<float>(epoch.weight);
+    const auto count = [&](Mutation m, const AcceptanceDecision& v) {
+      group.tally.kinds[static_cast<size_t>(m)].count(v);
+    };
+    const float path_scale = scale * static_cast<float>(epoch.mean_weight);
     for (size_t i = 0; i < group.chains.size(); ++i) {
       MutationChain<M>& chain = group.chains[i];
-      const uint32_t number = number_of(index, i);
-      if (std::exchange(chain.bare, false) && runner.space().rebuild(chain.path)) chain.shape = shape_of(chain.path);
+      const uint32_t number = chain_index(index, i);
+      if (std::exchange(chain.needs_rebuild, false) && runner.space().rebuild(chain.path))
+        chain.shape = shape_of(chain.path);
       const auto point = [&] {
-        return stratified_point(number, static_cast<uint32_t>(chains()), chain.rounds++, epoch.key);
+        return stratified_point(number, static_cast<uint32_t>(chains()), chain.subpath_mutations++, epoch.key);
       };
-      for (int n = 0; n < mutations; ++n) runner.step(chain, of_path, point, count, *task_context.splats);
-      runner.settle(chain, of_path, *task_context.splats);
+      for (int n = 0; n < mutations; ++n) runner.step(chain, path_scale, point, count, *task_context.splats);
+      runner.finish(chain, path_scale, *task_context.splats);
     }
     return runner.space().take_rays();
   }
 
  private:
-  static MutationPlan plan_of(const Mlt& method, const RenderContext& context) {
-    // The largest move goes over five percent of the picture's area.
-    const float widest =
+  static MutationPlan plan_of(const Mlt& integrator, const RenderContext& context) {
+    // The largest displacement is the radius of a circle of five percent of the image area.
+    const float max_move =
         std::sqrt(0.05f * static_cast<float>(context.width) * static_cast<float>(context.height) / kPi);
     const Bounds& bounds = context.scene->bounds();
-    return {MutationChoice({method.bidirectional, method.lens, method.caustic, method.chain, method.subpath}),
-            EdgeCounts(method.max_depth),
-            {0.1f, std::max(widest, 1.0f)},
+    return {MutationChoice(
+                {integrator.bidirectional, integrator.lens, integrator.caustic, integrator.chain, integrator.subpath}),
+            EdgeCounts(integrator.max_depth),
+            {0.1f, std::max(max_move, 1.0f)},
             {1e-4f, 0.1f},
             bounds.empty() ? 1.0f : std::max(glm::distance(bounds.min, bounds.max), 1e-3f)};
   }
 
-  static ChainRandom random_of_candidate(const Epoch& epoch, uint64_t candidate) {
+  static ChainRandom bootstrap_random(const Epoch& epoch, uint64_t candidate) {
     return ChainRandom(epoch.key ^ mix_bits(candidate + 1));
   }
 
-  // Of a chain among all of the half.
-  static uint32_t number_of(int group, size_t i) {
+  // The index of a chain among all of the half-buffer.
+  static uint32_t chain_index(int group, size_t i) {
     return static_cast<uint32_t>(static_cast<size_t>(group) * kGroupSize + i);
   }
 
-  const Mlt* method_;
+  const Mlt* integrator_;
   RenderContext context_;
   MutationPlan plan_;
 };

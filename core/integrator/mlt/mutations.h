@@ -1,4 +1,4 @@
-// Metropolis' algorithm on light paths: proposals, and how often each is accepted.       thesis 9.4, (9.112), (9.120)
+// Mutations of light paths: proposals and acceptance ratios.             [Lang, sec. 9.4, eq. 9.112, 9.120; Veach 1997]
 #pragma once
 #include "integrator/mlt/bidirectional_mutation.h"
 #include "integrator/mlt/perturbations.h"
@@ -8,16 +8,17 @@ namespace etendue::integrator {
 enum class Mutation : uint8_t { bidirectional, lens, caustic, chain, subpath };
 inline constexpr size_t kMutations = 5;
 
-// How often each mutation is tried, by which of them a path admits: prepared for all cases, as a chain asks for it
-// three times in each step.
+// The probability of each mutation, by the set of mutations that are applicable to a path; tabulated, because each step
+// needs three of them.
 class MutationChoice {
  public:
   explicit MutationChoice(const std::array<float, kMutations>& weights) {
     for (unsigned kind = 0; kind < kKinds; ++kind) {
       double sum = 0;
-      for (size_t i = 0; i < kMutations; ++i) sum += admits(static_cast<Mutation>(i), kind) ? double{weights[i]} : 0;
       for (size_t i = 0; i < kMutations; ++i)
-        probabilities_[kind][i] = admits(static_cast<Mutation>(i), kind) ? double{weights[i]} / sum : 0;
+        sum += is_applicable(static_cast<Mutation>(i), kind) ? double{weights[i]} : 0;
+      for (size_t i = 0; i < kMutations; ++i)
+        probabilities_[kind][i] = is_applicable(static_cast<Mutation>(i), kind) ? double{weights[i]} / sum : 0;
     }
   }
 
@@ -41,7 +42,7 @@ class MutationChoice {
     return (shape.lens_end >= 0 ? kLens : 0) | (shape.caustic_start >= 0 ? kCaustic : 0) |
            (shape.chain_end >= 0 ? kChain : 0);
   }
-  static bool admits(Mutation mutation, unsigned kind) {
+  static bool is_applicable(Mutation mutation, unsigned kind) {
     switch (mutation) {
       case Mutation::bidirectional:
         return true;
@@ -59,56 +60,58 @@ class MutationChoice {
   std::array<std::array<double, kMutations>, kKinds> probabilities_;
 };
 
-// What all chains of a picture share.
+// The parameters of all chains.
 struct MutationPlan {
   MutationChoice mutations;
   EdgeCounts counts;
-  Octaves pixels, angles;
+  LogUniform pixels, angles;
   float size;  // of the scene, metres
 };
 
-// What a path is proposed from besides random numbers: the point of the picture, in the unit square, that a lens
-// subpath mutation takes.
-template <class PointOfPicture>
-concept PicturePoints = requires(PointOfPicture f) {
+// A source of image points, in the unit square, for lens subpath mutations.
+template <class PointFunction>
+concept ImagePointSource = requires(PointFunction f) {
   { f() } -> std::convertible_to<Vec2>;
 };
 
-// Proposes y from x by this mutation. Returns f(y) T(y -> x) over f(x) T(x -> y), zero if y has no contribution.
-template <class M, PicturePoints Point>
+// Proposes y from x by this mutation. Returns f(y) T(y -> x) / (f(x) T(x -> y)), zero if y has no contribution.
+template <class M, ImagePointSource Point>
 double propose(Mutation mutation, const MutationPlan& plan, PathSpace<M>& space, const LightPath<M>& x,
-               const PathShape& shape, ChainRandom& random, Point&& point_of_picture, LightPath<M>& y,
+               const PathShape& shape, ChainRandom& random, Point&& image_point, LightPath<M>& y,
                PathShape& shape_of_y) {
-  double there = 0, back = 0;  // T / f
+  double forward = 0, reverse = 0;  // T / f
   switch (mutation) {
     case Mutation::bidirectional: {
       const auto e = exchange(plan.counts, space, x, random, y);
       if (!e) return 0;
-      there = tentative(plan.counts, space, x, *e, y);
-      back = tentative(plan.counts, space, y, {e->added, e->deleted}, x);
+      forward = proposal_density_over_f(plan.counts, space, x, *e, y);
+      reverse = proposal_density_over_f(plan.counts, space, y, {e->added, e->deleted}, x);
       break;
     }
     case Mutation::lens:
     case Mutation::subpath:
     case Mutation::chain: {
       const int end = mutation == Mutation::chain ? shape.chain_end : shape.lens_end;
-      const bool anew = mutation == Mutation::subpath;
-      const Vec2 raster = anew ? space.point_of_picture(point_of_picture()) : moved(x.raster, plan.pixels, random);
-      const Vec2 lens = anew ? random.next_2d() : x.lens;
+      const bool resampled = mutation == Mutation::subpath;
+      const Vec2 raster = resampled ? space.image_point(image_point()) : perturb_raster(x.raster, plan.pixels, random);
+      const Vec2 lens = resampled ? random.next_2d() : x.lens;
       if (!retrace_from_camera(x, raster, lens, end, plan.angles, space, random, y)) return 0;
-      there = retraced_from_camera(end, y), back = retraced_from_camera(end, x);
+      forward = camera_retrace_density_over_f(end, y);
+      reverse = camera_retrace_density_over_f(end, x);
       break;
     }
     case Mutation::caustic: {
       const int start = shape.caustic_start;
       if (!retrace_from_light(x, start, plan.angles, plan.size, space, random, y)) return 0;
-      there = retraced_from_light(start, y), back = retraced_from_light(start, x);
+      forward = light_retrace_density_over_f(start, y);
+      reverse = light_retrace_density_over_f(start, x);
       break;
     }
   }
   shape_of_y = integrator::shape_of(y);
-  there *= plan.mutations.probability(mutation, shape), back *= plan.mutations.probability(mutation, shape_of_y);
-  const double ratio = back / there;
+  forward *= plan.mutations.probability(mutation, shape);
+  reverse *= plan.mutations.probability(mutation, shape_of_y);
+  const double ratio = reverse / forward;
   return std::isfinite(ratio) ? ratio : 0;
 }
 

@@ -1,11 +1,11 @@
-// Finding light paths (light_path.h) vertex by vertex, and evaluating them.    thesis 8.3.4, 9.4.4; Veach 1997, 11.2
+// Sampling and evaluation of light paths (light_path.h).               [Lang, sec. 8.3.4, 9.4.4; Veach 1997, sec. 11.2]
 //
-// A path is laid out for its number of edges first; then its vertices are found, by walks from either end, a connection
-// joins them, and `settle` computes what belongs to the edges that are new. All of these return false if the path has
-// no contribution. Stochastic opacity is decided anew for each edge, and stays decided for as long as the edge is kept.
+// The number of edges of a path is set first. Then its vertices are sampled by subpaths from either end, a connection
+// joins them, and `evaluate` computes the quantities of the new edges. All of these functions return false if the path
+// has no contribution. Stochastic opacity is decided when an edge is traced and remains valid while the edge exists.
 //
-// Shading normals that would look away from the ray that finds a vertex are bent (CompiledScene): a vertex keeps what
-// it was found with.
+// Shading normals that face away from the incoming ray are corrected (CompiledScene); a vertex keeps the normal with
+// which it was traced.
 #pragma once
 #include "film/film.h"
 #include "integrator/integrator.h"
@@ -29,113 +29,128 @@ class PathSpace {
   explicit PathSpace(const RenderContext& context)
       : context_(&context),
         scene_(context.scene),
-        margin_(context.filter->radius()),
-        size_(Vec2(static_cast<float>(context.width), static_cast<float>(context.height)) + 2 * margin_) {
-    if constexpr (M::kClasses) shares_.resize(automaton().size()), moved_.resize(automaton().size());
+        filter_radius_(context.filter->radius()),
+        extent_(Vec2(static_cast<float>(context.width), static_cast<float>(context.height)) + 2 * filter_radius_) {
+    if constexpr (M::kClasses) {
+      shares_.resize(automaton().size());
+      next_shares_.resize(automaton().size());
+    }
   }
 
-  // The points of the picture that a path may go through: those that a filter reaches.
-  float picture_area() const { return size_.x * size_.y; }
-  Vec2 point_of_picture(Vec2 u) const { return u * size_ - margin_; }
-  bool in_picture(Vec2 raster) const {
-    return raster.x >= -margin_ && raster.y >= -margin_ && raster.x < size_.x - margin_ && raster.y < size_.y - margin_;
+  // The area of image points within the filter radius of a pixel, in pixels.
+  float image_area() const { return extent_.x * extent_.y; }
+  Vec2 image_point(Vec2 u) const { return u * extent_ - filter_radius_; }
+  bool is_in_image(Vec2 raster) const {
+    return raster.x >= -filter_radius_ && raster.y >= -filter_radius_ && raster.x < extent_.x - filter_radius_ &&
+           raster.y < extent_.y - filter_radius_;
   }
 
   const scene::CompiledScene& scene() const { return *scene_; }
   const CameraRays& camera() const { return *context_->camera; }
   uint64_t take_rays() { return std::exchange(rays_, 0); }
 
-  // When the path is: light is at all of its vertices at once.
+  // The time of a path: the same at all its vertices.
   float choose_time(ChainRandom& random) const { return context_->model->moving ? random.next() : 0; }
 
-  // ---- Walks from the light.
+  // ---- Subpaths from the light.
 
-  // Chooses x_0; of a light of infinity its direction.
-  bool choose_light(ChainRandom& random, Path& path) {
+  // Samples x_0; for infinite lights, its direction.
+  bool sample_light(ChainRandom& random, Path& path) {
     const float choice = random.next();
     const Vec2 point = random.next_2d(), direction = random.next_2d();
     const Emission e = scene_->lights().sample_emission({choice, point, direction, path.time});
     if (!(e.density.first > 0)) return false;
-    path.light.kind = e.kind, path.light.number = e.light;
-    path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
+    path.light.kind = e.kind;
+    path.light.number = e.light;
+    path.light.infinite = e.density.infinite;
+    path.light.extended = !e.density.delta;
     Vertex& x = path[0];
     x.delta = false;
     if constexpr (M::kMedia) x.media.interface.clear({});
     if (e.kind == LightKind::triangle) {
-      scene_->locate(e, x.hit, x.found_from);
-      place(x, path.time);
+      scene_->locate(e, x.hit, x.traced_from);
+      build_surface(x, path.time);
     } else {
-      x.point.position = e.position, x.direction = e.direction;
+      x.point.position = e.position;
+      x.direction = e.direction;
     }
     if constexpr (M::kMedia) {
       Ray ray;
       ray.origin = x.point.position;
-      if (e.kind == LightKind::triangle) x.point.spawn(x.found_from, ray);
+      if (e.kind == LightKind::triangle) x.point.spawn(x.traced_from, ray);
       scene_->find_media_at_light(e, e.kind == LightKind::triangle ? &x.point : nullptr, ray.origin, x.media.interface);
     }
     return true;
   }
 
-  // Finds x_1 from x_0 by chance.
-  bool leave_light(ChainRandom& random, Path& path) {
+  // Samples x_1 from x_0.
+  bool trace_from_light(ChainRandom& random, Path& path) {
     if (path.light.kind == LightKind::triangle && path.light.number == Path::Light::kUnlisted) return false;
     Emission e;
-    e.kind = path.light.kind, e.light = path.light.number;
-    e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
+    e.kind = path.light.kind;
+    e.light = path.light.number;
+    e.position = path[0].point.position;
+    e.direction = path[0].direction;
+    e.time = path.time;
     scene_->lights().resample_emission(random.next_2d(), e);
-    if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
+    if (e.kind != LightKind::triangle) return trace_from_light(e.position, e.direction, random, path);
     const Vec3& ng = path[0].point.ng;
-    return leave_light(e.position, Frame(e.back ? -ng : ng).to_world(e.direction), random, path);
+    return trace_from_light(e.position, Frame(e.back ? -ng : ng).to_world(e.direction), random, path);
   }
 
-  // The same along a known ray.
-  bool leave_light(const Vec3& origin, const Vec3& direction, ChainRandom& random, Path& path) {
+  // Traces x_1 along a given ray.
+  bool trace_from_light(const Vec3& origin, const Vec3& direction, ChainRandom& random, Path& path) {
     Ray ray;
-    ray.origin = origin, ray.direction = direction;
+    ray.origin = origin;
+    ray.direction = direction;
     if (path.light.kind == LightKind::triangle) path[0].point.spawn(direction, ray);
-    return find_next(ray, medium_to_camera(0, direction, path), 0, random, path);
+    return trace_next(ray, medium_to_camera(0, direction, path), 0, random, path);
   }
 
-  // Finds x_{i+1} from x_i, i > 0.
+  // Samples x_{i+1} from x_i, i > 0.
   bool scatter_to_camera(int i, ChainRandom& random, Path& path) {
     LobeSample<Color> s;
     Vertex& x = path[i];
     if (!sample(x, path.direction_to_light(i), TransportMode::importance, random, s)) return false;
-    return step_to_camera(i, s.wi, random, path);
+    return trace_to_camera(i, s.wi, random, path);
   }
-  bool step_to_camera(int i, const Vec3& direction, ChainRandom& random, Path& path) {
+  bool trace_to_camera(int i, const Vec3& direction, ChainRandom& random, Path& path) {
     Ray ray;
     path[i].point.spawn(direction, ray);
-    return find_next(ray, medium_to_camera(i, direction, path), i, random, path);
+    return trace_next(ray, medium_to_camera(i, direction, path), i, random, path);
   }
 
-  // ---- Walks from the camera.
+  // ---- Subpaths from the camera.
 
-  // Finds x_{k-1} through this point of the picture and of the lens.
-  bool leave_camera(Vec2 raster, Vec2 lens, ChainRandom& random, Path& path) {
-    path.raster = raster, path.lens = lens;
+  // Traces x_{k-1} through this image and lens point.
+  bool trace_from_camera(Vec2 raster, Vec2 lens, ChainRandom& random, Path& path) {
+    path.raster = raster;
+    path.lens = lens;
     const Ray ray = camera().ray(raster, lens, path.time);
-    return find_before(ray, medium_at_camera<M>(*context_, ray, path.time), path.edges(), random, path);
+    return trace_previous(ray, medium_at_camera<M>(*context_, ray, path.time), path.edges(), random, path);
   }
-  // Finds x_{i-1} from x_i, 0 < i < k.
+  // Samples x_{i-1} from x_i, 0 < i < k.
   bool scatter_to_light(int i, ChainRandom& random, Path& path) {
     LobeSample<Color> s;
     Vertex& x = path[i];
     if (!sample(x, path.direction_to_camera(i), TransportMode::radiance, random, s)) return false;
-    return step_to_light(i, s.wi, random, path);
+    return trace_to_light(i, s.wi, random, path);
   }
-  bool step_to_light(int i, const Vec3& direction, ChainRandom& random, Path& path) {
+  bool trace_to_light(int i, const Vec3& direction, ChainRandom& random, Path& path) {
     Ray ray;
     path[i].point.spawn(direction, ray);
-    return find_before(ray, medium_at(path[i], direction), i, random, path);
+    return trace_previous(ray, medium_at(path[i], direction), i, random, path);
   }
 
-  // Makes x_0, which a walk from the camera has found, the light; false if it is none.
-  bool meet_light(Path& path) const { return take_light(path), settle_light(path); }
+  // Makes x_0, the end of a camera subpath, the light vertex; false if it does not emit.
+  bool end_on_light(Path& path) const {
+    set_light(path);
+    return evaluate_light(path);
+  }
 
-  // ---- Connecting.
+  // ---- Connections.
 
-  // x_i with x_{i+1}; the last of them is the lens, which is seen at some point of the picture.
+  // Connects x_i to x_{i+1}; a connection to the lens determines the image point.
   bool connect(int i, Path& path) {
     const int last = path.edges() - 1;
     Vertex& x = path[i];
@@ -178,21 +193,21 @@ class PathSpace {
     }
   }
 
-  // ---- Evaluating.
+  // ---- Evaluation.
 
-  // Makes all that follows from the ends, edges and hits of a path.
+  // Computes all data of a path that follows from its ends, edges and hits.
   bool rebuild(Path& path) {
     for (int i = 0; i < path.edges(); ++i)
-      if (path.is_surface(i)) place(path[i], path.time);
-    return settle(0, path.edges(), path);
+      if (path.is_surface(i)) build_surface(path[i], path.time);
+    return evaluate(0, path.edges(), path);
   }
 
-  // Computes what vertices first .. last (surfaces; the ends are always done) and the path as a whole are worth.
-  bool settle(int first, int last, Path& path) {
+  // Evaluates vertices first .. last (surfaces; the ends are always evaluated) and the contribution of the path.
+  bool evaluate(int first, int last, Path& path) {
     const int k = path.edges();
     for (int i = std::max(first, 1); i <= std::min(last, k - 1); ++i)
-      if (!settle_vertex(i, path)) return false;
-    return settle_light(path) && settle_camera(path) && settle_color(path);
+      if (!evaluate_vertex(i, path)) return false;
+    return evaluate_light(path) && evaluate_camera(path) && evaluate_color(path);
   }
 
  private:
@@ -201,15 +216,16 @@ class PathSpace {
   static bool sample(Vertex& x, const Vec3& wo, TransportMode mode, ChainRandom& random, LobeSample<Color>& s) {
     const float choice = random.next();
     if (!x.bsdf.sample(wo, {choice, random.next_2d()}, mode, s)) return false;
-    x.delta = s.delta, x.transmitted = s.transmitted;
+    x.delta = s.delta;
+    x.transmitted = s.transmitted;
     return true;
   }
 
   // Finds the surface that a ray hits if it starts in this medium state. In models with media,
   // `set_transmittance` receives the transmittance of the segment.
   template <class SetTransmittance>
-  bool find(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x,
-            SetTransmittance&& set_transmittance) {
+  bool trace(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x,
+             SetTransmittance&& set_transmittance) {
     ++rays_;
     Hit hit;
     if constexpr (M::kMedia) {
@@ -223,8 +239,9 @@ class PathSpace {
       hit = scene_->intersect(ray, random.bits(), time);
     }
     if (!hit) return false;
-    x.hit = hit, x.found_from = -ray.direction;
-    place(x, time);
+    x.hit = hit;
+    x.traced_from = -ray.direction;
+    build_surface(x, time);
     x.delta = false;
     return true;
   }
@@ -274,8 +291,8 @@ class PathSpace {
     return settle_color(path);
   }
 
-  void place(Vertex& x, float time) const {
-    scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point, context_->model->moving ? &time : nullptr);
+  void build_surface(Vertex& x, float time) const {
+    scene_->surfaces({&x.traced_from, 1}, {&x.hit, 1}, &x.point, context_->model->moving ? &time : nullptr);
     if constexpr (M::kMedia) {
       x.point.outside = scene_->solids().find(x.media.interface.top(true));
       x.point.inside = scene_->solids().find(x.media.interface.top(false));
@@ -284,26 +301,27 @@ class PathSpace {
     transport::build_bsdf<M>(x.point, x.bsdf);
   }
 
-  bool find_next(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
+  bool trace_next(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
     const auto set = [&](const Color& t) { set_transmittance(t, path[i]); };
-    if (!find(ray, medium, path.time, random, path[i + 1], set)) return false;
+    if (!trace(ray, medium, path.time, random, path[i + 1], set)) return false;
     path[i].direction = ray.direction;
     path[i].length =
         i == 0 && path.light.infinite ? kInfinity : glm::distance(path[i].point.position, path[i + 1].point.position);
     return path[i].length > 0;
   }
 
-  bool find_before(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
+  bool trace_previous(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
     Vertex& x = path[i - 1];
     x.direction = -ray.direction;
-    if (find(ray, medium, path.time, random, x, [&](const Color& t) { set_transmittance(t, x); })) {
+    if (trace(ray, medium, path.time, random, x, [&](const Color& t) { set_transmittance(t, x); })) {
       x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
-      if (i == 1) take_light(path);
+      if (i == 1) set_light(path);
       return x.length > 0;
     }
     if (scene_->lights().environment().black()) return false;
-    x.length = kInfinity, x.delta = false;
-    if (i == 1) take_light(path);
+    x.length = kInfinity;
+    x.delta = false;
+    if (i == 1) set_light(path);
     return i == 1;
   }
 
@@ -311,8 +329,8 @@ class PathSpace {
     if constexpr (M::kMedia) x.media.transmittance = transmittance;
   }
 
-  // x_0 is where a walk from the camera ended.
-  void take_light(Path& path) const {
+  // The light is the last vertex of a camera subpath.
+  void set_light(Path& path) const {
     if (std::isinf(path[0].length))
       path.light = {LightKind::environment, Path::Light::kUnlisted, true, true};
     else
@@ -325,18 +343,19 @@ class PathSpace {
     if (last == 0 && path.light.infinite) {
       const auto view = camera().view_direction(-x.direction, path.lens, path.time);
       if (!view) return false;
-      path.raster = view->raster, x.length = kInfinity;
-      return in_picture(path.raster) && connect_media(last, kInfinity, path);
+      path.raster = view->raster;
+      x.length = kInfinity;
+      return is_in_image(path.raster) && connect_media(last, kInfinity, path);
     }
     const auto view = camera().view(x.point.position, path.lens, path.time);
-    if (!view || !in_picture(view->raster)) return false;
+    if (!view || !is_in_image(view->raster)) return false;
     path.raster = view->raster;
     x.direction = view->wi;
     x.length = glm::distance(camera().ray(path.raster, path.lens, path.time).origin, x.point.position);
     return x.length > 0 && connect_media(last, view->distance, path);
   }
 
-  bool settle_vertex(int i, Path& path) const {
+  bool evaluate_vertex(int i, Path& path) const {
     Vertex& x = path[i];
     const Vec3 wo = path.direction_to_camera(i), wi = path.direction_to_light(i);
     Color f(0);
@@ -345,20 +364,22 @@ class PathSpace {
       if (!x.bsdf.delta_direction(wo, x.transmitted, TransportMode::radiance, seen)) return false;
       if (!x.bsdf.delta_direction(wi, x.transmitted, TransportMode::importance, sent)) return false;
       f = seen.value;
-      x.stretch = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
-      x.to_light = seen.probability, x.to_camera = sent.probability * x.stretch;
+      x.projected_ratio = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
+      x.to_light = seen.probability;
+      x.to_camera = sent.probability * x.projected_ratio;
     } else {
       const auto seen = x.bsdf.evaluate(wo, wi, TransportMode::radiance);
       f = seen.f_cos;
-      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
+      x.to_light = seen.pdf;
+      x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
     }
     x.value = max_component(f);
     if (!(x.value > 0) || !std::isfinite(x.value) || !is_finite(f)) return false;
-    x.tint = f / x.value;
+    x.color = f / x.value;
     return path.cosine_to_camera(i) > 0 && path.cosine_to_light(i) > 0;
   }
 
-  bool settle_light(Path& path) const {
+  bool evaluate_light(Path& path) const {
     auto& light = path.light;
     const Vec3& direction = path[0].direction;
     EmissionDensity density;
@@ -368,33 +389,35 @@ class PathSpace {
       point.front = cosine > 0;
       light.emitted = scene_->emitted(point, direction);
       density = scene_->lights().emission_density(light.number, cosine, path.time);
-      if (cosine == 0 || !seen_as_it_is(path)) return false;
+      if (cosine == 0 || !is_light_visible(path)) return false;
     } else if (light.kind == LightKind::environment) {
       const EnvironmentMap& map = scene_->lights().environment();
       light.emitted = map.radiance(-direction);
       density = scene_->lights().environment_emission_density(-direction);
       if (path.edges() == 1 && !map.visible()) return false;
     } else {
-      // What has no extent is not seen.
+      // Lights without extent are not directly visible.
       if (path.edges() == 1) return false;
       light.emitted = scene_->lights().emitted_by_placed(light.number, direction, path[0].length, path.time);
       LightSample sample;
-      sample.kind = LightKind::placed, sample.light = light.number;
+      sample.kind = LightKind::placed;
+      sample.light = light.number;
       density = scene_->lights().emission_density(sample, path.time);
     }
-    light.first = density.first, light.second = density.second;
+    light.first = density.first;
+    light.second = density.second;
     return !is_black(light.emitted);
   }
 
-  // An unlit surface shows itself and lights nothing.
-  static bool seen_as_it_is(const Path& path) {
+  // An unlit surface (KHR_materials_unlit) is directly visible but lights nothing.
+  static bool is_light_visible(const Path& path) {
     if (!path[0].point.material->description.unlit) return true;
     for (int i = 1; i < path.edges(); ++i)
       if (!path[i].delta) return false;
     return true;
   }
 
-  bool settle_camera(Path& path) const {
+  bool evaluate_camera(Path& path) const {
     const Vertex& x = path[path.edges() - 1];
     const bool far = std::isinf(x.length);
     path.importance =
@@ -402,19 +425,19 @@ class PathSpace {
     return far || path.importance > 0;
   }
 
-  bool settle_color(Path& path) {
+  bool evaluate_color(Path& path) {
     Color color = path.light.emitted;
     double scale = 1;
-    const auto tint = [&](const Color& by) {
+    const auto scale_color = [&](const Color& by) {
       color *= by;
-      const float most = max_component(color);
-      if (most > 0) color /= most;
-      scale *= double{most};
+      const float largest = max_component(color);
+      if (largest > 0) color /= largest;
+      scale *= double{largest};
     };
-    for (int i = 1; i < path.edges(); ++i) tint(path[i].tint);
+    for (int i = 1; i < path.edges(); ++i) scale_color(path[i].color);
     if constexpr (M::kMedia)
-      for (int i = 0; i < path.edges(); ++i) tint(path[i].media.transmittance);
-    if constexpr (M::kClasses) tint(share(path));
+      for (int i = 0; i < path.edges(); ++i) scale_color(path[i].media.transmittance);
+    if constexpr (M::kClasses) scale_color(class_share(path));
     const double y = luminance(color);
     path.brightness = y * scale;
     if (!(path.brightness > 0) || !std::isfinite(path.brightness)) return false;
@@ -422,40 +445,40 @@ class PathSpace {
     return true;
   }
 
-  // What belongs to the classes of paths that are asked for.
-  Color share(const Path& path) {
+  // The share of the path's contribution that belongs to the selected path classes.
+  Color class_share(const Path& path) {
     using Shares = transport::ClassShares<M>;
     using transport::Event;
     using State = transport::Automaton::State;
-    const transport::Automaton& words = automaton();
-    shares_.assign(words.size(), Color(0));
-    shares_[words.next(words.start(), Event::camera)] = Color(1);
+    const transport::Automaton& classes = automaton();
+    shares_.assign(classes.size(), Color(0));
+    shares_[classes.next(classes.start(), Event::camera)] = Color(1);
     for (int i = path.edges() - 1; i > 0; --i) {
       const Vertex& x = path[i];
-      const auto parts =
-          x.delta ? typename Shares::Parts{Color(0), Color(0), Color(1)}
-                  : Shares::parts_of(x.bsdf, path.direction_to_camera(i), path.direction_to_light(i), Event::diffuse);
-      moved_.assign(words.size(), Color(0));
-      for (size_t q = 0; q < words.size(); ++q) {
+      const auto parts = x.delta ? typename Shares::Parts{Color(0), Color(0), Color(1)}
+                                 : Shares::letter_parts(x.bsdf, path.direction_to_camera(i), path.direction_to_light(i),
+                                                        Event::diffuse);
+      next_shares_.assign(classes.size(), Color(0));
+      for (size_t q = 0; q < classes.size(); ++q) {
         const auto state = static_cast<State>(q);
-        moved_[words.next(state, Event::diffuse)] += shares_[q] * parts.diffuse;
-        moved_[words.next(state, Event::glossy)] += shares_[q] * parts.glossy;
-        moved_[words.next(state, Event::specular)] += shares_[q] * parts.specular;
+        next_shares_[classes.next(state, Event::diffuse)] += shares_[q] * parts.diffuse;
+        next_shares_[classes.next(state, Event::glossy)] += shares_[q] * parts.glossy;
+        next_shares_[classes.next(state, Event::specular)] += shares_[q] * parts.specular;
       }
-      std::swap(shares_, moved_);
+      std::swap(shares_, next_shares_);
     }
     Color sum(0);
-    for (size_t q = 0; q < words.size(); ++q)
-      if (words.accepts(words.next(static_cast<State>(q), Event::light))) sum += shares_[q];
+    for (size_t q = 0; q < classes.size(); ++q)
+      if (classes.accepts(classes.next(static_cast<State>(q), Event::light))) sum += shares_[q];
     return sum;
   }
 
   const RenderContext* context_;
   const scene::CompiledScene* scene_;
-  float margin_;
-  Vec2 size_;
+  float filter_radius_;
+  Vec2 extent_;
   uint64_t rays_ = 0;
-  std::vector<Color> shares_, moved_;  // by state
+  std::vector<Color> shares_, next_shares_;  // by automaton state
 };
 
 }  // namespace etendue::integrator

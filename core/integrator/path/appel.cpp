@@ -1,7 +1,16 @@
-// Ray casting with shadow rays.                                                  thesis 8.2.1, Fig. 8.8; Appel 1968
+// Ray casting with shadow rays                                                 [Lang, sec. 8.2.1, fig. 8.8; Appel 1968]
 //
-// Local illumination as in raycast.h, but a light counts only where nothing stands between it and the surface: direct
-// light, and nothing else.
+// Direct light at the first surface that a camera ray hits:
+//
+//    L  =  L_e  +  sum over lights j  f_s L_e,j |cos| V / p_j
+//
+// As ray casting (ray_casting.cpp) with local illumination, but shadow rays determine the visibility V.
+//
+//   Paths         E[D|G]L; point lights: E(D|G)L
+//   Bias          none for these paths; all others are missing
+//   Cost          one ray per sample and one per light, no memory
+//   Limitations   Indirect light is missing; mirrors and glass are black.
+//                 Narrow glossy lobes under large lights are noisy.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 
@@ -13,13 +22,14 @@ class Appel final : public CameraPathIntegrator<Appel> {
     return {
         .name = "appel",
         .label = "Ray casting with shadows (Appel)",
-        .summary = "The first surface a ray meets, lit by what it sees of the lights",
+        .summary = "The first surface along the camera ray, with shadowed direct light",
         .group = Group::gathering,
         .paths = "E[D|G]L",
         .point_paths = "E(D|G)L",
         .bias = Bias::unbiased,
-        .cost = "1 ray per sample and 1 for each light; no memory",
-        .limitations = "everything indirect, mirrors and glass: black; narrow glossy lobes under large lights: noise",
+        .cost = "1 ray per sample and 1 per light; no memory",
+        .limitations =
+            "Indirect light is missing; mirrors and glass are black. Narrow glossy lobes under large lights are noisy.",
     };
   }
 

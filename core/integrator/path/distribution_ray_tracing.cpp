@@ -1,9 +1,18 @@
-// Distribution ray tracing.                thesis 8.3.1, (8.37), (8.44), errata E5, E9; Cook, Porter & Carpenter 1984
+// Distribution ray tracing                              [Lang, sec. 8.3.1, eq. 8.37, 8.44, corrected; Cook et al. 1984]
 //
-// A tree of rays from every camera ray: so many branches at the first vertices, one at later ones, each with an equal
-// share. With shadow rays the direct light at a vertex is found by a point on a light and by the branches, combined by
-// multiple importance sampling; without them (thesis Example 6.44) branches count the light that they meet. With one
-// branch everywhere the trees are the walks of `path` and of `path-pure`, sample by sample.
+// A tree of rays from every camera ray. The first vertices branch into N rays each, later vertices into one:
+//
+//    L  ~  L_e  +  1/N  sum over k = 1..N  f_s(w_k) |cos| L(w_k) / p(w_k)
+//
+// With shadow rays, direct light is estimated by light sampling and by the branches, combined by multiple importance
+// sampling. Without them [Lang, Example 6.44], branches count the light that they hit. With one branch at every vertex
+// the samples are identical to those of `path` and `path-pure`.
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L with shadow rays, none without
+//   Bias          none
+//   Cost          the number of rays is the product of the branch counts, twice with shadow rays; a stack of branches
+//   Limitations   The number of rays grows exponentially with the depth of branching, and the deepest contribute least.
+//                 Caustics of small lights are noisy as in path tracing. Point lights behind glass are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/branching_paths.h"
@@ -16,29 +25,36 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
     return {
         .name = "distribution",
         .label = "Distribution ray tracing",
-        .summary = "Trees of rays from the camera with direct light at every vertex",
+        .summary = "Branching rays from the camera with direct light at every vertex",
         .group = Group::gathering,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L",
         .bias = Bias::unbiased,
-        .cost = "the product of the branches so far at every depth, twice with shadow rays; a stack of branches",
+        .cost = "per depth, the product of the branch counts up to it, twice with shadow rays; a stack of branches",
         .limitations =
-            "rays grow exponentially with the depth that branches, and the deepest carry least; caustics of small "
-            "lights "
-            "as in path tracing; point lights behind glass: never",
+            "The number of rays grows exponentially with the depth of branching, and the deepest contribute least. "
+            "Caustics of small lights are noisy, as in path tracing. Point lights behind glass are never found.",
     };
   }
 
   Number<int> branches_1{"branches-1", "Branches at the first vertex", 4, {1, 64}, kBranchesDoc};
-  Number<int> branches_2{"branches-2", "At the second", 1, {1, 64}, kBranchesDoc};
-  Number<int> branches_3{"branches-3", "At the third", 1, {1, 64}, "Later ones have one"};
+  Number<int> branches_2{"branches-2", "Branches at the second vertex", 1, {1, 64}, kBranchesDoc};
+  Number<int> branches_3{
+      "branches-3",
+      "Branches at the third vertex",
+      1,
+      {1, 64},
+      "Later vertices have one. Raising it reduces noise and multiplies the cost of all later vertices"};
   Toggle shadow_rays{"shadow-rays", "Shadow rays", true,
-                     "Direct light from points on lights; without, only what rays meet counts (Example 6.44)"};
+                     "Samples lights directly. Off: only emitters that a ray hits count"};
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How light samples and BSDF samples share a path"};
-  Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+                                            "How light sampling and BSDF sampling are weighted"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
     return std::tie(max_depth, branches_1, branches_2, branches_3, shadow_rays, lights, heuristic, roulette_start);
@@ -51,30 +67,30 @@ class DistributionRayTracing final : public CameraPathIntegrator<DistributionRay
   template <class M>
   void estimate(transport::PathWavefront<M>& paths) const {
     if (shadow_rays)
-      gather(paths, transport::Combination(heuristic));
+      estimate_with(paths, transport::Combination(heuristic));
     else
-      gather(paths, transport::Combination());
+      estimate_with(paths, transport::Combination());
   }
 
  private:
   static constexpr const char* kBranchesDoc =
-      "Rays that go on from there: less noise, as many times the cost of all that follows";
+      "Rays from this vertex. Raising it reduces noise and multiplies the cost of all later vertices";
 
   int branches_at(int vertex) const {
     return vertex == 1 ? branches_1 : vertex == 2 ? branches_2 : vertex == 3 ? branches_3 : 1;
   }
 
   template <class M>
-  void gather(transport::PathWavefront<M>& paths, const transport::Combination& shared) const {
+  void estimate_with(transport::PathWavefront<M>& paths, const transport::Combination& combination) const {
     using namespace transport;
     auto& tree = BranchingPaths<M>::on(paths);
     while (tree.trace()) {
       const int branches = branches_at(paths.length());
-      add_environment(paths, shared, lights);
+      add_environment(paths, combination, lights);
       while (paths.next_hits()) {
-        add_emission(paths, shared, lights);
+        add_emission(paths, combination, lights);
         if (at_max_depth(paths.length())) continue;
-        if (shadow_rays) add_direct_light(paths, lights, shared, Shadows::cast, static_cast<float>(branches));
+        if (shadow_rays) add_direct_light(paths, lights, combination, Shadows::cast, static_cast<float>(branches));
         tree.branch(branches, roulette_start);
       }
     }

@@ -1,8 +1,18 @@
-// Path tracing with next event estimation.                        thesis 9.1.2, (9.26)-(9.29); Kajiya 1986
+// Path tracing with next event estimation                                [Lang, sec. 9.1.2, eq. 9.26-9.29; Kajiya 1986]
 //
-// Estimates L = L_e + T L by one random walk per sample from the camera. At every vertex the direct light is estimated
-// twice, by a point on a light and by the direction the walk takes next, and both are combined by multiple importance
-// sampling (thesis 6.6.9).
+// Estimates L = L_e + T L with one random path per sample. At each vertex x_i the direct light is estimated twice, by
+// sampling a light and by sampling the BSDF:
+//
+//    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b ),   beta_i = prod f_s |cos| /
+//    p_b
+//
+// w_l and w_b are weights of multiple importance sampling [Lang, sec. 6.6.9; Veach and Guibas 1995].
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L
+//   Bias          none; Russian roulette on the throughput, survival probability at most 0.95
+//   Cost          two rays per vertex, no memory beyond the path
+//   Limitations   Caustics of small lights are noisy: EDS+L is found only if a path happens to hit the light.
+//                 Point lights behind glass are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 
@@ -14,26 +24,28 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
     return {
         .name = "path",
         .label = "Path tracing",
-        .summary = "Random walks from the camera with direct light at every vertex",
+        .summary = "Random paths from the camera with direct light at every vertex",
         .group = Group::gathering,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L",
         .bias = Bias::unbiased,
         .cost = "2 rays per vertex; no memory beyond the path",
         .limitations =
-            "caustics of small lights: EDS+L is found only when a walk happens to end on the light; point lights "
-            "behind "
-            "glass: never",
+            "Caustics of small lights are noisy: EDS+L is found only if a path happens to hit the light. Point lights "
+            "behind glass are never found.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '4',
     };
   }
 
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How light samples and BSDF samples share a path"};
+                                            "How light sampling and BSDF sampling are weighted"};
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::automatic, kLightsDoc};
-  Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() { return std::tie(max_depth, heuristic, lights, roulette_start); }
 

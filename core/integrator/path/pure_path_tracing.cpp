@@ -1,7 +1,16 @@
-// Pure path tracing.                                                        thesis 9.1.1, (9.1)-(9.9)
+// Pure path tracing                                                        [Lang, sec. 9.1.1, eq. 9.1-9.9; Kajiya 1986]
 //
-// A random walk from the camera that counts light only where it meets it. Emitters may reflect: the sum form (9.3) is
-// used, not the product form that needs black emitters.
+// Estimates L = L_e + T L with one random path per sample. Light counts only where the path hits an emitter:
+//
+//    L  ~  sum over i  L_e(x_i -> x_i-1) prod over j < i of f_s(x_j) |cos| / p(x_j -> x_j+1)
+//
+// Emitters may reflect: the sum of eq. 9.3 is used, not the product form that assumes black emitters.
+//
+//   Paths         E(D|G|S)*L; point lights: none
+//   Bias          none; Russian roulette on the throughput
+//   Cost          one ray per vertex, no memory beyond the path
+//   Limitations   Noise grows with the inverse root of the lights' solid angle.
+//                 Point, spot and directional lights are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 
@@ -13,22 +22,25 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
     return {
         .name = "path-pure",
         .label = "Pure path tracing",
-        .summary = "Random walks from the camera that count light only where they meet it",
+        .summary = "Random paths from the camera that count light only where they hit an emitter",
         .group = Group::gathering,
         .paths = "E(D|G|S)*L",
         .point_paths = "",
         .bias = Bias::unbiased,
         .cost = "1 ray per vertex; no memory beyond the path",
         .limitations =
-            "small lights: noise grows as one over the root of their solid angle; point, spot and directional lights: "
-            "never",
+            "Small lights are noisy: noise grows with the inverse root of their solid angle. Point, spot and "
+            "directional lights are never found.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '3',
     };
   }
 
-  Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() { return std::tie(max_depth, roulette_start); }
 

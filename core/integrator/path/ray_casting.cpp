@@ -1,8 +1,17 @@
-// Ray casting: what the camera sees, and a local illumination model without shadows.   thesis 8.2, (8.14)-(8.19),
-// errata E3, E5
+// Ray casting                                                    [Lang, sec. 8.2, eq. 8.14-8.19, corrected; Appel 1968]
 //
-// Plain, a pixel shows the emission of what its ray meets. With the local model a point on each light is added, as if
-// nothing stood between it and the surface. The thesis's one ray through the centre of each pixel is the centre filter.
+// Shows the first surface that a camera ray hits: its emission and, with the local illumination model, unshadowed
+// direct light,
+//
+//    L  =  L_e  +  sum over lights j  f_s L_e,j |cos| / p_j
+//
+// with one point per light and visibility V = 1. The sampling of pixel centres in [Lang] corresponds to the center
+// filter.
+//
+//   Paths         E[D|G]L; point lights: E(D|G)L
+//   Bias          biased: no shadows, no indirect light
+//   Cost          one ray per sample
+//   Limitations   Indirect light and shadows are missing. Point lights need the local illumination model.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 
@@ -14,20 +23,20 @@ class RayCasting final : public CameraPathIntegrator<RayCasting> {
     return {
         .name = "raycast",
         .label = "Ray casting",
-        .summary = "The first surface a ray meets, lit without shadows or left to its own emission",
+        .summary = "The first surface along the camera ray, with unshadowed direct light or its emission alone",
         .group = Group::gathering,
         .paths = "E[D|G]L",
         .point_paths = "E(D|G)L",
         .bias = Bias::biased,
         .cost = "1 ray per sample",
-        .limitations = "everything indirect, every shadow; point lights are invisible without the local model",
+        .limitations =
+            "Indirect light and shadows are missing. Point lights have no effect without local illumination.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '1',
     };
   }
 
-  Toggle local{"local", "Local illumination", true,
-               "Light from every source, as if nothing stood in between (thesis 8.2)"};
+  Toggle local{"local", "Local illumination", true, "Adds direct light without shadows. Off: emission only"};
 
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 

@@ -1,8 +1,19 @@
-// Classic ray tracing.                                 thesis 8.2.2, (8.24), (8.30)-(8.33), errata E3-E6; Whitted 1980
+// Classic ray tracing                             [Lang, sec. 8.2.2, eq. 8.24-8.26, 8.30-8.33, corrected; Whitted 1980]
 //
-// At every vertex shadow rays towards the lights, and one ray along each mirror and refraction direction, weighted with
-// its coefficient: nothing is chosen. Under point lights, from the centre of a pixel, the picture has no noise.
-// Branches end on surfaces without deltas, where they carry too little, and at the longest path.
+// At every vertex: direct light by shadow rays to all lights, and one ray along each mirror and refraction direction,
+// weighted by its reflectance or transmittance:
+//
+//    L(x)  =  L_e  +  sum over lights  f_s L_e |cos| V / p  +  R L(x, reflected)  +  T L(x, refracted)
+//
+// Nothing is chosen at random except points on area lights: under point lights, with rays through pixel centres, the
+// image has no noise. A branch ends at a surface without specular components, below the contribution cutoff, or at the
+// maximum path length.
+//
+//   Paths         ES*[D|G]L; point lights: ES*(D|G)L
+//   Bias          biased: all other paths are missing
+//   Cost          up to 2^depth rays per sample and one per light and vertex; a stack of branches
+//   Limitations   Indirect light between diffuse or glossy surfaces and caustics are missing, as are sequences of
+//                 mirrors beyond the maximum length or the cutoff.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
 #include "transport/wavefront/branching_paths.h"
@@ -15,31 +26,32 @@ class Whitted final : public CameraPathIntegrator<Whitted> {
     return {
         .name = "whitted",
         .label = "Ray tracing (Whitted)",
-        .summary = "Direct light, seen directly and through every mirror and refraction",
+        .summary = "Direct light, viewed directly and through mirrors and refractions",
         .group = Group::gathering,
         .paths = "ES*[D|G]L",
         .point_paths = "ES*(D|G)L",
         .bias = Bias::biased,
-        .cost = "up to 2^depth rays, and 1 for each light at each vertex; a stack of branches",
+        .cost = "up to 2^depth rays per sample and 1 per light at each vertex; a stack of branches",
         .limitations =
-            "light between diffuse or glossy surfaces, caustics: exactly zero; chains of mirrors beyond depth or "
-            "threshold",
+            "Indirect light between diffuse or glossy surfaces and caustics are missing, as are sequences of mirrors "
+            "beyond the maximum length or the cutoff.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '2',
     };
   }
 
-  // Rays that mirrors hold captive would go on for ever.
+  // A limit is required: rays between facing mirrors would never end.
   Whitted() {
-    max_depth.value = 16, max_depth.range = {1, 1000};
-    max_depth.doc = "Path segments from camera to light: 1 is a light seen directly, 2 direct illumination";
+    max_depth.value = 16;
+    max_depth.range = {1, 1000};
+    max_depth.doc = "Segments from camera to light: 1 is directly visible light, 2 direct illumination";
   }
 
   Number<float> threshold{"threshold",
-                          "Least intensity",
+                          "Contribution cutoff",
                           1e-3f,
                           {0, 1},
-                          "Branches end when they carry less than this share of what they show: shorter trees, darker"};
+                          "Branches whose throughput is below this value end. Raising it is faster and darker"};
   Choice<LightStrategy> lights{"lights", "Lights", LightStrategy::every, kLightsDoc};
 
   auto parameters() { return std::tie(max_depth, threshold, lights); }
@@ -47,17 +59,17 @@ class Whitted final : public CameraPathIntegrator<Whitted> {
   template <class M>
   void estimate(transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const auto carries_enough = [&](const PathState<typename M::Color>& path, int) {
+    const auto above_cutoff = [&](const PathState<typename M::Color>& path, int) {
       return max_component(path.throughput) * path.eta_scale >= threshold;
     };
-    auto& tree = BranchingPaths<M>::on(paths);
-    while (tree.trace()) {
+    auto& branches = BranchingPaths<M>::on(paths);
+    while (branches.trace()) {
       add_environment(paths);
       while (paths.next_hits()) {
         add_emission(paths);
         if (at_max_depth(paths.length())) continue;
         add_direct_light(paths, lights, {});
-        tree.follow_deltas(0, 0, carries_enough);
+        branches.follow_deltas(0, 0, above_cutoff);
       }
     }
   }

@@ -1,7 +1,7 @@
-// How photons are weighted by their distance in an estimate of density.       Jensen 2001, 7.2; digest 8-10: S33
+// The kernels of photon density estimation.                                                     [Jensen 2001, sec. 7.2]
 //
-// Every kernel has the mean one over the disc, so that even light stays as it is. The Gaussian is Jensen's shape; his
-// factor of 0.918 does not make its mean one.
+// Every kernel has mean one over the disc, so that uniform illumination is unchanged. The Gaussian has the shape of
+// [Jensen 2001], whose factor of 0.918 does not normalise it.
 #pragma once
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ enum class Kernel { constant, cone, gaussian };
 // `t` is the squared distance over the squared radius, 0 to 1.
 inline float kernel_weight(Kernel kernel, float t) {
   constexpr float kBeta = 1.953f, kAtRim = 0.14184795f;  // e^-beta
-  constexpr float kMean = 0.57859f;                      // of what is left by the fall
+  constexpr float kMean = 0.57859f;                      // of the unnormalised kernel
   switch (kernel) {
     case Kernel::cone:
       return 3 * (1 - std::sqrt(t));

@@ -1,7 +1,7 @@
-// What is stored of a photon.                                        thesis 9.5, L17942-17979; digest 8-10: S32, O25
+// A stored photon in 32 bytes.                                                    [Lang, sec. 9.5; Cigolle et al. 2014]
 //
-// 32 bytes: position and power in full, the normal of the surface in 30 bits beside the axis of the tree, the direction
-// in 20 bits beside the length of its path and what classes of paths ask for.
+// Position and power have full precision. The normal has 30 bits, beside the axis of the tree; the direction has 20
+// bits, beside the length of its path and the state of its path class.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,68 +13,69 @@
 
 namespace etendue::photon {
 
-// A unit vector in 2 x bits: the octahedron around it, unfolded (Cigolle et al. 2014). Off by at most 4.3 / 2^bits.
-constexpr uint32_t grid_of(float x, int bits) {
+// Quantises a unit vector to 2 x bits by the octahedral map [Cigolle et al. 2014]. The error is at most 4.3 / 2^bits.
+constexpr uint32_t quantize(float x, int bits) {
   const auto most = static_cast<float>((1 << bits) - 1);
   return static_cast<uint32_t>(static_cast<int32_t>((std::clamp(x, -1.0f, 1.0f) * 0.5f + 0.5f) * most + 0.5f));
 }
 
-// Without branches, which directions would make unpredictable.
-inline uint32_t packed_direction(const Vec3& v, int bits) {
+// Branch-free, because the branches would be unpredictable.
+inline uint32_t pack_direction(const Vec3& v, int bits) {
   const float size = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
   const float x = v.x / size, y = v.y / size;
   const float folded_x = (1 - std::abs(y)) * select(x < 0, -1.0f, 1.0f);
   const float folded_y = (1 - std::abs(x)) * select(y < 0, -1.0f, 1.0f);
-  return grid_of(select(v.z < 0, folded_x, x), bits) << bits | grid_of(select(v.z < 0, folded_y, y), bits);
+  return quantize(select(v.z < 0, folded_x, x), bits) << bits | quantize(select(v.z < 0, folded_y, y), bits);
 }
-// The same for many; arrays have room for whole registers.
-void packed_directions(const Vec3LanesView& v, size_t count, int bits, uint32_t* packed);
+// Packs many directions; arrays are padded to whole registers.
+void pack_directions(const Vec3LanesView& v, size_t count, int bits, uint32_t* packed);
 
-// Not of unit length.
-inline Vec3 unfolded_direction(uint32_t packed, int bits) {
+// Not normalised.
+inline Vec3 unfold_direction(uint32_t packed, int bits) {
   const uint32_t mask = (1U << bits) - 1;
   const float scale = 2 / static_cast<float>(mask);
   Vec3 v(static_cast<float>(packed >> bits & mask) * scale - 1, static_cast<float>(packed & mask) * scale - 1, 0);
   v.z = 1 - std::abs(v.x) - std::abs(v.y);
   const float fold = std::max(-v.z, 0.0f);
-  v.x += v.x < 0 ? fold : -fold, v.y += v.y < 0 ? fold : -fold;
+  v.x += v.x < 0 ? fold : -fold;
+  v.y += v.y < 0 ? fold : -fold;
   return v;
 }
-inline Vec3 unpacked_direction(uint32_t packed, int bits) { return glm::normalize(unfolded_direction(packed, bits)); }
+inline Vec3 unpack_direction(uint32_t packed, int bits) { return glm::normalize(unfold_direction(packed, bits)); }
 
 class Photon {
  public:
   static constexpr int kNormalBits = 15, kDirectionBits = 10;
-  // Longer paths count as this long.
-  static constexpr int kLongest = 63;
+  // Lengths are clamped to this.
+  static constexpr int kMaxLength = 63;
 
   Photon() = default;
-  // `direction` points back to where it came from; `length` is the number of edges of its path; `state` is below 64.
+  // `direction` points back along the path; `length` is its number of edges; `state` is below 64.
   Photon(const Vec3& position, const Vec3& direction, const Vec3& normal, const Rgb& power, int length,
          uint8_t state = 0)
-      : Photon(position, packed_direction(direction, kDirectionBits), packed_direction(normal, kNormalBits), power,
-               length, state) {}
-  // The same of a direction and a normal that are packed already.
+      : Photon(position, pack_direction(direction, kDirectionBits), pack_direction(normal, kNormalBits), power, length,
+               state) {}
+  // The same with packed direction and normal.
   Photon(const Vec3& position, uint32_t direction, uint32_t normal, const Rgb& power, int length, uint8_t state)
       : position_(position),
         normal_(normal << 2),
         power_(power),
-        rest_(direction << 12 | static_cast<uint32_t>(std::min(length, kLongest)) << 6 | state) {}
+        packed_(direction << 12 | static_cast<uint32_t>(std::min(length, kMaxLength)) << 6 | state) {}
 
   const Vec3& position() const { return position_; }
   const Rgb& power() const { return power_; }  // watts
-  Vec3 normal() const { return unpacked_direction(normal_ >> 2, kNormalBits); }
-  // Whether its surface faces about as a unit normal does: they are less than 60 degrees apart.
+  Vec3 normal() const { return unpack_direction(normal_ >> 2, kNormalBits); }
+  // Whether the angle between its surface normal and a unit vector is less than 60 degrees.
   bool faces(const Vec3& other) const {
-    const Vec3 n = unfolded_direction(normal_ >> 2, kNormalBits);
+    const Vec3 n = unfold_direction(normal_ >> 2, kNormalBits);
     const float cosine = glm::dot(n, other);
     return cosine > 0 && sqr(cosine) > 0.25f * glm::dot(n, n);
   }
-  Vec3 direction() const { return unpacked_direction(rest_ >> 12, kDirectionBits); }
-  int length() const { return static_cast<int>(rest_ >> 6 & 63); }
-  uint8_t state() const { return rest_ & 63; }
+  Vec3 direction() const { return unpack_direction(packed_ >> 12, kDirectionBits); }
+  int length() const { return static_cast<int>(packed_ >> 6 & 63); }
+  uint8_t state() const { return packed_ & 63; }
 
-  // Of the tree's plane through it.
+  // The axis of its splitting plane.
   int axis() const { return static_cast<int>(normal_ & 3); }
   void set_axis(int axis) { normal_ = (normal_ & ~3U) | static_cast<uint32_t>(axis); }
 
@@ -82,7 +83,7 @@ class Photon {
   Vec3 position_{0};
   uint32_t normal_ = 0;
   Rgb power_{0};
-  uint32_t rest_ = 0;
+  uint32_t packed_ = 0;
 };
 
 static_assert(sizeof(Photon) == 32);

@@ -1,7 +1,7 @@
-// One emission of photons and the tree of them, in the making: two phases of tasks.
+// An emission of photons and their tree, built in two phases of tasks.
 //
-// It may be shared by several works. What one of them has traced the others find done: a map that an edit of the camera
-// cuts short goes on from there.
+// An emission can be shared by several render states: what one of them has traced is complete for the others, so that
+// building continues after an edit of the camera has interrupted it.
 #pragma once
 #include "integrator/photon/photon_map.h"
 #include "integrator/photon/photon_paths.h"
@@ -10,54 +10,57 @@ namespace etendue::integrator {
 
 class PhotonEmission {
  public:
-  // Everything that is stored depends on these, and on the scene, the model and the seed. The sample number decides
-  // about random numbers: where they are the sampler's they must be drawn while it has tables for that sample.
+  // The photons depend on the plan and the sample number, and on the scene, the model and the seed. If their random
+  // numbers come from the sampler, they must be traced while the sampler has tables for that sample.
   PhotonEmission(const PhotonPlan& plan, uint32_t sample) { begin(plan, sample); }
 
-  // Another emission in the place of this one.
+  // Starts another emission.
   void begin(const PhotonPlan& plan, uint32_t sample) {
-    plan_ = plan, sample_ = sample;
-    found_.resize(static_cast<size_t>(plan.tasks()));
-    traced_.assign(found_.size(), 0);
-    ordered_.fill(0);
-    collected_ = ready_ = false;
+    plan_ = plan;
+    sample_ = sample;
+    photons_by_task_.resize(static_cast<size_t>(plan.tasks()));
+    is_traced_.assign(photons_by_task_.size(), 0);
+    is_ordered_.fill(0);
+    is_collected_ = is_ready_ = false;
   }
 
-  bool ready() const { return ready_; }
+  bool is_ready() const { return is_ready_; }
   const photon::PhotonMap& map() const { return map_; }
   const PhotonPlan& plan() const { return plan_; }
 
-  enum Step : size_t { kTrace, kOrder };
+  enum Step : size_t { kTrace, kBuild };
   void add_phases(std::vector<Phase>& phases) const {
     phases.push_back({plan_.caustics ? "tracing caustic photons" : "tracing photons", plan_.tasks()});
     phases.push_back({"ordering photons", photon::PhotonMap::kPieces});
   }
 
   std::optional<uint64_t> run(const RenderContext& context, Step step, int task, const TaskContext& task_context) {
-    char& done = step == kTrace ? traced_[static_cast<size_t>(task)] : ordered_[static_cast<size_t>(task)];
+    char& done = step == kTrace ? is_traced_[static_cast<size_t>(task)] : is_ordered_[static_cast<size_t>(task)];
     if (done) return 0;
     std::optional<uint64_t> rays = 0;
-    if (step == kOrder)
+    if (step == kBuild)
       map_.build_piece(task);
     else
       rays = transport::with_model(*context.model, [&]<class M>(M) {
-        return trace_photons<M>(context, sample_, plan_, task, task_context, found_[static_cast<size_t>(task)]);
+        return trace_photons<M>(context, sample_, plan_, task, task_context,
+                                photons_by_task_[static_cast<size_t>(task)]);
       });
     done = rays.has_value();
     return rays;
   }
 
-  // Called alone, after the last task of a step.
+  // Called after the last task of a step, while no other task runs.
   void finish(Step step) {
-    if (step == kOrder)
-      map_.end(), ready_ = true;
-    else if (!collected_)
+    if (step == kBuild) {
+      map_.end();
+      is_ready_ = true;
+    } else if (!is_collected_)
       collect();
   }
 
   size_t memory() const {
     size_t photons = 0;
-    for (const auto& list : found_) photons += list.capacity();
+    for (const auto& list : photons_by_task_) photons += list.capacity();
     return photons * sizeof(photon::Photon) + map_.memory();
   }
 
@@ -65,29 +68,29 @@ class PhotonEmission {
   void collect() {
     std::vector<photon::Photon> all = map_.take_memory();
     size_t count = 0;
-    for (const auto& list : found_) count += list.size();
+    for (const auto& list : photons_by_task_) count += list.size();
     all.reserve(count);
-    for (auto& list : found_) {
+    for (auto& list : photons_by_task_) {
       all.insert(all.end(), list.begin(), list.end());
       std::vector<photon::Photon>().swap(list);
     }
     map_.begin(std::move(all));
-    collected_ = true;
+    is_collected_ = true;
   }
 
   PhotonPlan plan_;
   uint32_t sample_ = 0;
-  std::vector<std::vector<photon::Photon>> found_;  // by task
-  std::vector<char> traced_;
-  std::array<char, photon::PhotonMap::kPieces> ordered_{};
-  bool collected_ = false, ready_ = false;
+  std::vector<std::vector<photon::Photon>> photons_by_task_;
+  std::vector<char> is_traced_;
+  std::array<char, photon::PhotonMap::kPieces> is_ordered_{};
+  bool is_collected_ = false, is_ready_ = false;
   photon::PhotonMap map_;
 };
 
-// A look at some photons, thinned out evenly.
-inline void add_points(const photon::PhotonMap& map, size_t most, std::vector<StoredPoint>& points) {
-  const size_t apart = std::max<size_t>(1, (map.size() + most - 1) / std::max<size_t>(1, most));
-  for (size_t i = 0; i < map.size(); i += apart) points.push_back({map[i].position(), map[i].power()});
+// Appends up to `max_count` photons at regular intervals, for display.
+inline void add_points(const photon::PhotonMap& map, size_t max_count, std::vector<StoredPoint>& points) {
+  const size_t stride = std::max<size_t>(1, (map.size() + max_count - 1) / std::max<size_t>(1, max_count));
+  for (size_t i = 0; i < map.size(); i += stride) points.push_back({map[i].position(), map[i].power()});
 }
 
 }  // namespace etendue::integrator

@@ -1,21 +1,33 @@
-// Photon mapping: photons stored before, looked up from the camera.       thesis 9.5.3, 9.5.4, (9.140)-(9.147); S36-S38
+// Photon mapping                                   [Lang, sec. 9.5.3, 9.5.4, eq. 9.140-9.147; Jensen 1996; Jensen 2001]
 //
-// Light paths are parted at the first vertex with a wide part (D_G, transport/lobe_split.h) that the camera sees, after
-// any number of narrow ones (S_G):
+// A first pass stores photons where they hit surfaces; the second estimates reflected radiance from the photons in a
+// disc of radius r around a point,
 //
-//   E S_G* L                              met by the walk from the camera
-//   E S_G* D_G L                   a      `direct`: all of it estimated from the global map
-//   E S_G* D_G S_G+ L              c      `classic`: a by shadow rays, c from the caustics map, d by final gathering,
-//   E S_G* D_G S_G* D_G (.)* L     d                 whose rays look up the global map where they arrive at D_G
+//    L_o  ~  1 / (pi r^2)  sum of f_s(w_photon, w_o) Phi
 //
-// so that nothing is counted twice: gather rays never count a light that they meet (a, c). Where one is so short that
-// the disc of a lookup would reach around the corner, a, c and d are found there as they are at the first vertex. A
-// narrow gloss is lit by shadow rays and by its own rays, which share paths by multiple importance sampling.
+// Paths are divided at the first vertex with rough lobes (D_G, transport/wavefront/lobe_split.h) from the camera, after
+// any number of near-specular ones (S_G):
 //
-// Each half of the film has photons of its own, so that its stated error knows how they fell. What it cannot know is
-// bias: light is spread over the discs, lost at edges, and gathered from around curved surfaces. A map stays until
-// something but the camera changes. Photons that stay are independent random numbers whatever the sampler, because a
-// rendering that goes on after its first samples makes the same map again.
+//   E S_G* L                              the camera path hits the light
+//   E S_G* D_G L                   a      `direct`: all three from the global map
+//   E S_G* D_G S_G+ L              c      `classic`: a by shadow rays, c from the caustics map, d by final gathering
+//   E S_G* D_G S_G* D_G (.)* L     d                 with global map lookups at the next D_G
+//
+// Nothing is counted twice, because gather rays do not count light that they hit (a, c). Where a gather ray is so short
+// that the disc of a lookup would reach around a corner, a, c and d are estimated there as at the first vertex.
+// Near-specular glossy lobes are lit by shadow rays and by BSDF sampling, combined by multiple importance sampling.
+//
+// Each half-buffer has its own photons, so that the error estimate includes their variance. It cannot include bias.
+// Maps are reused until something other than the camera changes. Reused photons come from independent random numbers,
+// whatever the sampler, because a resumed rendering must reproduce the same map.
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G).*L
+//   Bias          biased: density estimation blurs light over the disc, darkens edges, and brightens curved surfaces
+//   Cost          first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample
+//                 with one lookup each
+//   Limitations   Caustics and contact shadows are blurred, few photons show as blotches. Direct lookups darken edges
+//   and
+//                 leak light. Near-specular surfaces receive point lights only directly.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/final_gather.h"
 #include "integrator/photon/photon_emission.h"
@@ -26,14 +38,14 @@
 
 namespace etendue::integrator {
 
-enum class PhotonUse { direct, classic };
+enum class PhotonUse { is_direct, classic };
 
 }  // namespace etendue::integrator
 
 template <>
 struct etendue::Options<etendue::integrator::PhotonUse> {
   static constexpr std::array<etendue::Option, 2> kOptions{
-      {{"direct", "Look up what is seen"}, {"classic", "Shadow rays, caustics, final gathering"}}};
+      {{"direct", "Direct visualization"}, {"classic", "Final gathering"}}};
 };
 
 namespace etendue::integrator {
@@ -44,77 +56,86 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
     return {
         .name = "photonmap",
         .label = "Photon mapping",
-        .summary = "Photons stored where light arrives; the camera's walks look up how densely they lie",
+        .summary = "Photons stored in a first pass, looked up by density estimation from the camera",
         .group = Group::two_pass,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G).*L",
         .bias = Bias::biased,
         .cost =
-            "before the first samples 2 to 4 rays per photon and 32 bytes for each that is stored, twice; then 2 + 2 "
-            "gather rays per sample, with a lookup for each",
+            "first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample "
+            "with one lookup each",
         .limitations =
-            "however many samples: blurred caustics and contacts, blotches of too few photons; looked up directly also "
-            "dark edges and leaks; glossy surfaces under the roughness limit see point lights only directly",
+            "For any number of samples: caustics and contact shadows are blurred, few photons show as blotches. Direct "
+            "visualization darkens edges and leaks light. Glossy surfaces below the roughness limit receive point "
+            "lights only directly.",
         .accumulation = Accumulation::per_image,
         .shortcut = '8',
     };
   }
 
-  Choice<PhotonUse> mode{"mode", "Photons are", PhotonUse::classic,
-                         "Looked up where the camera looks: fast and blotched; or where gather rays arrive"};
+  Choice<PhotonUse> mode{"mode", "Mode", PhotonUse::classic,
+                         "Direct visualization looks up photons at visible surfaces: fast, blotchy. Final gathering "
+                         "looks them up where gather rays end"};
   Number<int> photons{"photons",
                       "Photons",
                       100'000,
                       {0, 100'000'000},
-                      "That leave the lights for the global map. More: less bias and noise, more memory",
+                      "Photons emitted for the global map. Raising it reduces bias and noise and needs more memory",
                       "",
                       Scale::logarithmic};
-  Number<int> caustic_photons{"caustic-photons",
-                              "Caustic photons",
-                              100'000,
-                              {0, 100'000'000},
-                              "That leave the lights for the caustics map; only what meets something narrow stays",
-                              "",
-                              Scale::logarithmic};
+  Number<int> caustic_photons{
+      "caustic-photons",
+      "Caustic photons",
+      100'000,
+      {0, 100'000'000},
+      "Photons emitted for the caustics map; only those scattered by specular or near-specular surfaces are stored",
+      "",
+      Scale::logarithmic};
   Number<int> nearest{"nearest",
-                      "Photons in an estimate",
+                      "Photons per lookup",
                       50,
                       {2, 100'000},
-                      "The relative noise is one over the root of it; more: a wider disc, more blur",
+                      "Nearest photons in an estimate. The relative noise is the inverse of its root; raising it "
+                      "widens the disc and the blur",
                       "",
                       Scale::logarithmic};
   Number<float> beta{
       "beta",
-      "Growth with photons",
+      "Lookup count exponent",
       0,
       {0, 1},
-      "Photons in an estimate grow as (photons / 100,000)^beta: between 0 and 1 both bias and noise fall "
-      "as photons are added, at 2/3 fastest; at 0 noise stays, at 1 bias"};
+      "Photons per lookup grow as (photons / 100,000)^beta. Between 0 and 1 both bias and noise fall as photons are "
+      "added, fastest at 2/3; at 0 noise stays, at 1 bias stays"};
   Number<float> radius{"radius",
-                       "Largest radius",
+                       "Max. radius",
                        0.1f,
                        {0, 1},
-                       "No photon is taken from farther away, as a part of the scene's size; 0: no limit",
+                       "Maximum lookup radius, as a fraction of the scene's diameter; 0: no limit",
                        "",
                        Scale::logarithmic};
-  Choice<photon::Kernel> kernel{"kernel", "Kernel", photon::Kernel::constant,
-                                "Others weigh near photons more: sharper, noisier"};
+  Choice<photon::Kernel> kernel{
+      "kernel", "Kernel", photon::Kernel::constant,
+      "Weight of photons by distance. Cone and Gaussian are sharper and noisier than constant"};
   Number<float> roughness{"roughness",
-                          "Narrow below roughness",
+                          "Max. roughness traced as specular",
                           0.2f,
                           {0, 1},
-                          "Glossy lobes below are followed by rays as mirrors are, others are estimated from photons"};
-  Number<int> gather{"gather", "Gather rays", 2, {1, 256}, "Of each sample, from the first wide surface; classic only"};
+                          "Glossy lobes below this roughness are ray traced; rougher ones use the photon map"};
+  Number<int> gather{
+      "gather", "Gather rays", 2, {1, 256}, "Rays per sample from the first rough surface; final gathering only"};
   Number<float> near{"near",
-                     "Gather again within",
+                     "Secondary gather distance",
                      0.02f,
                      {0, 1},
-                     "Shorter gather rays look nothing up but gather again, as a part of the scene's size; more: "
-                     "better corners, slower"};
-  Toggle renew{"renew", "New photons for every sample", false,
-               "Averages the blotches of many maps; the bias of one stays. What moves always gets new ones"};
-  Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths: faster, noisier"};
+                     "Gather rays shorter than this fraction of the scene's diameter gather again instead of looking "
+                     "up photons. Raising it improves corners and is slower"};
+  Toggle renew{"renew", "New photons per sample", false,
+               "Averages the blotches of many maps; the bias of one map stays. Always on for scenes with motion"};
+  Number<int> roulette_start{"roulette-start",
+                             "Russian roulette start depth",
+                             4,
+                             {1, 64},
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
     return std::tie(max_depth, mode, photons, caustic_photons, nearest, beta, radius, kernel, roughness, gather, near,
@@ -125,14 +146,14 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
 
  private:
   transport::LobeSplit split() const { return transport::LobeSplit(roughness); }
-  bool direct() const { return mode == PhotonUse::direct; }
+  bool is_direct() const { return mode == PhotonUse::is_direct; }
 
-  // In an estimate from a map of so many photons.
+  // The lookup parameters of a map of so many emitted photons.
   NearestPhotons nearest_of(int emitted, float size) const {
     constexpr double kReference = 100'000;
-    const double most = nearest * std::pow(emitted / kReference, double{beta});
-    const float farthest = radius > 0 ? radius * size : kInfinity;
-    return {static_cast<size_t>(std::clamp(most + 0.5, 2.0, 1e7)), sqr(farthest), kernel};
+    const double count = nearest * std::pow(emitted / kReference, double{beta});
+    const float max_distance = radius > 0 ? radius * size : kInfinity;
+    return {static_cast<size_t>(std::clamp(count + 0.5, 2.0, 1e7)), sqr(max_distance), kernel};
   }
 
   PhotonPlan plan(bool caustics) const {
@@ -140,28 +161,28 @@ class PhotonMapping final : public IntegratorBase<PhotonMapping> {
     plan.photons = max_depth == 1 ? 0 : caustics ? caustic_photons : photons;
     plan.split = split();
     plan.caustics = caustics;
-    plan.shortest = caustics ? 2 : 1;
-    plan.longest = std::max(0, max_depth - 1);
+    plan.min_length = caustics ? 2 : 1;
+    plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
 
   class Maps;
 };
 
-// Of each half of the film, a global map and one of caustics.
+// A global map and a caustics map for each half-buffer.
 class PhotonMapping::Maps final : public RenderState {
  public:
-  Maps(const PhotonMapping& method, const RenderContext& context, const Maps* previous)
-      : method_(method), context_(context), size_(2 * context.scene->bounds().radius()) {
+  Maps(const PhotonMapping& integrator, const RenderContext& context, const Maps* previous)
+      : integrator_(integrator), context_(context), size_(2 * context.scene->bounds().radius()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
-    const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(context);
+    const bool can_reuse = previous && !renews() && !previous->renews() && previous->same_light(context);
     for (uint32_t half = 0; half < film::kHalfBuffers; ++half)
       for (const bool caustics : {false, true}) {
-        if (caustics && (method.direct() || context.model->diffuse)) continue;
-        auto& mine = emissions_[half][caustics];
-        const PhotonPlan plan = method.plan(caustics);
-        if (reusable) mine = previous->emissions_[half][caustics];
-        if (!mine || !(mine->plan() == plan)) mine = std::make_shared<PhotonEmission>(plan, half);
+        if (caustics && (integrator.is_direct() || context.model->diffuse)) continue;
+        auto& emission = emissions_[half][caustics];
+        const PhotonPlan plan = integrator.plan(caustics);
+        if (can_reuse) emission = previous->emissions_[half][caustics];
+        if (!emission || !(emission->plan() == plan)) emission = std::make_shared<PhotonEmission>(plan, half);
       }
   }
 
@@ -171,7 +192,7 @@ class PhotonMapping::Maps final : public RenderState {
     for (const auto& emission : emissions_[sample % film::kHalfBuffers]) {
       if (!emission) continue;
       if (renews()) emission->begin(emission->plan(), sample);
-      if (emission->ready()) continue;
+      if (emission->is_ready()) continue;
       emission->add_phases(phases);
       running_.push_back(emission.get());
     }
@@ -203,13 +224,13 @@ class PhotonMapping::Maps final : public RenderState {
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
     auto points = std::make_shared<std::vector<StoredPoint>>();
     for (const auto& emission : emissions_[0])
-      if (emission && emission->ready()) add_points(emission->map(), kMostPoints / 2, *points);
+      if (emission && emission->is_ready()) add_points(emission->map(), kMostPoints / 2, *points);
     return points;
   }
 
  private:
-  // What moves needs photons of its own time.
-  bool renews() const { return method_.renew || context_.model->moving; }
+  // Moving objects require photons of the same time.
+  bool renews() const { return integrator_.renew || context_.model->moving; }
 
   bool same_light(const RenderContext& context) const {
     const transport::Model &a = *context_.model, &b = *context.model;
@@ -220,8 +241,8 @@ class PhotonMapping::Maps final : public RenderState {
 
   PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {
     const auto& emission = emissions_[sample % film::kHalfBuffers][caustics];
-    return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth,
-            task_context.overhead_timer};
+    return {emission ? &emission->map() : nullptr, integrator_.split(), join_ ? &*join_ : nullptr,
+            integrator_.max_depth, task_context.overhead_timer};
   }
 
   template <class M>
@@ -230,66 +251,67 @@ class PhotonMapping::Maps final : public RenderState {
     transport::PathWavefront<M>& paths = thread_wavefront<M>();
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
-    if (method_.direct()) {
-      if (!estimate_directly(view(block.sample, false, task_context), task_context, paths)) return {};
+    if (integrator_.is_direct()) {
+      if (!estimate_direct(view(block.sample, false, task_context), task_context, paths)) return {};
       return collect(paths, order, radiance);
     }
     static thread_local const auto gatherer = std::make_unique<FinalGather<M>>();
-    gatherer->begin({view(block.sample, false, task_context), method_.nearest_of(method_.photons, size_)},
-                    {view(block.sample, true, task_context), method_.nearest_of(method_.caustic_photons, size_)},
-                    method_.gather, method_.near * size_);
-    if (!estimate_in_terms(task_context, *gatherer, paths)) return {};
+    gatherer->begin(
+        {view(block.sample, false, task_context), integrator_.nearest_of(integrator_.photons, size_)},
+        {view(block.sample, true, task_context), integrator_.nearest_of(integrator_.caustic_photons, size_)},
+        integrator_.gather, integrator_.near * size_);
+    if (!estimate_by_terms(task_context, *gatherer, paths)) return {};
     const auto rays = collect(paths, order, radiance);
     if (!rays || gatherer->cancelled()) return {};
     return *rays + gatherer->rays_traced();
   }
 
-  // False if nobody wants it any more: lookups take a while.
+  // False if the task was cancelled, which is polled because lookups are slow.
   template <class M>
-  bool estimate_directly(const PhotonView& view, const TaskContext& task_context,
-                         transport::PathWavefront<M>& paths) const {
+  bool estimate_direct(const PhotonView& view, const TaskContext& task_context,
+                       transport::PathWavefront<M>& paths) const {
     using namespace transport;
     while (paths.trace()) {
-      add_environment(paths, kPartsHeuristic);
+      add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
-        add_emission(paths, kPartsHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
-        add_light_by_parts(paths, view.split, LitParts::near_specular);
-        add_nearest_photons(paths, view, method_.nearest_of(method_.photons, size_), 0);
-        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
+        add_emission(paths, kLobeSplitHeuristic);
+        if (integrator_.at_max_depth(paths.length())) continue;
+        add_direct_light_by_lobe(paths, view.split, LitLobes::near_specular);
+        add_nearest_photons(paths, view, integrator_.nearest_of(integrator_.photons, size_), 0);
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
       }
     }
     return true;
   }
 
   template <class M>
-  bool estimate_in_terms(const TaskContext& task_context, FinalGather<M>& gatherer,
+  bool estimate_by_terms(const TaskContext& task_context, FinalGather<M>& gatherer,
                          transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    const LobeSplit split = method_.split();
+    const LobeSplit split = integrator_.split();
     while (paths.trace()) {
-      add_environment(paths, kPartsHeuristic);
+      add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
-        add_emission(paths, kPartsHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
-        add_light_by_parts(paths, split, LitParts::both);
+        add_emission(paths, kLobeSplitHeuristic);
+        if (integrator_.at_max_depth(paths.length())) continue;
+        add_direct_light_by_lobe(paths, split, LitLobes::both);
         gatherer.add_caustics(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{split});
       }
     }
     return true;
   }
 
-  const PhotonMapping& method_;
+  const PhotonMapping& integrator_;
   const RenderContext context_;
-  const float size_;  // of the scene
+  const float size_;  // diameter of the scene
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
   std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kHalfBuffers> emissions_;
-  std::vector<PhotonEmission*> running_;  // one for two phases
+  std::vector<PhotonEmission*> running_;  // each for two phases
 };
 
 std::unique_ptr<RenderState> PhotonMapping::begin(const RenderContext& context, const RenderState* previous) const {

@@ -1,15 +1,24 @@
-// Progressive photon mapping: photons that are forgotten after each sample.   digest 8-10: S35, Remark 9.33
-//                                             Hachisuka & Jensen 2009; in the form of Knaus & Zwicker 2011
-// Each sample of the picture sends out photons of its own and estimates the light on the first wide surface that the
-// camera's walk comes to, from all photons within a radius that shrinks from sample to sample:
+// Progressive photon mapping          [Lang, Remark 9.33, eq. 9.138; Hachisuka and Jensen 2009; Knaus and Zwicker 2011]
 //
-//   r_i+1^2 / r_i^2 = (i + alpha) / (i + 1)
+// Each sample traces its own photons and estimates the radiance at the first rough surface of each camera path from all
+// photons within a radius that shrinks from sample to sample:
 //
-// The variance of a sample grows as 1 / r^2, slowly enough that the mean over samples still converges (as n^-alpha);
-// its bias falls as r^2, that is as n^(alpha - 1). Hachisuka and Jensen keep a radius and photon statistics for each
-// pixel and let them shrink by what was found there; here the radius follows from the sample's number alone, so that
-// samples are independent and a film of means holds them. Each half of the film counts its own samples. The first
-// radius follows the pixel's footprint: about so many pixels, seen over the length of the walk.
+//    L_o  ~  1 / (pi r_i^2)  sum of f_s(w_photon, w_o) Phi,       r_i+1^2 / r_i^2 = (i + alpha) / (i + 1)
+//
+// The variance of a sample grows as 1 / r^2, slowly enough that the mean over samples converges (as n^-alpha); its bias
+// falls as r^2, that is as n^(alpha - 1). [Hachisuka and Jensen 2009] store a radius and photon statistics per pixel;
+// here the radius depends on the sample number alone [Knaus and Zwicker 2011], so that samples are independent and
+// their mean is the image. Each half-buffer counts its own samples. The initial radius is a number of pixel footprints
+// at the length of the path.
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G).*L
+//   Bias          consistent
+//   Cost          per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon,
+//                 twice
+//   Limitations   Early samples are blurred, and light leaks through objects thinner than the radius. The error falls
+//   as
+//                 samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a small
+//                 part of the lit scene receive few photons.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"
@@ -24,41 +33,52 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
     return {
         .name = "sppm",
         .label = "Progressive photon mapping",
-        .summary = "New photons for every sample, looked up within a radius that shrinks",
+        .summary = "New photons for every sample, looked up within a shrinking radius",
         .group = Group::two_pass,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G).*L",
         .bias = Bias::consistent,
         .cost =
-            "2 to 4 rays per photon and about 2 per pixel for each sample, a lookup for each pixel; 32 bytes for each "
-            "photon that one sample stores, twice",
+            "per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon of a "
+            "sample, twice",
         .limitations =
-            "early samples blur, and light leaks through what is thinner than the radius; error falls as samples^-1/3 "
-            "at "
-            "best: slower than unbiased methods where these find the light; views of a small part of what is lit: few "
-            "photons come by",
+            "Early samples are blurred, and light leaks through objects thinner than the radius. The error falls as "
+            "samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a small part "
+            "of the lit scene receive few photons.",
         .accumulation = Accumulation::per_image,
         .shortcut = '9',
     };
   }
 
-  Number<int> photons{"photons", "Photons for a sample", 0, {0, 100'000'000}, "0: as many as pixels",
-                      "",        Scale::logarithmic};
-  Number<float> alpha{"alpha",
-                      "Rate of shrinking",
-                      2.0f / 3,
-                      {0.01f, 1},
-                      "Larger: the radius shrinks more slowly, noise falls faster, bias more slowly; 1: it stays"};
-  Number<float> radius{"radius", "First radius",    4, {0.1f, 1000}, "As it is seen where the camera looks",
-                       "px",     Scale::logarithmic};
-  Toggle connect{"connect", "Direct light by shadow rays", true, "Else from photons too"};
+  Number<int> photons{
+      "photons", "Photons per pass", 0, {0, 100'000'000}, "Photons emitted per sample; 0: as many as pixels",
+      "",        Scale::logarithmic};
+  Number<float> alpha{
+      "alpha",
+      "Alpha (radius reduction)",
+      2.0f / 3,
+      {0.01f, 1},
+      "Raising it shrinks the radius more slowly: noise falls faster, bias more slowly. 1 keeps the radius constant"};
+  Number<float> radius{"radius",
+                       "Initial radius",
+                       4,
+                       {0.1f, 1000},
+                       "Lookup radius of the first sample, in pixels at the visible surface",
+                       "px",
+                       Scale::logarithmic};
+  Toggle connect{"connect", "Sample lights directly", true,
+                 "Direct light by shadow rays. Off: direct light comes from the photon map"};
   Number<float> roughness{"roughness",
-                          "Narrow below roughness",
+                          "Max. roughness traced as specular",
                           0.2f,
                           {0, 1},
-                          "Glossy lobes below are followed by rays as mirrors are, others are estimated from photons"};
+                          "Glossy lobes below this roughness are ray traced; rougher ones use the photon map"};
   Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
+      "roulette-start",
+      "Russian roulette start depth",
+      4,
+      {1, 64},
+      "Length of camera paths from which they are terminated at random. Lower is faster and noisier"};
 
   using IntegratorBase::at_max_depth;
 
@@ -70,13 +90,13 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
     PhotonPlan plan;
     plan.photons = max_depth == 1 ? 0 : photons > 0 ? photons : pixels;
     plan.split = transport::LobeSplit(roughness);
-    plan.shortest = connect ? 2 : 1;
-    plan.longest = std::max(0, max_depth - 1);
+    plan.min_length = connect ? 2 : 1;
+    plan.max_length = std::max(0, max_depth - 1);
     return plan;
   }
 
-  // The squared radius of a half's sample number `index` (from 0) over the first one.
-  double shrinking(uint32_t index) const {
+  // The squared radius of sample number `index` (from 0) of a half-buffer, relative to the first.
+  double radius2_ratio(uint32_t index) const {
     double ratio = 1;
     for (uint32_t i = 1; i <= index; ++i) ratio *= (i + double{alpha}) / (i + 1.0);
     return ratio;
@@ -84,32 +104,33 @@ class ProgressivePhotonMapping final : public IntegratorBase<ProgressivePhotonMa
 };
 namespace {
 
-// How wide a pixel is where it is seen: in the middle of the picture, over one metre of a walk and besides.
+// The width of a pixel in the center of the image: `angle` per metre of path length plus `width`.
 struct Footprint {
   float angle = 0, width = 0;
 
-  Footprint(const CameraRays& camera, int width_of_picture, int height) {
-    const Vec2 middle(0.5f * static_cast<float>(width_of_picture), 0.5f * static_cast<float>(height)), lens(0.5f);
-    const Ray a = camera.ray(middle, lens), b = camera.ray(middle + Vec2(1, 0), lens);
+  Footprint(const CameraRays& camera, int image_width, int height) {
+    const Vec2 center(0.5f * static_cast<float>(image_width), 0.5f * static_cast<float>(height)), lens(0.5f);
+    const Ray a = camera.ray(center, lens), b = camera.ray(center + Vec2(1, 0), lens);
     angle = glm::length(glm::cross(a.direction, b.direction));
     width = glm::distance(a.origin, b.origin);
   }
   float over(float length) const { return width + angle * length; }
 };
 
-class Progress final : public RenderState {
+class State final : public RenderState {
  public:
-  Progress(const ProgressivePhotonMapping& method, const RenderContext& context)
-      : method_(method),
+  State(const ProgressivePhotonMapping& integrator, const RenderContext& context)
+      : integrator_(integrator),
         context_(context),
         footprint_(*context.camera, context.width, context.height),
-        emission_(method.plan(context.width * context.height), 0) {
+        emission_(integrator.plan(context.width * context.height), 0) {
     if (context.model->classes) join_.emplace(*context.model->paths);
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalfBuffers)));
+    radius_ =
+        integrator_.radius * static_cast<float>(std::sqrt(integrator_.radius2_ratio(sample / film::kHalfBuffers)));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;
@@ -130,7 +151,7 @@ class Progress final : public RenderState {
 
   std::shared_ptr<const std::vector<StoredPoint>> points() const override {
     auto points = std::make_shared<std::vector<StoredPoint>>();
-    if (emission_.ready()) add_points(emission_.map(), kMostPoints, *points);
+    if (emission_.is_ready()) add_points(emission_.map(), kMostPoints, *points);
     return points;
   }
 
@@ -148,29 +169,29 @@ class Progress final : public RenderState {
   template <class M>
   void estimate(transport::PathWavefront<M>& paths, Stopwatch* watch) const {
     using namespace transport;
-    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, method_.max_depth,
+    const PhotonView view{&emission_.map(), emission_.plan().split, join_ ? &*join_ : nullptr, integrator_.max_depth,
                           watch};
-    static thread_local std::array<float, PathWavefront<M>::kCapacity> walked;  // metres, of each path
-    walked.fill(0);
+    static thread_local std::array<float, PathWavefront<M>::kCapacity> path_lengths;  // metres
+    path_lengths.fill(0);
     const auto radius2 = [&](int i) {
-      return sqr(radius_ * footprint_.over(walked[static_cast<size_t>(paths.path_at(i))]));
+      return sqr(radius_ * footprint_.over(path_lengths[static_cast<size_t>(paths.path_at(i))]));
     };
     while (paths.trace()) {
-      add_environment(paths, kPartsHeuristic);
+      add_environment(paths, kLobeSplitHeuristic);
       while (paths.next_hits()) {
-        add_emission(paths, kPartsHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
+        add_emission(paths, kLobeSplitHeuristic);
+        if (integrator_.at_max_depth(paths.length())) continue;
         for (int i = 0; i < paths.hit_count(); ++i)
-          walked[static_cast<size_t>(paths.path_at(i))] +=
+          path_lengths[static_cast<size_t>(paths.path_at(i))] +=
               glm::distance(paths.state_at(i).from, paths.point(i).position);
-        add_light_by_parts(paths, view.split, method_.connect ? LitParts::both : LitParts::near_specular);
+        add_direct_light_by_lobe(paths, view.split, integrator_.connect ? LitLobes::both : LitLobes::near_specular);
         add_photons_within(paths, view, radius2);
-        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
+        sample_bsdf(paths, integrator_.roulette_start, TransportMode::radiance, AcceptNearSpecular{view.split});
       }
     }
   }
 
-  const ProgressivePhotonMapping& method_;
+  const ProgressivePhotonMapping& integrator_;
   const RenderContext context_;
   const Footprint footprint_;
   PhotonEmission emission_;
@@ -181,7 +202,7 @@ class Progress final : public RenderState {
 }  // namespace
 
 std::unique_ptr<RenderState> ProgressivePhotonMapping::begin(const RenderContext& context, const RenderState*) const {
-  return std::make_unique<Progress>(*this, context);
+  return std::make_unique<State>(*this, context);
 }
 
 Registration progressive_photon_mapping() { return registration<ProgressivePhotonMapping>(); }

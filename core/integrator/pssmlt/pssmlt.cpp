@@ -1,16 +1,27 @@
-// Metropolis light transport in primary sample space.       Kelemen, Szirmay-Kalos, Antal, Csonka 2002; thesis 9.4
+// Metropolis light transport in primary sample space                              [Kelemen et al. 2002; Lang, sec. 9.4]
 //
-// A path is a function of the random numbers that it asks for. Markov chains wander through the cube of these numbers,
-// where all are equally likely, and stay where the function is large: f is the luminance of everything that one sample
-// of the whole picture brings. What a sample is, the form says:
+// A path is a function of the random numbers that sample it. Markov chains explore the unit cube of these numbers with
+// a stationary density proportional to the target function: the luminance of the contribution of a sample to the image.
+// A state u contributes in every iteration
 //
-//   path           a walk from the camera, with direct light at every vertex
-//   bidirectional  a walk from either end, and every connection of them
-//   multiplexed    one technique (s, t) of paths of one length, times the number of techniques and with its weight
-//                  among them (Hachisuka, Kaplanyan, Dachsbacher 2014). The technique is a number like the others;
-//                  the length changes with large steps alone. How often each is tried is learned (technique_law.h)
+//    b f(u) / (f*(u) N),        f* = luminance of f,   b = mean of f* over bootstrap samples
 //
-// Decisions of stochastic opacity, and the length, are drawn with each large step and stay as they are in between.
+// Proposals are large steps, which draw all numbers anew, and small steps, which change all numbers by distances
+// between two bounds, uniform in their logarithm. The form defines the samples:
+//
+//    path           a path from the camera with direct light at every vertex
+//    bidirectional  subpaths from both ends with all their connections
+//    multiplexed    one technique (s, t) for paths of one length, multiplied by its MIS weight and divided by its
+//                   probability [Hachisuka et al. 2014]. Small steps change the technique but not the length. The
+//                   probabilities are learned (technique_distribution.h).
+//
+// Decisions of stochastic opacity and the length are made in large steps and are constant in between.
+//
+//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L, E(D|G).*L and E.*(D|G)(D|G).*L
+//   Bias          consistent
+//   Cost          one sample of its form per mutation; random numbers and splats of every chain
+//   Limitations   Inefficient for simple scenes, because successive samples are correlated. Noise appears as blotches.
+//                 The brightness comes from independent samples: too dark until they have found rare, bright paths.
 #include "integrator/integrator_base.h"
 #include "integrator/markov_chain/markov_chain_renderer.h"
 #include "integrator/pssmlt/primary_sample_target.h"
@@ -30,62 +41,60 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
   static IntegratorInfo info() {
     return {
         .name = "pssmlt",
-        .label = "Metropolis, primary space",
-        .summary =
-            "Markov chains through the random numbers of paths: what is bright is looked at again, a little changed. "
-            "Chains have their own numbers: the sampler plays no part",
+        .label = "Primary sample space MLT",
+        .summary = "Markov chains in the space of the random numbers of paths; the sampler has no effect",
         .group = Group::markov_chain,
         .paths = "E(D|G|S)*L",
         .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
         .bias = Bias::consistent,
-        .cost =
-            "one sample of its form for each mutation; numbers and splats of every chain; brightness is known from "
-            "independent samples alone, and too dark until they have found what is rare and bright",
+        .cost = "1 sample of its form per mutation; random numbers and splats of every chain",
         .limitations =
-            "simple scenes, where samples of equal effort do better alone: neighbours in a chain are alike; noise in "
-            "blotches that looks like structure",
+            "Inefficient for simple scenes, because successive samples are correlated. Noise appears as blotches that "
+            "resemble structure. The brightness comes from independent samples: too dark until they have found rare, "
+            "bright paths.",
         .accumulation = Accumulation::splats_only,
     };
   }
 
   Choice<PrimaryForm> form{"form", "Form", PrimaryForm::bidirectional,
-                           "What a point of primary sample space stands for"};
-  Number<float> large_steps{
-      "large-steps", "Large steps", 0.3f, {0.01f, 1}, "Share of the mutations that draw all numbers anew"};
+                           "The kind of sample that a point of primary sample space defines"};
+  Number<float> large_steps{"large-steps",
+                            "Large step probability",
+                            0.3f,
+                            {0.01f, 1},
+                            "Share of mutations that draw all random numbers anew. Raising it finds new paths more "
+                            "often and explores bright ones less"};
   Number<float> step{"step",
                      "Largest small step",
                      1.0f / 64,
                      {1e-4f, 0.25f},
-                     "How far a number moves at most; of the picture's width, too",
+                     "Largest change of a random number; for the first two, in image widths and heights",
                      "",
                      Scale::logarithmic};
   Number<float> least_step{
-      "least-step", "Smallest small step", 1.0f / 1024, {1e-6f, 0.25f}, "How far a number moves at least",
+      "least-step", "Smallest small step", 1.0f / 1024, {1e-6f, 0.25f}, "Smallest change of a random number",
       "",           Scale::logarithmic};
-  Number<int> chains{"chains",
-                     "Chains",
-                     4096,
-                     {1, 1 << 20},
-                     "Markov chains side by side in each half of the film; one for each pixel at most",
-                     "",
-                     Scale::logarithmic};
+  Number<int> chains{
+      "chains", "Chains",          4096, {1, 1 << 20}, "Parallel Markov chains per half-buffer; at most one per pixel",
+      "",       Scale::logarithmic};
   Number<int> candidates{"candidates",
-                         "Candidates",
+                         "Bootstrap samples",
                          16384,
                          {1, 1 << 24},
-                         "Independent samples among which the first chains choose their starts, 16 for each pixel at "
-                         "most; later ones have more",
+                         "Independent samples that seed the first chains and estimate the image brightness; at most 16 "
+                         "per pixel. Later epochs have more",
                          "",
                          Scale::logarithmic};
-  Toggle combined{"combined", "Large steps count", true,
-                  "Large steps are independent samples too: both ways to a path share it by their densities"};
+  Toggle combined{"combined", "Combine large steps (MIS)", true,
+                  "Records large steps as independent samples as well, weighted against the chains by multiple "
+                  "importance sampling"};
   Choice<transport::MisHeuristic> heuristic{"heuristic", "MIS heuristic", transport::MisHeuristic::power,
-                                            "How the techniques that find a path share it"};
+                                            "How the techniques that find a path are weighted"};
   Number<int> roulette_start{"roulette-start",
-                             "Roulette from vertex",
+                             "Russian roulette start depth",
                              4,
                              {1, 64},
-                             "Earlier ends more paths: faster, noisier; its decisions are numbers as any other"};
+                             "Path length from which paths are terminated at random. Lower is faster and noisier"};
 
   auto parameters() {
     return std::tie(max_depth, form, large_steps, step, least_step, chains, candidates, combined, heuristic,
@@ -97,14 +106,14 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
 
 namespace {
 
-PrimarySampleTarget& paths_of_thread() {
-  static thread_local const auto paths = std::make_unique<PrimarySampleTarget>();
-  return *paths;
+PrimarySampleTarget& thread_target() {
+  static thread_local const auto target_paths = std::make_unique<PrimarySampleTarget>();
+  return *target_paths;
 }
 
-double unit_double(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+double to_unit_double(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-// Where a chain is: its numbers stand beside those of its neighbours.
+// The state of a chain; its random numbers are stored with those of its group.
 struct PrimaryState {
   uint64_t root = 0;
   float target = 0;
@@ -118,10 +127,16 @@ struct PrimaryGroup {
   std::vector<PrimaryState> states;
 
   void write(StateWriter& out) const {
-    out.value(tally), out.value(mutations), out.value(points.clocks);
+    out.value(tally);
+    out.value(mutations);
+    out.value(points.clocks);
     for (const auto& blocks : points.streams) out.list(std::span(blocks));
     out.value<uint64_t>(states.size());
-    for (const PrimaryState& s : states) out.value(s.root), out.value(s.target), out.list(std::span(s.splats));
+    for (const PrimaryState& s : states) {
+      out.value(s.root);
+      out.value(s.target);
+      out.list(std::span(s.splats));
+    }
   }
   bool read(StateReader& in) {
     if (!in.value(tally) || !in.value(mutations) || !in.value(points.clocks)) return false;
@@ -142,7 +157,7 @@ struct PrimaryGroup {
 };
 
 struct PrimaryEpoch : Epoch {
-  TechniqueDistribution law;
+  TechniqueDistribution distribution;
 };
 
 class PrimaryKernel {
@@ -154,141 +169,146 @@ class PrimaryKernel {
       {{"large-steps", "Mutations that drew all numbers anew and were accepted"},
        {"small-steps", "Mutations that moved all numbers a little and were accepted"}}};
 
-  PrimaryKernel(const Pssmlt& method, const RenderContext& context)
-      : method_(&method),
+  PrimaryKernel(const Pssmlt& integrator, const RenderContext& context)
+      : integrator_(&integrator),
         context_(context),
-        plan_{method.heuristic,
-              method.max_depth,
-              method.roulette_start,
-              *Techniques::parse(""),
-              *Techniques::parse(""),
-              true,
-              true,
-              context.model->classes ? std::optional<transport::ClassJoin>(*context.model->paths) : std::nullopt} {}
+        options_{.heuristic = integrator.heuristic,
+                 .max_depth = integrator.max_depth,
+                 .roulette_start = integrator.roulette_start,
+                 .classes = class_join(*context.model)} {}
 
-  int chains() const { return std::min<int>(method_->chains, context_.width * context_.height); }
+  int chains() const { return std::min<int>(integrator_->chains, context_.width * context_.height); }
   int candidates() const {
-    return static_cast<int>(std::min<int64_t>(method_->candidates, int64_t{16} * context_.width * context_.height));
+    return static_cast<int>(std::min<int64_t>(integrator_->candidates, int64_t{16} * context_.width * context_.height));
   }
 
-  Epoch epoch() const { return {{}, TechniqueDistribution(method_->max_depth, context_.camera->can_be_hit())}; }
+  Epoch epoch() const { return {{}, TechniqueDistribution(integrator_->max_depth, context_.camera->can_be_hit())}; }
 
-  std::optional<uint64_t> weigh(const Epoch& epoch, uint64_t first, const BootstrapSamples& candidates,
-                                const TaskContext& task_context) const {
-    PrimarySampleTarget& paths = paths_of_thread();
-    const auto rays = look_at(
-        epoch, paths, candidates.weight.size(), [&](size_t i) { return first + i; }, PrimarySamplePoints(),
+  std::optional<uint64_t> evaluate_bootstrap(const Epoch& epoch, uint64_t first, const BootstrapSamples& candidates,
+                                             const TaskContext& task_context) const {
+    PrimarySampleTarget& target_paths = thread_target();
+    const auto rays = evaluate(
+        epoch, target_paths, candidates.weights.size(), [&](size_t i) { return first + i; }, PrimarySamplePoints(),
         task_context);
-    if (rays) std::copy_n(paths.targets.begin(), candidates.weight.size(), candidates.weight.begin());
-    if (rays) std::copy_n(paths.kinds.begin(), candidates.kinds.size(), candidates.kinds.begin());
+    if (rays) std::copy_n(target_paths.targets.begin(), candidates.weights.size(), candidates.weights.begin());
+    if (rays) std::copy_n(target_paths.kinds.begin(), candidates.kinds.size(), candidates.kinds.begin());
     return rays;
   }
 
   std::optional<uint64_t> start(const Epoch& epoch, Group& group, int, std::span<const uint64_t> candidates,
                                 const TaskContext& task_context) const {
-    PrimarySampleTarget& paths = paths_of_thread();
+    PrimarySampleTarget& target_paths = thread_target();
     group.points = {};
-    const auto rays = look_at(
-        epoch, paths, candidates.size(), [&](size_t i) { return candidates[i]; }, group.points, task_context);
+    const auto rays = evaluate(
+        epoch, target_paths, candidates.size(), [&](size_t i) { return candidates[i]; }, group.points, task_context);
     if (!rays) return {};
     group.states.resize(candidates.size());
-    for (size_t i = 0; i < candidates.size(); ++i) go(paths, i, group);
+    for (size_t i = 0; i < candidates.size(); ++i) accept(target_paths, i, group);
     return rays;
   }
 
   std::optional<uint64_t> mutate(const Epoch& epoch, Group& group, int index, int mutations, float scale,
                                  const TaskContext& task_context) const {
-    PrimarySampleTarget& paths = paths_of_thread();
+    PrimarySampleTarget& target_paths = thread_target();
     const uint64_t group_key = mix_bits(epoch.key ^ mix_bits(static_cast<uint64_t>(index) + 1));
-    const Count count{scale, epoch, method_->combined ? double{method_->large_steps} : 0.0};
-    std::array<Stay, PrimarySampleTarget::kLanes> stays;
+    const Recorder count{scale, epoch, integrator_->combined ? double{integrator_->large_steps} : 0.0};
+    std::array<Occupancy, PrimarySampleTarget::kLanes> occupancies;
     uint64_t rays = 0;
     for (int i = 0; i < mutations; ++i, ++group.mutations) {
       const uint64_t key = mix_bits(group_key + group.mutations);
-      propose(group, key, paths, task_context);
-      const auto traced = paths.evaluate(context_, method_->form, plan_, epoch.law, group.states.size(), task_context);
+      propose(group, key, target_paths, task_context);
+      const auto traced = target_paths.evaluate(context_, integrator_->form, options_, epoch.distribution,
+                                                group.states.size(), task_context);
       if (!traced) return {};
       rays += *traced;
       const Stopwatch::Lap lap(task_context.overhead_timer);
       for (size_t lane = 0; lane < group.states.size(); ++lane)
-        decide(group, lane, key_of(key, lane), paths, stays[lane], count, *task_context.splats);
+        update_chain(group, lane, lane_key_of(key, lane), target_paths, occupancies[lane], count, *task_context.splats);
     }
     const Stopwatch::Lap lap(task_context.overhead_timer);
     for (size_t lane = 0; lane < group.states.size(); ++lane)
-      count.record(group.states[lane].splats, group.states[lane].target, stays[lane].settle(), *task_context.splats);
+      count.record(group.states[lane].splats, group.states[lane].target, occupancies[lane].take_remaining(),
+                   *task_context.splats);
     return rays;
   }
 
  private:
-  // What a state counts. By itself the chain's part is worth / target. Where large steps count as well, each takes the
-  // share of its density: the chain that of target / worth, large steps that of theirs among all mutations (Kelemen et
-  // al., section 3.2). How they share must not depend on what the candidates of this very era were worth: in
-  // the first era, when nothing else is known, the chains alone count.
-  struct Count {
+  // The contribution of a state. The chain alone counts b f / f* per iteration. Where large steps count as well,
+  // multiple importance sampling combines both [Kelemen et al. 2002, sec. 3.2]: the chain has the density f* / b, large
+  // steps the density 1 with their share of all mutations. The weights must not depend on the bootstrap samples of the
+  // same epoch, so b is estimated from the previous epochs; in the first epoch the chains alone count.
+  struct Recorder {
     float scale;
-    double mean_weight, expected, large_steps;  // the last: share of all mutations, zero if they do not count
+    double mean_weight, expected_weight, large_steps;  // large_steps: share of all mutations, zero if they do not count
 
-    Count(float s, const Epoch& epoch, double large)
-        : scale(s), mean_weight(epoch.weight), expected(epoch.expected()), large_steps(large) {}
+    Recorder(float s, const Epoch& epoch, double large)
+        : scale(s), mean_weight(epoch.mean_weight), expected_weight(epoch.expected_weight()), large_steps(large) {}
 
     void record(const film::Splats& splats, float target, double iterations, film::Splats& to) const {
       if (!(target > 0) || !(iterations > 0)) return;
       const auto weight =
-          static_cast<float>(iterations * mean_weight / (double{target} + large_steps * expected)) * scale;
+          static_cast<float>(iterations * mean_weight / (double{target} + large_steps * expected_weight)) * scale;
       for (const film::Splat& splat : splats) to.push_back({splat.pixel, splat.radiance * weight});
     }
   };
 
-  static uint64_t key_of(uint64_t key, size_t lane) { return mix_bits(key + (lane + 1) * 0x9e3779b97f4a7c15ULL); }
-  bool is_large(uint64_t lane_key) const { return unit_double(mix_bits(lane_key ^ 1)) < double{method_->large_steps}; }
+  static uint64_t lane_key_of(uint64_t key, size_t lane) { return mix_bits(key + (lane + 1) * 0x9e3779b97f4a7c15ULL); }
+  bool is_large(uint64_t lane_key) const {
+    return to_unit_double(mix_bits(lane_key ^ 1)) < double{integrator_->large_steps};
+  }
 
   template <class NumberOf>
-  std::optional<uint64_t> look_at(const Epoch& epoch, PrimarySampleTarget& paths, size_t count, NumberOf&& number_of,
-                                  const PrimarySamplePoints& points, const TaskContext& task_context) const {
-    paths.proposals.begin(points, {method_->least_step, method_->step}, task_context.overhead_timer);
+  std::optional<uint64_t> evaluate(const Epoch& epoch, PrimarySampleTarget& target_paths, size_t count,
+                                   NumberOf&& bootstrap_index, const PrimarySamplePoints& points,
+                                   const TaskContext& task_context) const {
+    target_paths.proposals.begin(points, {integrator_->least_step, integrator_->step}, task_context.overhead_timer);
     for (size_t i = 0; i < count; ++i) {
-      paths.roots[i] = mix_bits(epoch.key + (number_of(i) + 1) * 0xd1342543de82ef95ULL);
-      paths.proposals.propose(i, paths.roots[i], true);
+      target_paths.roots[i] = mix_bits(epoch.key + (bootstrap_index(i) + 1) * 0xd1342543de82ef95ULL);
+      target_paths.proposals.propose(i, target_paths.roots[i], true);
     }
-    return paths.evaluate(context_, method_->form, plan_, epoch.law, count, task_context);
+    return target_paths.evaluate(context_, integrator_->form, options_, epoch.distribution, count, task_context);
   }
 
-  void propose(const Group& group, uint64_t key, PrimarySampleTarget& paths, const TaskContext& task_context) const {
+  void propose(const Group& group, uint64_t key, PrimarySampleTarget& target_paths,
+               const TaskContext& task_context) const {
     const Stopwatch::Lap lap(task_context.overhead_timer);
-    paths.proposals.begin(group.points, {method_->least_step, method_->step}, task_context.overhead_timer);
+    target_paths.proposals.begin(group.points, {integrator_->least_step, integrator_->step},
+                                 task_context.overhead_timer);
     for (size_t lane = 0; lane < group.states.size(); ++lane) {
-      const uint64_t lane_key = key_of(key, lane);
+      const uint64_t lane_key = lane_key_of(key, lane);
       const bool large = is_large(lane_key);
-      paths.roots[lane] = large ? lane_key : group.states[lane].root;
-      paths.proposals.propose(lane, lane_key, large);
+      target_paths.roots[lane] = large ? lane_key : group.states[lane].root;
+      target_paths.proposals.propose(lane, lane_key, large);
     }
   }
 
-  void decide(Group& group, size_t lane, uint64_t lane_key, PrimarySampleTarget& paths, Stay& stay, const Count& count,
-              film::Splats& splats) const {
+  void update_chain(Group& group, size_t lane, uint64_t lane_key, PrimarySampleTarget& target_paths,
+                    Occupancy& occupancy, const Recorder& count, film::Splats& splats) const {
     const bool large = is_large(lane_key);
-    const PrimaryState& present = group.states[lane];
-    const float target = paths.targets[lane];
-    const Verdict verdict = judge(double{present.target}, double{target}, unit_double(mix_bits(lane_key ^ 2)));
+    const PrimaryState& current = group.states[lane];
+    const float target = target_paths.targets[lane];
+    const AcceptanceDecision verdict =
+        decide_acceptance(double{current.target}, double{target}, to_unit_double(mix_bits(lane_key ^ 2)));
     group.tally.kinds[large ? 0 : 1].count(verdict);
-    stay.take(
-        verdict, [&](double n) { count.record(present.splats, present.target, n, splats); },
-        [&](double n) { count.record(paths.found[lane], target, n, splats); },
-        large && method_->combined && target > 0 ? count.expected / count.mean_weight : 0.0);
-    if (verdict.accepted) go(paths, lane, group);
+    occupancy.record(
+        verdict, [&](double n) { count.record(current.splats, current.target, n, splats); },
+        [&](double n) { count.record(target_paths.splats[lane], target, n, splats); },
+        large && integrator_->combined && target > 0 ? count.expected_weight / count.mean_weight : 0.0);
+    if (verdict.accepted) accept(target_paths, lane, group);
   }
 
-  // The chain goes to its proposal.
-  static void go(PrimarySampleTarget& paths, size_t lane, Group& group) {
-    paths.proposals.accept(lane, group.points);
+  // Replaces the state of the chain by its proposal.
+  static void accept(PrimarySampleTarget& target_paths, size_t lane, Group& group) {
+    target_paths.proposals.accept(lane, group.points);
     PrimaryState& state = group.states[lane];
-    state.root = paths.roots[lane], state.target = paths.targets[lane];
-    std::swap(state.splats, paths.found[lane]);
+    state.root = target_paths.roots[lane];
+    state.target = target_paths.targets[lane];
+    std::swap(state.splats, target_paths.splats[lane]);
   }
 
-  const Pssmlt* method_;
+  const Pssmlt* integrator_;
   RenderContext context_;
-  BidirectionalOptions plan_;
+  BidirectionalOptions options_;
 };
 
 }  // namespace

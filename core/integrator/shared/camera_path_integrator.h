@@ -1,7 +1,7 @@
-// What all methods that gather from the camera share: a front of camera rays to start with, and a pixel for each path.
+// The base of integrators that trace paths from the camera: a wavefront of camera rays, one path per pixel.
 //
-// Derived is a Method that offers `template <class M> void estimate(transport::Front<M>&) const` too, which lets the
-// walks go and adds what they find to their radiance.
+// Derived is an IntegratorBase that also offers `template <class M> void estimate(transport::PathWavefront<M>&) const`,
+// which traces the paths and adds their contributions to their radiance.
 #pragma once
 #include "integrator/integrator_base.h"
 #include "integrator/shared/camera_paths.h"
@@ -9,17 +9,19 @@
 
 namespace etendue::integrator {
 
-// What stands in the way of walks that count light only where they meet it.
+// Why paths without light sampling find no light in this scene; empty if they do.
 inline std::string incompatibility_with_point_lights(const RenderContext& context) {
   const LightTable& lights = context.scene->lights();
   if (lights.placed_count() == 0 || !lights.triangles().empty() || !lights.environment().black()) return {};
-  return "no walk can meet a light without extent, and the scene has no others: take a method that samples lights";
+  return "all lights of the scene are points or directions, which paths without light sampling cannot hit: use an "
+         "integrator "
+         "that samples lights";
 }
 
-// Of the choice of lights (LightStrategy).
+// Description of the parameter `lights` (LightStrategy).
 inline constexpr const char* kLightsDoc =
-    "Every light has no noise of choosing; one has the same cost however many there are, and by the tree those near by "
-    "are asked more often than those far away";
+    "every: samples all lights; no selection noise, cost grows with their number. one: constant cost. tree: favours "
+    "nearby lights";
 
 template <class Derived>
 class CameraPathIntegrator : public IntegratorBase<Derived> {
@@ -29,10 +31,10 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
   }
 
  private:
-  // Nothing but the walks of each block.
+  // Renders blocks independently of each other.
   class Blocks final : public RenderState {
    public:
-    Blocks(const Derived& method, const RenderContext& context) : method_(method), context_(context) {}
+    Blocks(const Derived& integrator, const RenderContext& context) : integrator_(integrator), context_(context) {}
 
     std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                    const TaskContext& task_context) override {
@@ -40,13 +42,13 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
         transport::PathWavefront<M>& paths = thread_wavefront<M>();
         const PixelOrder order(block);
         launch_camera_paths(context_, block, order, task_context, paths);
-        method_.template estimate<M>(paths);
+        integrator_.template estimate<M>(paths);
         return collect(paths, order, radiance);
       });
     }
 
    private:
-    const Derived& method_;
+    const Derived& integrator_;
     const RenderContext context_;
   };
 };

@@ -1,4 +1,4 @@
-// Walks that start at the camera: one for each pixel of a block.
+// Paths from the camera: one for each pixel of a block.
 #pragma once
 #include <array>
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace etendue::integrator {
 
-// The seed of a pixel's random numbers in one half of the film.
+// The seed of a pixel's random numbers in one half-buffer.
 inline uint32_t pixel_seed(uint64_t seed, int x, int y, uint32_t half_buffer) {
   uint64_t h = mix_bits(seed * film::kHalfBuffers + half_buffer + 1);
   h = mix_bits(h ^ (static_cast<uint64_t>(static_cast<uint32_t>(y)) << 32 | static_cast<uint32_t>(x)));
@@ -23,7 +23,7 @@ inline bool should_continue(const TaskContext& task_context) {
   return !task_context.keep_going || (*task_context.keep_going)();
 }
 
-// One for each thread and model: it is too large to be made anew for every block.
+// The wavefront of this thread and model, reused because it is large.
 template <class M>
 transport::PathWavefront<M>& thread_wavefront() {
   static thread_local const auto paths = std::make_unique<transport::PathWavefront<M>>();
@@ -39,8 +39,8 @@ transport::MediumState<M> medium_at_camera(const RenderContext& context, const R
     return {};
 }
 
-// Lets a walk go from every pixel of the block, in the given order; on return nothing has been traced yet. The walks
-// have times of their own in a model with motion, or these.
+// Launches a path from every pixel of the block, in the given order; no ray has been traced on return. In a scene with
+// motion, `given_times` are the times of the paths; null: sampled.
 template <class M>
 void launch_camera_paths(const RenderContext& context, const PixelBlock& block, const PixelOrder& order,
                          const TaskContext& task_context, transport::PathWavefront<M>& paths,
@@ -52,8 +52,11 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   if constexpr (M::kClasses) paths.filter_paths(context.model->paths->automaton());
   for (int i = 0; i < order.size(); ++i)
     paths.add(pixel_seed(context.seed, block.x + order.x(i), block.y + order.y(i), half_buffer));
-  std::array<float, transport::PathWavefront<M>::kCapacity> together;
-  if (context.shared_time) together.fill(*context.shared_time), given_times = together.data();
+  std::array<float, transport::PathWavefront<M>::kCapacity> common_times;
+  if (context.shared_time) {
+    common_times.fill(*context.shared_time);
+    given_times = common_times.data();
+  }
   const bool draws_time = context.samples_time() && !given_times;
   SampleTable& random = paths.draw_start(dimensions(camera_dimension::kPixel, 2) |
                                          (context.camera->has_lens() ? dimensions(camera_dimension::kLens, 2) : 0) |
@@ -62,7 +65,8 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   const auto &lens_u = random.values[camera_dimension::kLens], &lens_v = random.values[camera_dimension::kLens + 1];
   const float* times = draws_time ? random.values[camera_dimension::kTime].data() : given_times;
   const auto count = static_cast<size_t>(order.size());
-  context.filter->sample_all(x.data(), count), context.filter->sample_all(y.data(), count);
+  context.filter->sample_all(x.data(), count);
+  context.filter->sample_all(y.data(), count);
   for (int i = 0; i < order.size(); ++i) {
     const auto path = static_cast<size_t>(i);
     x[path] += static_cast<float>(block.x + order.x(i)) + 0.5f;
@@ -77,7 +81,8 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   }
 }
 
-// What the walks found, pixel by pixel of the block; the number of rays, or nothing if the walks were given up.
+// Copies the radiance of the paths to the pixels of the block. Returns the number of rays traced, or nothing if the
+// paths were cancelled.
 template <class M>
 std::optional<uint64_t> collect(transport::PathWavefront<M>& paths, const PixelOrder& order, std::span<Rgb> radiance) {
   if (paths.cancelled()) return {};

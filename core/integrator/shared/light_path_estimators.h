@@ -1,11 +1,12 @@
-// What methods that shoot from the lights do at the vertices of their walks: bringing them to the camera.
-//                                             thesis 9.2.2, Remarks 9.10, 9.11; digest 8-10: S19, S20
+// Estimators for paths from the lights: connections to the camera and hits of the lens.
+//                                                             [Lang, sec. 9.2.2, Remarks 9.10, 9.11; Dutré et al. 1993]
 //
-// The value of a connection is
+// The contribution of a connection of a vertex x to the camera is
 //
-//   flux f*(x) |cos| V d(raster) / d(area across the ray)         mean over as many walks as there are pixels
+//    flux f*(x) |cos| V d(raster) / d(area across the ray)
 //
-// Each takes a function that says how much of it counts, for methods that find the same paths in other ways too.
+// averaged over as many light paths as the image has pixels. Every function takes a function that returns a weight, for
+// integrators that find the same paths by other techniques as well.
 #pragma once
 #include "integrator/shared/light_subpaths.h"
 #include "integrator/shared/splatter.h"
@@ -18,12 +19,12 @@ inline Ray ray_to(const scene::SurfacePoint& point, const Vec3& wi, float distan
   return ray;
 }
 
-// The light itself in view, where the walk starts. A point has no area to be seen. weigh(pixels, wi, distance) gets
-// the density of the light's point as a camera walk finds it, in pixels to an area of the light or to a solid angle,
-// and the direction to the camera.
-template <class M, class Weigh>
-void see_light(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens, uint32_t seed,
-               Splatter& splatter, Weigh&& weigh) {
+// Connects the start of a light path to the camera: the directly visible light. Lights without extent contribute
+// nothing. weight_of(density, wi, distance) receives the density of the light's point as sampled from the camera, in
+// pixels per area of the light (infinite lights: per solid angle), and the direction and distance to the camera.
+template <class M, class Weight>
+void connect_light_to_camera(const RenderContext& context, const typename LightSubpaths<M>::Start& start, Vec2 lens,
+                             uint32_t seed, Splatter& splatter, Weight&& weight_of) {
   const Emission& e = start.emission;
   if (e.density.delta || !(e.density.first > 0) || is_black(start.emitted)) return;
   if constexpr (M::kClasses)
@@ -32,7 +33,7 @@ void see_light(const RenderContext& context, const typename LightSubpaths<M>::St
     if (!context.scene->lights().environment().visible()) return;
     const auto view = context.camera->view_direction(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
-    const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
+    const float value = view->importance / e.density.first * weight_of(view->importance, e.direction, kInfinity);
     return splatter.connect(start.path, view->ray, e.time, seed, transport::MediumState<M>(), kInfinity, view->raster,
                             start.emitted * value);
   }
@@ -40,19 +41,20 @@ void see_light(const RenderContext& context, const typename LightSubpaths<M>::St
   if (!view || !splatter.reaches(view->raster)) return;
   const scene::SurfacePoint& point = *start.point;
   const float facing = glm::dot(point.front ? point.ng : -point.ng, view->wi);
-  // Whichever side the walk left by, the other one shines as well.
+  // A double-sided emitter emits from the other side as well.
   const float cosine = point.material->description.double_sided ? std::abs(facing) : facing;
   if (!(cosine > 0)) return;
   const float density = cosine * view->importance, beam = point.beam(view->wi);
   splatter.connect(start.path, ray_to(point, view->wi, view->distance), e.time, seed, start.medium_beyond(view->wi),
                    view->distance, view->raster,
-                   start.emitted * (beam * density / e.density.first * weigh(density, view->wi, view->distance)));
+                   start.emitted * (beam * density / e.density.first * weight_of(density, view->wi, view->distance)));
 }
 
-// Connects those of the present vertices that are wanted; weigh(arrival, view).
-template <class M, class Weigh, class Selected = transport::EveryHit>
-void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
-                       Splatter& splatter, Weigh&& weigh, const Selected& selected = {}) {
+// Connects the selected current vertices to the camera; weight_of(hit, view).
+template <class M, class Weight, class Selected = transport::EveryHit>
+void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& subpaths,
+                       transport::PathWavefront<M>& paths, Splatter& splatter, Weight&& weight_of,
+                       const Selected& selected = {}) {
   const bool lens = context.camera->has_lens();
   if (lens) paths.draw(dimensions(vertex_dimension::kLightPoint, 2));
   for (int i = 0; i < paths.hit_count(); ++i) {
@@ -66,46 +68,49 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& wal
     const auto view = context.camera->view(point.position, on_lens, state.time);
     if (!view || !splatter.reaches(view->raster)) continue;
     auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, TransportMode::importance).f_cos;
-    if constexpr (M::kClasses) f_cos = paths.shares().of_connection(path, bsdf, paths.wo(i), view->wi, f_cos);
+    if constexpr (M::kClasses) f_cos = paths.shares().connection_value(path, bsdf, paths.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
-    const float weight = weigh(i, *view);
+    const float weight = weight_of(i, *view);
     if (weight == 0) continue;
     const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
     splatter.connect(path, ray_to(point, view->wi, view->distance), state.time, seed, paths.medium_beyond(i, view->wi),
                      view->distance, view->raster,
-                     state.throughput * f_cos * (walks.flux(path) * view->importance * weight));
+                     state.throughput * f_cos * (subpaths.flux(path) * view->importance * weight));
   }
 }
 
-// The last segment of a walk may lead through the lens; weigh(path, arrival).
-template <class M, class Weigh>
-void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
-                    int path, const Vec3& direction, float length, Splatter& splatter, Weigh&& weigh) {
+// Adds the contribution of a segment that hits the lens; weight_of(path, lens_hit).
+template <class M, class Weight>
+void add_lens_hit(const RenderContext& context, const LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
+                  int path, const Vec3& direction, float length, Splatter& splatter, Weight&& weight_of) {
   const auto& state = paths.state(path);
   Ray ray;
-  ray.origin = state.from, ray.direction = direction;
+  ray.origin = state.from;
+  ray.direction = direction;
   const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
   const auto throughput = paths.throughput_after(path, hit->distance);
-  auto carried = transport::admitted(paths, throughput, path) * (walks.flux(path) * hit->importance);
-  if (paths.length() == 1) carried *= paths.scene().lights().range_window(walks.light(path), hit->distance);
+  auto contribution = transport::terminal_throughput(paths, throughput, path) * (subpaths.flux(path) * hit->importance);
+  if (paths.length() == 1) contribution *= paths.scene().lights().range_window(subpaths.light(path), hit->distance);
   const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
-  splatter.add(path, hit->raster, seed, carried * weigh(path, *hit));
+  splatter.add(path, hit->raster, seed, contribution * weight_of(path, *hit));
 }
 
-// The same for all walks that were traced: before anything else is done with the vertices that were reached.
-template <class M, class Weigh>
-void escape_through_lens(const RenderContext& context, const LightSubpaths<M>& walks,
-                         transport::PathWavefront<M>& paths, Splatter& splatter, Weigh&& weigh) {
+// Lens hits of all traced segments: of those that left the scene, and of those that end at the current vertices. To be
+// called before the vertices are processed further.
+template <class M, class Weight>
+void add_lens_hits_of_misses(const RenderContext& context, const LightSubpaths<M>& subpaths,
+                             transport::PathWavefront<M>& paths, Splatter& splatter, Weight&& weight_of) {
   for (int i = 0; i < paths.miss_count(); ++i)
-    fall_onto_lens(context, walks, paths, paths.path_of_miss(i), paths.miss_direction(i), kInfinity, splatter, weigh);
+    add_lens_hit(context, subpaths, paths, paths.path_of_miss(i), paths.miss_direction(i), kInfinity, splatter,
+                 weight_of);
 }
-template <class M, class Weigh>
-void pass_through_lens(const RenderContext& context, const LightSubpaths<M>& walks, transport::PathWavefront<M>& paths,
-                       Splatter& splatter, Weigh&& weigh) {
+template <class M, class Weight>
+void add_lens_hits_of_segments(const RenderContext& context, const LightSubpaths<M>& subpaths,
+                               transport::PathWavefront<M>& paths, Splatter& splatter, Weight&& weight_of) {
   for (int i = 0; i < paths.hit_count(); ++i)
-    fall_onto_lens(context, walks, paths, paths.path_at(i), -paths.wo(i),
-                   glm::distance(paths.state_at(i).from, paths.point(i).position), splatter, weigh);
+    add_lens_hit(context, subpaths, paths, paths.path_at(i), -paths.wo(i),
+                 glm::distance(paths.state_at(i).from, paths.point(i).position), splatter, weight_of);
 }
 
 }  // namespace etendue::integrator

@@ -1,12 +1,13 @@
-// What methods that shoot from the lights share: as many light paths for each sample as the picture has pixels.
+// The base of integrators that trace paths from the lights: per sample, as many light paths as the image has pixels.
 //
-// Derived is a Method that offers
+// Derived is an IntegratorBase that also offers
 //
-//   template <class M> void estimate(const Pass&, LightSubpaths<M>&, transport::Front<M>&, Splatter&) const
-//   template <class M> void see_light(const Pass&, const typename LightSubpaths<M>::Start&, Vec2 lens, uint32_t seed,
-//                                     Splatter&) const
+//   template <class M> void estimate(const RenderContext&, LightSubpaths<M>&, transport::PathWavefront<M>&,
+//                                    Splatter&) const
+//   template <class M> void connect_light_to_camera(const RenderContext&, const typename LightSubpaths<M>::Start&,
+//                                                   Vec2 lens, uint32_t seed, Splatter&) const
 //
-// which let the walks go, and look at their starts.
+// The first traces the paths and splats their contributions, the second splats the contribution of their starts.
 #pragma once
 #include "integrator/integrator_base.h"
 #include "integrator/shared/light_subpaths.h"
@@ -24,7 +25,7 @@ class LightPathIntegrator : public IntegratorBase<Derived> {
  private:
   class Paths final : public RenderState {
    public:
-    Paths(const Derived& method, const RenderContext& context) : method_(method), context_(context) {}
+    Paths(const Derived& integrator, const RenderContext& context) : integrator_(integrator), context_(context) {}
 
     std::vector<Phase> phases(uint32_t) override {
       return {{"tracing light paths", (path_count() + kTask - 1) / kTask}};
@@ -41,22 +42,23 @@ class LightPathIntegrator : public IntegratorBase<Derived> {
 
     template <class M>
     std::optional<uint64_t> run_with(uint32_t sample, int task, const TaskContext& task_context) const {
-      static thread_local const auto walks = std::make_unique<LightSubpaths<M>>();
+      static thread_local const auto subpaths = std::make_unique<LightSubpaths<M>>();
       transport::PathWavefront<M>& paths = thread_wavefront<M>();
       Splatter splatter(context_, task_context, 1 / static_cast<float>(path_count()));
       const int first = task * kTask, count = std::min(kTask, path_count() - first);
-      walks->launch(
+      subpaths->launch(
           context_, sample, count, task_context, paths, [&](int i) { return static_cast<uint32_t>(first + i); },
           [&](const typename LightSubpaths<M>::Start& start, Vec2 lens) {
-            method_.template see_light<M>(context_, start, lens, paths.state(start.path).seed + sample, splatter);
+            integrator_.template connect_light_to_camera<M>(context_, start, lens,
+                                                            paths.state(start.path).seed + sample, splatter);
             return true;
           });
-      method_.template estimate<M>(context_, *walks, paths, splatter);
+      integrator_.template estimate<M>(context_, *subpaths, paths, splatter);
       if (paths.cancelled()) return {};
       return splatter.finish() + paths.rays_traced();
     }
 
-    const Derived& method_;
+    const Derived& integrator_;
     const RenderContext context_;
   };
 };

@@ -1,14 +1,14 @@
-// Walks that start on lights.                                              thesis 9.2, (9.33)-(9.35), errata E18, E19
+// Subpaths that start on lights.                                             [Lang, sec. 9.2, eq. 9.33-9.35, corrected]
 //
-// A walk's throughput is the flux that it carries over what it started with, so that roulette plays for what scattering
-// did; `flux` is what it started with, in watts.
+// The throughput of a subpath is its flux relative to the flux at its start, so that Russian roulette depends on
+// scattering alone. `flux` is the flux at the start, in watts.
 #pragma once
 #include "integrator/shared/camera_paths.h"
 #include "transport/wavefront/path_estimators.h"
 
 namespace etendue::integrator {
 
-// The seed of a light path's random numbers in one half of the film.
+// The seed of a light path's random numbers in one half-buffer.
 inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t half_buffer) {
   constexpr uint64_t kNoPixel = 0x6c62272e07bb0142;
   return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalfBuffers + half_buffer + kNoPixel) ^ path) >> 32);
@@ -20,11 +20,11 @@ class LightSubpaths {
   using PathWavefront = transport::PathWavefront<M>;
   using Color = typename M::Color;
 
-  // Where a walk starts.
+  // The first vertex of a subpath.
   struct Start {
     int path = 0;
     Emission emission;
-    const scene::SurfacePoint* point = nullptr;  // of triangles only
+    const scene::SurfacePoint* point = nullptr;  // area lights only
     Color emitted{0};
     [[no_unique_address]] std::conditional_t<M::kMedia, scene::MediumInterface, transport::Vacuum> media;
 
@@ -37,23 +37,22 @@ class LightSubpaths {
     }
   };
 
-  // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
-  // yet. begun(start, point of the lens) is called for each, those included that carry nothing, and says whether the
-  // walk is to go on from there.
-  template <class NumberOf, class Begun>
+  // Launches `count` subpaths of a sample; number_of(i) is the index of the i-th among all subpaths of the sample. No
+  // ray has been traced on return. on_start(start, lens sample) is called for each subpath, including those of zero
+  // flux, and returns whether the subpath is traced.
+  template <class NumberOf, class OnStart>
   void launch(const RenderContext& context, uint32_t sample, int count, const TaskContext& task_context,
-              PathWavefront& paths, NumberOf&& number_of, Begun&& begun) {
+              PathWavefront& paths, NumberOf&& number_of, OnStart&& on_start) {
     const uint32_t half_buffer = sample % film::kHalfBuffers;
     paths.begin(*context.scene, *context.sampler, sample / film::kHalfBuffers, task_context.keep_going,
                 context.model->moving);
     for (int i = 0; i < count; ++i) paths.add(light_path_seed(context.seed, number_of(i), half_buffer));
-    launch_added(context, paths, begun, [](int) { return true; });
+    launch_added(context, paths, on_start, [](int) { return true; });
   }
 
-  // The same for paths that were added to the front; those stay behind, and are not begun, for which wanted(path) says
-  // no.
-  template <class Begun, class Wanted>
-  void launch_added(const RenderContext& context, PathWavefront& paths, Begun&& begun, Wanted&& keep_going) {
+  // Launches the paths that have been added to the wavefront and for which is_selected(path) holds.
+  template <class OnStart, class Selected>
+  void launch_added(const RenderContext& context, PathWavefront& paths, OnStart&& on_start, Selected&& is_selected) {
     if constexpr (M::kClasses) paths.filter_paths_from_light(*context.model->paths->from_light());
     const int count = paths.size();
     using namespace emission_dimension;
@@ -73,9 +72,10 @@ class LightSubpaths {
       for (int i = first; i < end; ++i) {
         const float time = context.samples_time() ? at(i, kTime) : context.shared_time.value_or(0.0f);
         times_[static_cast<size_t>(i)] = time;
-        if (!keep_going(i)) continue;
+        if (!is_selected(i)) continue;
         Start& start = starts_[static_cast<size_t>(size++)];
-        start.path = i, start.point = nullptr;
+        start.path = i;
+        start.point = nullptr;
         start.emission = {};
         context.scene->lights().sample_emission({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
                                                  cosine_directions_[static_cast<size_t>(i - first)]},
@@ -84,20 +84,21 @@ class LightSubpaths {
       finish_starts(*context.scene, size);
       for (int k = 0; k < size; ++k) {
         const Start& start = starts_[static_cast<size_t>(k)];
-        if (begun(start, context.camera->has_lens() ? pair(start.path, kLens) : Vec2(0))) launch_one(k, paths);
+        if (on_start(start, context.camera->has_lens() ? pair(start.path, kLens) : Vec2(0))) launch_one(k, paths);
       }
     }
   }
 
-  // What the throughput of a walk is to be multiplied by.
+  // The flux at the start of a subpath: the throughput is relative to it.
   float flux(int path) const { return flux_[static_cast<size_t>(path)]; }
-  // Of all walks, those included that carry nothing.
+  // The times of all subpaths, including those of zero flux.
   const float* times() const { return times_.data(); }
-  // The number of the light that a walk started on.
+  // The index of the light on which a subpath started.
   uint32_t light(int path) const { return lights_[static_cast<size_t>(path)]; }
 
-  // Point lights may lose light with the distance: to be called before anything else is done with the first vertices.
-  void dim_first_vertices(PathWavefront& paths) const {
+  // Applies the range of point lights (KHR_lights_punctual) to the first segments. To be called before the first
+  // vertices are processed further.
+  void apply_range_window(PathWavefront& paths) const {
     for (int i = 0; i < paths.hit_count(); ++i) {
       auto& path = paths.state_at(i);
       path.throughput *= paths.scene().lights().range_window(light(paths.path_at(i)),
@@ -106,39 +107,40 @@ class LightSubpaths {
   }
 
  private:
-  // Where they are, and what they send out: many at once, because surfaces are looked at many at once.
+  // Computes positions and emission of a batch of starts; surface points are evaluated in batches.
   void finish_starts(const scene::CompiledScene& scene, int size) {
     std::array<Hit, kBatch> hits;
     std::array<Vec3, kBatch> sides;
     std::array<float, kBatch> times{};
-    std::array<int, kBatch> of;
+    std::array<int, kBatch> start_of;
     size_t count = 0;
     for (int k = 0; k < size; ++k) {
       const Emission& e = starts_[static_cast<size_t>(k)].emission;
       if (!(e.weight > 0) || e.kind != LightKind::triangle) continue;
       scene.locate(e, hits[count], sides[count]);
       times[count] = e.time;
-      of[count++] = k;
+      start_of[count++] = k;
     }
     scene.surfaces({sides.data(), count}, {hits.data(), count}, points_.data(), times.data());
     for (size_t n = 0; n < count; ++n) {
-      Start& start = starts_[static_cast<size_t>(of[n])];
+      Start& start = starts_[static_cast<size_t>(start_of[n])];
       start.point = &points_[n];
       start.emission.position = points_[n].position;
       const Vec3 out = points_[n].front ? points_[n].ng : -points_[n].ng;
       start.emission.direction = Frame(out).to_world(start.emission.direction);
     }
-    for (int k = 0; k < size; ++k) find_ray(scene, k);
+    for (int k = 0; k < size; ++k) compute_ray(scene, k);
   }
 
-  // What a start sends out, and along which ray.
-  void find_ray(const scene::CompiledScene& scene, int k) {
+  // Emission and ray of a start.
+  void compute_ray(const scene::CompiledScene& scene, int k) {
     Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
     start.emitted = e.weight > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
     Ray& ray = rays_[static_cast<size_t>(k)];
     ray = Ray();
-    ray.origin = e.position, ray.direction = e.direction;
+    ray.origin = e.position;
+    ray.direction = e.direction;
     if (start.point) start.point->spawn(e.direction, ray);
     if constexpr (M::kMedia)
       if (e.weight > 0) scene.find_media_at_light(e, start.point, ray.origin, start.media);
@@ -151,7 +153,8 @@ class LightSubpaths {
     const float beam = start.point ? start.point->beam(e.direction) : 1;
     const Color flux = start.emitted * (e.weight * beam);
     const float most = max_component(flux);
-    flux_[path] = most, lights_[path] = e.light;
+    flux_[path] = most;
+    lights_[path] = e.light;
     if (!(most > 0)) return;
     paths.launch(start.path, rays_[static_cast<size_t>(k)], start.medium_beyond(e.direction), e.time);
     paths.state(start.path).throughput = flux / most;

@@ -1,5 +1,4 @@
-// The order in which the pixels of a block are taken: squares of 4 x 4, so that a packet's camera rays lie close
-// together.
+// The order of the pixels of a block: squares of 4 x 4, so that the camera rays of a packet are coherent.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -20,7 +19,7 @@ class PixelOrder {
   }
 
   int size() const { return size_; }
-  // Within the block.
+  // Coordinates and index within the block.
   int x(int i) const { return pixels_[static_cast<size_t>(i)].x; }
   int y(int i) const { return pixels_[static_cast<size_t>(i)].y; }
   size_t index(int i) const { return static_cast<size_t>(y(i) * width_ + x(i)); }

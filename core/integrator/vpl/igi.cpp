@@ -1,17 +1,29 @@
-// Instant global illumination: a few light paths for all pixels.       thesis 9.6, (9.148)-(9.158), E33; S40, S41
-//                                              Keller 1997; interleaved: Keller & Heidrich 2001; bounded: Kollig &
-//                                              Keller 2004
-// The camera's walk follows mirrors and clear glass to the first other vertex z, where direct light is found as in path
-// tracing and every virtual light (virtual_lights.h) is connected. Vertices y and z that come close make G = cos cos /
-// r^2, and with it the variance, infinite. Where G is kept below a bound, what is lost is found again, if wanted, by a
-// walk from z by the BSDF: at the vertex where it arrives everything is done as at z, weighed by what the bound cut
-// off,
+// Instant global illumination                                 [Lang, sec. 9.6, eq. 9.148-9.158, corrected; Keller 1997]
 //
-//   1 = min(1, bound / G)  +  max(0, 1 - bound / G)
-//                    lights   walk
+// The vertices y_j of a few light paths become virtual point lights with flux Phi_j (virtual_lights.h). A camera path
+// follows mirrors and clear glass to its first other vertex z. There direct light is estimated as in path tracing, and
+// every virtual light is connected:
 //
-// Unbiased with the full BSDF of virtual lights, or where all surfaces are diffuse; and with no bound, or with what it
-// loses found again. Pixels that share virtual lights share their error: it shows as a wrong brightness, not as noise.
+//    L(z)  ~  direct light  +  sum over j  f_s(z) G(y_j, z) V f_s(y_j) Phi_j,      G = cos cos / r^2
+//
+// G, and with it the variance, is unbounded for close y and z. If G is clamped to a bound, the missing part can be
+// estimated by BSDF sampling from z [Kollig and Keller 2004]: the next vertex is treated like z and weighted by the
+// clamped fraction,
+//
+//    1 = min(1, bound / G)  +  max(0, 1 - bound / G)
+//             lights              BSDF sampling
+//
+// With interleaving, the virtual lights are divided among the pixels of small squares [Keller and Heidrich 2001].
+// Pixels that share virtual lights have correlated errors: a wrong brightness instead of noise.
+//
+//   Paths         ES*[(D|G)[(D|G).*]]L; point lights: ES*(D|G)[(D|G).*]L
+//   Bias          biased by default. None with the full BSDF of virtual lights, or if all surfaces are diffuse, and
+//   with
+//                 no bound, or with compensation
+//   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
+//   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
+//                 or with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse
+//                 unless the full BSDF is used.
 #include "integrator/integrator_base.h"
 #include "integrator/registration.h"
 #include "integrator/vpl/virtual_lighting.h"
@@ -26,51 +38,57 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
     return {
         .name = "igi",
         .label = "Instant global illumination",
-        .summary = "Virtual point lights on a few light paths, connected to what all pixels see",
+        .summary =
+            "Virtual point lights at the vertices of a few light paths, connected to the visible surfaces of all "
+            "pixels",
         .group = Group::two_pass,
         .paths = "ES*[(D|G)[(D|G).*]]L",
         .point_paths = "ES*(D|G)[(D|G).*]L",
         .bias = Bias::biased,
-        .cost =
-            "3 + the number of virtual lights rays per sample: 2 to 4 for each light path; a few hundred bytes for "
-            "each",
+        .cost = "per sample 3 rays and 1 per virtual light; each light path makes 2 to 4 of a few hundred bytes",
         .limitations =
-            "caustics and whatever shines through glass onto what is seen: black; corners: splotches, or with a bound "
-            "and without compensation too dark; glossy surfaces as virtual lights are taken for matt ones unless told "
-            "otherwise",
+            "Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches, or "
+            "with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse unless "
+            "the full BSDF is used.",
         .accumulation = Accumulation::per_image,
     };
   }
 
-  Number<int> light_paths{"light-paths",
-                          "Light paths",
-                          32,
-                          {1, 100'000},
-                          "Each leaves a few virtual lights, which every pixel is connected to",
-                          "",
-                          Scale::logarithmic};
+  Number<int> light_paths{
+      "light-paths",
+      "Light paths",
+      32,
+      {1, 100'000},
+      "Each makes a few virtual lights that all pixels are connected to. Raising it reduces the error and is slower",
+      "",
+      Scale::logarithmic};
   Number<int> interleave{
       "interleave",
       "Interleaved pixels",
       1,
       {1, 16},
-      "The lights are dealt out to squares of so many pixels a side: faster, and the error becomes a "
-      "pattern"};
+      "Side length of pixel squares among which the virtual lights are divided. Raising it is faster; the error "
+      "becomes a pattern"};
   Toggle full{"full-bsdf", "Full BSDF of virtual lights", false,
-              "Virtual lights scatter as their surface does; else as if it were matt"};
-  Number<float> bound{"bound",
-                      "Bound of G",
-                      0,
-                      {0, 1e9f},
-                      "The largest cos cos / r^2 of a connection; 0: none. Lower: darker corners without splotches",
-                      "1/m^2",
-                      Scale::logarithmic};
-  Toggle compensate{"compensate", "Find what the bound loses", true,
-                    "By walks from the camera's vertices: no bias, noise"};
-  Toggle renew{"renew", "New lights for every sample", true,
-               "Else the error of the first lights stays, unless something moves"};
+              "Virtual lights scatter by the BSDF of their surface. Off: diffusely"};
+  Number<float> bound{
+      "bound",
+      "Clamp geometry term",
+      0,
+      {0, 1e9f},
+      "Maximum of cos cos / r^2 of a connection; 0: no clamping. Lower values remove splotches and darken corners",
+      "1/m^2",
+      Scale::logarithmic};
+  Toggle compensate{"compensate", "Bias compensation", true,
+                    "Estimates the clamped light by BSDF sampling: removes the bias, adds noise"};
+  Toggle renew{"renew", "New lights per sample", true,
+               "Off: the error of the first lights remains, unless the scene moves"};
   Number<int> roulette_start{
-      "roulette-start", "Roulette from vertex", 4, {1, 64}, "Of the camera's walk. Earlier: faster, noisier"};
+      "roulette-start",
+      "Russian roulette start depth",
+      4,
+      {1, 64},
+      "Length of camera paths from which they are terminated at random. Lower is faster and noisier"};
 
   using IntegratorBase::at_max_depth;
 
@@ -85,54 +103,57 @@ class InstantGlobalIllumination final : public IntegratorBase<InstantGlobalIllum
     plan.subsets = interleave * interleave;
     plan.paths = (light_paths + plan.subsets - 1) / plan.subsets * plan.subsets;
     plan.lambertian = !full;
-    plan.longest = max_depth > 0 ? std::max(1, max_depth - 2) : 0;
+    plan.max_length = max_depth > 0 ? std::max(1, max_depth - 2) : 0;
     return plan;
   }
 };
 namespace {
 
-// By which light samples and the walk's own direction share direct light.
+// Combines light sampling and BSDF sampling of direct light.
 constexpr auto kHeuristic = transport::MisHeuristic::power;
 
-// The virtual lights of one sample, or of a half of the film, in the making.
-struct Lights {
-  uint32_t sample = 0;                           // whose random numbers they are made with
-  std::vector<std::vector<VirtualLight>> found;  // by task
+// The virtual lights of one sample, or of a half-buffer.
+struct LightSet {
+  uint32_t sample = 0;                             // of the random numbers
+  std::vector<std::vector<VirtualLight>> by_task;  // by task
   std::vector<VirtualLight> all;
-  bool ready = false;
+  bool is_ready = false;
 };
 
-class VirtualLights final : public RenderState {
+class IgiState final : public RenderState {
  public:
-  VirtualLights(const InstantGlobalIllumination& method, const RenderContext& context)
-      : method_(method), context_(context), plan_(method.plan()) {
+  IgiState(const InstantGlobalIllumination& integrator, const RenderContext& context)
+      : integrator_(integrator), context_(context), plan_(integrator.plan()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
     for (uint32_t half = 0; half < film::kHalfBuffers; ++half) lights_[half].sample = half;
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
-    Lights& lights = lights_of(sample);
-    if (renews()) lights.sample = sample, lights.ready = false;
-    if (lights.ready || !indirect()) return {};
-    lights.found.resize(static_cast<size_t>(plan_.tasks()));
+    LightSet& lights = lights_for(sample);
+    if (renews_lights()) {
+      lights.sample = sample;
+      lights.is_ready = false;
+    }
+    if (lights.is_ready || !has_indirect()) return {};
+    lights.by_task.resize(static_cast<size_t>(plan_.tasks()));
     return {{"making virtual lights", plan_.tasks()}};
   }
 
   std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
-    Lights& lights = lights_of(sample);
+    LightSet& lights = lights_for(sample);
     RenderContext context = at_shared_time(context_, sample);
-    if (!renews()) context.sampler = &random_;
+    if (!renews_lights()) context.sampler = &random_;
     return transport::with_model(*context_.model, [&]<class M>(M) {
       return make_virtual_lights<M>(context, lights.sample, plan_, task, task_context,
-                                    lights.found[static_cast<size_t>(task)]);
+                                    lights.by_task[static_cast<size_t>(task)]);
     });
   }
 
   void finish(uint32_t sample, size_t) override {
-    Lights& lights = lights_of(sample);
+    LightSet& lights = lights_for(sample);
     lights.all.clear();
-    for (const auto& list : lights.found) lights.all.insert(lights.all.end(), list.begin(), list.end());
-    lights.ready = true;
+    for (const auto& list : lights.by_task) lights.all.insert(lights.all.end(), list.begin(), list.end());
+    lights.is_ready = true;
   }
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
@@ -143,9 +164,9 @@ class VirtualLights final : public RenderState {
 
   size_t memory() const override {
     size_t count = 0;
-    for (const Lights& lights : lights_) {
+    for (const LightSet& lights : lights_) {
       count += lights.all.capacity();
-      for (const auto& list : lights.found) count += list.capacity();
+      for (const auto& list : lights.by_task) count += list.capacity();
     }
     return count * sizeof(VirtualLight);
   }
@@ -158,12 +179,12 @@ class VirtualLights final : public RenderState {
   }
 
  private:
-  // What moves needs lights of its own time.
-  bool renews() const { return method_.renew || context_.model->moving; }
+  // Moving objects require virtual lights of the same time.
+  bool renews_lights() const { return integrator_.renew || context_.model->moving; }
 
-  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
-  // Virtual lights are the second vertex at the earliest.
-  bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
+  LightSet& lights_for(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
+  // The shortest path with a virtual light has three edges.
+  bool has_indirect() const { return integrator_.max_depth == 0 || integrator_.max_depth > 2; }
 
   template <class M>
   std::optional<uint64_t> sample_with(const PixelBlock& block, std::span<Rgb> radiance,
@@ -172,79 +193,80 @@ class VirtualLights final : public RenderState {
     const PixelOrder order(block);
     launch_camera_paths(at_shared_time(context_, block.sample), block, order, task_context, paths);
     static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
-    const int side = method_.interleave;
-    lighting->begin(
-        {lights_[block.sample % film::kHalfBuffers].all, plan_.lambertian, method_.bound, method_.max_depth,
-         join_ ? &*join_ : nullptr},
-        order.size(), [&](int i) {
-          return static_cast<uint32_t>((block.y + order.y(i)) % side * side + (block.x + order.x(i)) % side);
-        });
+    const int interleave_width = integrator_.interleave;
+    lighting->begin({lights_[block.sample % film::kHalfBuffers].all, plan_.lambertian, integrator_.bound,
+                     integrator_.max_depth, join_ ? &*join_ : nullptr},
+                    order.size(), [&](int i) {
+                      return static_cast<uint32_t>((block.y + order.y(i)) % interleave_width * interleave_width +
+                                                   (block.x + order.x(i)) % interleave_width);
+                    });
     if (!estimate(task_context, *lighting, paths)) return {};
     const auto rays = collect(paths, order, radiance);
     if (!rays) return {};
     return *rays + lighting->rays_traced();
   }
 
-  // False if nobody wants it any more: a few vertices take a while.
+  // False if the task was cancelled, which is polled because connections are slow.
   template <class M>
   bool estimate(const TaskContext& task_context, VirtualLighting<M>& lighting,
                 transport::PathWavefront<M>& paths) const {
     using namespace transport;
-    static thread_local std::array<float, PathWavefront<M>::kCapacity> departures;  // cosines by which paths left
+    static thread_local std::array<float, PathWavefront<M>::kCapacity> departure_cosines;  // of the sampled directions
     while (paths.trace()) {
       add_environment(paths, kHeuristic);
       while (paths.next_hits()) {
         if (!should_continue(task_context)) return false;
         add_emission(paths, kHeuristic);
-        if (method_.at_max_depth(paths.length())) continue;
-        weigh_by_loss(paths, departures);
+        if (integrator_.at_max_depth(paths.length())) continue;
+        apply_bound_compensation(paths, departure_cosines);
         add_direct_light(paths, LightStrategy::automatic, kHeuristic);
         lighting.add(paths);
         sample_bsdf_and_record(
-            paths, method_.roulette_start, TransportMode::radiance,
+            paths, integrator_.roulette_start, TransportMode::radiance,
             [&](int i, const auto& s) {
-              departures[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
+              departure_cosines[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
             },
-            [](PathWavefront<M>& walks, int i, auto& s) { return goes_on(walks, i, s); });
+            [](PathWavefront<M>& subpaths, int i, auto& s) { return accept_direction(subpaths, i, s); });
       }
     }
     return true;
   }
 
-  // Mirrors from the camera on; from the first other vertex one step that may meet a light, and more where a bound
-  // loses something, but not by mirrors: virtual lights are not connected through them.
+  // Accepts specular samples while the path is purely specular. From the first other vertex on, one step that may hit a
+  // light, and further steps where the bound is compensated; but no specular ones, because virtual lights are not
+  // connected through mirrors.
   template <class M>
-  static bool goes_on(transport::PathWavefront<M>& paths, int i, LobeSample<typename M::Color>& s) {
+  static bool accept_direction(transport::PathWavefront<M>& paths, int i, LobeSample<typename M::Color>& s) {
     const auto& path = paths.state_at(i);
-    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::TakeAll()(paths, i, s);
+    return (path.all_specular || !s.delta) && !is_black(path.throughput) && transport::AcceptAll()(paths, i, s);
   }
 
-  // What virtual lights have done for the vertex before is not done again.
+  // Weights throughputs by the fraction of the connection that was clamped at the previous vertex.
   template <class M>
-  void weigh_by_loss(transport::PathWavefront<M>& paths, std::span<const float> departures) const {
-    const bool follows_bound = method_.bound > 0 && method_.compensate;
+  void apply_bound_compensation(transport::PathWavefront<M>& paths, std::span<const float> departure_cosines) const {
+    const bool follows_bound = integrator_.bound > 0 && integrator_.compensate;
     for (int i = 0; i < paths.hit_count(); ++i) {
       auto& path = paths.state_at(i);
       if (path.all_specular) continue;
       const Vec3 d = paths.point(i).position - path.from;
-      const float left = departures[static_cast<size_t>(paths.path_at(i))];
-      const float geometry = geometry_term(left, glm::dot(paths.point(i).ng, paths.wo(i)), glm::dot(d, d));
-      path.throughput *= follows_bound ? 1 - kept_of(geometry, method_.bound) : 0;
+      const float departure_cosine = departure_cosines[static_cast<size_t>(paths.path_at(i))];
+      const float geometry = geometry_term(departure_cosine, glm::dot(paths.point(i).ng, paths.wo(i)), glm::dot(d, d));
+      path.throughput *= follows_bound ? 1 - bounded_fraction(geometry, integrator_.bound) : 0;
     }
   }
 
-  const InstantGlobalIllumination& method_;
+  const InstantGlobalIllumination& integrator_;
   const RenderContext context_;
   const VirtualLightPlan plan_;
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<Lights, film::kHalfBuffers> lights_;
+  std::array<LightSet, film::kHalfBuffers> lights_;
 };
 
 }  // namespace
 
 std::unique_ptr<RenderState> InstantGlobalIllumination::begin(const RenderContext& context, const RenderState*) const {
-  return std::make_unique<VirtualLights>(*this, context);
+  return std::make_unique<IgiState>(*this, context);
 }
 
 Registration instant_global_illumination() { return registration<InstantGlobalIllumination>(); }

@@ -1,16 +1,18 @@
-// What virtual lights do for the walks of a block.
+// Illumination of a block of camera paths by virtual lights.
 #pragma once
 #include "integrator/vpl/virtual_lights.h"
 #include "transport/wavefront/connections.h"
 
 namespace etendue::integrator {
 
-// By what connections are weighed; both cosines are to the geometric normals.
+// The geometry term of a connection; both cosines are to the geometric normals.
 inline float geometry_term(float cosine_a, float cosine_b, float distance2) {
   return std::abs(cosine_a * cosine_b) / distance2;
 }
-// The part of a connection that a bound keeps; 0 is no bound.
-inline float kept_of(float geometry, float bound) { return bound > 0 && geometry > bound ? bound / geometry : 1; }
+// The fraction of a connection that remains if the geometry term is clamped to `bound`; 0: no bound.
+inline float bounded_fraction(float geometry, float bound) {
+  return bound > 0 && geometry > bound ? bound / geometry : 1;
+}
 
 template <class M>
 class VirtualLighting {
@@ -22,23 +24,25 @@ class VirtualLighting {
     std::span<const VirtualLight> lights;
     bool lambertian = true;
     float bound = 0;
-    int longest = 0;  // edges of a whole path; 0: no limit
+    int max_length = 0;  // edges of a whole path; 0: no limit
     const transport::ClassJoin* join = nullptr;
   };
 
-  // `subset_of(path)` is that of the virtual lights which a path is connected to.
+  // `subset_of(path)` is the subset of virtual lights that a path is connected to.
   template <class SubsetOf>
   void begin(const Options& options, int paths, SubsetOf&& subset_of) {
-    options_ = options, rays_traced_ = 0;
+    options_ = options;
+    rays_traced_ = 0;
     for (int i = 0; i < paths; ++i) subsets_[static_cast<size_t>(i)] = subset_of(i);
   }
   uint64_t rays_traced() const { return rays_traced_; }
 
-  // Adds what all arrivals get. Light by light: its rays to neighbouring pixels lie close together.
+  // Adds the illumination of all current hits. The outer loop is over lights, because rays from neighbouring pixels to
+  // one light are coherent.
   void add(PathWavefront& paths) {
-    find_weights(paths);
+    find_join_weights_of_hits(paths);
     for (const VirtualLight& light : options_.lights) {
-      if (options_.longest > 0 && paths.length() + 1 + light.length > options_.longest) continue;
+      if (options_.max_length > 0 && paths.length() + 1 + light.length > options_.max_length) continue;
       if (!options_.lambertian) transport::build_bsdf<M>(light.point, bsdf_);
       for (int i = 0; i < paths.hit_count(); ++i) {
         const auto path = static_cast<size_t>(paths.path_at(i));
@@ -47,80 +51,80 @@ class VirtualLighting {
           connect(paths, i, light);
       }
     }
-    settle(paths);
+    trace_connections(paths);
   }
 
  private:
-  struct Gain {
+  struct Contribution {
     int path;
     Color radiance;
   };
-  // The letters of a scattering function times its cosine.
-  struct Letters {
+  // The components of f |cos| by path letter.
+  struct ByLetter {
     Color diffuse, glossy;
   };
-  struct Nothing {};
+  struct Empty {};
 
-  void settle(PathWavefront& paths) {
-    rays_traced_ += connections_.settle(paths.scene(), [&](const Gain& gain, const Rgb& transmittance) {
-      paths.state(gain.path).radiance += gain.radiance * transmittance;
+  void trace_connections(PathWavefront& paths) {
+    rays_traced_ += connections_.settle(paths.scene(), [&](const Contribution& contribution, const Rgb& transmittance) {
+      paths.state(contribution.path).radiance += contribution.radiance * transmittance;
     });
   }
 
   void connect(PathWavefront& paths, int i, const VirtualLight& light) {
     const scene::SurfacePoint& point = paths.point(i);
-    const Vec3 apart = light.point.position - point.position;
-    const float distance2 = glm::dot(apart, apart);
+    const Vec3 offset = light.point.position - point.position;
+    const float distance2 = glm::dot(offset, offset);
     if (!(distance2 > 0)) return;
     const float distance = std::sqrt(distance2);
-    const Vec3 w = apart / distance;
+    const Vec3 w = offset / distance;
     const float cosine = glm::dot(light.point.ng, w);
     const Color scattered = scattering(paths, i, light, w, cosine);
     if (is_black(scattered)) return;
-    const float kept = kept_of(geometry_term(glm::dot(point.ng, w), cosine, distance2), options_.bound);
+    const float fraction = bounded_fraction(geometry_term(glm::dot(point.ng, w), cosine, distance2), options_.bound);
     auto& path = paths.state_at(i);
     Ray ray;
     point.spawn_segment(w, distance, ray);
     const auto number = static_cast<uint32_t>(&light - options_.lights.data());
-    Gain& gain = connections_.add(ray, path.time, path_seed(path.seed, paths.sample()) + number,
-                                  paths.medium_beyond(i, w), distance);
-    gain.path = paths.path_at(i);
-    gain.radiance = path.throughput * scattered * light.power * (kept / distance2);
-    if (connections_.full()) settle(paths);
+    Contribution& contribution = connections_.add(ray, path.time, path_seed(path.seed, paths.sample()) + number,
+                                                  paths.medium_beyond(i, w), distance);
+    contribution.path = paths.path_at(i);
+    contribution.radiance = path.throughput * scattered * light.power * (fraction / distance2);
+    if (connections_.full()) trace_connections(paths);
   }
 
-  // f cos at both ends, without what classes leave out.
+  // f |cos| at both ends, restricted to the selected path classes.
   Color scattering(PathWavefront& paths, int i, const VirtualLight& light, const Vec3& w, float cosine) {
     if constexpr (!M::kClasses) {
-      const Color here = paths.bsdf(i).evaluate(paths.wo(i), w).f_cos;
-      if (is_black(here)) return here;
-      if (!options_.lambertian) return here * bsdf_.evaluate(light.wo, -w, TransportMode::importance).f_cos;
-      return here * (std::max(0.0f, -cosine * light.side) * kInvPi);
+      const Color at_point = paths.bsdf(i).evaluate(paths.wo(i), w).f_cos;
+      if (is_black(at_point)) return at_point;
+      if (!options_.lambertian) return at_point * bsdf_.evaluate(light.wo, -w, TransportMode::importance).f_cos;
+      return at_point * (std::max(0.0f, -cosine * light.side) * kInvPi);
     } else {
-      const Letters here = letters(paths.bsdf(i), paths.wo(i), w, TransportMode::radiance);
-      const auto joined = [&](transport::Automaton::State state) {
-        const auto& weight = weights_[static_cast<size_t>(i)].of[state];
-        return here.diffuse * weight.diffuse + here.glossy * weight.glossy;
+      const ByLetter at_point = by_letter(paths.bsdf(i), paths.wo(i), w, TransportMode::radiance);
+      const auto join = [&](transport::Automaton::State state) {
+        const auto& weight = weights_[static_cast<size_t>(i)].by_state[state];
+        return at_point.diffuse * weight.diffuse + at_point.glossy * weight.glossy;
       };
-      if (options_.lambertian) return joined(light.state) * (std::max(0.0f, -cosine * light.side) * kInvPi);
-      const Letters there = letters(bsdf_, light.wo, -w, TransportMode::importance);
-      const transport::Automaton& reader = options_.join->light();
-      return there.diffuse * joined(reader.next(light.state, transport::Event::diffuse)) +
-             there.glossy * joined(reader.next(light.state, transport::Event::glossy));
+      if (options_.lambertian) return join(light.state) * (std::max(0.0f, -cosine * light.side) * kInvPi);
+      const ByLetter at_light = by_letter(bsdf_, light.wo, -w, TransportMode::importance);
+      const transport::Automaton& automaton = options_.join->light();
+      return at_light.diffuse * join(automaton.next(light.state, transport::Event::diffuse)) +
+             at_light.glossy * join(automaton.next(light.state, transport::Event::glossy));
     }
   }
 
-  static Letters letters(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) {
+  static ByLetter by_letter(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) {
     const float cosine = bsdf.cosine(wi);
-    Letters letters{Color(0), Color(0)};
+    ByLetter by_letter{Color(0), Color(0)};
     if (bsdf.has_component(ScatterType::diffuse))
-      letters.diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi, mode) * cosine;
+      by_letter.diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi, mode) * cosine;
     if (bsdf.has_component(ScatterType::glossy))
-      letters.glossy = bsdf.eval_component(ScatterType::glossy, wo, wi, mode) * cosine;
-    return letters;
+      by_letter.glossy = bsdf.eval_component(ScatterType::glossy, wo, wi, mode) * cosine;
+    return by_letter;
   }
 
-  void find_weights(PathWavefront& paths) {
+  void find_join_weights_of_hits(PathWavefront& paths) {
     if constexpr (M::kClasses)
       for (int i = 0; i < paths.hit_count(); ++i)
         transport::find_join_weights(paths.shares(), paths.path_at(i), *options_.join,
@@ -129,11 +133,11 @@ class VirtualLighting {
 
   Options options_;
   uint64_t rays_traced_ = 0;
-  Bsdf<M> bsdf_;  // of the light at hand
+  Bsdf<M> bsdf_;  // of the current light
   std::array<uint32_t, PathWavefront::kCapacity> subsets_;
-  transport::Connections<Gain> connections_;
+  transport::Connections<Contribution> connections_;
   [[no_unique_address]] std::conditional_t<
-      M::kClasses, std::array<transport::JoinWeights<Color>, PathWavefront::kHitsAtATime>, Nothing>
+      M::kClasses, std::array<transport::JoinWeights<Color>, PathWavefront::kHitsAtATime>, Empty>
       weights_;
 };
 

@@ -1,4 +1,4 @@
-// Weights of multiple importance sampling.                                        thesis 6.6.9; Veach 1997, 9.2
+// Weights of multiple importance sampling.              [Lang, sec. 6.6.9; Veach and Guibas 1995; Veach 1997, sec. 9.2]
 #pragma once
 #include <array>
 
@@ -9,26 +9,27 @@ namespace etendue::transport {
 
 enum class MisHeuristic { balance, power, maximum };
 
-// Densities beyond this count as this: the squares of larger ones are no floats.
+// Densities are clamped to this value; the squares of larger ones overflow.
 inline constexpr float kLargestDensity = 1e19f;
 
-// The weight of the technique with density `own` where the other one has density `other`, both of the same measure,
-// over `own`: what an estimate is multiplied with.
-inline float mis_weight_over_pdf(MisHeuristic heuristic, float own, float other) {
+// The weight of the technique with density `pdf`, divided by `pdf`, where one other technique has density `other_pdf`
+// of the same measure: the factor of an estimate.
+inline float mis_weight_over_pdf(MisHeuristic heuristic, float pdf, float other_pdf) {
   switch (heuristic) {
     case MisHeuristic::balance:
-      return 1 / (own + other);
+      return 1 / (pdf + other_pdf);
     case MisHeuristic::maximum:
-      return (own > other ? 1.0f : own == other ? 0.5f : 0.0f) / own;
+      return (pdf > other_pdf ? 1.0f : pdf == other_pdf ? 0.5f : 0.0f) / pdf;
     case MisHeuristic::power:
       break;
   }
-  own = std::min(own, kLargestDensity), other = std::min(other, kLargestDensity);
-  return own / (own * own + other * other);
+  pdf = std::min(pdf, kLargestDensity);
+  other_pdf = std::min(other_pdf, kLargestDensity);
+  return pdf / (pdf * pdf + other_pdf * other_pdf);
 }
 
-inline float mis_weight(MisHeuristic heuristic, float own, float other) {
-  return std::min(own, kLargestDensity) * mis_weight_over_pdf(heuristic, own, other);
+inline float mis_weight(MisHeuristic heuristic, float pdf, float other_pdf) {
+  return std::min(pdf, kLargestDensity) * mis_weight_over_pdf(heuristic, pdf, other_pdf);
 }
 
 }  // namespace etendue::transport

@@ -1,138 +1,154 @@
-// Weights of bidirectional sampling, in a time that does not depend on the path's length.
-//                thesis 9.3, (9.104)-(9.110), errata E25, E26; van Antwerpen 2011; Georgiev et al. 2012
+// MIS weights of bidirectional techniques, in constant time per technique.
+//                                [Lang, sec. 9.3, eq. 9.104-9.110, corrected; van Antwerpen 2011; Georgiev et al. 2012]
 //
-// A path x_0 .. x_k can be found with i vertices from the light and the rest from the camera, i = 0 .. k + 1, with the
-// density p_i in area measure. For the one that found it with s vertices from the light the weight is
+// A path x_0 .. x_k can be sampled with i vertices from the light and the rest from the camera, i = 0 .. k + 1, with
+// the density p_i in area measure. The weight of the technique with s vertices from the light is
 //
 //   w_s = 1 / (sum over i of (p_i / p_s)^beta) = 1 / (1 + S_light + S_camera)
 //
-// The terms with i < s differ from p_s at the light's end of the path alone, those with i > s at the camera's. Ratios
-// of neighbours are p_{i} / p_{i+1} = back_i / ahead_i, densities of vertex i as its neighbours on either side find it.
-// So a subpath with n vertices v_0 .. v_{n-1} has
+// The terms with i < s differ from p_s only at the light's end of the path, those with i > s only at the camera's end.
+// Ratios of neighbours are p_i / p_i+1 = back_i / ahead_i, the densities of vertex i as sampled from its neighbours on
+// either side. So for a subpath with n vertices v_0 .. v_{n-1}
 //
 //   S_n = (back_{n-1} / ahead_{n-1})^beta (c_{n-1} + S_{n-1})
 //
-// where c_i is 1 if there is a technique that takes i vertices of this side: if neither end of its connection scatters
-// into single directions. What the next vertices decide is left open until they are known: `open` is what
-// (density back per solid angle)^beta is to be multiplied by.
+// where c_i is 1 if the technique with i vertices of this side exists: neither end of its connection is specular. Each
+// vertex stores the partial sum of its subpath, except for the factor that depends on the next vertex: `weighted_sum`
+// is to be multiplied by (reverse density per solid angle)^beta.
 //
-// A vertex that scatters into a single direction has the density |cos| for it (one per projected solid angle, the same
-// both ways), which stands for the delta that all techniques share. Of lights infinitely far away, the first vertex is
-// a direction: its densities are per solid angle, those of the second vertex per area across it.
+// A specular vertex has the density |cos| for its direction (one per projected solid angle, equal in both directions),
+// which stands for the delta that all techniques have in common. The first vertex of an infinite light is a direction:
+// its densities are per solid angle, those of the second vertex per area perpendicular to it.
 #pragma once
 #include "transport/mis/mis.h"
 
 namespace etendue::transport {
 
-// How ratios are summed up: powers of the heuristic, or the largest.
+// Combines ratios of densities: sums of powers, or the maximum.
 class MisRule {
  public:
-  // Ties between techniques would count twice, or not at all, where all densities are the same (a sphere seen from
-  // inside): the maximum heuristic prefers the one with fewer vertices from the camera by a thousandth each.
+  // Where all densities are equal (a sphere seen from inside), ties would make the maximum heuristic count paths twice
+  // or not at all. It prefers techniques with fewer camera vertices by a factor of 0.999 each.
   enum class Side { light, camera };
 
   MisRule(MisHeuristic heuristic, Side side)
       : heuristic_(heuristic),
-        tilt_(heuristic != MisHeuristic::maximum ? 1
-              : side == Side::light              ? 0.999f
-                                                 : 1 / 0.999f) {}
+        tie_break_(heuristic != MisHeuristic::maximum ? 1
+                   : side == Side::light              ? 0.999f
+                                                      : 1 / 0.999f) {}
 
-  // Of a part of a ratio of two densities.
+  // The power of a factor of a ratio of densities.
   float power(float part) const {
-    const float x = std::min(part, kMost);
+    const float x = std::min(part, kMaxRatio);
     return heuristic_ == MisHeuristic::power ? x * x : x;
   }
-  // Of a ratio, or of the part of it that stands for the whole.
-  float ratio(float r) const { return power(r * tilt_); }
-  float join(float a, float b) const { return heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b; }
-  // `light` and `camera` are the S of both sides.
+  // The power of a ratio, or of the factor that represents the whole ratio in ties.
+  float ratio(float r) const { return power(r * tie_break_); }
+  float combine(float a, float b) const { return heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b; }
+  // `light` and `camera` are the sums S of both sides.
   static float weight(MisHeuristic heuristic, float light, float camera) {
     if (heuristic == MisHeuristic::maximum) return std::max(light, camera) < 1 ? 1.0f : 0.0f;
     return 1 / (1 + light + camera);
   }
 
  private:
-  // The squares of larger ones are no floats.
-  static constexpr float kMost = 1e15f;
+  // The squares of larger ratios overflow.
+  static constexpr float kMaxRatio = 1e15f;
 
   MisHeuristic heuristic_;
-  float tilt_;
+  float tie_break_;
 };
 
-// What a vertex v_j knows of the subpath behind it.
+// The MIS quantities of a vertex v_j of a subpath.
 struct MisVertex {
-  float ahead = 1;           // density of the vertex as the one before it finds it, per area
-  float open = 0;            // what the power of the density back to the vertex before is to be multiplied by
-  bool connectible = false;  // the vertex before can be an end of a connection: c_j, as far as it is decided
+  float pdf = 1;             // ahead_j: density of the vertex as sampled from the previous one, per area
+  float weighted_sum = 0;    // partial sum, to be multiplied by the power of the reverse density of the previous vertex
+  bool connectible = false;  // c_j, as far as it is known: the previous vertex can be an end of a connection
 
-  // The same in single terms, for sums that leave some out: what back_{j-1} / ahead_{j-1} lacks of the density back per
-  // solid angle; the ratio of vertex j - 2; c_{j-1}.
-  float link = 0, settled = 0;
-  bool before = false;
+  // The same in single terms, for sums over some techniques only: back_{j-1} / ahead_{j-1} without the reverse density
+  // per solid angle; the ratio of vertex j - 2; c_{j-1}.
+  float reverse_ratio = 0, previous_ratio = 0;
+  bool previous_connectible = false;
 
-  // S of the subpath that ends here, and is continued by a connection. `back` is the density of this vertex as the
-  // other end finds it, per area; `further_back` that of the direction to the vertex before, per solid angle.
-  float sum(const MisRule& rule, float back, float further_back) const {
+  // S of the subpath that ends at this vertex and is continued by a connection. `reverse_pdf` is the density of this
+  // vertex as sampled from the other end, per area; `previous_reverse_pdf` that of the direction to the previous
+  // vertex, per solid angle.
+  float sum(const MisRule& rule, float reverse_pdf, float previous_reverse_pdf) const {
     const float c = connectible ? 1.0f : 0.0f;
-    return rule.ratio(back / ahead) * rule.join(c, rule.power(further_back) * open);
+    return rule.ratio(reverse_pdf / pdf) * rule.combine(c, rule.power(previous_reverse_pdf) * weighted_sum);
   }
 };
 
-// S_{j+1} term by term, of those that counts(number of vertices of this side) admits; vertex(i) gives v_i, 1 <= i <= j.
-template <class VertexOf, class Counts>
-float sum_of_terms(const MisRule& rule, int j, float back, float further_back, VertexOf&& vertex, Counts&& counts) {
+// S_{j+1} summed over the techniques for which enabled(number of vertices of this side) holds; vertex(i) is v_i, 1 <= i
+// <= j.
+template <class VertexOf, class Enabled>
+float sum_of_terms(const MisRule& rule, int j, float reverse_pdf, float previous_reverse_pdf, VertexOf&& vertex,
+                   Enabled&& enabled) {
   float sum = 0, product = 1;
-  const auto add = [&](int taken, float ratio, bool possible) {
+  const auto add = [&](int count, float ratio, bool connectible) {
     product *= rule.ratio(ratio);
-    if (possible && counts(taken)) sum = rule.join(sum, product);
+    if (connectible && enabled(count)) sum = rule.combine(sum, product);
   };
   const MisVertex& last = vertex(j);
-  add(j, back / last.ahead, last.connectible);
-  add(j - 1, further_back * last.link, last.before);
-  for (int i = j; i >= 2; --i) add(i - 2, vertex(i).settled, vertex(i - 1).before);
+  add(j, reverse_pdf / last.pdf, last.connectible);
+  add(j - 1, previous_reverse_pdf * last.reverse_ratio, last.previous_connectible);
+  for (int i = j; i >= 2; --i) add(i - 2, vertex(i).previous_ratio, vertex(i - 1).previous_connectible);
   return sum;
 }
 
-// The same while a walk goes on.
+// Computes the MIS quantities of the vertices of a subpath as it is sampled.
 class MisChain {
  public:
-  // At the first vertex. `reached`: the other side can do without it (a light that is hit, a lens that is).
-  // `far`: it is infinitely far away.
-  void start(float density, bool reached, bool far) {
-    ahead_ = density, settled_ = 0, inner_ = reached ? 1.0f : 0.0f, possible_ = reached;
-    connectible_ = true, far_ = far;
+  // Starts at the first vertex. `can_be_hit`: subpaths from the other side can hit it (an emitting surface, a lens).
+  // `infinite`: it is infinitely far away.
+  void start(float density, bool can_be_hit, bool infinite) {
+    pdf_forward_ = density;
+    previous_ratio_ = 0;
+    partial_sum_ = can_be_hit ? 1.0f : 0.0f;
+    previous_connectible_ = can_be_hit;
+    connectible_ = true;
+    infinite_ = infinite;
   }
-  // A direction was chosen with this density per solid angle (per area across it if `far`); its cosine to the normal.
-  void leave(float pdf, float cosine) { pdf_ = pdf, cosine_ = cosine; }
-
-  // At the next vertex: so far away, and the cosine to its normal there.
-  MisVertex arrive(const MisRule& rule, float distance_squared, float cosine) {
-    const float per_area = far_ ? cosine : cosine / distance_squared;
-    const float back_per_area = far_ ? 1 : cosine_ / distance_squared;
-    return reach(rule, pdf_ * per_area, back_per_area);
+  // Sets the sampled direction: its density per solid angle (`infinite`: per area perpendicular to it), and its cosine
+  // to the normal.
+  void sample_direction(float pdf, float cosine) {
+    pdf_ = pdf;
+    cosine_ = cosine;
   }
-  // The next vertex is infinitely far away. Densities there are per solid angle; those back from it are per area
-  // across.
-  MisVertex arrive_at_infinity(const MisRule& rule) { return reach(rule, pdf_, cosine_); }
 
-  // The walk goes on from the vertex. `back` is the density of the direction to the vertex before, per solid angle.
-  void scatter(const MisRule& rule, const MisVertex& vertex, float back, bool delta) {
-    possible_ = vertex.connectible && !delta;
-    inner_ = rule.join(possible_ ? 1.0f : 0.0f, rule.power(back) * vertex.open);
-    settled_ = back * vertex.link;
+  // Adds the next vertex; `cosine` is between the direction and the normal there.
+  MisVertex add_vertex(const MisRule& rule, float distance_squared, float cosine) {
+    const float per_area = infinite_ ? cosine : cosine / distance_squared;
+    const float reverse_per_area = infinite_ ? 1 : cosine_ / distance_squared;
+    return advance(rule, pdf_ * per_area, reverse_per_area);
+  }
+  // Adds a vertex at infinity. Its densities are per solid angle, reverse densities per area perpendicular to the
+  // direction.
+  MisVertex add_vertex_at_infinity(const MisRule& rule) { return advance(rule, pdf_, cosine_); }
+
+  // Continues from the vertex. `reverse_pdf` is the density of the direction to the previous vertex, per solid angle.
+  void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta) {
+    previous_connectible_ = vertex.connectible && !delta;
+    partial_sum_ = rule.combine(previous_connectible_ ? 1.0f : 0.0f, rule.power(reverse_pdf) * vertex.weighted_sum);
+    previous_ratio_ = reverse_pdf * vertex.reverse_ratio;
     connectible_ = !delta;
-    far_ = false;
+    infinite_ = false;
   }
 
  private:
-  MisVertex reach(const MisRule& rule, float ahead, float back_per_area) {
-    const float link = back_per_area / ahead_;
-    ahead_ = ahead;
-    return {ahead, inner_ * rule.ratio(link), connectible_, link, settled_, possible_};
+  MisVertex advance(const MisRule& rule, float pdf, float reverse_per_area) {
+    const float reverse_ratio = reverse_per_area / pdf_forward_;
+    pdf_forward_ = pdf;
+    return {pdf,
+            partial_sum_ * rule.ratio(reverse_ratio),
+            connectible_,
+            reverse_ratio,
+            previous_ratio_,
+            previous_connectible_};
   }
 
-  float ahead_ = 1, inner_ = 0, settled_ = 0, pdf_ = 0, cosine_ = 1;
-  bool connectible_ = false, far_ = false, possible_ = false;
+  float pdf_forward_ = 1, partial_sum_ = 0, previous_ratio_ = 0, pdf_ = 0, cosine_ = 1;
+  bool connectible_ = false, infinite_ = false, previous_connectible_ = false;
 };
 
 }  // namespace etendue::transport

@@ -6,10 +6,10 @@
 namespace etendue::transport {
 namespace {
 
-// Subset construction can double the states with every letter of an expression; nobody means that.
-constexpr size_t kMostSubsets = 1024;
+// Bound of the subset construction, which is exponential in the worst case.
+constexpr size_t kMaxSubsets = 1024;
 
-// Numbers things in the order in which they are first asked for.
+// Assigns consecutive numbers to values in the order of their first occurrence.
 template <class T>
 class Numbering {
  public:
@@ -52,14 +52,17 @@ Pattern::Part Pattern::sequence(Part first, Part second) {
 
 Pattern::Part Pattern::either(Part a, Part b) {
   const Part part{add(), add()};
-  connect(part.entry, a.entry), connect(part.entry, b.entry);
-  connect(a.exit, part.exit), connect(b.exit, part.exit);
+  connect(part.entry, a.entry);
+  connect(part.entry, b.entry);
+  connect(a.exit, part.exit);
+  connect(b.exit, part.exit);
   return part;
 }
 
 Pattern::Part Pattern::optional(Part inner) {
   const Part part{add(), add()};
-  connect(part.entry, inner.entry), connect(part.entry, part.exit);
+  connect(part.entry, inner.entry);
+  connect(part.entry, part.exit);
   connect(inner.exit, part.exit);
   return part;
 }
@@ -67,13 +70,14 @@ Pattern::Part Pattern::optional(Part inner) {
 Pattern::Part Pattern::at_least_once(Part inner) {
   const Part part{add(), add()};
   connect(part.entry, inner.entry);
-  connect(inner.exit, inner.entry), connect(inner.exit, part.exit);
+  connect(inner.exit, inner.entry);
+  connect(inner.exit, part.exit);
   return part;
 }
 
 std::optional<Automaton> Automaton::of(const Pattern& pattern, Pattern::Part whole) {
   const auto& nodes = pattern.nodes_;
-  // Everything that can be reached without a letter, in order.
+  // The sorted set of nodes that are reachable by empty transitions.
   const auto closure = [&](std::vector<int> open) {
     std::vector<bool> seen(nodes.size(), false);
     std::vector<int> reached;
@@ -103,7 +107,7 @@ std::optional<Automaton> Automaton::of(const Pattern& pattern, Pattern::Part who
     }
     row.accepting = std::binary_search(subset.begin(), subset.end(), whole.exit);
     rows.push_back(row);
-    if (subsets.size() > kMostSubsets) return {};
+    if (subsets.size() > kMaxSubsets) return {};
   }
   return minimal(rows);
 }
@@ -130,7 +134,7 @@ Automaton::States Automaton::accepting() const {
   return accepting;
 }
 
-// A state of the reversal is a set of states: those from which what was read, the other way round, is accepted.
+// A state of the reversal is a set of states: those from which the reversed prefix is accepted.
 std::optional<Automaton> Automaton::reversal(const Automaton& a) {
   Numbering<States> sets;
   sets(a.accepting());
@@ -141,7 +145,7 @@ std::optional<Automaton> Automaton::reversal(const Automaton& a) {
     for (size_t e = 0; e < kEvents; ++e) row.next[e] = sets(a.before(set, static_cast<Event>(e)));
     row.accepting = set >> a.start() & 1;
     rows.push_back(row);
-    if (sets.size() > kMostSubsets) return {};
+    if (sets.size() > kMaxSubsets) return {};
   }
   return minimal(rows);
 }
@@ -160,7 +164,8 @@ std::optional<Automaton> Automaton::product(const Automaton& a, const Automaton&
   return minimal(rows);
 }
 
-// States are told apart by what they accept after no letter, then after one, and so on, until nothing new appears.
+// Moore's algorithm: partitions the states by the words of length 0, 1, ... that they accept, until the partition is
+// stable.
 std::optional<Automaton> Automaton::minimal(const std::vector<WideRow>& rows) {
   std::vector<int> kind(rows.size());
   for (size_t i = 0; i < rows.size(); ++i) kind[i] = rows[i].accepting ? 1 : 0;
@@ -177,18 +182,19 @@ std::optional<Automaton> Automaton::minimal(const std::vector<WideRow>& rows) {
     if (finer.size() == kinds) break;
     kinds = finer.size();
   }
-  // The dead kind is the one that rejects and only leads to itself.
+  // The dead class rejects and leads only to itself.
   int dead = -1;
   for (size_t i = 0; i < rows.size(); ++i) {
     bool stays = !rows[i].accepting;
     for (size_t e = 0; e < kEvents; ++e) stays = stays && kind_after(rows[i], e) == kind[i];
     if (stays) dead = kind[i];
   }
-  // Numbers in the order of a walk from the start, after the dead one.
+  // Numbers in breadth-first order from the start, after the dead state.
   Numbering<int> order;
   std::map<int, size_t> example;
   for (size_t i = 0; i < rows.size(); ++i) example.emplace(kind[i], i);
-  order(dead), order(kind[0]);
+  order(dead);
+  order(kind[0]);
   for (size_t i = 0; i < order.size(); ++i)
     for (size_t e = 0; order[i] != dead && e < kEvents; ++e) order(kind_after(rows[example.at(order[i])], e));
   if (order.size() > kMostStates) return {};

@@ -1,9 +1,9 @@
 // Finite automata over the letters of light paths.
 //
-// A Pattern is built piece by piece, as a parser reads an expression (Thompson 1968); `Automaton::of` makes the
-// smallest deterministic automaton that accepts the same words (subset construction; Moore 1956). States are numbered
-// in the order in which a walk over all words meets them, so that two automata are equal exactly if they accept the
-// same words.
+// A Pattern is a nondeterministic automaton, built from parts as a parser reads an expression [Thompson 1968].
+// `Automaton::of` converts it to the minimal deterministic automaton of the same language (subset construction [Rabin
+// and Scott 1959]; minimisation [Moore 1956]). States are numbered in breadth-first order, so that two automata are
+// equal exactly if they accept the same words.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace etendue::transport {
 
-// What happens to light along a path, in the order in which automata count it.
+// Events along a path, in the order of the automaton's transitions.
 enum class Event : uint8_t { camera, light, diffuse, glossy, specular };
 inline constexpr int kEvents = 5;
 inline constexpr std::string_view kLetters = "ELDGS";
@@ -29,10 +29,10 @@ using Letters = uint8_t;
 inline Letters letters_of(Event event) { return static_cast<Letters>(1U << static_cast<unsigned>(event)); }
 inline constexpr Letters kScattering = 0b11100;
 
-// A nondeterministic automaton that grows from its parts.
+// A nondeterministic automaton, built from parts.
 class Pattern {
  public:
-  // A part with one entry and one exit. It may be used once: the operations below take it over.
+  // A part with one entry and one exit. The operations below consume their operands: each part may be used once.
   struct Part {
     int entry, exit;
   };
@@ -45,7 +45,7 @@ class Pattern {
 
  private:
   friend class Automaton;
-  // On a letter of the set to `to`, and at any time to each of `free`.
+  // A transition to `to` on the letters of the set, and empty transitions to `free`.
   struct Node {
     Letters letters = 0;
     int to = -1;
@@ -61,16 +61,16 @@ class Pattern {
 class Automaton {
  public:
   using State = uint8_t;
-  // From here no word is accepted any more. It is always there, even if nothing leads to it.
+  // The state from which no word is accepted. It always exists, even if it is unreachable.
   static constexpr State kDead = 0;
-  // The dead state included: the set of states that are alive fits a word of 64 bits.
+  // Including the dead state; a set of states fits a word of 64 bits.
   static constexpr size_t kMostStates = 64;
 
-  // Nothing if it would have more than kMostStates states, or pass through too many on the way there.
+  // The automaton of a pattern; nothing if it has more than kMostStates states, or too many before minimisation.
   static std::optional<Automaton> of(const Pattern& pattern, Pattern::Part whole);
   // The words that both accept.
   static std::optional<Automaton> intersection(const Automaton& a, const Automaton& b);
-  // The words that are accepted if they are read from their ends.
+  // The reversed words.
   static std::optional<Automaton> reversal(const Automaton& a);
   // The words that `a` accepts and `b` does not.
   static std::optional<Automaton> difference(const Automaton& a, const Automaton& b);
@@ -79,7 +79,7 @@ class Automaton {
   using States = uint64_t;
   static_assert(kMostStates <= 64);
   static States bit(State state) { return States{1} << state; }
-  // Those that the letter takes to a state of `set`.
+  // The states from which the letter leads to a state of `set`.
   States before(States set, Event event) const;
   States accepting() const;
 
@@ -88,7 +88,7 @@ class Automaton {
   bool accepts(State state) const { return rows_[state].accepting; }
   size_t size() const { return rows_.size(); }
 
-  // No word at all.
+  // Whether it accepts no word.
   bool empty() const { return start_ == kDead; }
   bool accepts(std::string_view word) const;
 
@@ -100,13 +100,13 @@ class Automaton {
     bool accepting = false;
     friend bool operator==(const Row&, const Row&) = default;
   };
-  // Before it is minimal; state 0 is the start.
+  // A state before minimisation; state 0 is the start.
   struct WideRow {
     std::array<int, kEvents> next{};
     bool accepting = false;
   };
   static std::optional<Automaton> minimal(const std::vector<WideRow>& rows);
-  // Of both at once; `accepts` says what becomes of their answers.
+  // The product automaton; `accepts` combines the acceptance of both.
   static std::optional<Automaton> product(const Automaton& a, const Automaton& b, bool (*accepts)(bool, bool));
 
   std::vector<Row> rows_{1};

@@ -1,4 +1,4 @@
-// Expressions of automata, by eliminating their states.
+// Conversion of automata to expressions by state elimination [Brzozowski and McCluskey 1963].
 #include <map>
 #include <vector>
 
@@ -7,7 +7,7 @@
 namespace etendue::transport {
 namespace {
 
-// One piece after the other: letters, brackets, and either with '*' or '+' behind it. None is the empty word alone.
+// A sequence of pieces: letters and bracketed expressions, either with '*' or '+' appended. Empty: the empty word.
 using Term = std::vector<std::string>;
 
 std::string text_of(const Term& term) {
@@ -16,30 +16,36 @@ std::string text_of(const Term& term) {
   return text;
 }
 
-// What is repeated or chosen as a whole: "(D|G)" is so already.
+// Whether the term is a single bracketed choice, which can be repeated as it is.
 bool is_choice(const Term& term) { return term.size() == 1 && term[0].front() == '(' && term[0].back() == ')'; }
 bool is_optional(const Term& term) { return term.size() == 1 && term[0].front() == '['; }
 
-// As one side of '|'.
+// The term as one side of '|'.
 std::string side_of(const Term& term) {
   return is_choice(term) ? term[0].substr(1, term[0].size() - 2) : text_of(term);
 }
 
 Term optional(const Term& term) {
-  // What ends in '*', or is in square brackets, may be empty already.
+  // Terms that end in '*' or ']' already accept the empty word.
   const bool may_be_empty = term.size() == 1 && (term[0].back() == '*' || term[0].back() == ']');
   if (may_be_empty) return term;
   if (term.size() == 1 && term[0].back() == '+') return {term[0].substr(0, term[0].size() - 1) + "*"};
   return {"[" + side_of(term) + "]"};
 }
 
-// What both begin or end with stands once: DL|L is [D]L.
+// Factors out common prefixes and suffixes: DL|L is [D]L.
 Term either(Term a, Term b) {
   Term first, last;
-  while (!a.empty() && !b.empty() && a.front() == b.front())
-    first.push_back(a.front()), a.erase(a.begin()), b.erase(b.begin());
-  while (!a.empty() && !b.empty() && a.back() == b.back())
-    last.insert(last.begin(), a.back()), a.pop_back(), b.pop_back();
+  while (!a.empty() && !b.empty() && a.front() == b.front()) {
+    first.push_back(a.front());
+    a.erase(a.begin());
+    b.erase(b.begin());
+  }
+  while (!a.empty() && !b.empty() && a.back() == b.back()) {
+    last.insert(last.begin(), a.back());
+    a.pop_back();
+    b.pop_back();
+  }
   if (!a.empty() || !b.empty()) {
     const Term choice = a.empty()   ? optional(b)
                         : b.empty() ? optional(a)
@@ -50,7 +56,7 @@ Term either(Term a, Term b) {
   return first;
 }
 
-// XX* is X+.
+// Concatenation; XX* becomes X+.
 Term sequence(Term a, const Term& b) {
   for (const auto& piece : b) {
     if (!a.empty() && piece == a.back() + "*")
@@ -68,7 +74,7 @@ Term any_number(const Term& term) {
   return {(single ? term[0] : "(" + text_of(term) + ")") + "*"};
 }
 
-// The letters of a set as one term.
+// A set of letters as one term.
 Term letters_term(Letters letters) {
   if (letters == kScattering) return {"."};
   Term term;
@@ -77,7 +83,7 @@ Term letters_term(Letters letters) {
   return term;
 }
 
-// States that lead to each other by terms. kBegin and kEnd stand outside.
+// A graph of states with terms as transitions. kBegin and kEnd are extra states.
 class Graph {
  public:
   explicit Graph(const Automaton& automaton) {
@@ -102,7 +108,7 @@ class Graph {
  private:
   static constexpr int kBegin = -1, kEnd = -2;
 
-  // That with the fewest ways through.
+  // The state with the fewest pairs of incoming and outgoing transitions.
   int cheapest() const {
     int best = open_.front();
     size_t least = SIZE_MAX;
@@ -112,14 +118,17 @@ class Graph {
         in += ends.second == q && ends.first != q;
         out += ends.first == q && ends.second != q;
       }
-      if (in * out < least) least = in * out, best = q;
+      if (in * out < least) {
+        least = in * out;
+        best = q;
+      }
     }
     return best;
   }
 
   void eliminate(int q) {
     Term loop;
-    if (const auto own = edges_.find({q, q}); own != edges_.end()) loop = any_number(own->second);
+    if (const auto edge = edges_.find({q, q}); edge != edges_.end()) loop = any_number(edge->second);
     const auto before = edges_;
     for (const auto& [in, first] : before)
       for (const auto& [out, last] : before) {

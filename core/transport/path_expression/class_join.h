@@ -1,9 +1,9 @@
-// Words that are read from both ends: whether what a walk from the camera and a walk from a light have read so far
-// makes a path that is asked for.
+// Path expressions evaluated from the camera and from the light: whether the words of a camera subpath and a light
+// subpath together form a selected path.
 //
-// A state of the automaton that reads from the light knows which states of the other one it goes with: those from which
-// what it has read, the other way round, is accepted. The share of a connection is the sum over all pairs that go
-// together of the product of their shares.
+// For each state of the automaton that reads from the light, the compatible states of the one that reads from the
+// camera are those from which it accepts the reversed word. The share of a connection is the sum over all compatible
+// pairs of the product of both shares.
 #pragma once
 #include <vector>
 
@@ -18,9 +18,9 @@ class ClassJoin {
   using States = Automaton::States;
 
   explicit ClassJoin(const PathExpression& paths)
-      : camera_(&paths.automaton()), light_(&*paths.from_light()), goes_with_(light_->size(), 0) {
+      : camera_(&paths.automaton()), light_(&*paths.from_light()), compatible_(light_->size(), 0) {
     std::vector<State> open{light_->start()};
-    goes_with_[light_->start()] = camera_->accepting();
+    compatible_[light_->start()] = camera_->accepting();
     std::vector<bool> seen(light_->size(), false);
     while (!open.empty()) {
       const State state = open.back();
@@ -31,7 +31,7 @@ class ClassJoin {
         const auto event = static_cast<Event>(e);
         const State next = light_->next(state, event);
         if (next == Automaton::kDead) continue;
-        goes_with_[next] = camera_->before(goes_with_[state], event);
+        compatible_[next] = camera_->before(compatible_[state], event);
         open.push_back(next);
       }
     }
@@ -39,12 +39,12 @@ class ClassJoin {
 
   const Automaton& camera() const { return *camera_; }
   const Automaton& light() const { return *light_; }
-  bool go_together(State of_camera, State of_light) const { return goes_with_[of_light] >> of_camera & 1; }
+  bool are_compatible(State of_camera, State of_light) const { return compatible_[of_light] >> of_camera & 1; }
 
  private:
   const Automaton* camera_;
   const Automaton* light_;
-  std::vector<States> goes_with_;
+  std::vector<States> compatible_;
 };
 
 }  // namespace etendue::transport

@@ -1,7 +1,7 @@
-// What a vertex looks up of walks from the lights that were stored before, where classes of paths are asked for.
+// Path classes of stored light subpaths (photons, virtual lights).
 //
-// A walk that is stored (a photon, a virtual light) remembers one state of the automaton that reads from the light.
-// What looks it up holds, for each such state, the part of its own throughput that goes together with it.
+// A stored vertex has one state of the automaton that reads from the light. The vertex that looks it up computes, for
+// each such state, the part of its own throughput that is compatible with it.
 #pragma once
 #include <array>
 #include <bit>
@@ -10,14 +10,14 @@
 
 namespace etendue::transport {
 
-// For each state of a walk from the light: the part of a camera walk's throughput that counts if both meet at a vertex
-// that scatters by one letter or the other.
+// For each state of a light subpath: the part of a camera path's throughput that counts if both meet at a vertex that
+// scatters by one letter or the other.
 template <class Color>
 struct JoinWeights {
   struct ByLetter {
     Color diffuse{0}, glossy{0};
   };
-  std::array<ByLetter, Automaton::kMostStates> of;
+  std::array<ByLetter, Automaton::kMostStates> by_state;
 };
 
 template <class M>
@@ -25,21 +25,22 @@ void find_join_weights(const ClassShares<M>& shares, int path, const ClassJoin& 
                        JoinWeights<typename M::Color>& weights) {
   const Automaton& automaton = shares.automaton();
   const size_t size = join.light().size();
-  for (size_t r = 0; r < size; ++r) weights.of[r] = {};
+  for (size_t r = 0; r < size; ++r) weights.by_state[r] = {};
   for (Automaton::States states = shares.states(path); states != 0; states &= states - 1) {
     const auto q = static_cast<Automaton::State>(std::countr_zero(states));
     const auto add = [&](Event letter, auto part) {
       const Automaton::State after = automaton.next(q, letter);
       for (size_t r = 1; r < size; ++r)
-        if (join.go_together(after, static_cast<Automaton::State>(r))) weights.of[r].*part += shares.share(path, q);
+        if (join.are_compatible(after, static_cast<Automaton::State>(r)))
+          weights.by_state[r].*part += shares.share(path, q);
     };
     add(Event::diffuse, &JoinWeights<typename M::Color>::ByLetter::diffuse);
     add(Event::glossy, &JoinWeights<typename M::Color>::ByLetter::glossy);
   }
 }
 
-// One of the states that a walk is in, chosen by its share: what a photon remembers. `weight` is what its power is
-// multiplied by; black if nothing of the walk counts.
+// A state of a path, chosen in proportion to its share, to be stored with a photon. `weight` is the factor of its
+// power; black if the path has no share.
 template <class Color>
 struct DrawnState {
   Automaton::State state = Automaton::kDead;

@@ -5,7 +5,7 @@
 namespace etendue::transport {
 namespace {
 
-// "(D|G)" for S: what may follow a run of a letter.
+// The letters that can follow a run of a letter: "(D|G)" for S.
 std::string others_than(Event letter) {
   std::string text;
   for (const Event e : {Event::diffuse, Event::glossy, Event::specular})

@@ -7,36 +7,37 @@ namespace {
 
 using Part = Pattern::Part;
 
-// What people write who know another notation, or who mean something that is not there yet.
+// The message for a character of another notation, or of a feature that is not available.
 std::string about_letter(char c, char before) {
   if (c == '_' && (before == 'D' || before == 'S'))
-    return std::string(1, before) +
-           "_G (photon maps tell slightly from highly glossy) is not available yet; use D, G, S";
+    return std::string(1, before) + "_G (division by roughness) is not available yet; use D, G, S";
   switch (c) {
     case 'V':
       return "V (scattering in a volume) is not available yet; use D, G, S";
     case 'C':
-      return "'C' is no letter here; the camera is E";
+      return "'C' is not a letter of path expressions; the camera is E";
     case 'R':
     case 'T':
-      return std::string("'") + c + "' is no letter here; reflection and transmission are both D, G or S";
+      return std::string("'") + c +
+             "' is not a letter of path expressions; reflection and transmission are both D, G or S";
     case '{':
     case '}':
-      return std::string("'") + c + "' is no operator here; write repetitions out, or use * and +";
+      return std::string("'") + c + "' is not an operator; write repetitions out, or use * and +";
     case '^':
-      return "'^' is no operator here; repetitions need none: DS*";
+      return "'^' is not an operator; repetitions need none: DS*";
     case 'e':
     case 'l':
     case 'd':
     case 'g':
     case 's':
-      return std::string("'") + c + "' is no letter here; letters are capital: " + static_cast<char>(c - 'a' + 'A');
+      return std::string("'") + c +
+             "' is not a letter of path expressions; letters are capital: " + static_cast<char>(c - 'a' + 'A');
     default:
       break;
   }
   const bool printable = c > ' ' && c < 127;
   return (printable ? std::string("'") + c + "'" : std::string("this character")) +
-         " is no letter here; use E, D, G, S, L and | * + ? . ( ) [ ]";
+         " is not a letter of path expressions; use E, D, G, S, L and | * + ? . ( ) [ ]";
 }
 
 class Parser {
@@ -44,8 +45,8 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text) {}
 
   Result<Automaton> run() {
-    if (text_.size() > PathExpression::kLongest)
-      return usage_error("path expression: it has more than " + std::to_string(PathExpression::kLongest) +
+    if (text_.size() > PathExpression::kMaxLength)
+      return usage_error("path expression: it has more than " + std::to_string(PathExpression::kMaxLength) +
                          " characters; give a shorter one");
     const auto whole = alternatives();
     if (whole && !at_end()) fail(at_, closing_without_opening());
@@ -58,19 +59,19 @@ class Parser {
   }
 
  private:
-  // Past spaces, which mean nothing.
+  // Skips spaces.
   bool at_end() {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
     return at_ == text_.size();
   }
-  // The last character before this one that means something.
+  // The previous character that is not a space.
   char previous() const {
     const size_t last = text_.substr(0, at_).find_last_not_of(' ');
     return last == std::string_view::npos ? '\0' : text_[last];
   }
   char peek() { return at_end() ? '\0' : text_[at_]; }
 
-  // The first problem counts. Columns count from 1.
+  // Records the first problem. Columns count from 1.
   std::nullopt_t fail(size_t at, const std::string& what) {
     if (!problem_)
       problem_ =
@@ -79,7 +80,7 @@ class Parser {
   }
 
   std::string closing_without_opening() const {
-    return std::string("'") + text_[at_] + "' closes nothing; take it out, or open it before";
+    return std::string("'") + text_[at_] + "' has no opening bracket; remove it or add one";
   }
 
   std::optional<Part> alternatives() {
@@ -137,16 +138,17 @@ class Parser {
 
   std::optional<Part> bracketed(size_t column, char opening) {
     const char closing = opening == '(' ? ')' : ']';
-    if (++open_ > PathExpression::kDeepest)
-      return fail(column, "more than " + std::to_string(PathExpression::kDeepest) +
-                              " brackets stand inside each other; give a simpler expression");
+    if (++open_ > PathExpression::kMaxNesting)
+      return fail(column, "more than " + std::to_string(PathExpression::kMaxNesting) +
+                              " nested brackets; give a simpler expression");
     const auto inner = alternatives();
     if (!inner) return {};
     if (at_end()) return fail(column, std::string("'") + opening + "' is never closed; add '" + closing + "'");
     if (peek() != closing)
       return fail(at_, std::string("'") + peek() + "' does not close the '" + opening + "' of column " +
                            std::to_string(column + 1) + "; give '" + closing + "'");
-    ++at_, --open_;
+    ++at_;
+    --open_;
     return opening == '[' ? pattern_.optional(*inner) : *inner;
   }
 

@@ -1,4 +1,4 @@
-// Classes of light paths in Heckbert's notation.                       thesis 8.1, Example 8.1; Heckbert 1990
+// Classes of light paths in Heckbert's notation.                           [Heckbert 1990; Lang, sec. 8.1, Example 8.1]
 //
 // A path is a word, read from the camera to the light: E (the eye), one letter for each scattering event, L (the
 // light).
@@ -7,15 +7,15 @@
 //
 // An expression stands for a set of words:
 //
-//   AB      A, then B                        A|B     one of the two
-//   (A)     A as one thing                   [A]     A or nothing, as the thesis has it: E[D|G]L includes EL
-//   A*      any number of A, none included   A+      one A or more      A?   A or nothing
-//   .       any scattering, (D|G|S)          spaces  mean nothing
+//   AB      A, then B                        A|B     A or B
+//   (A)     A as a unit                      [A]     A or nothing, as in [Lang]: E[D|G]L includes EL
+//   A*      zero or more A                   A+      one or more A      A?   A or nothing
+//   .       any scattering, (D|G|S)          spaces  are ignored
 //
-// EL is what emits in view, E(D|G)L direct light, EDS+L caustics, ES*[D|G]L what Whitted's ray tracing finds,
-// E(D|G|S)*L everything. Surfaces with several lobes belong to several classes at once (see transport/class_shares.h).
-// The thesis's D_G and S_G (photon maps, 9.5) and V (scattering in volumes) are known and refused: no method here
-// tells them apart yet. Its arrows, the direction of computation, belong to a method and not to a class.
+// EL is directly visible emission, E(D|G)L direct light, EDS+L caustics, ES*[D|G]L the paths of Whitted's ray tracing,
+// E(D|G|S)*L everything. Surfaces with several lobes belong to several classes at once (class_shares.h). The letters
+// D_G and S_G of [Lang, sec. 9.5] and V (scattering in volumes) are reported as not available. The arrows of [Lang],
+// the direction of computation, belong to an integrator and not to a class.
 #pragma once
 #include <string>
 #include <string_view>
@@ -27,16 +27,16 @@ namespace etendue::transport {
 
 class PathExpression {
  public:
-  // Letters that an expression may be long, and brackets that may stand inside each other.
-  static constexpr size_t kLongest = 256;
-  static constexpr int kDeepest = 64;
+  // Limits of the number of characters and of nested brackets.
+  static constexpr size_t kMaxLength = 256;
+  static constexpr int kMaxNesting = 64;
 
-  // A usage error says what is wrong, at which column (from 1), and what would be right. An expression that needs more
-  // than Automaton::kMostStates states is one.
+  // Parses an expression. A usage error states the problem, its column (from 1), and the correction. It is also an
+  // error if the expression needs more than Automaton::kMostStates states.
   static Result<PathExpression> parse(std::string_view text);
 
-  // The same, and no path at all (a word from E over scattering to L) matching it is a usage error too. Words that are
-  // no paths are left out of it, so that the dead state is reached as early as can be. It can be read from both ends.
+  // Parses an expression of paths: words from E over scattering to L. Other words are removed, and it is a usage error
+  // if no path remains. The result can be evaluated from both ends.
   static Result<PathExpression> parse_paths(std::string_view text);
 
   // E(D|G|S)*L
@@ -44,7 +44,7 @@ class PathExpression {
 
   const std::string& text() const { return text_; }
   const Automaton& automaton() const { return automaton_; }
-  // Reads words from the light; only expressions of paths have one.
+  // Reads words from the light; only for expressions of paths.
   const std::optional<Automaton>& from_light() const { return from_light_; }
   bool matches(std::string_view word) const { return automaton_.accepts(word); }
 
@@ -57,8 +57,8 @@ class PathExpression {
   std::optional<Automaton> from_light_;
 };
 
-// Text that stands for the words of an automaton, which must accept one at least (states eliminated one by one:
-// Brzozowski & McCluskey 1963). Of many states it may be longer than `parse` takes.
+// An expression of the words of an automaton, which must accept at least one (state elimination [Brzozowski and
+// McCluskey 1963]). For many states it can be longer than `parse` accepts.
 std::string expression_of(const Automaton& automaton);
 
 }  // namespace etendue::transport

@@ -1,7 +1,7 @@
-// Segments whose ends are known: contributions that count unless something lies in between.
+// Segments between given points, and their contributions, which count unless the segment is occluded.
 //
-// They are gathered until a few packets are full, and traced together; what is seen is handed to the caller in the
-// order in which it was added, with the transmittance of the segment.
+// Segments are collected in packets and traced together. Contributions of unoccluded ones are delivered in the order in
+// which they were added, with the transmittance of the segment.
 #pragma once
 #include <array>
 #include <vector>
@@ -10,26 +10,27 @@
 
 namespace etendue::transport {
 
-// `Carried` is what the caller wants back.
-template <class Carried>
+// `Contribution` is the type of contributions.
+template <class Contribution>
 class Connections {
  public:
   static constexpr int kCapacity = 16 * RayPacket::kSize;
 
   bool full() const { return size_ == kCapacity; }
 
-  // A segment that starts in these solids and ends at a distance of `length` metres. The ray is at `time`, from 0 at
-  // the shutter's opening to 1 at its closing; the seed drives stochastic opacity. The caller fills what is returned,
-  // in place: what was just written in parts stalls when it is copied as words.
-  Carried& add(const Ray& ray, float time, uint32_t seed, const scene::MediumStack& medium, float length) {
+  // Adds a segment that starts in these solids and ends at a distance of `length` metres, at `time`, from 0 (shutter
+  // opens) to 1 (shutter closes); the seed drives stochastic opacity. The caller fills the returned contribution in
+  // place, because copying parts that were just written stalls on store forwarding.
+  Contribution& add(const Ray& ray, float time, uint32_t seed, const scene::MediumStack& medium, float length) {
     if (segments_.empty()) segments_.resize(kCapacity);
     segments_[static_cast<size_t>(size_)] = {ray, time, length, medium};
     return add(ray, time, seed);
   }
   // A segment in models without media.
-  Carried& add(const Ray& ray, float time, uint32_t seed, Vacuum, float) { return add(ray, time, seed); }
+  Contribution& add(const Ray& ray, float time, uint32_t seed, Vacuum, float) { return add(ray, time, seed); }
 
-  // Empties itself and calls `deliver(carried, transmittance)`. Returns the number of rays traced.
+  // Traces all segments, calls `deliver(contribution, transmittance)` for those that are not occluded, and removes
+  // them. Returns the number of rays traced.
   template <class Deliver>
   uint64_t settle(const scene::CompiledScene& scene, Deliver&& deliver) {
     const TracedConnections media(scene);
@@ -42,12 +43,12 @@ class Connections {
       const auto slot = static_cast<size_t>(i);
       const bool blocked = packets_[slot / RayPacket::kSize].is_occluded(i % RayPacket::kSize);
       if (segments_.empty()) {
-        if (!blocked) deliver(carried_[slot], Rgb(1));
+        if (!blocked) deliver(contributions_[slot], Rgb(1));
         continue;
       }
       const Segment& s = segments_[slot];
       const Rgb transmittance = media.transmittance(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays);
-      if (!is_black(transmittance)) deliver(carried_[slot], transmittance);
+      if (!is_black(transmittance)) deliver(contributions_[slot], transmittance);
     }
     size_ = 0;
     return rays;
@@ -61,17 +62,17 @@ class Connections {
     scene::MediumStack medium;
   };
 
-  Carried& add(const Ray& ray, float time, uint32_t seed) {
+  Contribution& add(const Ray& ray, float time, uint32_t seed) {
     const auto i = static_cast<size_t>(size_++);
     packets_[i / RayPacket::kSize].set(static_cast<int>(i % RayPacket::kSize), ray);
     packets_[i / RayPacket::kSize].set_time(static_cast<int>(i % RayPacket::kSize), time);
     seeds_[i] = seed;
-    return carried_[i];
+    return contributions_[i];
   }
 
   std::array<RayPacket, kCapacity / RayPacket::kSize> packets_;
   std::array<uint32_t, kCapacity> seeds_;
-  std::array<Carried, kCapacity> carried_;
+  std::array<Contribution, kCapacity> contributions_;
   std::vector<Segment> segments_;  // only in models with media
   int size_ = 0;
 };

@@ -1,7 +1,8 @@
-// The thesis's letters D_G and S_G: what is diffuse or slightly glossy, and what is specular or highly glossy.
-//                                                                                       thesis L16849, L17950; S1
-// Photons are stored where something of a surface is wide, and its wide part is estimated from them; its narrow part is
-// followed by rays. All of a surface's glossy lobes have the same facets, so that they are wide or narrow together.
+// Division of lobes by roughness: D_G (diffuse or rough glossy) and S_G (specular or near-specular).
+//                                                                                                 [Lang, sec. 8.1, 9.5]
+//
+// Photons are stored at surfaces with rough lobes, whose reflection is estimated from them; near-specular lobes are ray
+// traced. All glossy lobes of a surface have the same microfacets, so that all of them are in the same group.
 #pragma once
 #include "transport/wavefront/path_estimators.h"
 
@@ -9,7 +10,7 @@ namespace etendue::transport {
 
 class LobeSplit {
  public:
-  // Glossy lobes of a lower roughness (the root of the facets' slope) are narrow.
+  // Glossy lobes below this roughness (the root of the facet slope) are near-specular.
   explicit LobeSplit(float roughness) : alpha_(sqr(roughness)) {}
 
   template <class M>
@@ -29,9 +30,9 @@ class LobeSplit {
     return bsdf.has_component(ScatterType::glossy) && !gloss_is_rough(bsdf);
   }
 
-  // The wide part of f.
+  // The rough lobes of f.
   template <class M>
-  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  typename M::Color rough_value(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return has_near_specular_gloss(bsdf) ? bsdf.eval_component(ScatterType::diffuse, wo, wi, mode)
                                          : bsdf.eval(wo, wi, mode);
   }
@@ -42,8 +43,8 @@ class LobeSplit {
   float alpha_;
 };
 
-// A walk goes on by the narrow part alone.
-struct TakeNearSpecular {
+// Filter of BSDF samples (AcceptAll): continues paths by near-specular lobes only.
+struct AcceptNearSpecular {
   LobeSplit split;
   TransportMode mode = TransportMode::radiance;
 
@@ -61,45 +62,47 @@ struct TakeNearSpecular {
   }
 };
 
-// What is reflected of a sampled light: by the wide part, for which nothing else finds it, and by the narrow part, for
-// which the walk's own direction does too.
-enum class LitParts { near_specular, rough, both };
-inline constexpr MisHeuristic kPartsHeuristic = MisHeuristic::power;
+// The lobes that reflect light samples: rough lobes, for which light sampling is the only technique, and near-specular
+// lobes, for which BSDF sampling finds the same light.
+enum class LitLobes { near_specular, rough, both };
+inline constexpr MisHeuristic kLobeSplitHeuristic = MisHeuristic::power;
 
 template <class M, class Selected = EveryHit>
-void add_light_by_parts(PathWavefront<M>& paths, const LobeSplit& split, LitParts lit, const Selected& selected = {}) {
+void add_direct_light_by_lobe(PathWavefront<M>& paths, const LobeSplit& split, LitLobes lobes,
+                              const Selected& selected = {}) {
   using Color = typename M::Color;
   const scene::CompiledScene& scene = paths.scene();
-  if (scene.lights().empty() || (M::kDiffuse && lit == LitParts::near_specular)) return;
+  if (scene.lights().empty() || (M::kDiffuse && lobes == LitLobes::near_specular)) return;
   const std::span<const LightSample> samples = paths.sample_lights(LightStrategy::automatic);
   for (int i = 0; i < paths.hit_count(); ++i) {
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    const bool narrow_gloss = split.has_near_specular_gloss(bsdf);
-    if (light.pdf == 0 || !selected(i) || !(narrow_gloss || (lit != LitParts::near_specular && split.has_rough(bsdf))))
+    const bool has_near_specular = split.has_near_specular_gloss(bsdf);
+    if (light.pdf == 0 || !selected(i) ||
+        !(has_near_specular || (lobes != LitLobes::near_specular && split.has_rough(bsdf))))
       continue;
     const Vec3& wo = paths.wo(i);
-    const auto whole = bsdf.evaluate(wo, light.wi);
-    Color diffuse = whole.f_cos, glossy(0);
+    const auto full = bsdf.evaluate(wo, light.wi);
+    Color diffuse = full.f_cos, glossy(0);
     if (bsdf.has_component(ScatterType::glossy)) {
       glossy = bsdf.eval_component(ScatterType::glossy, wo, light.wi) * bsdf.cosine(light.wi);
       diffuse = bsdf.eval_component(ScatterType::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
     }
     if constexpr (M::kClasses) {
-      diffuse *= paths.shares().of_connection_by(paths.path_at(i), Event::diffuse);
-      glossy *= paths.shares().of_connection_by(paths.path_at(i), Event::glossy);
+      diffuse *= paths.shares().connection_share(paths.path_at(i), Event::diffuse);
+      glossy *= paths.shares().connection_share(paths.path_at(i), Event::glossy);
     }
-    const float alone = lit == LitParts::near_specular ? 0 : 1 / light.pdf;
-    float of_gloss = alone;
-    if (narrow_gloss)
-      of_gloss = lit == LitParts::rough ? 0
-                 : light.delta          ? 1 / light.pdf
-                                        : mis_weight_over_pdf(kPartsHeuristic, light.pdf, whole.pdf);
-    const Color reflected = diffuse * alone + glossy * of_gloss;
-    if (is_black(reflected)) continue;
+    const float rough_weight = lobes == LitLobes::near_specular ? 0 : 1 / light.pdf;
+    float glossy_weight = rough_weight;
+    if (has_near_specular)
+      glossy_weight = lobes == LitLobes::rough ? 0
+                      : light.delta            ? 1 / light.pdf
+                                               : mis_weight_over_pdf(kLobeSplitHeuristic, light.pdf, full.pdf);
+    const Color scattered = diffuse * rough_weight + glossy * glossy_weight;
+    if (is_black(scattered)) continue;
     auto& path = paths.state_at(i);
-    auto& gain = light.distance > 0 ? paths.connect(i, light.wi, light.distance) : path.radiance;
-    gain += path.throughput * reflected * scene.radiance_of(light);
+    auto& contribution = light.distance > 0 ? paths.connect(i, light.wi, light.distance) : path.radiance;
+    contribution += path.throughput * scattered * scene.radiance_of(light);
   }
 }
 

@@ -1,11 +1,11 @@
-// Many walks from the camera that take each step together.
+// Many paths that are traced together, segment by segment.
 //
-// A path asks for one ray at a time, and what follows depends on the answer; hundreds of paths side by side keep
-// Embree's packets full and let the processor work on one vertex while it waits for the data of another. `advance`
-// traces the rays of all paths that still travel; between two advances an integrator goes over the vertices that were
-// reached ("arrivals") and the paths that left the scene ("escapes"), with the loops of transport/gather.h.
+// A single path needs one ray at a time, and its continuation depends on the result. Hundreds of paths side by side
+// fill Embree's packets and hide the latency of memory accesses. `trace` traces the next segment of all active paths;
+// then an integrator processes the vertices that were hit, in batches (`next_hits`), and the paths that left the scene
+// (misses), with the functions of path_estimators.h.
 //
-// Nothing here depends on the order of threads: which paths share a packet follows from the pixels a front starts with.
+// Nothing depends on the order of threads: the assignment of paths to packets follows from the pixels of the wavefront.
 #pragma once
 #include <functional>
 
@@ -17,19 +17,20 @@
 
 namespace etendue::transport {
 
-// What a path carries from vertex to vertex.
+// The state of a path between two vertices.
 template <class Color>
 struct alignas(64) PathState {
   Color throughput, radiance;
-  Vec3 from;          // where the last direction started: what the density of a light refers to
-  float pdf;          // of the last direction per solid angle; 0 if it could not have been found by sampling a light
-  float eta_scale;    // by what roulette takes it for heavier: refraction's compression of radiance so far, squared
-                      // indices, and the shares that branches were given
-  float time;         // from 0 at the shutter's opening to 1 at its closing; 0 in a model without motion
-  uint32_t seed;      // the pixel's
-  bool all_specular;  // it has met nothing but mirrors and clear glass: what it sees, the camera sees
+  Vec3 from;  // origin of the last segment: reference point of light densities
+  float pdf;  // of the last direction per solid angle; 0 if light sampling cannot find its hit
+  // Factor of the throughput in Russian roulette. It corrects for refraction (squared relative indices) and for the
+  // shares of branches.
+  float eta_scale;
+  float time;         // from 0 (shutter opens) to 1 (shutter closes); 0 in a model without motion
+  uint32_t seed;      // of the pixel
+  bool all_specular;  // only specular scattering so far: the path hits directly visible surfaces
 
-  // Filled in place: a state that is put together elsewhere and copied as words keeps the processor waiting.
+  // Filled in place: building a state elsewhere and copying it as words stalls on store forwarding.
   void start(const Vec3& origin, float at) {
     throughput = Color(1), radiance = Color(0);
     from = origin;
@@ -47,11 +48,11 @@ class PathWavefront {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kHitsAtATime = 64;
-  // Twigs up to here are branches of paths, those beyond are lights.
+  // Random number streams below this number belong to branches of paths, those beyond to lights.
   static constexpr uint32_t kMostBranches = 256;
 
-  // Forgets everything; `sample` is the index within the pixels' sequence. All walks end when `wanted` says no.
-  // `timed`: walks have times.
+  // Removes all paths; `sample` is the index within the pixels' sequences. All paths are cancelled when `keep_going`
+  // returns false. `timed`: paths have times.
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
              const std::function<bool()>* keep_going = nullptr, bool timed = false) {
     timed_ = timed;
@@ -63,19 +64,19 @@ class PathWavefront {
     coherent_ = false;
     if constexpr (M::kMedia) media_.begin(scene);
   }
-  // Walks that are launched start close together and go about the same way: neighbours may be traced as one.
+  // The first segments of neighbouring paths are coherent: they may be traced as one packet.
   void assume_coherent() { coherent_ = true; }
 
-  // Adds a path for the pixel with this seed; the next number is its own.
+  // Adds a path for the pixel with this seed; paths are numbered consecutively.
   void add(uint32_t pixel_seed) { states_[static_cast<size_t>(size_++)].seed = pixel_seed; }
-  // Numbers of block 0 of all paths, which decide where they start.
+  // Random numbers of block 0 of all paths, for their starts.
   SampleTable& draw_start(DimensionSet wanted) {
     PerPath<uint32_t>& seeds = lane_seeds_;
     for (int i = 0; i < size_; ++i) seeds[static_cast<size_t>(i)] = state(i).seed;
     draw({seeds.data(), static_cast<size_t>(size_)}, 0, wanted);
     return random_;
   }
-  // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
+  // Restricts contributions to these path classes; to be called after `begin` in a model with path classes.
   void filter_paths(const Automaton& classes) { shares_.begin(classes); }
   void filter_paths_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
   void launch(int path, const Ray& ray, const MediumState<M>& medium, float time = 0) {
@@ -84,12 +85,12 @@ class PathWavefront {
     travel(path, ray, medium);
   }
 
-  // Takes other paths in place of all that came to their end; those are at a vertex of so many edges from the camera.
+  // Removes all paths, which must have ended; new ones continue at vertices that are `length` edges from the camera.
   void begin_batch(int length) {
     size_ = travelling_ = reached_ = visited_ = hit_count_ = miss_count_ = connections_ = 0;
     depth_ = length;
   }
-  // Returns the path's number.
+  // Returns the index of the path.
   int add_resumed(const PathState<Color>& path, const Ray& ray, const MediumState<M>& medium) {
     state(size_) = path;
     travel(size_, ray, medium);
@@ -101,7 +102,7 @@ class PathWavefront {
   uint64_t rays_traced() const { return rays_traced_; }
   const scene::CompiledScene& scene() const { return *scene_; }
 
-  // Traces all rays that travel, and those that connections asked for; false if no walk goes on.
+  // Traces the next segments of all active paths and the shadow rays of connections; false if no path is active.
   bool trace() {
     resolve_connections();
     if (travelling_ == 0 || given_up_) return false;
@@ -112,8 +113,8 @@ class PathWavefront {
     return true;
   }
 
-  // Takes the next of the vertices that were reached; false if there are none left. A few at a time, so that what is
-  // known of them stays near the processor.
+  // Makes the next batch of hits current; false if there are none left. Batches are small so that their data stays in
+  // the caches.
   bool next_hits() {
     visited_ += hit_count_;
     hit_count_ = std::min(kHitsAtATime, reached_ - visited_);
@@ -123,34 +124,34 @@ class PathWavefront {
     return true;
   }
 
-  // What decides, with a number for each of its rays, where the path passes through by stochastic opacity.
+  // The seed of stochastic opacity of a path; each of its rays adds a number.
   uint32_t opacity_seed(int path) const {
     return path_seed(states_[static_cast<size_t>(path)].seed & world_bits_, sample_);
   }
 
-  // The walks were ended before their time: what they found is no estimate.
+  // Whether the paths were cancelled; their radiance is then incomplete.
   bool cancelled() const { return given_up_; }
 
-  // The index of the present sample within the pixels' sequence.
+  // The index of the current sample within the pixels' sequences.
   uint32_t sample() const { return sample_; }
 
-  // Edges from where the walks started to the present vertices.
+  // The number of edges from the start of the paths to the current vertices.
   int length() const { return depth_; }
 
-  // The vertices that `arrive` took.
+  // The current hits.
   int hit_count() const { return hit_count_; }
   int path_at(int hit) const { return reached_by_[static_cast<size_t>(visited_ + hit)]; }
   PathState<Color>& state_at(int hit) { return state(path_at(hit)); }
   const scene::SurfacePoint& point(int hit) const { return points_[static_cast<size_t>(hit)]; }
   const Bsdf<M>& bsdf(int hit) const { return bsdfs_[static_cast<size_t>(hit)]; }
   const Vec3& wo(int hit) const { return wo_[static_cast<size_t>(visited_ + hit)]; }
-  // From here on the numbers of the present vertices are those of one of their twigs: 0 is the path itself, any other
-  // has a seed of its own, which paths that branch off there inherit.
+  // Selects the random number stream of the current vertices: stream 0 is that of the path; others have a seed of their
+  // own, which paths that branch off inherit.
   void select_rng_stream(uint32_t stream) {
     drawn_ = 0;
     for (int i = 0; i < hit_count_; ++i) {
       const uint32_t seed = state_at(i).seed;
-      // Twigs of the same path at other vertices are others.
+      // Streams at different vertices of a path are different.
       constexpr uint32_t kLengths = 1024;
       pixel_seeds_[static_cast<size_t>(i)] =
           stream == 0 ? seed : hash_combine(seed, stream * kLengths + static_cast<uint32_t>(depth_) % kLengths);
@@ -158,19 +159,19 @@ class PathWavefront {
   }
   uint32_t seed(int hit) const { return pixel_seeds_[static_cast<size_t>(hit)]; }
 
-  // Draws these of the numbers that the present vertices own, for `random` to give out.
+  // Draws these dimensions for the current vertices, to be read by `random`.
   void draw(DimensionSet wanted) {
     if ((wanted & ~drawn_) == 0) return;
     drawn_ |= draw({pixel_seeds_.data(), static_cast<size_t>(hit_count_)}, static_cast<uint32_t>(depth_), wanted);
   }
-  // Draws the numbers of `lobe_draw`.
+  // Draws the random numbers of `lobe_draw`.
   void draw_lobes() {
     using namespace vertex_dimension;
     draw(dimensions(kBsdfDirection, 2) | (M::kDiffuse ? 0 : dimensions(kBsdfLobe, 1)));
     squares_to_cosine_hemisphere(random_.values[kBsdfDirection].data(), random_.values[kBsdfDirection + 1].data(),
                                  static_cast<size_t>(hit_count_), cosine_directions_);
   }
-  // Number `dimension` of the block that the vertex owns.
+  // Random number `dimension` of the vertex's block.
   float random(int dimension, int hit) const {
     return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(hit)];
   }
@@ -180,28 +181,29 @@ class PathWavefront {
             random_2d(vertex_dimension::kBsdfDirection, hit), cosine_directions_[static_cast<size_t>(hit)]};
   }
 
-  // Which part of what the walks carry belongs to the classes that are asked for; empty in a model without classes.
+  // The shares of the paths that belong to the selected path classes; empty in a model without classes.
   ClassShares<M>& shares() { return shares_; }
 
-  // A point on a light for each arrival, by one of the strategies that take a single light.
+  // One light sample per current hit, by a strategy that selects a single light.
   std::span<const LightSample> sample_lights(LightStrategy strategy) {
     scene_->lights().sample(draw_lights(), light_samples_.data(), strategy);
     return light_samples_;
   }
-  // A point on one of the light table's sources for each arrival, from numbers of a twig of its own but for the first.
+  // One sample of the given source of the light table per current hit; every source but the first has a random number
+  // stream of its own.
   std::span<const LightSample> sample_source(size_t source) {
     select_rng_stream(source == 0 ? 0 : kMostBranches + static_cast<uint32_t>(source));
     scene_->lights().sample_source(source, draw_lights(), light_samples_.data());
     return light_samples_;
   }
 
-  // The paths that the last advance found to leave the scene.
+  // The paths that left the scene in the last `trace`.
   int miss_count() const { return miss_count_; }
   int path_of_miss(int i) const { return misses_[static_cast<size_t>(i)]; }
   PathState<Color>& missed_path(int i) { return state(path_of_miss(i)); }
   const Vec3& miss_direction(int i) const { return miss_directions_[static_cast<size_t>(i)]; }
 
-  // The path goes on from an arrival in this direction.
+  // Continues a path from a hit in this direction.
   void continue_path(int hit, const Vec3& direction) {
     travel(path_at(hit), ray_from(hit, direction), medium_beyond(hit, direction));
   }
@@ -227,8 +229,8 @@ class PathWavefront {
       return states_[p].throughput;
   }
 
-  // A sum, zero at first, that the path gains unless something lies between the arrival and `distance` along
-  // `direction`; decided for all at once by the next `advance`.
+  // A contribution, initially zero, that is added to the path's radiance unless the segment from the hit to `distance`
+  // along `direction` is occluded. Shadow rays are traced by the next `trace`.
   Color& connect(int hit, const Vec3& direction, float distance) {
     const auto slot = static_cast<size_t>(connections_++);
     Ray ray;
@@ -238,19 +240,19 @@ class PathWavefront {
     connected_[slot] = static_cast<uint16_t>(path_at(hit));
     return contributions_[slot] = Color(0);
   }
-  // Decides about those so far at once if there is no room for one more from every arrival.
+  // Traces the pending shadow rays now if there is no room for one more per current hit.
   void reserve_connections() {
     if (connections_ + hit_count_ > kCapacity) resolve_connections();
   }
 
  private:
-  // A little more than is used: processors take a store for the source of a load where addresses agree in their last
-  // twelve bits, and arrays of a round size would agree everywhere.
+  // Slightly larger than needed: with round sizes, elements of different arrays would have equal address bits 0 to 11,
+  // which processors take for store-to-load dependencies.
   template <class T>
   using PerPath = std::array<T, kCapacity + 16>;
   using Packets = std::array<RayPacket, kCapacity / RayPacket::kSize>;
 
-  // Rays are written into packets long before they are traced (see RayPacket).
+  // Adds a ray to its packet, long before it is traced (see RayPacket).
   void travel(int path, const Ray& ray, const MediumState<M>& medium) {
     if constexpr (M::kMedia) {
       media_.stack(path) = medium;
@@ -276,7 +278,7 @@ class PathWavefront {
             times_of_arrivals()};
   }
 
-  // Seeds for the rays of these paths, where stochastic opacity asks for them.
+  // Sets the seeds of stochastic opacity of rays, if the scene has any.
   void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
     for (int i = 0; seeded_ && i < count; ++i) {
       const auto lane = static_cast<size_t>(i);
@@ -285,7 +287,7 @@ class PathWavefront {
   }
   uint32_t segment_seed(int path) const { return opacity_seed(path) + static_cast<uint32_t>(depth_); }
 
-  // Tells rays when they are, where walks have times.
+  // Sets the times of rays, if paths have times.
   void time_lanes(const PerPath<uint16_t>& paths, int count, Packets& packets) {
     for (int i = 0; timed_ && i < count; ++i)
       packets[static_cast<size_t>(i / RayPacket::kSize)].set_time(i % RayPacket::kSize,
@@ -311,13 +313,13 @@ class PathWavefront {
   bool seeded_ = false, timed_ = false, coherent_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
 
-  // By path.
+  // Per path.
   PerPath<PathState<Color>> states_;
-  // By vertex reached.
+  // Per hit.
   PerPath<uint16_t> reached_by_;
   PerPath<Hit> hits_;
   PerPath<Vec3> wo_;
-  // By arrival (random numbers before the first: by path).
+  // Per current hit (random numbers before the first hit: per path).
   std::array<scene::SurfacePoint, kHitsAtATime> points_;
   std::array<Bsdf<M>, kHitsAtATime> bsdfs_;
   std::array<uint32_t, kHitsAtATime> pixel_seeds_;
@@ -326,17 +328,17 @@ class PathWavefront {
   DimensionSet drawn_ = 0;
   Vec3Lanes<kHitsAtATime> cosine_directions_, positions_;
   std::array<LightSample, kHitsAtATime> light_samples_;
-  // By escape.
+  // Per miss.
   PerPath<uint16_t> misses_;
   PerPath<Vec3> miss_directions_;
-  // In the order they travel.
+  // Per active path, in the order of tracing.
   PerPath<uint16_t> travellers_;
   Packets travelling_packets_;
-  // By connection.
+  // Per connection.
   PerPath<Color> contributions_;
   PerPath<uint16_t> connected_;
   Packets connecting_;
-  // Of one or the other.
+  // Per active path or connection.
   PerPath<uint32_t> lane_seeds_;
   [[no_unique_address]] ClassShares<M> shares_;
   [[no_unique_address]] PathMedia<M> media_;

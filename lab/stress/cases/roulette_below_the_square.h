@@ -11,16 +11,16 @@ inline void roulette_below_the_square(TestContext& test) {
   for (const double albedo : {0.9, 0.99, 0.999}) {
     const auto furnace = scene::furnace(static_cast<float>(albedo));
     auto d = test.document(furnace, look_at({0.2f, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
-    const std::string method = "path-pure:sampler=random:roulette-start=1";
-    const double khat = test.tail(TestContext::with_method(d, method), 64).khat.value_or(-1);
+    const std::string integrator = "path-pure:sampler=random:roulette-start=1";
+    const double khat = test.tail(TestContext::with_method(d, integrator), 64).khat.value_or(-1);
     const std::string point = "khat at albedo " + number(albedo);
     // A path of n segments has the probability q^n and the weight (r / q)^n.
-    const double q = transport::kMaxSurvivalOfTheHeavy, theory = -std::log(albedo / q) / std::log(q);
+    const double q = transport::kMaxSurvivalAboveOne, theory = -std::log(albedo / q) / std::log(q);
     // The standard error of the fit is 0.06 here, and its prior shifts it slightly towards 1/2.
     if (albedo * albedo > q)
-      test.expect_near(method, point, khat, theory, 0.3);
+      test.expect_near(integrator, point, khat, theory, 0.3);
     else
-      test.expect_between(method, point, khat, -1, 0.3);
+      test.expect_between(integrator, point, khat, -1, 0.3);
   }
 }
 
