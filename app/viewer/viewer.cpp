@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "viewer/imgui_host.h"
-#include "viewer/pacing.h"
-#include "viewer/panels.h"
-#include "viewer/process_age.h"
-#include "viewer/script.h"
-#include "viewer/split_screen.h"
-#include "viewer/widgets.h"
+#include "viewer/layout/interface.h"
+#include "viewer/platform/imgui_host.h"
+#include "viewer/platform/pacing.h"
+#include "viewer/platform/process_age.h"
+#include "viewer/script/script.h"
+#include "viewer/viewport/comparison_view.h"
+#include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {
 namespace {

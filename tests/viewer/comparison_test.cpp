@@ -1,6 +1,6 @@
 // Two pictures against each other, as a user meets them: what stands left and right of the divider, what a difference
 // shows.
-#include "viewer/comparison.h"
+#include "viewer/viewport/comparison.h"
 
 #include <cmath>
 

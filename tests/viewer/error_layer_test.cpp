@@ -1,5 +1,5 @@
 // The layer of errors: its scale is that of the error that was made, and colours follow it.
-#include "viewer/error_layer.h"
+#include "viewer/viewport/error_layer.h"
 
 #include <gtest/gtest.h>
 

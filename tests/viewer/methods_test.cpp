@@ -4,7 +4,7 @@
 
 #include "integrator/integrator.h"
 #include "scripted.h"
-#include "viewer/techniques_hand.h"
+#include "viewer/tasks/technique_task.h"
 
 namespace etendue {
 namespace {

@@ -1,5 +1,5 @@
 // Drawing must not take the processor from rendering, however slow it is.
-#include "viewer/pacing.h"
+#include "viewer/platform/pacing.h"
 
 #include <gtest/gtest.h>
 

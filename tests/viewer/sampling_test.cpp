@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scripted.h"
-#include "viewer/pixel_probe.h"
+#include "viewer/tasks/pixel_samples_task.h"
 
 namespace etendue {
 namespace {

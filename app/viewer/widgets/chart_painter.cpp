@@ -1,0 +1,122 @@
+#include "viewer/widgets/chart_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etendue::viewer {
+namespace {
+
+using metrics::Spot;
+
+bool finite(const Spot& s) { return std::isfinite(s.x) && std::isfinite(s.y); }
+bool finite(const std::vector<Spot>& spots) {
+  return !spots.empty() && std::ranges::all_of(spots, [](const Spot& s) { return finite(s); });
+}
+
+// Where the edge of an area crosses a vertical strip: its height on the strip's two sides.
+struct Crossing {
+  double left, right;
+};
+
+std::vector<Crossing> crossings(const std::vector<Spot>& points, double left, double right) {
+  std::vector<Crossing> list;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Spot &a = points[i], &b = points[(i + 1) % points.size()];
+    if (std::min(a.x, b.x) > left || std::max(a.x, b.x) < right) continue;
+    const auto at = [&](double x) { return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y); };
+    list.push_back({at(left), at(right)});
+  }
+  std::ranges::sort(list, {}, [](const Crossing& c) { return c.left + c.right; });
+  return list;
+}
+
+class Painter {
+ public:
+  Painter(ImDrawList& list, const ImVec2& corner, float scale, ImFont* font)
+      : list_(list), corner_(corner), scale_(scale), font_(font) {}
+
+  // In strips between the corners' abscissae: an area need not be convex, as ImGui wants it. Without smooth edges,
+  // which would show where strips meet.
+  void operator()(const metrics::Area& area) {
+    if (!finite(area.points)) return;
+    std::vector<double> xs;
+    for (const Spot& s : area.points) xs.push_back(s.x);
+    std::ranges::sort(xs);
+    const ImDrawListFlags flags = list_.Flags;
+    list_.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+    for (size_t i = 1; i < xs.size(); ++i) {
+      if (xs[i] <= xs[i - 1]) continue;
+      const auto edges = crossings(area.points, xs[i - 1], xs[i]);
+      for (size_t k = 0; k + 1 < edges.size(); k += 2)
+        list_.AddQuadFilled(at({xs[i - 1], edges[k].left}), at({xs[i], edges[k].right}),
+                            at({xs[i], edges[k + 1].right}), at({xs[i - 1], edges[k + 1].left}), color_of(area.ink));
+    }
+    list_.Flags = flags;
+  }
+
+  void operator()(const metrics::Stroke& stroke) {
+    if (!finite(stroke.points)) return;
+    const float width = static_cast<float>(stroke.width) * scale_;
+    if (stroke.dashed) {
+      for (const auto& [a, b] : metrics::dashes_of(stroke)) list_.AddLine(at(a), at(b), color_of(stroke.ink), width);
+      return;
+    }
+    // A thin line along the axes lies on whole pixels.
+    const Spot &first = stroke.points.front(), &last = stroke.points.back();
+    if (stroke.points.size() == 2 && stroke.width <= 1 && (first.x == last.x || first.y == last.y))
+      return ruled(first, last, color_of(stroke.ink), width);
+    for (const Spot& s : stroke.points) list_.PathLineTo(at(s));
+    list_.PathStroke(color_of(stroke.ink), 0, width);
+  }
+
+  void operator()(const metrics::Dot& dot) {
+    if (finite(dot.at)) list_.AddCircleFilled(at(dot.at), static_cast<float>(dot.radius) * scale_, color_of(dot.ink));
+  }
+
+  void operator()(const metrics::Words& words) {
+    if (!finite(words.at)) return;
+    ImVec2 place = at(words.at);
+    const float width = font_->CalcTextSizeA(font_->FontSize, 1e6f, 0, words.text.c_str()).x;
+    if (words.anchor != metrics::Anchor::left) place.x -= words.anchor == metrics::Anchor::right ? width : width / 2;
+    list_.AddText(font_, font_->FontSize, {std::floor(place.x), std::floor(place.y - font_->Ascent)},
+                  color_of(words.ink), words.text.c_str());
+  }
+
+ private:
+  ImVec2 at(const Spot& s) const {
+    return {corner_.x + static_cast<float>(s.x) * scale_, corner_.y + static_cast<float>(s.y) * scale_};
+  }
+
+  void ruled(const Spot& from, const Spot& to, ImU32 color, float width) {
+    const ImVec2 a = at(from), b = at(to);
+    if (from.x == to.x)
+      list_.AddRectFilled({std::floor(a.x), std::min(a.y, b.y)},
+                          {std::floor(a.x) + std::max(1.0f, width), std::max(a.y, b.y)}, color);
+    else
+      list_.AddRectFilled({std::min(a.x, b.x), std::floor(a.y)},
+                          {std::max(a.x, b.x), std::floor(a.y) + std::max(1.0f, width)}, color);
+  }
+
+  ImDrawList& list_;
+  const ImVec2 corner_;
+  const float scale_;
+  ImFont* const font_;
+};
+
+}  // namespace
+
+void draw(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font) {
+  Painter painter(list, corner, scale, font);
+  for (const auto& shape : drawing.shapes) std::visit(painter, shape);
+}
+
+ImU32 color_of(const metrics::Ink& ink) {
+  return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity)));
+}
+
+metrics::Ink ink_of(const ImVec4& color) {
+  const auto part = [](float v) { return static_cast<uint8_t>(std::lround(255 * v)); };
+  return {part(color.x), part(color.y), part(color.z), static_cast<double>(color.w)};
+}
+
+}  // namespace etendue::viewer
