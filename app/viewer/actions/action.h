@@ -1,4 +1,5 @@
-// Everything that can be done, once: menus, shortcuts, the palette, the help sheet and scripts read this list.
+// Actions: everything that a user can do by a menu entry, a shortcut, a button, the command palette or a script. All of
+// these read the list of actions, so each action is described once.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,35 +10,36 @@
 
 namespace etendue::viewer {
 
-struct Workbench;
+struct AppState;
 
 struct Action {
-  std::string name;  // "snapshot.save": what scripts say
-  std::string menu;  // "File", "Edit", ...; empty for what has only a shortcut
-  std::string label, doc;
-  std::string shortcut;  // as parse_chord reads it, or nothing
-  std::function<void()> run;
-  std::function<bool()> enabled;               // missing: always
-  std::function<bool()> checked;               // missing: it is no switch
-  std::string heading = {}, heading_doc = {};  // of its part of the menu; empty where the menu has no parts
+  std::string name;    // used by scripts: "snapshot.save"
+  std::string menu{};  // "File", "Edit", ...; empty if the action is in no menu
+  std::string label;
+  std::string tooltip;
+  std::string shortcut{};  // chords as parse_chord reads them, separated by spaces
+  std::function<void(AppState&)> run;
+  std::function<bool(const AppState&)> enabled{};  // null: always enabled
+  std::function<bool(const AppState&)> checked{};  // null: not a switch
+  std::string group{};                             // heading above the action in its menu
+  std::string group_tooltip{};
 
-  std::vector<Chord> chords() const;  // shortcuts are separated by spaces
-  bool is_enabled() const { return !enabled || enabled(); }
+  std::vector<Chord> chords() const;
+  bool is_enabled(const AppState& state) const { return !enabled || enabled(state); }
+  bool is_checked(const AppState& state) const { return checked && checked(state); }
 };
 
-class Actions {
+class ActionList {
  public:
-  void add(Action action) { list_.push_back(std::move(action)); }
-  const std::vector<Action>& all() const { return list_; }
+  void add(Action action) { actions_.push_back(std::move(action)); }
+  const std::vector<Action>& all() const { return actions_; }
+  // Null if there is no action of this name.
   const Action* find(std::string_view name) const;
-  // Runs the actions whose keys were pressed in this frame.
-  void run_pressed(const Input& input) const;
+  // Runs the enabled actions whose shortcuts were pressed in this frame.
+  void run_pressed(AppState& state, const Input& input) const;
 
  private:
-  std::vector<Action> list_;
+  std::vector<Action> actions_;
 };
-
-// `workbench` is used when an action runs, not before.
-void add_actions(Actions& actions, Workbench* workbench);
 
 }  // namespace etendue::viewer

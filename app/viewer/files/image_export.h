@@ -1,42 +1,48 @@
-// Snapshots: the picture in a file, with everything that is needed to make it again.
+// Saves the rendered image in the background, with everything that is needed to render it again.
 //
-// A film is only worth keeping between two passes, when every pixel has the same number of samples: then the same
-// settings and that number give the same picture bit for bit. A capture lets the session finish the pass it is in,
-// takes the film, and lets it go on.
+// The image is reproducible only if all pixels have the same number of samples. The export therefore lets the session
+// finish the current pass, copies the film, and lets the session continue.
 #pragma once
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "viewer/state/editor.h"
+#include "base/result.h"
 #include "viewer/tasks/background_task.h"
+
+namespace etendue::render {
+class Session;
+}
 
 namespace etendue::viewer {
 
-class Capture {
+class Editor;
+
+class ImageExport {
  public:
-  Capture(render::Session& session, Editor& editor, std::function<void()> wake)
-      : session_(session), editor_(editor), job_(std::move(wake)) {}
+  ImageExport(render::Session& session, Editor& editor, std::function<void()> wake)
+      : session_(session), editor_(editor), wake_(std::move(wake)) {}
 
-  // As render::write_image does: .exr takes all, with a certificate; .hdr the radiance; .png what the screen shows of
-  // it.
-  void request(const std::string& file);
-  bool busy() const { return !files_.empty(); }
-  const std::string& file() const { return files_.front(); }
+  // Queues a file. .exr stores radiance, the document and a certificate; .hdr stores radiance; .png the displayed
+  // image.
+  void request(const std::string& file) { files_.push_back(file); }
+  bool is_busy() const { return !files_.empty(); }
 
-  // Called once a frame. The name of a file that was finished, or what went wrong.
-  std::optional<Result<std::string>> advance();
+  // Called once per frame. Returns the name of a file that was written, or an error.
+  std::optional<Result<std::string>> update();
 
  private:
-  enum class Stage { idle, settling, writing };
-  void begin();
+  enum class Stage { idle, finishing_pass, writing };
+  void finish_pass();
 
   render::Session& session_;
   Editor& editor_;
-  Job<Result<std::string>> job_;  // an empty name: the picture had changed
+  std::function<void()> wake_;
+  BackgroundTask<Result<std::string>> task_;  // an empty name: the document was edited before the film was copied
   std::deque<std::string> files_;
   Stage stage_ = Stage::idle;
-  uint64_t version_ = 0;
+  uint64_t version_ = 0;  // of the document that is exported
   bool was_paused_ = false;
 };
 

@@ -1,56 +1,49 @@
 #include "viewer/files/loader.h"
 
-#include <cctype>
-#include <filesystem>
-
 #include "image/image.h"
 #include "render/image_output.h"
+#include "viewer/files/file_names.h"
 
 namespace etendue::viewer {
 namespace {
 
-std::string extension_of(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
+using Kind = OpenedFile::Kind;
 
-Result<Opened> environment(const std::string& file, const render::Document& current) {
+Result<OpenedFile> read_environment(const std::string& file, const render::Document& current) {
   if (!current.scene)
-    return usage_error(file + ": is a picture, and there is no scene that it could light; open a .gltf or .glb first");
-  auto lit = render::with_environment(current, file);
-  if (!lit) return lit.error();
-  return Opened{Opened::Kind::environment, file, std::move(*lit)};
+    return usage_error(file + ": is an environment map, but no scene is open; open a .gltf or .glb file first");
+  auto document = render::with_environment(current, file);
+  if (!document) return document.error();
+  return OpenedFile{.kind = Kind::environment, .file = file, .document = std::move(*document)};
 }
 
-Result<Opened> read(const std::string& file, const render::Document& current) {
-  const std::string extension = extension_of(file);
-  if (extension == ".hdr") return environment(file, current);
+Result<OpenedFile> read(const std::string& file, const render::Document& current) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".hdr") return read_environment(file, current);
   if (extension == ".exr") {
-    const auto picture = image::read_exr(file);
-    if (!picture) return picture.error();
-    const auto state = picture->attributes.find(render::kStateAttribute);
-    if (state == picture->attributes.end()) return environment(file, current);
+    const auto image = image::read_exr(file);
+    if (!image) return image.error();
+    const auto state = image->attributes.find(render::kStateAttribute);
+    if (state == image->attributes.end()) return read_environment(file, current);
     auto document = render::document_from_state(state->second, file);
     if (!document) return document.error();
-    return Opened{Opened::Kind::snapshot, file, std::move(*document)};
+    return OpenedFile{.kind = Kind::snapshot, .file = file, .document = std::move(*document)};
   }
   auto document = render::new_document(file);
   if (!document) return document.error();
-  return Opened{Opened::Kind::scene, file, std::move(*document)};
+  return OpenedFile{.kind = Kind::scene, .file = file, .document = std::move(*document)};
 }
 
 }  // namespace
 
 void Loader::open(const std::string& file, const render::Document& current) {
-  job_.abandon();
   file_ = file;
-  started_ = std::chrono::steady_clock::now();
-  job_.start([file, current] { return read(file, current); });
+  start_ = std::chrono::steady_clock::now();
+  task_.start([file, current] { return read(file, current); }, wake_);
 }
 
 double Loader::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 }  // namespace etendue::viewer

@@ -1,9 +1,10 @@
-// Opening files without waiting for them.
+// Opens files in the background.
 //
-// A file is what it contains: a scene, a snapshot (an .exr that carries a state), or light from all around (.hdr,
-// .exr).
+// The content of a file decides what it is: a scene, a snapshot (an .exr with a stored document), or an environment map
+// (any other .exr, or .hdr).
 #pragma once
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,7 @@
 
 namespace etendue::viewer {
 
-struct Opened {
+struct OpenedFile {
   enum class Kind { scene, snapshot, environment };
   Kind kind = Kind::scene;
   std::string file;
@@ -21,20 +22,24 @@ struct Opened {
 
 class Loader {
  public:
-  explicit Loader(std::function<void()> wake) : job_(std::move(wake)) {}
+  explicit Loader(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  // `current` receives the light if the file turns out to be an environment.
+  // Starts to read a file; the file before is abandoned. If it is an environment map, it is added to a copy of
+  // `current`.
   void open(const std::string& file, const render::Document& current);
-  void cancel() { job_.abandon(); }
-  bool busy() const { return job_.running(); }
+  void cancel() { task_.abandon(); }
+  bool is_busy() const { return task_.running(); }
+  // The file that was opened last.
   const std::string& file() const { return file_; }
+  // Seconds since it was opened.
   double seconds() const;
-  std::optional<Result<Opened>> take() { return job_.take(); }
+  std::optional<Result<OpenedFile>> take_result() { return task_.take_result(); }
 
  private:
-  Job<Result<Opened>> job_;
+  std::function<void()> wake_;
+  BackgroundTask<Result<OpenedFile>> task_;
   std::string file_;
-  std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace etendue::viewer

@@ -1,30 +1,36 @@
-// The scene as a glTF file, written while the interface goes on.
+// Saves the scene as a glTF file in the background.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "render/document.h"
+#include "base/result.h"
 #include "viewer/tasks/background_task.h"
+
+namespace etendue::render {
+struct Document;
+}
 
 namespace etendue::viewer {
 
 struct SavedScene {
   std::string file;
-  std::vector<std::string> warnings;  // what the file could not take
+  std::vector<std::string> warnings;  // what glTF cannot represent
 };
 
-class SceneWriter {
+class SceneExport {
  public:
-  explicit SceneWriter(std::function<void()> wake) : job_(std::move(wake)) {}
+  explicit SceneExport(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  // Writes the document as it is now. One at a time: the caller asks busy() before.
+  // Writes the document as it is now. Only one file can be written at a time.
   void write(const std::string& file, const render::Document& document);
-  bool busy() const { return job_.running(); }
-  std::optional<Result<SavedScene>> take() { return job_.take(); }
+  bool is_busy() const { return task_.running(); }
+  std::optional<Result<SavedScene>> take_result() { return task_.take_result(); }
 
  private:
-  Job<Result<SavedScene>> job_;
+  std::function<void()> wake_;
+  BackgroundTask<Result<SavedScene>> task_;
 };
 
 }  // namespace etendue::viewer

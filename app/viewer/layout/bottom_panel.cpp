@@ -2,25 +2,28 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "viewer/widgets/parameter_widgets.h"
+#include "viewer/layout/window_flags.h"
+#include "viewer/state/app_state.h"
+#include "viewer/widgets/basic_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar;
+constexpr float kDefaultShare = 0.36f;  // of the height of the region
+constexpr float kMaxShare = 0.75f;
+constexpr float kMinHeight = 120;  // units of the interface
 
-float strip_height() { return std::floor(ImGui::GetFontSize() + 10); }
+float tab_height() { return std::floor(ImGui::GetFontSize() + 10); }
 
 void begin_window(const char* name, const ImVec2& corner, const ImVec2& size, const ImVec2& padding) {
   ImGui::SetNextWindowPos(corner);
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::Begin(name, nullptr, kFixed);
+  ImGui::Begin(name, nullptr, kFixedWindow);
 }
 
 void end_window() {
@@ -28,96 +31,75 @@ void end_window() {
   ImGui::PopStyleVar(2);
 }
 
-void draw_tab(Workbench& w, const SheetInfo& info) {
-  const bool open = w.view.sheet == info.name;
-  ImGui::PushStyleColor(ImGuiCol_Text, open ? w.theme.accent : w.theme.quiet);
+void draw_tab(AppState& state, Panel& panel) {
+  const PanelInfo info = panel.info();
+  const bool open = state.panels.is_open(panel);
+  const Theme& theme = state.ui.theme;
+  ImGui::PushStyleColor(ImGuiCol_Text, open ? theme.accent : theme.secondary_text);
   const bool clicked = ImGui::Selectable(info.label, open, 0, {ImGui::CalcTextSize(info.label).x, 0});
   ImGui::PopStyleColor();
-  w.items.place(info.name);
-  if (ImGui::IsItemHovered()) tooltip(w, info.doc);
-  if (clicked) w.view.sheet = open ? "" : info.name;
+  state.ui.items.add(info.name);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, info.description);
+  if (clicked) state.panels.toggle(panel);
 }
 
-// The tabs; an edge that can be dragged where a sheet is open.
-void draw_strip(Workbench& w, float top, float right, float bottom, bool open) {
-  begin_window("##drawer-tabs", {0, top}, {right, strip_height()}, {10, 5});
-  for (const SheetInfo& info : sheets()) {
-    if (&info != &sheets().front()) ImGui::SameLine(0, ImGui::GetFontSize() * 1.4f);
-    draw_tab(w, info);
+// The space to the right of the tabs resizes an open panel.
+void draw_resize_grip(AppState& state, float top, float right, float bottom) {
+  const float font_size = ImGui::GetFontSize();
+  const float width = right - 10 - ImGui::GetItemRectMax().x - font_size;
+  ImGui::SameLine(0, font_size);
+  ImGui::InvisibleButton("##grip", {std::max(1.0f, width), font_size});
+  state.ui.items.add("layout.bottom-panel");
+  const bool active = ImGui::IsItemActive();
+  const bool hovered = ImGui::IsItemHovered();
+  if (active || hovered) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    const ImU32 color = ImGui::GetColorU32(state.ui.theme.accent);
+    ImGui::GetWindowDrawList()->AddLine({0, top + 1}, {right, top + 1}, color, 2);
   }
-  if (open) {
-    const float free = right - 10 - ImGui::GetItemRectMax().x - ImGui::GetFontSize();
-    ImGui::SameLine(0, ImGui::GetFontSize());
-    ImGui::InvisibleButton("##edge", {std::max(1.0f, free), ImGui::GetFontSize()});
-    w.items.place("layout.drawer");
-    const bool held = ImGui::IsItemActive(), over = ImGui::IsItemHovered();
-    if (held || over) {
-      ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-      ImGui::GetWindowDrawList()->AddLine({0, top + 1}, {right, top + 1}, ImGui::GetColorU32(w.theme.accent), 2);
-    }
-    if (held) w.settings.drawer = (bottom - w.input.mouse.y) / w.platform.scale();
-    if (over && ImGui::IsMouseDoubleClicked(0)) w.settings.drawer = 0;
+  if (active) state.settings.bottom_panel_height = (bottom - state.ui.input.mouse.y) / state.ui.scale;
+  if (hovered && ImGui::IsMouseDoubleClicked(0)) state.settings.bottom_panel_height = 0;
+}
+
+void draw_tabs(AppState& state, float top, float right, float bottom, bool resizable) {
+  begin_window("##bottom-tabs", {0, top}, {right, tab_height()}, {10, 5});
+  bool first = true;
+  for (const auto& panel : state.panels.all()) {
+    if (panel->info().place != PanelPlace::bottom) continue;
+    if (!first) ImGui::SameLine(0, ImGui::GetFontSize() * 1.4f);
+    first = false;
+    draw_tab(state, *panel);
   }
+  if (resizable) draw_resize_grip(state, top, right, bottom);
   end_window();
+}
+
+float panel_height(const AppState& state, float available) {
+  const float scale = state.ui.scale;
+  const float set_height = state.settings.bottom_panel_height * scale;
+  const float height = set_height > 0 ? set_height : available * kDefaultShare;
+  return std::floor(std::clamp(height, std::min(kMinHeight * scale, available * 0.5f), available * kMaxShare));
 }
 
 }  // namespace
 
-const std::vector<SheetInfo>& sheets() {
-  static const std::vector<SheetInfo> list{
-      {"sheet.convergence", "Convergence", "Methods take turns on this scene; their errors grow as curves",
-       draw_convergence_sheet},
-      {"sheet.health", "Health", "How far the picture can be trusted: its error, its rarest samples, what was rejected",
-       draw_health_sheet},
-      {"sheet.paths", "Paths",
-       "Where the energy of this view comes from, by classes of light paths, and what the method finds of it",
-       draw_paths_sheet},
-      {"sheet.techniques", "Techniques", "What each technique of a bidirectional method adds to the picture",
-       draw_techniques_sheet},
-      {"sheet.sampling", "Sampling",
-       "The samples of one pixel: their running mean, their histogram, the points they are made of",
-       draw_sampling_sheet},
-      {"sheet.surface", "Surface", "What the chosen material does with light: its lobe, its energy, its samples",
-       draw_surface_sheet},
-  };
-  return list;
-}
-
-void with_controls(Workbench& w, float width, const std::function<void()>& shown, void (*controls)(Workbench&)) {
-  const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetFontSize();
-  const bool wide = room > 3 * width;
-  if (wide) ImGui::BeginChild("##shown", {std::floor(room - width - gap), 0});
-  ImGui::PushFont(w.faces.small);
-  shown();
-  ImGui::PopFont();
-  if (!wide) return controls(w);
-  ImGui::EndChild();
-  ImGui::SameLine(0, gap);
-  ImGui::BeginChild("##controls");
-  controls(w);
-  ImGui::EndChild();
-}
-
-float draw_drawer(Workbench& w, float top, float right, float bottom) {
-  const float scale = w.platform.scale(), strip = strip_height(), room = bottom - top;
-  const auto open =
-      std::find_if(sheets().begin(), sheets().end(), [&](const SheetInfo& info) { return w.view.sheet == info.name; });
-  if (open == sheets().end()) {
-    draw_strip(w, bottom - strip, right, bottom, false);
-    return strip;
+float draw_bottom_panel(AppState& state, float top, float right, float bottom) {
+  Panel* panel = state.panels.open_bottom_panel();
+  if (!panel) {
+    draw_tabs(state, bottom - tab_height(), right, bottom, false);
+    return bottom - tab_height();
   }
-  const float wanted = w.settings.drawer > 0 ? w.settings.drawer * scale : room * 0.36f;
-  const float height = std::floor(std::clamp(wanted, std::min(120 * scale, room * 0.5f), room * 0.75f));
-  draw_strip(w, bottom - height, right, bottom, true);
-  begin_window("##drawer", {0, bottom - height + strip}, {right, height - strip}, {10, 6});
-  ImGui::BeginChild("##sheet");
-  if (w.editor.empty())
-    note(w, "No scene is open.");
+  const float panel_top = bottom - panel_height(state, bottom - top);
+  draw_tabs(state, panel_top, right, bottom, true);
+  begin_window("##bottom-panel", {0, panel_top + tab_height()}, {right, bottom - panel_top - tab_height()}, {10, 6});
+  ImGui::BeginChild(panel->info().name);
+  if (state.has_document())
+    panel->draw(state);
   else
-    open->draw(w);
+    note(state.ui, "No scene is open.");
   ImGui::EndChild();
   end_window();
-  return height;
+  return panel_top;
 }
 
 }  // namespace etendue::viewer

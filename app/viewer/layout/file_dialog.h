@@ -1,32 +1,35 @@
-// Choosing a file: folders and the files that can be used, a field for the name.
+// The file dialog: folders, the files with suitable extensions, and a field for the name.
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace etendue::viewer {
 
-struct Workbench;
+struct AppState;
 
 class FileDialog {
  public:
-  // `extensions` with their dots; `chosen` gets the path. A dialog that saves accepts names that do not exist yet.
-  void ask(std::string title, std::string folder, std::vector<std::string> extensions, bool saves, std::string name,
-           std::function<void(const std::string&)> chosen);
-  bool is_open() const { return open_; }
-  void draw(Workbench& w);
+  // Shows the dialog while there is a file request.
+  void draw(AppState& state);
 
  private:
+  void open(const AppState& state);
+  void enter_folder(const std::filesystem::path& folder);
   void read_folder();
-  void enter(const std::filesystem::path& folder);
+  // Draws folders and files. Returns true if a file was double-clicked.
+  bool draw_list(AppState& state);
+  // Handles the name that was entered. Returns true if the dialog is to be closed.
+  bool accept(AppState& state);
 
-  bool open_ = false, appearing_ = false, saves_ = false;
-  std::string title_, name_, problem_;
+  bool is_open_ = false;
+  bool saves_ = false;
   std::vector<std::string> extensions_;
+  std::string name_;
+  std::string problem_;
   std::filesystem::path folder_;
-  std::vector<std::string> folders_, files_;
-  std::function<void(const std::string&)> chosen_;
+  std::vector<std::string> folders_;
+  std::vector<std::string> files_;
 };
 
 }  // namespace etendue::viewer

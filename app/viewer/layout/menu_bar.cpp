@@ -1,84 +1,84 @@
-// What can be done? Every action that has a menu, with its keys; what was opened lately.
+#include "viewer/layout/menu_bar.h"
+
 #include <imgui.h>
 
-#include <filesystem>
-#include <utility>
-
-#include "viewer/layout/interface.h"
-#include "viewer/widgets/parameter_widgets.h"
+#include "render/document.h"
+#include "viewer/files/file_names.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/format.h"
 
 namespace etendue::viewer {
 namespace {
 
-void action_item(Workbench& w, const Action& action) {
-  std::string keys;
-  for (const Chord& chord : action.chords()) keys += (keys.empty() ? "" : ", ") + label(chord);
-  std::string text = action.label;
-  if (action.name == "edit.undo" && !w.editor.undo_name().empty()) text += ": " + w.editor.undo_name();
-  if (action.name == "edit.redo" && !w.editor.redo_name().empty()) text += ": " + w.editor.redo_name();
-  if (ImGui::MenuItem(text.c_str(), keys.c_str(), action.checked && action.checked(), action.is_enabled()))
-    action.run();
-  w.items.place(action.name);
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(w, action.doc);
-}
+constexpr const char* kMenus[] = {"File", "Edit", "View", "Compare", "Integrator", "Render", "Help"};
 
-void heading(const Workbench& w, const Action& action) {
+void draw_group_heading(const UiContext& ui, const Action& action) {
   ImGui::Separator();
-  ImGui::PushFont(w.faces.small);
-  ImGui::TextColored(w.theme.quiet, "%s", action.heading.c_str());
+  if (action.group.empty()) return;
+  ImGui::PushFont(ui.fonts.small);
+  ImGui::TextColored(ui.theme.secondary_text, "%s", action.group.c_str());
   ImGui::PopFont();
-  if (ImGui::IsItemHovered()) tooltip(w, action.heading_doc);
+  if (ImGui::IsItemHovered()) tooltip(ui, action.group_tooltip);
 }
 
-void recent_files(Workbench& w) {
-  if (!ImGui::BeginMenu("Recent", !w.settings.recent.empty())) return;
-  for (const auto& file : std::vector<std::string>(w.settings.recent)) {
-    if (ImGui::MenuItem(std::filesystem::path(file).filename().c_str())) w.open(file);
-    if (ImGui::IsItemHovered()) tooltip(w, file);
+void draw_recent_files(AppState& state) {
+  if (!ImGui::BeginMenu("Recent files", !state.settings.recent.empty())) return;
+  // Opening a file changes the list.
+  const auto files = state.settings.recent;
+  for (const auto& file : files) {
+    if (ImGui::MenuItem(base_name(file).c_str())) state.open_file(file);
+    if (ImGui::IsItemHovered()) tooltip(state.ui, file);
   }
   ImGui::EndMenu();
 }
 
-void title(Workbench& w) {
-  const auto& d = w.editor.document();
-  std::string text = std::filesystem::path(d.scene_name).filename().string();
-  if (w.editor.undo_depth() > 0) text += " (edited)";
-  const float width = ImGui::CalcTextSize(text.c_str()).x;
-  const float at = 0.5f * (ImGui::GetWindowWidth() - width);
-  const Action* palette = w.actions.find("app.palette");
-  const std::string hint = "Ctrl+K  find an action";
-  const float hint_width = ImGui::CalcTextSize(hint.c_str()).x + 2 * ImGui::GetStyle().ItemSpacing.x;
-  const float hint_at = ImGui::GetWindowWidth() - hint_width - ImGui::GetStyle().WindowPadding.x;
-  if (at > ImGui::GetCursorPosX() && at + width < hint_at) {
-    ImGui::SetCursorPosX(at);
-    ImGui::TextUnformatted(text.c_str());
+void draw_menu(AppState& state, const char* menu) {
+  const bool open = ImGui::BeginMenu(menu);
+  state.ui.items.add("menu." + lower_case(menu));
+  if (!open) return;
+  std::string group;
+  for (const auto& action : state.actions.all()) {
+    if (action.menu != menu) continue;
+    if (action.group != group) draw_group_heading(state.ui, action);
+    group = action.group;
+    action_menu_item(state, action);
+    if (action.name == "file.open") draw_recent_files(state);
   }
-  if (hint_at < ImGui::GetCursorPosX()) return;
-  ImGui::SetCursorPosX(hint_at);
-  ImGui::PushStyleColor(ImGuiCol_Text, w.theme.quiet);
-  if (ImGui::Selectable(hint.c_str(), false, 0, {hint_width, 0})) palette->run();
+  ImGui::EndMenu();
+}
+
+// The name of the scene in the middle, and the command palette on the right, as far as there is space.
+void draw_title(AppState& state) {
+  std::string title = base_name(state.document().scene_name);
+  if (state.editor->undo_depth() > 0) title += " (edited)";
+  const char* hint = "Ctrl+K  Find a command";
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float window_width = ImGui::GetWindowWidth();
+  const float title_width = ImGui::CalcTextSize(title.c_str()).x;
+  const float title_x = 0.5f * (window_width - title_width);
+  const float hint_width = ImGui::CalcTextSize(hint).x + 2 * style.ItemSpacing.x;
+  const float hint_x = window_width - hint_width - style.WindowPadding.x;
+  if (title_x > ImGui::GetCursorPosX() && title_x + title_width < hint_x) {
+    ImGui::SetCursorPosX(title_x);
+    ImGui::TextUnformatted(title.c_str());
+  }
+  if (hint_x < ImGui::GetCursorPosX()) return;
+  ImGui::SetCursorPosX(hint_x);
+  ImGui::PushStyleColor(ImGuiCol_Text, state.ui.theme.secondary_text);
+  if (ImGui::Selectable(hint, false, 0, {hint_width, 0})) state.interface.palette_open = true;
   ImGui::PopStyleColor();
-  w.items.place("menu.palette");
+  state.ui.items.add("menu.palette");
 }
 
 }  // namespace
 
-void draw_menu_bar(Workbench& w) {
+void draw_menu_bar(AppState& state) {
   if (!ImGui::BeginMainMenuBar()) return;
-  for (const char* menu : {"File", "Edit", "View", "Compare", "Integrator", "Render", "Help"}) {
-    const bool open = ImGui::BeginMenu(menu);
-    w.items.place(std::string("menu.") + static_cast<char>(std::tolower(menu[0])) + (menu + 1));
-    if (!open) continue;
-    std::string part;
-    for (const auto& action : w.actions.all()) {
-      if (action.menu != menu) continue;
-      if (action.heading != std::exchange(part, action.heading)) heading(w, action);
-      action_item(w, action);
-      if (action.name == "file.open") recent_files(w);
-    }
-    ImGui::EndMenu();
-  }
-  if (!w.editor.empty()) title(w);
+  for (const char* menu : kMenus) draw_menu(state, menu);
+  if (state.has_document()) draw_title(state);
   ImGui::EndMainMenuBar();
 }
 

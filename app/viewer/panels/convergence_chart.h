@@ -1,10 +1,12 @@
-// The chart of a contest as a panel, with a cross-hair that reads it.
+// The chart of the Convergence panel, with a cross-hair that reads the curves.
 #pragma once
-#include "viewer/state/app_state.h"
 
 namespace etendue::viewer {
 
-// Fills what is left of the present window.
-void draw_convergence_chart(Workbench& w);
+class ConvergenceTask;
+struct UiContext;
+
+// Fills the rest of the current ImGui window.
+void draw_convergence_chart(UiContext& ui, const ConvergenceTask& task);
 
 }  // namespace etendue::viewer

@@ -1,76 +1,91 @@
-// Where does the light come from, and how much of it?
+// Light sources, the light meter, and the environment.
 #include <imgui.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include "light/light_presets.h"
-#include "viewer/layout/interface.h"
+#include "render/document.h"
+#include "viewer/actions/action.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/tools/light_meter.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/format.h"
 #include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-const char* type_of(const Light& light) {
-  constexpr const char* kNames[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
-  return kNames[static_cast<size_t>(light.type)];
+constexpr const char* kPresetItem = "light.preset";
+
+const char* type_label(const Light& light) {
+  constexpr const char* kLabels[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
+  return kLabels[static_cast<size_t>(light.type)];
 }
 
-void list_lights(Workbench& w, const scene::Scene& scene) {
+void list_lights(AppState& state, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
-    const std::string name =
-        (light.name.empty() ? "light " + std::to_string(i) : light.name) + "  (" + type_of(light) + ")";
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(name.c_str(), w.selection.light == static_cast<int>(i)))
-      w.selection.light = static_cast<int>(i);
+    const int index = static_cast<int>(i);
+    const std::string text = object_name(light.name, "light", i) + "  (" + type_label(light) + ")";
+    ImGui::PushID(index);
+    if (ImGui::Selectable(text.c_str(), state.selection.light == index)) state.selection.light = index;
     ImGui::PopID();
-    w.items.place("light.choose." + std::to_string(i));
+    state.ui.items.add("light.choose." + std::to_string(i));
   }
 }
 
-void list_emitters(Workbench& w, const scene::Scene& scene) {
+void list_emissive_materials(AppState& state, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.materials.size(); ++i) {
     if (!scene.materials[i].emits()) continue;
-    const std::string name =
-        scene.materials[i].name.empty() ? "material " + std::to_string(i) : scene.materials[i].name;
+    const std::string text = object_name(scene.materials[i].name, "material", i) + "  (emissive material)";
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable((name + "  (surface)").c_str())) {
-      w.selection.material = static_cast<int>(i);
-      w.show_tab(Tab::material);
-    }
+    if (ImGui::Selectable(text.c_str()))
+      state.panels.reveal_parameter(state, "material." + std::to_string(i) + ".emission.r");
     ImGui::PopID();
-    w.items.place("light.surface." + std::to_string(i));
-    if (ImGui::IsItemHovered()) tooltip(w, "A surface that emits; its emission is set with its material");
+    state.ui.items.add("light.surface." + std::to_string(i));
+    if (ImGui::IsItemHovered())
+      tooltip(state.ui, "An emissive surface. Click to edit its emission in the Material panel");
   }
 }
 
-// Lamps that people know, as steps that can be undone.
-void light_presets(Workbench& w, size_t index) {
-  const Light& light = w.editor.document().scene->lights[index];
+// Colour and power of well-known light sources.
+void preset_widget(AppState& state, size_t index, Efficacy efficacy) {
+  const Light& light = state.document().scene->lights[index];
   ParameterInfo info;
-  info.name = "light.preset", info.label = "Preset", info.doc = "Gives the light the colour and amount of a lamp";
-  info.type = ParameterType::choice, info.default_value = std::string("none");
-  info.options = {"none"}, info.option_labels = {"Choose a lamp"};
-  for (const LightPreset& preset : kLightPresets)
-    if (fits(preset, light)) info.options.emplace_back(preset.name), info.option_labels.emplace_back(preset.label);
+  info.name = kPresetItem;
+  info.label = "Preset";
+  info.doc = "Sets colour and power to those of a well-known light source";
+  info.type = ParameterType::choice;
+  info.default_value = std::string("none");
+  info.options = {"none"};
+  info.option_labels = {"Choose a light source"};
+  for (const LightPreset& preset : kLightPresets) {
+    if (!fits(preset, light)) continue;
+    info.options.emplace_back(preset.name);
+    info.option_labels.emplace_back(preset.label);
+  }
   if (info.options.size() < 2) return;
-  const auto chosen = loose_widget(w, info);
+  const auto chosen = parameter_widget(state, info);
   for (const LightPreset& preset : kLightPresets) {
     if (!chosen || *chosen != Value(std::string(preset.name))) continue;
-    render::Document changed = w.editor.document();
+    render::Document changed = state.document();
     auto scene = std::make_shared<scene::Scene>(*changed.scene);
-    scene->lights[index] = with_preset(light, preset, w.meter.setup.efficacy);
+    scene->lights[index] = with_preset(light, preset, efficacy);
     changed.scene = std::move(scene);
-    w.edit(std::move(changed), preset.label);
+    state.edit(std::move(changed), preset.label);
   }
 }
 
-// The same quantity in both units.
-void light_figures(Workbench& w, const Light& light) {
-  const Efficacy efficacy = w.meter.setup.efficacy;
-  const auto both = [&](const char* name, const Rgb& value, const char* unit, const char* photometric_unit) {
-    figure(w, name,
-           text_of("%.4g %s = %.4g %s", static_cast<double>(luminance(value)), unit, photometric(value, efficacy),
-                   photometric_unit));
+// The power of a light in radiometric and photometric units.
+void light_values(const UiContext& ui, const Light& light, Efficacy efficacy) {
+  const auto both = [&](const char* label, const Rgb& value, const char* unit, const char* photometric_unit) {
+    labelled_value(ui, label, formatted("%.4g %s", static_cast<double>(luminance(value)), unit));
+    labelled_value(ui, "", formatted("%.4g %s", photometric(value, efficacy), photometric_unit));
   };
   const Rgb amount = light.color * light.intensity;
   if (light.type == LightType::point || light.type == LightType::spot) both("Intensity", amount, "W/sr", "cd");
@@ -79,35 +94,114 @@ void light_figures(Workbench& w, const Light& light) {
   if (const Rgb flux = flux_of(light); !is_black(flux)) both("Flux", flux, "W", "lm");
 }
 
+class LightPanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "tab.light",
+            .label = "Light",
+            .description = "Light sources, light meter and environment",
+            .place = PanelPlace::right_column};
+  }
+
+  void draw(AppState& state) override {
+    const auto scene = state.document().scene;
+    if (group(state.ui, "Lights", "light.")) draw_lights(state, *scene);
+    if (group(state.ui, "Light meter", "meter.")) meter_.draw(state);
+    if (group(state.ui, "Environment", "environment.")) draw_environment(state, scene->environment);
+  }
+
+  std::vector<ParameterInfo> parameters() const override {
+    return describe_all(LightMeter::Parameters(meter_.parameters).all());
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {
+        {"light.choose.N", "Light N", "Selects light N"},
+        {"light.surface.N", "Emissive material N", "Opens material N, which emits light, in the Material panel"},
+        {kPresetItem, "Preset", "Sets colour and power of the selected light to those of a well-known light source"}};
+  }
+
+  void add_actions(ActionList& actions) override {
+    const auto use = [this](AppState& state, Vec2 position) {
+      const auto& d = state.document();
+      const Placement& image = state.viewport.image;
+      meter_.measure((position - image.corner) / image.size * Vec2(d.width, d.height));
+      state.panels.open(*this);
+      return true;
+    };
+    actions.add({.name = kLightMeterAction,
+                 .menu = "View",
+                 .label = "Light meter",
+                 .tooltip = "Measures radiance, irradiance, luminance, illuminance and flux where you click next",
+                 .shortcut = "m",
+                 .run = [use](AppState& state) { state.toggle_tool({.name = kLightMeterAction, .use = use}); },
+                 .enabled = [](const AppState& state) { return state.has_document(); },
+                 .checked = [](const AppState& state) { return state.is_active_tool(kLightMeterAction); }});
+  }
+
+  std::vector<WaitCondition> wait_conditions() override {
+    const auto check = [this](AppState& state, std::optional<uint32_t>) -> StepStatus {
+      if (!meter_.position()) return {.error = "nothing is measured; click meter.pick and then the image first"};
+      return {.done = meter_.is_complete(state.editor->version())};
+    };
+    return {{"meter", check}};
+  }
+
+  void report(AppState& state, nlohmann::json& json) override {
+    json["meter"] = meter_.report(state.editor->version());
+  }
+
+  bool reveal_parameter(AppState& state, const std::string& name) override {
+    if (name == kPresetItem || name.starts_with("environment.")) return true;
+    if (const auto index = object_index(name, "light")) {
+      state.selection.light = *index;
+      return true;
+    }
+    return Panel::reveal_parameter(state, name);
+  }
+
+  void update(AppState& state) override { meter_.update(state.task_context); }
+  std::vector<Task*> tasks() override { return {&meter_}; }
+
+  void draw_overlay(AppState& state, ImDrawList& draw) override {
+    if (state.is_visible(*this)) meter_.draw_marker(state, draw);
+  }
+
+ private:
+  void draw_lights(AppState& state, const scene::Scene& scene) {
+    const bool has_emissive = std::ranges::any_of(scene.materials, [](const Material& m) { return m.emits(); });
+    if (scene.lights.empty() && !has_emissive)
+      note(state.ui, "The scene has no light sources. It is lit by the environment only.");
+    if (scene.lights.empty() && has_emissive && scene.environment.black())
+      note(state.ui,
+           "Lit by emissive surfaces only. If the image is too dark, load an environment map or raise the radiance of "
+           "the environment.");
+    list_lights(state, scene);
+    list_emissive_materials(state, scene);
+    const int selected = state.selection.light;
+    if (selected < 0 || static_cast<size_t>(selected) >= scene.lights.size()) return;
+    const auto index = static_cast<size_t>(selected);
+    const Efficacy efficacy = meter_.parameters.efficacy;
+    ImGui::Separator();
+    preset_widget(state, index, efficacy);
+    section_widgets(state, "light." + std::to_string(index));
+    light_values(state.ui, scene.lights[index], efficacy);
+  }
+
+  static void draw_environment(AppState& state, const Environment& environment) {
+    if (environment.map)
+      note(state.ui, environment.file);
+    else
+      note(state.ui, environment.black() ? "No environment" : "Uniform environment");
+    section_widgets(state, "environment");
+    action_button(state, "environment.load");
+  }
+
+  LightMeter meter_;
+};
+
 }  // namespace
 
-void draw_light_panel(Workbench& w) {
-  const auto scene = w.editor.document().scene;
-  const bool surfaces =
-      std::any_of(scene->materials.begin(), scene->materials.end(), [](const Material& m) { return m.emits(); });
-  if (group(w, "Lights", "light.")) {
-    if (scene->lights.empty() && !surfaces)
-      note(w, "Nothing in this scene shines by itself; the environment lights it.");
-    if (scene->lights.empty() && surfaces && scene->environment.black())
-      note(w, "Only shining surfaces light this scene. If it is too dark, load an environment or raise its radiance.");
-    list_lights(w, *scene);
-    list_emitters(w, *scene);
-    if (w.selection.light >= 0 && static_cast<size_t>(w.selection.light) < scene->lights.size()) {
-      ImGui::Separator();
-      light_presets(w, static_cast<size_t>(w.selection.light));
-      section_widgets(w, "light." + std::to_string(w.selection.light));
-      light_figures(w, scene->lights[static_cast<size_t>(w.selection.light)]);
-    }
-  }
-  if (group(w, "Light meter", "meter.")) draw_meter(w);
-  if (group(w, "Environment", "environment.")) {
-    const auto& environment = scene->environment;
-    note(w, environment.map       ? environment.file
-            : environment.black() ? "Black: no light from outside"
-                                  : "The same from everywhere");
-    section_widgets(w, "environment");
-    action_button(w, "environment.load");
-  }
-}
+std::unique_ptr<Panel> make_light_panel() { return std::make_unique<LightPanel>(); }
 
 }  // namespace etendue::viewer

@@ -1,122 +1,168 @@
-// What is this surface made of, and what if it were something else?
+// The selected material: its reflection model, the parameters, and the measured checks.
 #include <imgui.h>
 
-#include "viewer/layout/interface.h"
+#include <algorithm>
+
+#include "render/document.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/tasks/surface_analysis.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/surface_checks.h"
 
 namespace etendue::viewer {
 namespace {
 
-std::string name_of(const scene::Scene& scene, size_t index) {
-  const std::string& name = scene.materials[index].name;
-  return name.empty() ? "material " + std::to_string(index) : name;
-}
+using Names = std::vector<std::string>;
 
-bool has_textures(const Material& m) {
-  for (const TextureUse* use :
-       {&m.base_color_texture, &m.metallic_roughness_texture, &m.normal_texture, &m.emission_texture,
-        &m.specular_texture, &m.specular_color_texture, &m.transmission_texture, &m.anisotropy_texture,
-        &m.clearcoat_texture, &m.clearcoat_roughness_texture, &m.clearcoat_normal_texture, &m.sheen_color_texture,
-        &m.sheen_roughness_texture, &m.iridescence_texture, &m.iridescence_thickness_texture,
-        &m.diffuse_transmission_texture, &m.diffuse_transmission_color_texture})
-    if (use->texture >= 0) return true;
-  return false;
-}
+// Parameters of materials, without "material.N.", by the group that shows them.
+const Names kCommonNames{"base-color.r", "base-color.g", "base-color.b", "emission.r", "emission.g", "emission.b"};
+const Names kAttenuationNames{"attenuation-color.r", "attenuation-color.g", "attenuation-color.b",
+                              "attenuation-distance"};
+const Names kTransmissionNames{"transmission",        "thickness",           "attenuation-color.r",
+                               "attenuation-color.g", "attenuation-color.b", "attenuation-distance"};
+const Names kOpacityNames{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
 
-// Which model, what it is, what was measured of it, and its numbers.
-void model_widgets(Workbench& w, const std::string& section, const BsdfModelRef& model) {
-  std::vector<std::string> names{"model"};
-  some_widgets(w, section, names);
-  if (const auto* reading = w.surface.shown(0)) draw_badges(w, *reading);
-  if (!model) return;
-  const BsdfModelDescription& d = model->info().description;
-  note(w, d.doc);
-  const std::string own = std::string(d.name) + ".";
-  names = {own + "preset"};
-  for (const auto& info : model->parameters()) names.push_back(own + info.name);
-  some_widgets(w, section, names);
-}
-
-// The settings of a section whose names, without it, begin so.
-std::vector<std::string> names_that_begin(const Workbench& w, const std::string& section, const std::string& start) {
-  std::vector<std::string> names;
-  for (const auto& binding : render::bindings(w.editor.document(), section))
-    if (binding.info.name.starts_with(section + "." + start))
-      names.push_back(binding.info.name.substr(section.size() + 1));
-  return names;
-}
-
-// What glTF's extensions lay over the surface; a group is open where there is something of it.
+// A layer of the glTF surface. Its group is open if the material has the layer.
 struct Layer {
-  const char *label, *start;
-  bool (*there)(const Material&);
+  const char* label;
+  const char* prefix;  // of the names of its parameters
+  bool (*is_present)(const Material&);
 };
 constexpr Layer kLayers[] = {
     {"Clear coat", "clearcoat", [](const Material& m) { return m.clearcoat > 0; }},
     {"Sheen", "sheen-", [](const Material& m) { return !is_black(m.sheen_color); }},
-    {"Thin film", "iridescence", [](const Material& m) { return m.iridescence > 0; }},
+    {"Iridescence", "iridescence", [](const Material& m) { return m.iridescence > 0; }},
     {"Diffuse transmission", "diffuse-transmission", [](const Material& m) { return m.diffuse_transmission > 0; }},
 };
 
-void gltf_widgets(Workbench& w, const std::string& section, const Material& material,
-                  const std::vector<std::string>& glass, std::vector<std::string> elsewhere) {
-  elsewhere.insert(elsewhere.end(), glass.begin(), glass.end());
-  elsewhere.emplace_back("model");
-  std::vector<std::vector<std::string>> layers;
-  for (const Layer& layer : kLayers) {
-    layers.push_back(names_that_begin(w, section, layer.start));
-    elsewhere.insert(elsewhere.end(), layers.back().begin(), layers.back().end());
-  }
-  if (group(w, "Surface", section + ".")) other_widgets(w, section, elsewhere);
-  if (group(w, "Light through it", section + ".")) some_widgets(w, section, glass);
-  for (size_t i = 0; i < layers.size(); ++i)
-    if (group(w, kLayers[i].label, section + "." + kLayers[i].start, kLayers[i].there(material)))
-      some_widgets(w, section, layers[i]);
+bool has_textures(const Material& m) {
+  const TextureUse* uses[] = {&m.base_color_texture,
+                              &m.metallic_roughness_texture,
+                              &m.normal_texture,
+                              &m.emission_texture,
+                              &m.specular_texture,
+                              &m.specular_color_texture,
+                              &m.transmission_texture,
+                              &m.anisotropy_texture,
+                              &m.clearcoat_texture,
+                              &m.clearcoat_roughness_texture,
+                              &m.clearcoat_normal_texture,
+                              &m.sheen_color_texture,
+                              &m.sheen_roughness_texture,
+                              &m.iridescence_texture,
+                              &m.iridescence_thickness_texture,
+                              &m.diffuse_transmission_texture,
+                              &m.diffuse_transmission_color_texture};
+  return std::ranges::any_of(uses, [](const TextureUse* use) { return use->texture >= 0; });
 }
 
-}  // namespace
+// The names of all parameters of a section that begin with a prefix, without the section.
+Names names_with_prefix(const AppState& state, const std::string& section, const std::string& prefix) {
+  Names names;
+  for (const auto& parameter : render::bindings(state.document(), section))
+    if (parameter.info.name.starts_with(section + "." + prefix))
+      names.push_back(parameter.info.name.substr(section.size() + 1));
+  return names;
+}
 
-void draw_material_panel(Workbench& w) {
-  const auto scene = w.editor.document().scene;
-  const size_t count = scene->materials.size();
-  if (w.selection.material < 0 || static_cast<size_t>(w.selection.material) >= count) {
-    note(w, "Click something in the picture, or choose a material:");
-  }
-  const bool chosen = w.selection.material >= 0 && static_cast<size_t>(w.selection.material) < count;
-  const auto index = static_cast<size_t>(std::max(0, w.selection.material));
+void append(Names& names, const Names& more) { names.insert(names.end(), more.begin(), more.end()); }
+
+void material_combo(AppState& state, const scene::Scene& scene, bool has_selection) {
+  const auto name = [&](size_t i) { return object_name(scene.materials[i].name, "material", i); };
+  const auto selected = static_cast<size_t>(std::max(0, state.selection.material));
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::BeginCombo("##material", chosen ? name_of(*scene, index).c_str() : "none chosen")) {
-    for (size_t i = 0; i < count; ++i) {
+  if (ImGui::BeginCombo("##material", has_selection ? name(selected).c_str() : "No material selected")) {
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
-      if (ImGui::Selectable(name_of(*scene, i).c_str(), chosen && i == index))
-        w.selection.material = static_cast<int>(i);
+      if (ImGui::Selectable(name(i).c_str(), has_selection && i == selected))
+        state.selection.material = static_cast<int>(i);
       ImGui::PopID();
-      w.items.place("material.choose." + std::to_string(i));
+      state.ui.items.add("material.choose." + std::to_string(i));
     }
     ImGui::EndCombo();
   }
-  w.items.place("material.choose");
+  state.ui.items.add("material.choose");
   if (ImGui::IsItemHovered())
-    tooltip(w, "The material that is edited; a click in the picture chooses the one under the pointer");
-  if (!chosen) return;
-  if (has_textures(scene->materials[index])) note(w, "It has textures: the numbers below multiply them.");
-  const std::string section = "material." + std::to_string(index), prefix = section + ".";
-  const std::vector<std::string> inside{"attenuation-color.r", "attenuation-color.g", "attenuation-color.b",
-                                        "attenuation-distance"};
-  std::vector<std::string> glass{"transmission", "thickness"};
-  glass.insert(glass.end(), inside.begin(), inside.end());
-  const std::vector<std::string> shared{"base-color.r", "base-color.g", "base-color.b",
-                                        "emission.r",   "emission.g",   "emission.b"};
-  const std::vector<std::string> cover{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
-  const BsdfModelRef model = scene->materials[index].model;
-  if (group(w, "Model", prefix)) model_widgets(w, section, model);
-  if (model) {
-    some_widgets(w, section, shared);
-    if (model->solid() && group(w, "Inside", prefix)) some_widgets(w, section, inside);
-  } else {
-    gltf_widgets(w, section, scene->materials[index], glass, cover);
-  }
-  if (group(w, "Cover and sides", prefix)) some_widgets(w, section, cover);
+    tooltip(state.ui, "The material to edit. A click in the image selects the material under the pointer");
 }
+
+void model_widgets(AppState& state, const std::string& section, const BsdfModelRef& model) {
+  section_widgets_for(state, section, {"model"});
+  if (const auto* measurement = state.tasks.surface_analysis->result(0)) draw_surface_checks(state.ui, *measurement);
+  if (!model) return;
+  const BsdfModelDescription& description = model->info().description;
+  note(state.ui, description.doc);
+  const std::string prefix = std::string(description.name) + ".";
+  Names names{prefix + "preset"};
+  for (const auto& info : model->parameters()) names.push_back(prefix + info.name);
+  section_widgets_for(state, section, names);
+}
+
+void gltf_widgets(AppState& state, const std::string& section, const Material& material) {
+  const std::string prefix = section + ".";
+  Names in_other_groups{"model"};
+  append(in_other_groups, kTransmissionNames);
+  append(in_other_groups, kOpacityNames);
+  for (const Layer& layer : kLayers) append(in_other_groups, names_with_prefix(state, section, layer.prefix));
+  if (group(state.ui, "Base layer", prefix)) section_widgets_except(state, section, in_other_groups);
+  if (group(state.ui, "Transmission", prefix)) section_widgets_for(state, section, kTransmissionNames);
+  for (const Layer& layer : kLayers)
+    if (group(state.ui, layer.label, prefix + layer.prefix, layer.is_present(material)))
+      section_widgets_for(state, section, names_with_prefix(state, section, layer.prefix));
+}
+
+class MaterialPanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "tab.material",
+            .label = "Material",
+            .description = "Reflection model and parameters of the selected material",
+            .place = PanelPlace::right_column};
+  }
+
+  void draw(AppState& state) override {
+    const auto scene = state.document().scene;
+    const int selected = state.selection.material;
+    const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->materials.size();
+    if (!has_selection) note(state.ui, "Click a surface in the image or choose a material:");
+    material_combo(state, *scene, has_selection);
+    if (!has_selection) return;
+    const Material& material = scene->materials[static_cast<size_t>(selected)];
+    if (has_textures(material)) note(state.ui, "Textured: the values below multiply the textures.");
+    const std::string section = "material." + std::to_string(selected);
+    const std::string prefix = section + ".";
+    if (group(state.ui, "Model", prefix)) model_widgets(state, section, material.model);
+    if (material.model) {
+      section_widgets_for(state, section, kCommonNames);
+      if (material.model->solid() && group(state.ui, "Attenuation", prefix))
+        section_widgets_for(state, section, kAttenuationNames);
+    } else {
+      gltf_widgets(state, section, material);
+    }
+    if (group(state.ui, "Opacity and sidedness", prefix)) section_widgets_for(state, section, kOpacityNames);
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {{"material.choose", "Material", "Opens the list of materials"},
+            {"material.choose.N", "Material N", "Selects material N of the open list"}};
+  }
+
+  bool reveal_parameter(AppState& state, const std::string& name) override {
+    const auto index = object_index(name, "material");
+    if (index) state.selection.material = *index;
+    return index.has_value();
+  }
+
+  void update(AppState& state) override {
+    if (state.is_visible(*this)) state.tasks.surface_analysis->request_checks();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_material_panel() { return std::make_unique<MaterialPanel>(); }
 
 }  // namespace etendue::viewer

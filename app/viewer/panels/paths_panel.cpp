@@ -1,123 +1,248 @@
-// Which light paths does the energy of this view come by, and which of them does the method find?
+// The energy of each class of light paths, and which of them the integrator finds.
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "advisor/number_text.h"
-#include "viewer/layout/bottom_panel.h"
+#include "render/document.h"
+#include "viewer/actions/action.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+#include "viewer/tasks/exclusive_task.h"
+#include "viewer/tasks/path_class_task.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/format.h"
-#include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-using Finds = MethodView::Finds;
+using Found = IntegratorCoverage::Found;
+
+constexpr const char* kPathFilter = "film.paths";
 
 struct Column {
-  const char *label, *doc;
+  const char* label;
+  const char* tooltip;
 };
 constexpr Column kColumns[] = {
-    {"paths",
-     "A class of light paths, read from the eye to the light. Click one to see what it carries; click again for all"},
-    {"share", "Of the light in this view"},
-    {"energy", "Mean luminance over the picture, W/(m^2 sr), with its standard error"},
-    {"found", "Whether the method of the Render panel finds these paths"},
+    {"path class",
+     "A class of light paths as an expression from the camera to the light. Click a class to render only these paths; "
+     "click again for all paths"},
+    {"share", "Share of the light in this view"},
+    {"luminance", "Mean luminance over the image with its standard error, W/(m\u00b2 sr)"},
+    {"found", "Whether the current integrator finds these paths"},
 };
 
-constexpr const char* kLetters =
-    "E eye, D diffuse, G glossy, S mirror or glass, L light; + once or more, * any number, . any surface, | or";
+constexpr const char* kLegend =
+    "E camera, D diffuse, G glossy, S specular, L light; . any surface, + once or more, * any number of times, | or";
 
-// "EDS+L" as "eye, diffuse, mirror or glass (once or more), light".
-std::string in_words(const std::string& paths) {
-  std::string words;
-  bool joins = true;  // no comma comes before the next word
-  const auto word = [&](const char* text) { words += (joins ? "" : ", ") + std::string(text), joins = false; };
-  for (const char c : paths) {
-    if (c == 'E') word("eye");
-    if (c == 'D') word("diffuse");
-    if (c == 'G') word("glossy");
-    if (c == 'S') word("mirror or glass");
-    if (c == 'L') word("light");
-    if (c == '.') word("anything");
-    if (c == '(') word("("), joins = true;
-    if (c == ')') words += ")";
-    if (c == '|') words += " or ", joins = true;
-    if (c == '+') words += " (once or more)";
-    if (c == '*') words += " (any number of times)";
-    if (c == '?') words += " (or not)";
+// "EDS+L" as "camera, diffuse, specular (once or more), light".
+std::string describe_expression(const std::string& expression) {
+  std::string text;
+  bool needs_comma = false;
+  const auto add_word = [&](const char* word) {
+    text += (needs_comma ? ", " : "") + std::string(word);
+    needs_comma = true;
+  };
+  for (const char c : expression) {
+    switch (c) {
+      case 'E':
+        add_word("camera");
+        break;
+      case 'D':
+        add_word("diffuse");
+        break;
+      case 'G':
+        add_word("glossy");
+        break;
+      case 'S':
+        add_word("specular");
+        break;
+      case 'L':
+        add_word("light");
+        break;
+      case '.':
+        add_word("any surface");
+        break;
+      case '(':
+        add_word("(");
+        needs_comma = false;
+        break;
+      case ')':
+        text += ")";
+        break;
+      case '|':
+        text += " or ";
+        needs_comma = false;
+        break;
+      case '+':
+        text += " (once or more)";
+        break;
+      case '*':
+        text += " (any number of times)";
+        break;
+      case '?':
+        text += " (optional)";
+        break;
+      default:
+        break;
+    }
   }
-  return words;
+  return text;
 }
 
-// The share as a bar with its figure on it.
-void share_bar(const Workbench& w, double share, float width) {
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetTextLineHeight(), figure_width = ImGui::GetFontSize() * 4.8f,
-              room = width - figure_width;
+// A bar with the percentage next to it.
+void share_bar(const UiContext& ui, double share, float width) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  const float bar_width = width - ImGui::GetFontSize() * 4.8f;
+  const auto filled = static_cast<float>(std::clamp(share, 0.0, 1.0));
+  const float top = corner.y + 2;
+  const float bottom = corner.y + height - 2;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled({at.x, at.y + 2}, {at.x + room, at.y + height - 2}, ImGui::GetColorU32(ImGuiCol_FrameBg));
-  draw->AddRectFilled({at.x, at.y + 2},
-                      {at.x + room * static_cast<float>(std::clamp(share, 0.0, 1.0)), at.y + height - 2},
-                      ImGui::GetColorU32(w.theme.accent));
+  draw->AddRectFilled({corner.x, top}, {corner.x + bar_width, bottom}, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  draw->AddRectFilled({corner.x, top}, {corner.x + bar_width * filled, bottom}, ImGui::GetColorU32(ui.theme.accent));
   const std::string text = advisor::percent(share);
-  draw->AddText({at.x + width - ImGui::CalcTextSize(text.c_str()).x, at.y}, ImGui::GetColorU32(ImGuiCol_Text),
+  draw->AddText({corner.x + width - ImGui::CalcTextSize(text.c_str()).x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text),
                 text.c_str());
   ImGui::Dummy({width, height});
 }
 
-void energy_cell(const Workbench& w, const advisor::ClassEnergy& energy) {
-  ImGui::Text("%s \u00b1 %s", advisor::number(energy.mean).c_str(), text_of("%.2g", energy.standard_error).c_str());
+void luminance_cell(const UiContext& ui, const advisor::ClassEnergy& energy) {
+  ImGui::Text("%s \u00b1 %.2g", advisor::number(energy.mean).c_str(), energy.standard_error);
   if (!energy.uncertain()) return;
   ImGui::SameLine();
-  ImGui::TextColored(w.theme.warning, "uncertain");
+  ImGui::TextColored(ui.theme.warning, "uncertain");
   if (ImGui::IsItemHovered())
-    tooltip(w, "Few samples found these paths: the truth may be far from this number, most likely above it");
+    tooltip(ui, "Few samples found these paths. The true value may differ a lot; it is most likely higher");
 }
 
-void found_cell(const Workbench& w, Finds finds) {
-  if (finds == Finds::all) return ImGui::TextUnformatted("yes");
-  ImGui::TextColored(w.theme.warning, finds == Finds::part ? "in part" : "no");
+void found_cell(const UiContext& ui, Found found) {
+  if (found == Found::all) return ImGui::TextUnformatted("yes");
+  ImGui::TextColored(ui.theme.warning, found == Found::part ? "in part" : "no");
 }
 
-void share_and_energy(const Workbench& w, const advisor::ClassRow& row, float bar) {
+void share_and_luminance_cells(const UiContext& ui, const advisor::ClassRow& row, float bar_width) {
   ImGui::TableNextColumn();
-  share_bar(w, row.share, bar);
+  share_bar(ui, row.share, bar_width);
   ImGui::TableNextColumn();
-  energy_cell(w, row.energy);
+  luminance_cell(ui, row.energy);
   ImGui::TableNextColumn();
 }
 
-// One class. A click has it alone count.
-void class_row(Workbench& w, const advisor::ClassRow& row, size_t index, float bar) {
-  const bool chosen = w.editor.document().method.paths == row.paths;
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  if (ImGui::Selectable(row.paths.c_str(), chosen,
-                        ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap))
-    w.choose_paths(chosen ? "" : row.paths);
-  w.items.place("paths.row." + std::to_string(index));
-  if (ImGui::IsItemHovered()) tooltip(w, row.paths + ": " + in_words(row.paths));
-  share_and_energy(w, row, bar);
-  found_cell(w, w.paths.seen().rows[index]);
-}
+class PathsPanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "panel.paths",
+            .label = "Paths",
+            .description = "Energy of each class of light paths in this view, and which of them the integrator finds",
+            .place = PanelPlace::bottom};
+  }
 
-void total_row(Workbench& w, const advisor::ClassTable& table, float bar) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::TextUnformatted("all paths");
-  share_and_energy(w, table.total, bar);
-  const double missed = w.paths.seen().misses.share;
-  if (missed > 0)
-    ImGui::TextColored(w.theme.warning, "%s", advisor::percent(1 - missed).c_str());
-  else
-    ImGui::TextUnformatted("all");
-}
+  void draw(AppState& state) override {
+    const float em = ImGui::GetFontSize();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.4f, em * 0.25f});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em * 0.4f, em * 0.1f});
+    ImGui::BeginChild("##table", {std::floor(width * 0.66f), 0});
+    ImGui::PushFont(state.ui.fonts.small);
+    const PathClassTask& task = *state.tasks.path_classes;
+    if (const PathClasses* classes = task.result())
+      draw_table(state, *classes);
+    else
+      note(state.ui, task.running() ? "Measuring path classes." : "This view was not measured yet.");
+    ImGui::PopFont();
+    ImGui::EndChild();
+    ImGui::SameLine(0, em);
+    ImGui::BeginChild("##remarks");
+    draw_remarks(state);
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+  }
 
-void class_table(Workbench& w, const PathsTable& shown) {
-  const float em = ImGui::GetFontSize(), bar = em * 13;
-  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {em * 0.5f, std::floor(em * 0.12f)});
-  if (ImGui::BeginTable("##classes", static_cast<int>(std::size(kColumns)),
-                        ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
+  std::vector<ItemInfo> items() const override {
+    return {
+        {"paths.row.N", "Path class N", "Renders only the paths of row N; all paths if these are rendered already"}};
+  }
+
+  void add_actions(ActionList& actions) override {
+    actions.add({.name = "paths.measure",
+                 .menu = "Render",
+                 .label = "Measure path classes",
+                 .tooltip = "Measures the energy of each class of light paths in this view",
+                 .run =
+                     [this](AppState& state) {
+                       state.panels.open(*this);
+                       state.tasks.path_classes->start(state.task_context);
+                     },
+                 .enabled =
+                     [](const AppState& state) {
+                       return state.has_document() && !state.tasks.exclusive->measures_path_classes();
+                     }});
+    actions.add(
+        {.name = "paths.all",
+         .menu = "Render",
+         .label = "All paths",
+         .tooltip = "Removes the path filter: all light paths are rendered",
+         .run = [](AppState& state) { state.set_parameter(kPathFilter, std::string()); },
+         .enabled =
+             [](const AppState& state) { return state.has_document() && !state.document().method.paths.empty(); }});
+  }
+
+  std::vector<WaitCondition> wait_conditions() override {
+    const auto check = [](AppState& state, std::optional<uint32_t>) -> StepStatus {
+      const PathClassTask& task = *state.tasks.path_classes;
+      if (task.running()) return {};
+      if (task.is_current(state.document())) return {.done = true};
+      return {.error = "the path classes of this view were not measured; click paths.measure first"};
+    };
+    return {{"paths", check}};
+  }
+
+  void report(AppState& state, nlohmann::json& json) override {
+    PathClassTask& task = *state.tasks.path_classes;
+    auto& paths = json["paths"];
+    paths = {{"fresh", state.has_document() && task.is_current(state.document())},
+             {"running", task.running()},
+             {"rows", nlohmann::json::array()}};
+    if (!task.result()) return;
+    constexpr const char* kFoundNames[] = {"yes", "in part", "no"};
+    const auto& rows = task.result()->table.rows;
+    const IntegratorCoverage& coverage = task.coverage(state.task_context);
+    for (size_t i = 0; i < rows.size(); ++i)
+      paths["rows"].push_back({{"paths", rows[i].paths},
+                               {"share", rows[i].share},
+                               {"found", kFoundNames[static_cast<size_t>(coverage.rows[i])]}});
+    paths["missing_share"] = coverage.missing_paths.share;
+  }
+
+  void update(AppState& state) override {
+    const bool allowed = state.panels.is_open(*this) && !state.tasks.exclusive->measures_path_classes();
+    state.tasks.path_classes->update(state.task_context, allowed);
+  }
+
+ private:
+  static void draw_table(AppState& state, const PathClasses& classes) {
+    const float em = ImGui::GetFontSize();
+    const float bar_width = em * 13;
+    const advisor::ClassTable& table = classes.table;
+    const IntegratorCoverage& coverage = state.tasks.path_classes->coverage(state.task_context);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {em * 0.5f, std::floor(em * 0.12f)});
+    if (ImGui::BeginTable("##classes", static_cast<int>(std::size(kColumns)),
+                          ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY)) {
+      draw_header(state.ui);
+      for (size_t i = 0; i < table.rows.size(); ++i) draw_row(state, table.rows[i], i, coverage.rows[i], bar_width);
+      draw_total(state.ui, table, coverage.missing_paths.share, bar_width);
+      ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+  }
+
+  static void draw_header(const UiContext& ui) {
     for (const Column& column : kColumns)
       ImGui::TableSetupColumn(
           column.label, &column == kColumns ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
@@ -126,67 +251,79 @@ void class_table(Workbench& w, const PathsTable& shown) {
     for (const Column& column : kColumns) {
       ImGui::TableNextColumn();
       ImGui::TextDisabled("%s", column.label);
-      if (ImGui::IsItemHovered()) tooltip(w, column.doc);
+      if (ImGui::IsItemHovered()) tooltip(ui, column.tooltip);
     }
-    for (size_t i = 0; i < shown.table.rows.size(); ++i) class_row(w, shown.table.rows[i], i, bar);
-    total_row(w, shown.table, bar);
-    ImGui::EndTable();
   }
-  ImGui::PopStyleVar();
-}
 
-// What the table says of the method, and what it cannot say.
-void remarks(Workbench& w) {
-  action_button(w, "paths.measure");
-  ImGui::SameLine();
-  action_button(w, "paths.all");
-  ImGui::PushFont(w.faces.small);
-  const auto* shown = w.paths.shown();
-  if (const auto& chosen = w.editor.document().method.paths; !chosen.empty()) {
-    ImGui::PushStyleColor(ImGuiCol_Text, w.theme.accent);
-    ImGui::TextWrapped("The picture is of %s alone.", chosen.c_str());
-    ImGui::PopStyleColor();
+  static void draw_row(AppState& state, const advisor::ClassRow& row, size_t index, Found found, float bar_width) {
+    const bool selected = state.document().method.paths == row.paths;
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const bool clicked = ImGui::Selectable(row.paths.c_str(), selected,
+                                           ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+    state.ui.items.add("paths.row." + std::to_string(index));
+    if (ImGui::IsItemHovered()) tooltip(state.ui, row.paths + ": " + describe_expression(row.paths));
+    share_and_luminance_cells(state.ui, row, bar_width);
+    found_cell(state.ui, found);
+    if (clicked) state.set_parameter(kPathFilter, selected ? std::string() : row.paths);
   }
-  if (w.paths.running()) note(w, "Measuring.");
-  if (shown && !w.paths.fresh()) warning(w, "Of the view before the last edit.");
-  if (shown) {
-    const auto& misses = w.paths.seen().misses;
-    const std::string sentence = w.editor.document().method.integrator + " " + advisor::sentence_of(misses) + ".";
-    misses.none() ? ImGui::TextWrapped("%s", sentence.c_str()) : warning(w, sentence);
-    for (const auto& beyond : shown->beyond_methods) warning(w, "Beyond all methods: " + beyond + ".");
-    if (!shown->table.unseen.empty()) {
-      std::string unseen = "No sample found light by";
-      for (const auto& paths : shown->table.unseen) unseen += "  " + paths;
-      note(w, unseen + ".");
+
+  static void draw_total(const UiContext& ui, const advisor::ClassTable& table, double missing_share, float bar_width) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted("all paths");
+    share_and_luminance_cells(ui, table.total, bar_width);
+    if (missing_share > 0)
+      ImGui::TextColored(ui.theme.warning, "%s", advisor::percent(1 - missing_share).c_str());
+    else
+      ImGui::TextUnformatted("all");
+  }
+
+  // Actions, and what the table does not show.
+  static void draw_remarks(AppState& state) {
+    const UiContext& ui = state.ui;
+    action_button(state, "paths.measure");
+    ImGui::SameLine();
+    action_button(state, "paths.all");
+    ImGui::PushFont(ui.fonts.small);
+    if (const auto& filter = state.document().method.paths; !filter.empty()) {
+      ImGui::PushStyleColor(ImGuiCol_Text, ui.theme.accent);
+      ImGui::TextWrapped("Path filter: only %s is rendered.", filter.c_str());
+      ImGui::PopStyleColor();
     }
-    note(w, text_of("%d x %d pixels, %u spp, %.1f s.", shown->table.width, shown->table.height, shown->table.samples,
-                    shown->table.seconds));
+    PathClassTask& task = *state.tasks.path_classes;
+    if (task.running()) note(ui, "Measuring.");
+    if (const PathClasses* classes = task.result()) {
+      if (!task.is_current(state.document())) warning(ui, "Outdated: measured before the last edit.");
+      draw_coverage(state, *classes, task.coverage(state.task_context));
+    }
+    ImGui::Spacing();
+    note(ui, kLegend);
+    ImGui::PopFont();
   }
-  ImGui::Spacing();
-  note(w, kLetters);
-  ImGui::PopFont();
-}
+
+  static void draw_coverage(const AppState& state, const PathClasses& classes, const IntegratorCoverage& coverage) {
+    const UiContext& ui = state.ui;
+    const std::string sentence =
+        integrator_label(state.document().method.integrator) + " " + advisor::sentence_of(coverage.missing_paths) + ".";
+    if (coverage.missing_paths.none())
+      ImGui::TextWrapped("%s", sentence.c_str());
+    else
+      warning(ui, sentence);
+    for (const auto& light : classes.beyond_methods) warning(ui, "Not found by any integrator: " + light + ".");
+    const advisor::ClassTable& table = classes.table;
+    if (!table.unseen.empty()) {
+      std::string text = "Classes without any sample:";
+      for (const auto& paths : table.unseen) text += "  " + paths;
+      note(ui, text + ".");
+    }
+    note(ui, formatted("Measured at %d x %d pixels, %u spp, %.1f s.", table.width, table.height, table.samples,
+                       table.seconds));
+  }
+};
 
 }  // namespace
 
-void draw_paths_sheet(Workbench& w) {
-  const float em = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x;
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.4f, em * 0.25f});
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em * 0.4f, em * 0.1f});
-  ImGui::BeginChild("##table", {std::floor(width * 0.66f), 0});
-  ImGui::PushFont(w.faces.small);
-  if (const auto* shown = w.paths.shown())
-    class_table(w, *shown);
-  else
-    note(w, w.paths.running() ? "Small pictures of path classes are being made."
-                              : "Nothing was measured of this view yet.");
-  ImGui::PopFont();
-  ImGui::EndChild();
-  ImGui::SameLine(0, em);
-  ImGui::BeginChild("##remarks");
-  remarks(w);
-  ImGui::EndChild();
-  ImGui::PopStyleVar(2);
-}
+std::unique_ptr<Panel> make_paths_panel() { return std::make_unique<PathsPanel>(); }
 
 }  // namespace etendue::viewer

@@ -1,9 +1,14 @@
-// How far can the picture be trusted?
+// How reliable the error estimate of the image is: tail statistics and invalid samples.
 #include <imgui.h>
 
-#include "viewer/layout/bottom_panel.h"
+#include <nlohmann/json.hpp>
+
+#include "render/session.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/format.h"
-#include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/status_icon.h"
 
 namespace etendue::viewer {
@@ -11,68 +16,91 @@ namespace {
 
 using Count = unsigned long long;
 
-void verdict_line(Workbench& w, const render::Reliability* health) {
-  if (!health) return note(w, "The samples are watched; the first verdict comes after ten of them.");
-  traffic_light(w, health->verdict);
+void verdict_line(const UiContext& ui, const render::Reliability* reliability) {
+  if (!reliability) return note(ui, "Not known yet: the first assessment needs about ten samples per pixel.");
+  status_icon(ui, status_of(reliability->verdict));
   ImGui::SameLine();
-  const std::string verdict(render::verdict_name(health->verdict));
-  ImGui::Text("%s: %s", verdict.c_str(), health->reason.c_str());
+  const std::string text =
+      std::string("Error estimate ") + reliability_label(reliability->verdict) + ": " + reliability->reason;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
 }
 
-void error_figures(Workbench& w, const film::ErrorEstimate& error) {
-  figure(w, "RMSE",
-         error.known ? text_of("%.3g  (%.3g to %.3g)", error.rmse, error.rmse_interval.low, error.rmse_interval.high)
-                     : "not yet known");
-  if (ImGui::IsItemHovered())
-    tooltip(w, "From the picture's two independent halves; in 95 of 100 cases the true error lies within the brackets");
-  figure(w, "relMSE", error.known ? text_of("about %.1g", error.rough_relmse) : "not yet known");
-  if (ImGui::IsItemHovered())
-    tooltip(w,
-            "Rough, and up to a third too low: divided by the picture instead of the truth. The certificate of etendue "
-            "render states it with an interval");
+void error_values(const UiContext& ui, const film::ErrorEstimate& error) {
+  const char* unknown = "not known yet";
+  labelled_value(
+      ui, "RMSE",
+      error.known ? formatted("%.3g (%.3g to %.3g)", error.rmse, error.rmse_interval.low, error.rmse_interval.high)
+                  : unknown,
+      "Root mean square error, estimated from the two half-buffers of the film, with its 95 % confidence interval");
+  labelled_value(ui, "relMSE", error.known ? formatted("about %.1g", error.rough_relmse) : unknown,
+                 "Relative mean square error. A rough estimate, up to a third too low, because it is relative to the "
+                 "noisy image. The certificate of `etendue render` states it with a confidence interval");
 }
 
-void tail_figures(Workbench& w, const render::Reliability& health) {
-  const film::Tail& t = health.tail;
-  const auto line = [&](const char* name, const std::string& value, const char* doc) {
-    figure(w, name, value);
-    if (ImGui::IsItemHovered()) tooltip(w, doc);
-  };
-  line("Tail index", t.khat ? text_of("%.2f \u00b1 %.2f", *t.khat, t.khat_error) : "no tail",
-       "Pareto k of the rarest samples: from 0.5 on their variance is infinite, above 0.7 an error that is told from "
-       "them means nothing");
-  line("Heavy tiles", text_of("%.2g %% of the picture", 100 * health.heavy_share),
-       "Where the tail index is too high and a few samples carry the noise; the map shows them");
-  line("Variance of variance", text_of("%.2g", t.vov),
-       "Relative variance of the variance: above 0.1 the error is not yet known");
-  line("Brightest", text_of("%s%.2g %% of the light", t.brightest_is_bound ? "more than " : "", 100 * t.brightest),
-       "What the brightest 0.01 % of the samples carry");
+void tail_values(const UiContext& ui, const render::Reliability& reliability) {
+  const film::Tail& tail = reliability.tail;
+  labelled_value(ui, "Tail index", tail.khat ? formatted("%.2f \u00b1 %.2f", *tail.khat, tail.khat_error) : "no tail",
+                 "Pareto shape k of the largest samples. From 0.5 on the variance is infinite; above 0.7 error "
+                 "estimates are meaningless");
+  labelled_value(ui, "Heavy-tailed", formatted("%.2g %% of the image", 100 * reliability.heavy_share),
+                 "Share of the image where the tail index is too high and few samples dominate the noise. View > Show "
+                 "unreliable regions marks these tiles");
+  labelled_value(ui, "Variance of variance", formatted("%.2g", tail.vov),
+                 "Relative variance of the variance estimate. Above 0.1 the error is not known yet");
+  const char* bound = tail.brightest_is_bound ? "more than " : "";
+  labelled_value(ui, "Brightest 0.01 %", formatted("%s%.2g %% of the light", bound, 100 * tail.brightest),
+                 "Share of the total radiance in the brightest 0.01 % of the samples");
 }
 
-void rejected_figures(Workbench& w, const film::InvalidSamples& r) {
-  if (r.total() == 0) return figure(w, "Rejected", "none");
-  figure(w, "Rejected",
-         text_of("%llu not a number, %llu infinite, %llu negative", static_cast<Count>(r.nan),
-                 static_cast<Count>(r.infinite), static_cast<Count>(r.negative)));
-  for (const film::Rejection& first : r.first)
-    note(w, text_of("pixel %d, %d, sample %u: %s", first.x, first.y, first.sample,
-                    std::string(film::flaw_name(first.flaw)).c_str()));
+void invalid_sample_values(const UiContext& ui, const film::InvalidSamples& invalid) {
+  const char* description = "Samples that are not finite or negative. They are counted and left out";
+  if (invalid.total() == 0) return labelled_value(ui, "Invalid samples", "none", description);
+  labelled_value(ui, "Invalid samples",
+                 formatted("%llu NaN, %llu infinite, %llu negative", static_cast<Count>(invalid.nan),
+                           static_cast<Count>(invalid.infinite), static_cast<Count>(invalid.negative)),
+                 description);
+  for (const film::Rejection& sample : invalid.first)
+    note(ui, formatted("pixel %d, %d, sample %u: %s", sample.x, sample.y, sample.sample,
+                       std::string(film::flaw_name(sample.flaw)).c_str()));
 }
+
+class ReliabilityPanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "panel.reliability",
+            .label = "Reliability",
+            .description = "Whether the error estimate can be trusted: outliers, tail statistics and invalid samples",
+            .place = PanelPlace::bottom};
+  }
+
+  void draw(AppState& state) override {
+    const UiContext& ui = state.ui;
+    const render::Status status = state.session->status();
+    verdict_line(ui, status.health.get());
+    ImGui::Spacing();
+    if (!ImGui::BeginTable("##reliability", 2, ImGuiTableFlags_SizingStretchSame)) return;
+    ImGui::TableNextColumn();
+    error_values(ui, status.error);
+    invalid_sample_values(ui, status.rejected);
+    ImGui::TableNextColumn();
+    if (status.health) tail_values(ui, *status.health);
+    action_button(state, "view.reliability-map");
+    ImGui::EndTable();
+  }
+
+  void report(AppState& state, nlohmann::json& json) override {
+    const render::Status status = state.session->status();
+    if (status.error.known) json["rmse"] = status.error.rmse;
+    if (!status.health) return;
+    const auto& reliability = *status.health;
+    json["health"] = {{"verdict", render::verdict_name(reliability.verdict)}, {"reason", reliability.reason}};
+  }
+};
 
 }  // namespace
 
-void draw_health_sheet(Workbench& w) {
-  const render::Status status = w.session.status();
-  verdict_line(w, status.health.get());
-  ImGui::Spacing();
-  if (!ImGui::BeginTable("##health", 2, ImGuiTableFlags_SizingStretchSame)) return;
-  ImGui::TableNextColumn();
-  error_figures(w, status.error);
-  rejected_figures(w, status.rejected);
-  ImGui::TableNextColumn();
-  if (status.health) tail_figures(w, *status.health);
-  action_button(w, "view.health-map");
-  ImGui::EndTable();
-}
+std::unique_ptr<Panel> make_reliability_panel() { return std::make_unique<ReliabilityPanel>(); }
 
 }  // namespace etendue::viewer

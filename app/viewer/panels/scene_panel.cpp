@@ -1,22 +1,22 @@
-// What is in the scene, and where is the thing that I see?
+// The objects of the scene: selection, visibility and transforms.
 #include <imgui.h>
 
 #include <algorithm>
 
+#include "render/document.h"
 #include "scene/rotation.h"
-#include "viewer/layout/interface.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/vector_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
-std::string name_of(const scene::Scene& scene, int index) {
-  const auto& node = scene.nodes[static_cast<size_t>(index)];
-  if (!node.name.empty()) return node.name;
-  const char* kind = node.mesh >= 0 ? "mesh " : node.light >= 0 ? "light " : node.camera >= 0 ? "camera " : "node ";
-  return kind + std::to_string(index);
-}
-
+// "mesh", "light", "camera", or empty for a node that only groups others.
 const char* kind_of(const scene::Node& node) {
   if (node.mesh >= 0) return "mesh";
   if (node.light >= 0) return "light";
@@ -24,81 +24,113 @@ const char* kind_of(const scene::Node& node) {
   return "";
 }
 
-bool hides(const scene::Scene& scene, int index, int wanted) {
-  for (int at = wanted; at >= 0; at = scene.nodes[static_cast<size_t>(at)].parent)
-    if (at == index) return at != wanted;
+std::string node_name(const scene::Scene& scene, int index) {
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  const char* kind = *kind_of(node) ? kind_of(node) : "node";
+  return object_name(node.name, kind, static_cast<size_t>(index));
+}
+
+bool is_ancestor(const scene::Scene& scene, int ancestor, int node) {
+  for (int i = scene.nodes[static_cast<size_t>(node)].parent; i >= 0; i = scene.nodes[static_cast<size_t>(i)].parent)
+    if (i == ancestor) return true;
   return false;
 }
 
 bool is_animated(const scene::Scene& scene, int index) {
-  const auto moves = [&](const scene::AnimationChannel& c) {
-    return c.node == index && c.path != scene::AnimatedPath::weights;
+  const auto moves_node = [&](const scene::AnimationChannel& channel) {
+    return channel.node == index && channel.path != scene::AnimatedPath::weights;
   };
-  return std::any_of(scene.animations.begin(), scene.animations.end(), [&](const auto& animation) {
-    return std::any_of(animation->channels.begin(), animation->channels.end(), moves);
-  });
+  return std::ranges::any_of(
+      scene.animations, [&](const auto& animation) { return std::ranges::any_of(animation->channels, moves_node); });
 }
 
-void draw_selected(Workbench& w, const scene::Scene& scene, int index) {
-  const std::string section = "node." + std::to_string(index);
-  section_widgets(w, section);
+void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
+  section_widgets(state, "node." + std::to_string(index));
   if (!scene::in_parts(node.transform))
-    note(w, "Its matrix shears or flattens: there is no rotation and scale to edit.");
-  if (is_animated(scene, index)) note(w, "An animation moves it: what the animation sets does not listen to these.");
-  if (node.camera >= 0) note(w, "The picture's own camera is in the Camera tab.");
-  action_button(w, "view.frame-selection");
+    note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
+  if (is_animated(scene, index))
+    note(state.ui, "This transform is animated. Edits to animated channels have no effect.");
+  if (node.camera >= 0) note(state.ui, "The parameters of the current view are in the Camera panel.");
+  action_button(state, "view.frame-selection");
 }
 
-void draw_node(Workbench& w, const scene::Scene& scene, int index) {
-  const auto& node = scene.nodes[static_cast<size_t>(index)];
-  const std::string section = "node." + std::to_string(index);
-  ImGui::PushID(index);
+void visibility_checkbox(AppState& state, const scene::Node& node, const std::string& section) {
   bool visible = node.visible;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 2});
-  if (ImGui::Checkbox("##visible", &visible))
-    for (const auto& binding : render::bindings(w.editor.document(), section))
-      if (binding.info.name == section + ".visible") w.edit(binding, visible);
+  const bool toggled = ImGui::Checkbox("##visible", &visible);
   ImGui::PopStyleVar();
-  w.items.place("scene." + section + ".visible");
-  if (ImGui::IsItemHovered()) tooltip(w, "Visible: hidden objects are not in the scene at all");
+  state.ui.items.add("scene." + section + ".visible");
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Visible. Hidden objects are not rendered and cast no shadows");
+  if (toggled) state.set_parameter(section + ".visible", visible);
+}
+
+// A node and its children.
+void draw_node(AppState& state, const scene::Scene& scene, int index) {
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  const std::string section = "node." + std::to_string(index);
+  const int selected = state.selection.node;
+  ImGui::PushID(index);
+  visibility_checkbox(state, node, section);
   ImGui::SameLine();
   ImGuiTreeNodeFlags flags =
       ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen;
   if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
-  if (w.selection.node == index) flags |= ImGuiTreeNodeFlags_Selected;
-  if (w.selection.node >= 0 && hides(scene, index, w.selection.node)) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
-  if (!visible) ImGui::PushStyleColor(ImGuiCol_Text, w.theme.quiet);
-  const bool open = ImGui::TreeNodeEx("##node", flags, "%s", name_of(scene, index).c_str());
-  if (!visible) ImGui::PopStyleColor();
-  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) w.select(index, -1);
-  w.items.place("scene." + section);
-  if (ImGui::IsItemHovered() && *kind_of(node)) tooltip(w, std::string(kind_of(node)) + ", " + section);
+  if (selected == index) flags |= ImGuiTreeNodeFlags_Selected;
+  if (selected >= 0 && is_ancestor(scene, index, selected)) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+  if (!node.visible) ImGui::PushStyleColor(ImGuiCol_Text, state.ui.theme.secondary_text);
+  const bool open = ImGui::TreeNodeEx("##node", flags, "%s", node_name(scene, index).c_str());
+  if (!node.visible) ImGui::PopStyleColor();
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) state.select(index, -1);
+  state.ui.items.add("scene." + section);
+  if (ImGui::IsItemHovered() && *kind_of(node)) tooltip(state.ui, std::string(kind_of(node)) + ", " + section);
   if (open && !node.children.empty()) {
-    for (const int child : node.children) draw_node(w, scene, child);
+    for (const int child : node.children) draw_node(state, scene, child);
     ImGui::TreePop();
   }
   ImGui::PopID();
 }
 
+class ScenePanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "tab.scene",
+            .label = "Scene",
+            .description = "Objects of the scene: selection, visibility and transforms",
+            .place = PanelPlace::right_column};
+  }
+
+  void draw(AppState& state) override {
+    // The widgets may replace the scene of the document while the tree is drawn.
+    const auto scene = state.document().scene;
+    section_widgets(state, "scene");
+    const int selected = state.selection.node;
+    const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->nodes.size();
+    const float space_below = has_selection ? ImGui::GetFrameHeightWithSpacing() * 6.5f : 0;
+    if (group(state.ui, "Objects", "")) {
+      const float available = ImGui::GetContentRegionAvail().y - space_below;
+      ImGui::BeginChild("##tree", {0, std::max(available, ImGui::GetFrameHeight() * 6)});
+      for (const int root : scene->roots) draw_node(state, *scene, root);
+      ImGui::EndChild();
+    }
+    if (!has_selection) return;
+    if (group(state.ui, node_name(*scene, selected).c_str(), "node.")) draw_selected_node(state, *scene, selected);
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {{"scene.node.N", "Object", "Selects node N"}, {"scene.node.N.visible", "Visible", "Shows or hides node N"}};
+  }
+
+  bool reveal_parameter(AppState& state, const std::string& name) override {
+    if (name.starts_with("scene.")) return true;
+    const auto index = object_index(name, "node");
+    if (index) state.selection.node = *index;
+    return index.has_value();
+  }
+};
+
 }  // namespace
 
-void draw_scene_panel(Workbench& w) {
-  // The tree edits the document while it is walked: it walks the one from before.
-  const auto scene = w.editor.document().scene;
-  section_widgets(w, "scene");
-  const bool chosen = w.selection.node >= 0 && static_cast<size_t>(w.selection.node) < scene->nodes.size();
-  const float below = chosen ? ImGui::GetFrameHeightWithSpacing() * 6.5f : 0;
-  if (group(w, "Objects", "")) {
-    const float height = std::max(ImGui::GetContentRegionAvail().y - below, ImGui::GetFrameHeight() * 6);
-    ImGui::BeginChild("##tree", {0, height});
-    for (const int root : scene->roots) draw_node(w, *scene, root);
-    ImGui::EndChild();
-  }
-  if (!chosen) return;
-  if (group(w, name_of(*scene, w.selection.node).c_str(), "node.")) {
-    draw_selected(w, *scene, w.selection.node);
-  }
-}
+std::unique_ptr<Panel> make_scene_panel() { return std::make_unique<ScenePanel>(); }
 
 }  // namespace etendue::viewer

@@ -1,163 +1,260 @@
-// What does this surface do with light? Its lobe, its energy, its samples, and a ball of it; another one beside it.
+// The BSDF of the selected material: preview, lobe, slice and albedo, next to those of a pinned material.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
-#include "viewer/layout/bottom_panel.h"
-#include "viewer/layout/interface.h"
+#include "viewer/actions/action.h"
+#include "viewer/panels/panel.h"
+#include "viewer/platform/platform.h"
+#include "viewer/state/app_state.h"
+#include "viewer/tasks/surface_analysis.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
 #include "viewer/widgets/format.h"
 #include "viewer/widgets/parameter_widgets.h"
-#include "viewer/widgets/status_icon.h"
+#include "viewer/widgets/surface_checks.h"
+#include "viewer/widgets/thumbnails.h"
 
 namespace etendue::viewer {
 namespace {
 
-metrics::ChartPalette palette_of(const Workbench& w) {
+using Measurements = std::vector<const SurfaceMeasurement*>;
+
+constexpr float kControlWidth = 20;  // times the font size
+
+metrics::ChartPalette chart_palette(const Theme& theme) {
   metrics::ChartPalette palette;
-  palette.text = ink_of(w.theme.text), palette.quiet = ink_of(w.theme.quiet);
-  palette.line = palette.quiet, palette.line.opacity = 0.7;
-  palette.thin_line = palette.quiet, palette.thin_line.opacity = 0.25;
+  palette.text = ink_of(theme.text);
+  palette.quiet = ink_of(theme.secondary_text);
+  palette.line = palette.quiet;
+  palette.line.opacity = 0.7;
+  palette.thin_line = palette.quiet;
+  palette.thin_line.opacity = 0.25;
   return palette;
 }
 
-bsdf_analysis::Look look_of(const Workbench& w, const Vec2& size) {
-  bsdf_analysis::Look look;
-  // Drawn in the units of the small face, so that strokes are as wide on every display.
-  look.width = static_cast<int>(size.x / w.platform.scale()),
-  look.height = static_cast<int>(size.y / w.platform.scale());
-  look.palette = palette_of(w), look.length = w.surface.setup.length;
-  look.turn = w.surface.turn, look.tilt = w.surface.tilt;
-  return look;
+std::vector<std::string> model_names(const Measurements& measurements) {
+  std::vector<std::string> names;
+  for (const auto* measurement : measurements) names.push_back(measurement->model);
+  return names;
 }
 
-// A pane of this size; true while the hand drags in it.
-bool pane(Workbench& w, const char* name, const Vec2& size, const metrics::Drawing& drawing) {
+// Draws a chart as an item of this size. Returns true while it is dragged.
+bool draw_chart(UiContext& ui, const char* name, const Vec2& size, const metrics::Drawing& drawing) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::InvisibleButton(name, {size.x, size.y});
-  w.items.place(name);
+  ui.items.add(name);
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-  draw(*list, drawing, corner, w.platform.scale(), w.faces.small);
+  paint(*list, drawing, corner, ui.scale, ui.fonts.small);
   list->PopClipRect();
   return ImGui::IsItemActive();
 }
 
-std::vector<const SurfaceReading*> readings(const Workbench& w) {
-  std::vector<const SurfaceReading*> list;
-  for (size_t side = 0; side < 2; ++side)
-    if (const auto* reading = w.surface.shown(side)) list.push_back(reading);
-  return list;
-}
+class SurfacePanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "panel.surface",
+            .label = "Surface",
+            .description = "BSDF of the selected material: preview, lobe, slice, albedo and checks",
+            .place = PanelPlace::bottom};
+  }
 
-std::vector<std::string> names_of(const std::vector<const SurfaceReading*>& list) {
-  std::vector<std::string> names;
-  for (const auto* reading : list) names.push_back(reading->name);
-  return names;
-}
+  void draw(AppState& state) override {
+    if (state.selection.material < 0) return note(state.ui, "Click a surface in the image to analyse its material.");
+    Measurements measurements;
+    for (size_t side = 0; side < SurfaceAnalysis::kSides; ++side)
+      if (const auto* measurement = state.tasks.surface_analysis->result(side)) measurements.push_back(measurement);
+    if (measurements.empty()) return note(state.ui, "Measuring the material.");
+    with_controls(
+        state.ui, kControlWidth * ImGui::GetFontSize(), [&] { draw_charts(state, measurements); },
+        [&] { draw_controls(state); });
+  }
 
-void ball_pane(Workbench& w, size_t side, float edge) {
-  const auto picture = w.surface.ball(side);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton(side == 0 ? "surface.ball" : "surface.ball-kept", {edge, edge});
-  w.items.place(side == 0 ? "surface.ball" : "surface.ball-kept");
-  if (ImGui::IsItemHovered())
-    tooltip(w, "A ball of this material, sample by sample, in the light that is chosen below");
-  if (!picture.pixels) return;
-  const GLuint texture =
-      w.balls.texture(side, {picture.width, picture.height, picture.pixels, 0, image::ToneCurve::none});
-  ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(texture)), at,
-                                       {at.x + edge, at.y + edge});
-}
+  std::vector<ParameterInfo> parameters() const override { return describe_all(SurfaceAnalysis::Parameters{}.all()); }
 
-void lobe_pane(Workbench& w, size_t side, const Vec2& size) {
-  const auto* reading = w.surface.shown(side);
-  if (!reading) return;
-  const auto drawing = bsdf_analysis::lobe_drawing(reading->lobe, reading->slice.degrees, look_of(w, size));
-  const bool dragged = pane(w, side == 0 ? "surface.lobe" : "surface.lobe-kept", size, drawing);
-  if (ImGui::IsItemHovered() && !dragged) tooltip(w, "f in space, for light to wo; drag to look from elsewhere");
-  if (!dragged) return;
-  const ImVec2 by = ImGui::GetIO().MouseDelta;
-  w.surface.turn += 0.5 * static_cast<double>(by.x);
-  w.surface.tilt = std::clamp(w.surface.tilt + 0.5 * static_cast<double>(by.y), -10.0, 90.0);
-}
+  std::vector<ItemInfo> items() const override {
+    return {{"surface.check.NAME", "Check", "The result of a check. The tooltip has the measured values"},
+            {"surface.preview", "Preview", "The selected material on a sphere"},
+            {"surface.preview-pinned", "Preview of the pinned material", "The pinned material on a sphere"},
+            {"surface.lobe", "Lobe", "The BSDF lobe of the selected material. Drag to rotate the view"},
+            {"surface.lobe-pinned", "Lobe of the pinned material", "Drag to rotate the view"},
+            {"surface.polar", "Slice", "The BSDF in the plane of incidence"},
+            {"surface.albedo", "Albedo", "Albedo as a function of the angle of incidence"}};
+  }
 
-void figures(Workbench& w, const SurfaceReading& reading) {
-  draw_badges(w, reading);
-  figure(w, "Albedo, from everywhere", text_of("%.4f", bsdf_analysis::hemispherical_albedo(reading.audit.albedo)));
-  const auto& sampling = reading.audit.sampling;
-  for (const auto& q : sampling)
-    if (q.degrees == 45)
-      figure(w, "Noise of a sample at 45\u00b0", text_of("%.2f (cosine %.2f)", q.deviation, q.by_cosine));
-}
+  void add_actions(ActionList& actions) override {
+    actions.add({.name = "surface.pin",
+                 .menu = "Compare",
+                 .label = "Pin material for comparison",
+                 .tooltip = "Keeps the selected material as it is now and shows other materials next to it",
+                 .run =
+                     [this](AppState& state) {
+                       state.tasks.surface_analysis->pin();
+                       state.panels.open(*this);
+                     },
+                 .enabled = [](const AppState& state) { return state.tasks.surface_analysis->can_pin(); },
+                 .group = "Materials"});
+    actions.add({.name = "surface.unpin",
+                 .menu = "Compare",
+                 .label = "Unpin material",
+                 .tooltip = "Shows only the selected material",
+                 .run = [](AppState& state) { state.tasks.surface_analysis->unpin(); },
+                 .enabled = [](const AppState& state) { return state.tasks.surface_analysis->has_pinned(); },
+                 .group = "Materials"});
+  }
 
-void controls(Workbench& w) {
-  auto& setup = w.surface.setup;
-  for (size_t side = 0; side < 2; ++side)
-    if (const auto* reading = w.surface.shown(side)) {
+  std::vector<WaitCondition> wait_conditions() override {
+    const auto check = [this](AppState& state, std::optional<uint32_t>) -> StepStatus {
+      const SurfaceAnalysis& analysis = *state.tasks.surface_analysis;
+      const bool open = state.panels.is_open(*this);
+      if (state.selection.material < 0) return {.error = "no material is selected"};
+      if (!open && !analysis.checks_are_shown())
+        return {.error = "the material is analysed while a panel shows it; click panel.surface or tab.material first"};
+      return {.done = analysis.is_current() && (!open || analysis.preview(0).pixels)};
+    };
+    return {{.name = "surface", .check = check}};
+  }
+
+  void report(AppState& state, nlohmann::json& json) override {
+    const SurfaceAnalysis& analysis = *state.tasks.surface_analysis;
+    auto& surface = json["surface"];
+    surface = {{"fresh", analysis.is_current()}, {"sides", nlohmann::json::array()}};
+    for (size_t side = 0; side < SurfaceAnalysis::kSides; ++side) {
+      const SurfaceMeasurement* measurement = analysis.result(side);
+      if (!measurement) continue;
+      auto checks = nlohmann::json::object();
+      for (const auto& check : measurement->audit.badges) checks[check.name] = check.holds;
+      surface["sides"].push_back({{"model", measurement->model},
+                                  {"badges", checks},
+                                  {"albedo", bsdf_analysis::hemispherical_albedo(measurement->audit.albedo)},
+                                  {"ball_samples", analysis.preview(side).samples}});
+    }
+  }
+
+  void update(AppState& state) override {
+    if (state.is_visible(*this)) state.tasks.surface_analysis->request_previews();
+  }
+
+ private:
+  // Previews, lobes, slices and albedo side by side. With two materials, previews and lobes are above each other.
+  void draw_charts(AppState& state, const Measurements& measurements) {
+    UiContext& ui = state.ui;
+    const auto names = model_names(measurements);
+    const float em = ImGui::GetFontSize();
+    const float gap = std::floor(0.5f * em);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = std::max(ImGui::GetContentRegionAvail().y, 9 * em);
+    const float row_height = std::floor(measurements.size() > 1 ? 0.5f * (height - gap) : height);
+    ImGui::BeginGroup();
+    for (size_t side = 0; side < measurements.size(); ++side)
+      draw_preview(state, side, std::min(row_height, 0.25f * width));
+    ImGui::EndGroup();
+    ImGui::SameLine(0, gap);
+    const Vec2 chart_size(std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3), height);
+    ImGui::BeginGroup();
+    for (size_t side = 0; side < measurements.size(); ++side) draw_lobe(state, side, {chart_size.x, row_height});
+    ImGui::EndGroup();
+    std::vector<bsdf_analysis::Slice> slices;
+    std::vector<std::vector<bsdf_analysis::Albedo>> albedo_curves;
+    for (const auto* measurement : measurements) {
+      slices.push_back(measurement->slice);
+      albedo_curves.push_back(measurement->audit.albedo);
+    }
+    const auto look = look_of(state, chart_size);
+    ImGui::SameLine(0, gap);
+    draw_chart(ui, "surface.polar", chart_size, bsdf_analysis::polar_drawing(slices, names, look));
+    if (ImGui::IsItemHovered())
+      tooltip(ui,
+              "The BSDF in the plane of incidence as a function of the light direction. The line points to the "
+              "camera");
+    ImGui::SameLine(0, gap);
+    draw_chart(ui, "surface.albedo", chart_size, bsdf_analysis::albedo_drawing(albedo_curves, names, look));
+    if (ImGui::IsItemHovered())
+      tooltip(ui,
+              "Share of the incident light that is scattered, as a function of the angle of incidence. Above 1, "
+              "energy is not conserved");
+  }
+
+  void draw_preview(AppState& state, size_t side, float size) {
+    const auto& preview = state.tasks.surface_analysis->preview(side);
+    const char* name = side == 0 ? "surface.preview" : "surface.preview-pinned";
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton(name, {size, size});
+    state.ui.items.add(name);
+    if (ImGui::IsItemHovered()) tooltip(state.ui, "Progressive rendering of the material under the preview light");
+    if (!preview.pixels) return;
+    const ThumbnailImage image{.width = preview.width, .height = preview.height, .pixels = preview.pixels};
+    ImGui::GetWindowDrawList()->AddImage(thumbnails_.texture(state.platform.gl(), side, image), corner,
+                                         {corner.x + size, corner.y + size});
+  }
+
+  void draw_lobe(AppState& state, size_t side, const Vec2& size) {
+    const SurfaceMeasurement* measurement = state.tasks.surface_analysis->result(side);
+    if (!measurement) return;
+    const auto drawing =
+        bsdf_analysis::lobe_drawing(measurement->lobes, measurement->slice.degrees, look_of(state, size));
+    const bool dragged = draw_chart(state.ui, side == 0 ? "surface.lobe" : "surface.lobe-pinned", size, drawing);
+    if (ImGui::IsItemHovered() && !dragged)
+      tooltip(state.ui, "The BSDF f for the view direction \u03c9o. Drag to rotate");
+    if (!dragged) return;
+    constexpr double kDegreesPerPixel = 0.5;
+    const ImVec2 movement = ImGui::GetIO().MouseDelta;
+    azimuth_ += kDegreesPerPixel * static_cast<double>(movement.x);
+    elevation_ = std::clamp(elevation_ + kDegreesPerPixel * static_cast<double>(movement.y), -10.0, 90.0);
+  }
+
+  void draw_controls(AppState& state) {
+    SurfaceAnalysis& analysis = *state.tasks.surface_analysis;
+    for (size_t side = 0; side < SurfaceAnalysis::kSides; ++side) {
+      const SurfaceMeasurement* measurement = analysis.result(side);
+      if (!measurement) continue;
       ImGui::PushID(static_cast<int>(side));
       ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::ink_of_method(side))), "%s%s",
-                         reading->name.c_str(), side == 1 ? " (kept)" : "");
-      figures(w, *reading);
+                         measurement->model.c_str(), side == 1 ? " (pinned)" : "");
+      draw_values(state.ui, *measurement);
       ImGui::PopID();
     }
-  for (const ParameterInfo& info : surface_parameters(setup))
-    if (const auto value = loose_widget(w, info)) assign_by_name(setup.knobs(), info.name, *value);
-  action_button(w, "surface.keep");
-  ImGui::SameLine();
-  action_button(w, "surface.drop");
-}
-
-}  // namespace
-
-void draw_badges(Workbench& w, const SurfaceReading& reading) {
-  for (const bsdf_analysis::Check& badge : reading.audit.badges) {
-    traffic_light(w, badge.holds ? render::Verdict::healthy : render::Verdict::doubtful);
-    ImGui::SameLine();
-    ImGui::TextColored(badge.holds ? w.theme.text : w.theme.warning, "%s", badge.label());
-    w.items.place(std::string("surface.badge.") + badge.name);
-    if (ImGui::IsItemHovered()) tooltip(w, std::string(badge.label()) + ": " + badge.reason);
+    parameter_widgets(state, analysis.parameters.all());
+    action_button(state, "surface.pin");
+    if (analysis.has_pinned()) action_button(state, "surface.unpin");
   }
-}
 
-namespace {
+  static void draw_values(UiContext& ui, const SurfaceMeasurement& measurement) {
+    draw_surface_checks(ui, measurement);
+    labelled_value(ui, "Hemispherical albedo",
+                   formatted("%.4f", bsdf_analysis::hemispherical_albedo(measurement.audit.albedo)),
+                   "Share of uniform light from all directions that is scattered");
+    for (const auto& quality : measurement.audit.sampling)
+      if (quality.degrees == 45)
+        labelled_value(ui, "Std. dev. at 45\u00b0",
+                       formatted("%.2f (cosine %.2f)", quality.deviation, quality.by_cosine),
+                       "Relative standard deviation of one sample at 45\u00b0: BSDF sampling, and cosine-weighted "
+                       "sampling for comparison");
+  }
 
-// Balls, lobes, slices and albedo side by side; with a second material balls and lobes are half as high.
-void instruments(Workbench& w, const std::vector<const SurfaceReading*>& list) {
-  const auto names = names_of(list);
-  const float em = ImGui::GetFontSize(), gap = std::floor(0.5f * em), room = ImGui::GetContentRegionAvail().x;
-  const float height = std::max(ImGui::GetContentRegionAvail().y, 9 * em);
-  const float edge = std::floor(list.size() > 1 ? 0.5f * (height - gap) : height);
-  ImGui::BeginGroup();
-  for (size_t side = 0; side < list.size(); ++side) ball_pane(w, side, std::min(edge, 0.25f * room));
-  ImGui::EndGroup();
-  ImGui::SameLine(0, gap);
-  const Vec2 third(std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3), height);
-  ImGui::BeginGroup();
-  for (size_t side = 0; side < list.size(); ++side) lobe_pane(w, side, {third.x, edge});
-  ImGui::EndGroup();
-  std::vector<bsdf_analysis::Slice> slices;
-  std::vector<std::vector<bsdf_analysis::Albedo>> curves;
-  for (const auto* reading : list) slices.push_back(reading->slice), curves.push_back(reading->audit.albedo);
-  const auto look = look_of(w, third);
-  ImGui::SameLine(0, gap);
-  pane(w, "surface.polar", third, bsdf_analysis::polar_drawing(slices, names, look));
-  if (ImGui::IsItemHovered()) tooltip(w, "f in the plane of incidence, for light to the eye on the left");
-  ImGui::SameLine(0, gap);
-  pane(w, "surface.albedo", third, bsdf_analysis::albedo_drawing(curves, names, look));
-  if (ImGui::IsItemHovered())
-    tooltip(w, "How much of the light leaves again, over the angle that it comes from; above 1 light is made");
-}
+  bsdf_analysis::Look look_of(const AppState& state, const Vec2& size) const {
+    bsdf_analysis::Look look;
+    // In units of the interface, so that lines have the same width on all displays.
+    look.width = static_cast<int>(size.x / state.ui.scale);
+    look.height = static_cast<int>(size.y / state.ui.scale);
+    look.palette = chart_palette(state.ui.theme);
+    look.length = state.tasks.surface_analysis->parameters.length;
+    look.turn = azimuth_;
+    look.tilt = elevation_;
+    return look;
+  }
+
+  Thumbnails thumbnails_;
+  double azimuth_ = 145;  // of the view on lobes, degrees
+  double elevation_ = 25;
+};
 
 }  // namespace
 
-void draw_surface_sheet(Workbench& w) {
-  if (w.selection.material < 0) return note(w, "Click something in the picture: its surface is measured here.");
-  const auto list = readings(w);
-  if (list.empty()) return note(w, "The surface is being measured.");
-  constexpr float kControls = 20;  // letters wide
-  with_controls(
-      w, kControls * ImGui::GetFontSize(), [&] { instruments(w, list); }, controls);
-}
+std::unique_ptr<Panel> make_surface_panel() { return std::make_unique<SurfacePanel>(); }
 
 }  // namespace etendue::viewer

@@ -7,26 +7,56 @@ namespace etendue::viewer {
 bool Gl::load(const Loader& loader) {
   bool complete = true;
   const auto get = [&](auto& function, const char* name) {
-    function =
-        reinterpret_cast<std::remove_reference_t<decltype(function)>>(loader((std::string("gl") + name).c_str()));
+    using Pointer = std::remove_reference_t<decltype(function)>;
+    function = reinterpret_cast<Pointer>(loader((std::string("gl") + name).c_str()));
     complete = complete && function != nullptr;
   };
-  get(GetString, "GetString"), get(Viewport, "Viewport"), get(Clear, "Clear"), get(ClearColor, "ClearColor");
-  get(Disable, "Disable"), get(Enable, "Enable"), get(Scissor, "Scissor"), get(Finish, "Finish"),
-      get(ReadPixels, "ReadPixels"), get(PixelStorei, "PixelStorei");
-  get(GenTextures, "GenTextures"), get(DeleteTextures, "DeleteTextures"), get(BindTexture, "BindTexture");
-  get(ActiveTexture, "ActiveTexture"), get(TexImage2D, "TexImage2D"), get(TexSubImage2D, "TexSubImage2D");
-  get(TexParameteri, "TexParameteri"), get(GenFramebuffers, "GenFramebuffers");
-  get(DeleteFramebuffers, "DeleteFramebuffers"), get(BindFramebuffer, "BindFramebuffer");
-  get(FramebufferTexture2D, "FramebufferTexture2D"), get(CheckFramebufferStatus, "CheckFramebufferStatus");
-  get(BlitFramebuffer, "BlitFramebuffer"), get(GenVertexArrays, "GenVertexArrays");
-  get(DeleteVertexArrays, "DeleteVertexArrays"), get(BindVertexArray, "BindVertexArray"), get(DrawArrays, "DrawArrays");
-  get(CreateShader, "CreateShader"), get(ShaderSource, "ShaderSource"), get(CompileShader, "CompileShader");
-  get(GetShaderiv, "GetShaderiv"), get(GetShaderInfoLog, "GetShaderInfoLog"), get(DeleteShader, "DeleteShader");
-  get(CreateProgram, "CreateProgram"), get(AttachShader, "AttachShader"), get(LinkProgram, "LinkProgram");
-  get(GetProgramiv, "GetProgramiv"), get(DeleteProgram, "DeleteProgram"), get(UseProgram, "UseProgram");
-  get(GetUniformLocation, "GetUniformLocation"), get(Uniform1i, "Uniform1i"), get(Uniform1f, "Uniform1f");
-  get(Uniform2f, "Uniform2f"), get(Uniform3fv, "Uniform3fv");
+#define ETENDUE_GET(NAME) get(NAME, #NAME)
+  ETENDUE_GET(GetString);
+  ETENDUE_GET(Viewport);
+  ETENDUE_GET(Clear);
+  ETENDUE_GET(ClearColor);
+  ETENDUE_GET(Disable);
+  ETENDUE_GET(Enable);
+  ETENDUE_GET(Scissor);
+  ETENDUE_GET(Finish);
+  ETENDUE_GET(ReadPixels);
+  ETENDUE_GET(PixelStorei);
+  ETENDUE_GET(GenTextures);
+  ETENDUE_GET(DeleteTextures);
+  ETENDUE_GET(BindTexture);
+  ETENDUE_GET(ActiveTexture);
+  ETENDUE_GET(TexImage2D);
+  ETENDUE_GET(TexSubImage2D);
+  ETENDUE_GET(TexParameteri);
+  ETENDUE_GET(GenFramebuffers);
+  ETENDUE_GET(DeleteFramebuffers);
+  ETENDUE_GET(BindFramebuffer);
+  ETENDUE_GET(FramebufferTexture2D);
+  ETENDUE_GET(CheckFramebufferStatus);
+  ETENDUE_GET(BlitFramebuffer);
+  ETENDUE_GET(GenVertexArrays);
+  ETENDUE_GET(DeleteVertexArrays);
+  ETENDUE_GET(BindVertexArray);
+  ETENDUE_GET(DrawArrays);
+  ETENDUE_GET(CreateShader);
+  ETENDUE_GET(ShaderSource);
+  ETENDUE_GET(CompileShader);
+  ETENDUE_GET(GetShaderiv);
+  ETENDUE_GET(GetShaderInfoLog);
+  ETENDUE_GET(DeleteShader);
+  ETENDUE_GET(CreateProgram);
+  ETENDUE_GET(AttachShader);
+  ETENDUE_GET(LinkProgram);
+  ETENDUE_GET(GetProgramiv);
+  ETENDUE_GET(DeleteProgram);
+  ETENDUE_GET(UseProgram);
+  ETENDUE_GET(GetUniformLocation);
+  ETENDUE_GET(Uniform1i);
+  ETENDUE_GET(Uniform1f);
+  ETENDUE_GET(Uniform2f);
+  ETENDUE_GET(Uniform3fv);
+#undef ETENDUE_GET
   return complete;
 }
 

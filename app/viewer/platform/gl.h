@@ -1,4 +1,4 @@
-// The OpenGL 3.3 functions that the viewer calls, taken from whoever made the context.
+// The OpenGL 3.3 functions that the viewer calls, loaded from the library that created the context.
 #pragma once
 #include <GL/glcorearb.h>
 
@@ -53,7 +53,7 @@ struct Gl {
   PFNGLUNIFORM3FVPROC Uniform3fv;
 
   using Loader = std::function<void*(const char*)>;
-  // False if a function is missing.
+  // Returns false if a function is missing.
   bool load(const Loader& loader);
 };
 

@@ -34,9 +34,9 @@ constexpr std::pair<ImGuiKey, int> kKeyMap[] = {
 };
 
 const char* get_clipboard(void* platform) {
-  static std::string kept;  // ImGui wants the text to outlive the call
-  kept = static_cast<Platform*>(platform)->clipboard();
-  return kept.c_str();
+  static std::string text;  // Dear ImGui reads it after this call returns
+  text = static_cast<Platform*>(platform)->clipboard();
+  return text.c_str();
 }
 
 void set_clipboard(void* platform, const char* text) { static_cast<Platform*>(platform)->set_clipboard(text); }
@@ -62,7 +62,7 @@ ImguiHost::ImguiHost(Platform& platform) : platform_(platform) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
-  io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines;  // those need the filtering that `sharpen` does without
+  io.Fonts->Flags |= ImFontAtlasFlags_NoBakedLines;  // they need the linear filtering that set_font_filter turns off
   io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
   io.ClipboardUserData = &platform;
   io.GetClipboardTextFn = get_clipboard;
@@ -78,7 +78,7 @@ ImguiHost::~ImguiHost() {
 
 Result<void> ImguiHost::start() {
   started_ = ImGui_ImplOpenGL3_Init("#version 330 core");
-  if (!started_) return usage_error("view: the interface finds no OpenGL; install libgl1");
+  if (!started_) return usage_error("view: the interface cannot load OpenGL; install libgl1");
   return {};
 }
 
@@ -91,22 +91,25 @@ void ImguiHost::begin_frame(const Input& input, float seconds) {
   for (size_t b = 0; b < input.buttons.size(); ++b) io.MouseDown[b] = input.buttons[b];
   io.MouseWheel = input.wheel;
   for (size_t k = 0; k < static_cast<size_t>(kKeys); ++k) io.KeysDown[k] = input.keys[k];
-  io.KeyCtrl = input.control(), io.KeyShift = input.shift(), io.KeyAlt = input.alt();
+  io.KeyCtrl = input.control();
+  io.KeyShift = input.shift();
+  io.KeyAlt = input.alt();
   for (const unsigned c : input.text) io.AddInputCharacter(c);
   ImGui_ImplOpenGL3_NewFrame();
-  sharpen();
+  set_font_filter();
   ImGui::NewFrame();
 }
 
-// Letters stand on whole pixels: filtering between texels shows nowhere, and takes a quarter of the time in software.
-void ImguiHost::sharpen() {
+// Glyphs are aligned to whole pixels, so linear filtering has no effect but takes a quarter of the time in software
+// OpenGL.
+void ImguiHost::set_font_filter() {
   const auto texture = static_cast<GLuint>(reinterpret_cast<uintptr_t>(ImGui::GetIO().Fonts->TexID));
-  if (texture == sharp_) return;
+  if (texture == filtered_) return;
   const Gl& gl = platform_.gl();
   gl.BindTexture(GL_TEXTURE_2D, texture);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  sharp_ = texture;
+  filtered_ = texture;
 }
 
 void ImguiHost::end_frame() {

@@ -1,6 +1,6 @@
-// Dear ImGui between the viewer's input and the viewer's OpenGL.
+// The Dear ImGui context: feeds it with input and draws its output with OpenGL.
 #pragma once
-#include "viewer/state/app_state.h"
+#include "viewer/platform/platform.h"
 
 namespace etendue::viewer {
 
@@ -13,14 +13,14 @@ class ImguiHost {
 
   Result<void> start();
   void begin_frame(const Input& input, float seconds);
-  void end_frame();  // draws into the platform's framebuffer
+  void end_frame();  // draws into the framebuffer of the platform
 
  private:
-  void sharpen();
+  void set_font_filter();
 
   Platform& platform_;
   bool started_ = false;
-  GLuint sharp_ = 0;  // the texture of letters that was made so
+  GLuint filtered_ = 0;  // the font texture that has nearest-neighbour filtering
 };
 
 }  // namespace etendue::viewer

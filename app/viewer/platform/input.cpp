@@ -10,8 +10,8 @@ namespace etendue::viewer {
 namespace {
 
 struct KeyName {
-  const char* written;
-  const char* shown;
+  const char* name;   // in scripts
+  const char* label;  // in menus
   int key;
 };
 
@@ -31,10 +31,14 @@ constexpr KeyName kNames[] = {
     {"f1", "F1", GLFW_KEY_F1},
     {"f5", "F5", GLFW_KEY_F5},
     {"shift", "Shift", GLFW_KEY_LEFT_SHIFT},
+    {"ctrl", "Ctrl", GLFW_KEY_LEFT_CONTROL},
+    {"alt", "Alt", GLFW_KEY_LEFT_ALT},
     {"f11", "F11", GLFW_KEY_F11},
     {"pageup", "Page up", GLFW_KEY_PAGE_UP},
     {"pagedown", "Page down", GLFW_KEY_PAGE_DOWN},
 };
+
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
 }  // namespace
 
@@ -51,12 +55,6 @@ bool EventQueue::empty() const {
   const std::lock_guard lock(mutex_);
   return events_.empty();
 }
-
-namespace {
-
-bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
-
-}  // namespace
 
 bool EventQueue::take_frame(Input& input) {
   const std::lock_guard lock(mutex_);
@@ -79,9 +77,9 @@ bool EventQueue::take_frame(Input& input) {
       events_.pop_front();
       continue;
     }
-    // What was pressed was pressed with the modifiers of that moment.
+    // A key press keeps the modifiers that were down at that moment.
     if (e.type == Event::Type::key && is_modifier(e.key) && pressed_any) break;
-    // A button goes down or up where the pointer was then.
+    // A button event keeps the pointer position of that moment.
     if (e.type == Event::Type::move && button_changed) break;
     switch (e.type) {
       case Event::Type::move:
@@ -134,14 +132,17 @@ Result<Chord> parse_chord(const std::string& text) {
     for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (last) {
       if (word.size() == 1) chord.key = std::toupper(static_cast<unsigned char>(word[0]));
-      // On most keyboards the question mark is a shifted slash.
-      if (word == "?") chord.key = GLFW_KEY_SLASH, chord.shift = true;
+      // On most keyboards the question mark is Shift and slash.
+      if (word == "?") {
+        chord.key = GLFW_KEY_SLASH;
+        chord.shift = true;
+      }
       for (const auto& name : kNames)
-        if (word == name.written) chord.key = name.key;
+        if (word == name.name) chord.key = name.key;
       if (chord.key > 0 && chord.key < kKeys) return chord;
       return usage_error("'" + text +
-                         "' is no key; give a character, f1, space, tab, enter, escape, home or an arrow, with ctrl+, "
-                         "shift+ or alt+ in front");
+                         "' is not a key; use a character, f1, space, tab, enter, escape, home or an arrow key, "
+                         "optionally after ctrl+, shift+ or alt+");
     }
     if (word == "ctrl")
       chord.control = true;
@@ -150,7 +151,7 @@ Result<Chord> parse_chord(const std::string& text) {
     else if (word == "alt")
       chord.alt = true;
     else
-      return usage_error("'" + text + "': '" + word + "' is no modifier; give ctrl, shift or alt");
+      return usage_error("'" + text + "': '" + word + "' is not a modifier; use ctrl, shift or alt");
     at = plus + 1;
   }
 }
@@ -163,8 +164,14 @@ std::string label(const Chord& chord) {
   if (chord.key == GLFW_KEY_SLASH && chord.shift) return text + "?";
   if (chord.shift) text += "Shift+";
   for (const auto& name : kNames)
-    if (chord.key == name.key) return text + name.shown;
+    if (chord.key == name.key) return text + name.label;
   return text + static_cast<char>(chord.key);
+}
+
+std::string label(const std::vector<Chord>& chords) {
+  std::string text;
+  for (const Chord& chord : chords) text += (text.empty() ? "" : ", ") + label(chord);
+  return text;
 }
 
 }  // namespace etendue::viewer

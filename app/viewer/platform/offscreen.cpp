@@ -1,4 +1,4 @@
-// The viewer without a display: EGL on no surface, on a device, or on a small buffer, whichever starts.
+// The viewer without a display: an EGL context without a surface, on a device, or with a small buffer, whichever works.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
@@ -53,14 +53,14 @@ class Offscreen final : public Platform {
   void present() override { gl_.Finish(); }
   bool closing() const override { return false; }
 
-  WindowPlace place() const override { return {size_.x, size_.y, false}; }
+  WindowGeometry geometry() const override { return {.width = size_.x, .height = size_.y, .maximised = false}; }
   void set_title(const std::string&) override {}
   void set_cursor(Cursor) override {}
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
   std::string clipboard() override { return clipboard_; }
 
  private:
-  // No surface, then every device, then whatever the system calls its default.
+  // Mesa's surfaceless platform, then every device, then the default display.
   static std::vector<EGLDisplay> candidates() {
     std::vector<EGLDisplay> list;
     const auto platform_display =
@@ -126,7 +126,8 @@ Result<std::unique_ptr<Platform>> make_offscreen(int width, int height) {
   auto platform = std::make_unique<Offscreen>(width, height);
   if (!platform->start())
     return usage_error(
-        "view: no OpenGL 3.3 without a display; install libegl-mesa0 and libgl1-mesa-dri, or leave out --offscreen");
+        "view: OpenGL 3.3 is not available without a display; install libegl-mesa0 and libgl1-mesa-dri, or omit "
+        "--offscreen");
   return std::unique_ptr<Platform>(std::move(platform));
 }
 

@@ -1,4 +1,4 @@
-// How often the picture on screen is worth drawing again while samples come in and nobody touches anything.
+// The redraw interval while samples accumulate and there is no user input.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -7,21 +7,22 @@ namespace etendue::viewer {
 
 class Pacing {
  public:
-  // Under software OpenGL drawing and rendering share the processor: drawing gets at most one part in so many.
-  static constexpr double kParts = 14, kLongest = 1;
+  // With software OpenGL, drawing and rendering compete for the processor. Drawing gets at most 1/14 of the time.
+  static constexpr double kIntervalPerCost = 14;
+  static constexpr double kMaxInterval = 1;  // seconds
 
-  void drew(double seconds) { cost_ += kNews * (seconds - cost_); }
-  double cost() const { return cost_; }
+  // Records the seconds that one redraw took.
+  void add_redraw(double seconds) { cost_ += kSmoothing * (seconds - cost_); }
 
-  // Seconds from one drawing to the next: the more samples, the less a new frame differs from the one on screen.
+  // Seconds between two redraws. With more samples per pixel, successive frames differ less.
   double interval(uint32_t samples) const {
-    const double worthwhile = samples < 32 ? 0.1 : samples < 256 ? 0.25 : 0.5;
-    return std::clamp(kParts * cost_, worthwhile, kLongest);
+    const double min_interval = samples < 32 ? 0.1 : samples < 256 ? 0.25 : 0.5;
+    return std::clamp(kIntervalPerCost * cost_, min_interval, kMaxInterval);
   }
 
  private:
-  static constexpr double kNews = 0.4;  // one slow drawing is no rule
-  double cost_ = 0;
+  static constexpr double kSmoothing = 0.4;  // weight of the latest redraw in the moving average
+  double cost_ = 0;                          // moving average of the redraw time, seconds
 };
 
 }  // namespace etendue::viewer

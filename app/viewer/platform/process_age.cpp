@@ -13,7 +13,8 @@ namespace etendue::viewer {
 double process_age() {
   std::ifstream file("/proc/self/stat");
   const std::string line{std::istreambuf_iterator<char>(file), {}};
-  // The second field is the program's name in brackets, and may hold anything; proc(5) counts the start as number 22.
+  // Field 2 is the program name in parentheses and may contain spaces. Field 22 is the start time in ticks, see
+  // proc(5).
   const size_t name_end = line.rfind(')');
   if (name_end == std::string::npos) return 0;
   std::istringstream fields(line.substr(name_end + 1));

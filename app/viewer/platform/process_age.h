@@ -1,9 +1,9 @@
-// How long this process has been there.
+// The time since this process was started.
 #pragma once
 
 namespace etendue::viewer {
 
-// Seconds since the process was started, to a hundredth; 0 where the system does not tell.
+// Seconds since the start of the process, with a resolution of 0.01 s; 0 if /proc is not available.
 double process_age();
 
 }  // namespace etendue::viewer

@@ -1,4 +1,4 @@
-// The text of the files in shaders/, made part of the program by CMake.
+// The source text of the files in shaders/, embedded by CMake.
 #pragma once
 
 namespace etendue::viewer {

@@ -13,16 +13,53 @@ ImVec4 hex(unsigned rgb, float alpha = 1) {
   return {part(16), part(8), part(0), alpha};
 }
 
+// Colours as 0xRRGGBB.
 struct Palette {
-  unsigned ground, panel, field, field_hover, field_active, text, quiet, border, accent, accent_ground, grab, warning;
+  unsigned background;
+  unsigned panel;
+  unsigned field;
+  unsigned field_hover;
+  unsigned field_active;
+  unsigned text;
+  unsigned secondary_text;
+  unsigned border;
+  unsigned accent;
+  unsigned selected;
+  unsigned grab;
+  unsigned warning;
 };
 
-constexpr Palette kDark{0x16181b, 0x1e2125, 0x2b3036, 0x363d45, 0x424b55, 0xe4e7ea,
-                        0xa9b1ba, 0x353b42, 0x6cb6e8, 0x2a5574, 0x34678e, 0xe8b04a};
-constexpr Palette kLight{0xd9dcdf, 0xf3f4f5, 0xffffff, 0xe6eef5, 0xd3e3f0, 0x1c1f23,
-                         0x4d555e, 0xbfc5cb, 0x0b5c94, 0xb9d9ef, 0x9fcbe9, 0x8a5200};
+constexpr Palette kDark{
+    .background = 0x16181b,
+    .panel = 0x1e2125,
+    .field = 0x2b3036,
+    .field_hover = 0x363d45,
+    .field_active = 0x424b55,
+    .text = 0xe4e7ea,
+    .secondary_text = 0xa9b1ba,
+    .border = 0x353b42,
+    .accent = 0x6cb6e8,
+    .selected = 0x2a5574,
+    .grab = 0x34678e,
+    .warning = 0xe8b04a,
+};
+constexpr Palette kLight{
+    .background = 0xd9dcdf,
+    .panel = 0xf3f4f5,
+    .field = 0xffffff,
+    .field_hover = 0xe6eef5,
+    .field_active = 0xd3e3f0,
+    .text = 0x1c1f23,
+    .secondary_text = 0x4d555e,
+    .border = 0xbfc5cb,
+    .accent = 0x0b5c94,
+    .selected = 0xb9d9ef,
+    .grab = 0x9fcbe9,
+    .warning = 0x8a5200,
+};
 
-ImFont* first_of(std::initializer_list<const char*> files, float pixels) {
+// Loads the first font file that exists; otherwise the font that is built into Dear ImGui.
+ImFont* load_first(std::initializer_list<const char*> files, float pixels) {
   static const ImWchar kRanges[] = {0x0020, 0x024f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2190,
                                     0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
   ImGuiIO& io = ImGui::GetIO();
@@ -65,42 +102,48 @@ Theme apply_theme(bool dark, float scale) {
   else
     ImGui::StyleColorsLight(&style);
   c[ImGuiCol_Text] = hex(p.text);
-  c[ImGuiCol_TextDisabled] = hex(p.quiet);
+  c[ImGuiCol_TextDisabled] = hex(p.secondary_text);
   c[ImGuiCol_WindowBg] = hex(p.panel);
-  c[ImGuiCol_ChildBg] = hex(p.panel, 0);  // what they lie on has been painted
+  c[ImGuiCol_ChildBg] = hex(p.panel, 0);  // transparent: the parent window has a background
   c[ImGuiCol_PopupBg] = hex(p.panel);
-  c[ImGuiCol_MenuBarBg] = hex(p.ground);
+  c[ImGuiCol_MenuBarBg] = hex(p.background);
   c[ImGuiCol_Border] = c[ImGuiCol_Separator] = hex(p.border);
   c[ImGuiCol_FrameBg] = hex(p.field);
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = c[ImGuiCol_HeaderHovered] = hex(p.field_hover);
   c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = c[ImGuiCol_HeaderActive] = hex(p.field_active);
   c[ImGuiCol_Button] = hex(p.field);
-  c[ImGuiCol_Header] = hex(p.accent_ground);
+  c[ImGuiCol_Header] = hex(p.selected);
   c[ImGuiCol_CheckMark] = hex(p.accent);
-  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = hex(p.grab);  // figures are read on it
+  c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = hex(p.grab);  // numbers are drawn over it
   c[ImGuiCol_Tab] = hex(p.panel);
   c[ImGuiCol_TabHovered] = hex(p.field_hover);
-  c[ImGuiCol_TabActive] = hex(p.accent_ground);
+  c[ImGuiCol_TabActive] = hex(p.selected);
   c[ImGuiCol_PlotHistogram] = hex(p.accent);
   c[ImGuiCol_TextSelectedBg] = hex(p.accent, 0.35f);
   c[ImGuiCol_NavHighlight] = c[ImGuiCol_SeparatorActive] = c[ImGuiCol_SeparatorHovered] = hex(p.accent);
   c[ImGuiCol_ScrollbarBg] = hex(p.panel, 0);
   ImGui::GetStyle() = style;
-  return {dark, hex(p.ground), hex(p.panel), hex(p.text), hex(p.quiet), hex(p.accent), hex(p.warning)};
+  return {.dark = dark,
+          .background = hex(p.background),
+          .panel = hex(p.panel),
+          .text = hex(p.text),
+          .secondary_text = hex(p.secondary_text),
+          .accent = hex(p.accent),
+          .warning = hex(p.warning)};
 }
 
-Faces load_faces(float scale) {
+Fonts load_fonts(float scale) {
   ImGui::GetIO().Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
-  Faces faces;
-  faces.text =
-      first_of({"/usr/share/fonts/opentype/inter/Inter-Regular.otf",
-                "/usr/share/fonts/truetype/inter/Inter-Regular.ttf", "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
-               16 * scale);
-  const auto tabular = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
-                        "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
-  faces.figures = first_of(tabular, 16 * scale);
-  faces.small = first_of(tabular, 13 * scale);
-  return faces;
+  Fonts fonts;
+  fonts.text = load_first(
+      {"/usr/share/fonts/opentype/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
+       "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
+      16 * scale);
+  const auto monospace = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
+                          "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
+  fonts.monospace = load_first(monospace, 16 * scale);
+  fonts.small = load_first(monospace, 13 * scale);
+  return fonts;
 }
 
 }  // namespace etendue::viewer

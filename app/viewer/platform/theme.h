@@ -1,4 +1,4 @@
-// Colours and faces of the interface: a calm dark theme and a light one, every text at 4.5:1 or better on its ground.
+// Colours and fonts of the interface: a dark and a light theme, in which all text has a contrast of at least 4.5:1.
 #pragma once
 #include <imgui.h>
 
@@ -6,17 +6,23 @@ namespace etendue::viewer {
 
 struct Theme {
   bool dark = true;
-  ImVec4 ground, panel, text, quiet, accent, warning;  // quiet: labels and figures that are not the point
+  ImVec4 background{};  // of the viewport, the menu bar and the status bar
+  ImVec4 panel{};       // background of panels
+  ImVec4 text{};
+  ImVec4 secondary_text{};  // notes, axis labels and inactive items
+  ImVec4 accent{};
+  ImVec4 warning{};
 };
 
-// The faces that every panel uses; loaded at the display's scale.
-struct Faces {
-  ImFont* text = nullptr;     // proportional, for words
-  ImFont* figures = nullptr;  // tabular, for numbers
-  ImFont* small = nullptr;    // tabular, for charts and tables
+// The fonts of the interface, loaded at the scale of the display.
+struct Fonts {
+  ImFont* text = nullptr;       // proportional
+  ImFont* monospace = nullptr;  // for numbers
+  ImFont* small = nullptr;      // small monospace, for charts and tables
 };
 
+// Sets the style of Dear ImGui; `scale` is that of the platform.
 Theme apply_theme(bool dark, float scale);
-Faces load_faces(float scale);
+Fonts load_fonts(float scale);
 
 }  // namespace etendue::viewer

@@ -1,4 +1,4 @@
-// The viewer in a window, by GLFW.
+// The viewer in a window, made with GLFW.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -20,26 +20,28 @@ class Window final : public Platform {
     glfwTerminate();
   }
 
-  Result<void> start(const WindowPlace& place) {
-    if (!glfwInit()) return usage_error("view: no window: " + reason() + "; give --offscreen to work without one");
+  Result<void> start(const WindowGeometry& geometry) {
+    if (!glfwInit())
+      return usage_error("view: cannot open a window: " + reason() + "; use --offscreen to run without one");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, geometry.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    window_ = glfwCreateWindow(place.width, place.height, "Étendue", nullptr, nullptr);
+    window_ = glfwCreateWindow(geometry.width, geometry.height, "Étendue", nullptr, nullptr);
     if (!window_)
-      return usage_error("view: no window with OpenGL 3.3: " + reason() + "; give --offscreen to work without one");
+      return usage_error("view: cannot open a window with OpenGL 3.3: " + reason() +
+                         "; use --offscreen to run without one");
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(0);
     if (!gl_.load([](const char* name) { return reinterpret_cast<void*>(glfwGetProcAddress(name)); }))
       return usage_error(
-          "view: the display's OpenGL lacks functions of version 3.3; give --offscreen to work without it");
+          "view: the OpenGL of this display lacks functions of version 3.3; use --offscreen to run without it");
     glfwSetWindowUserPointer(window_, this);
     constexpr std::array kShapes{GLFW_ARROW_CURSOR, GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR,
                                  GLFW_HAND_CURSOR};
     for (size_t i = 0; i < kShapes.size(); ++i) cursors_[i] = glfwCreateStandardCursor(kShapes[i]);
-    listen();
+    set_callbacks();
     return {};
   }
 
@@ -66,8 +68,8 @@ class Window final : public Platform {
   void present() override { glfwSwapBuffers(window_); }
   bool closing() const override { return glfwWindowShouldClose(window_) != 0; }
 
-  WindowPlace place() const override {
-    WindowPlace p;
+  WindowGeometry geometry() const override {
+    WindowGeometry p;
     glfwGetWindowSize(window_, &p.width, &p.height);
     p.maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != 0;
     return p;
@@ -91,10 +93,10 @@ class Window final : public Platform {
     return text ? text : "no display";
   }
 
-  static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
-  static void push(GLFWwindow* window, Event event) { of(window).events_.push(std::move(event)); }
+  static Window& from(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+  static void push(GLFWwindow* window, Event event) { from(window).events_.push(std::move(event)); }
 
-  // The pointer comes in units of the window, drawing is in pixels.
+  // GLFW gives pointer positions in screen units; the viewer uses pixels.
   Vec2 in_pixels(double x, double y) const {
     Vec2i pixels, units;
     glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
@@ -102,9 +104,9 @@ class Window final : public Platform {
     return Vec2(static_cast<float>(x), static_cast<float>(y)) * Vec2(pixels) / Vec2(glm::max(units, Vec2i(1)));
   }
 
-  void listen() {
+  void set_callbacks() {
     glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
-      push(w, {.type = Event::Type::move, .position = of(w).in_pixels(x, y)});
+      push(w, {.type = Event::Type::move, .position = from(w).in_pixels(x, y)});
     });
     glfwSetCursorEnterCallback(window_, [](GLFWwindow* w, int entered) {
       if (!entered) push(w, {.type = Event::Type::leave});
@@ -117,7 +119,7 @@ class Window final : public Platform {
       push(w, {.type = Event::Type::scroll, .position = Vec2(static_cast<float>(x), static_cast<float>(y))});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-      // Repeating a key that is held is ImGui's business, where it edits text.
+      // Dear ImGui repeats keys itself in text fields.
       if (key >= 0 && action != GLFW_REPEAT)
         push(w, {.type = Event::Type::key, .key = key, .down = action == GLFW_PRESS});
     });
@@ -130,7 +132,7 @@ class Window final : public Platform {
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { push(w, {.type = Event::Type::redraw}); });
     glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
       if (focused) return;
-      // Keys that are let go while another window has the focus would stay down.
+      // The release of a key is not reported while another window has the focus.
       for (int key = 0; key < kKeys; ++key) push(w, {.type = Event::Type::key, .key = key, .down = false});
     });
   }
@@ -142,9 +144,9 @@ class Window final : public Platform {
 
 }  // namespace
 
-Result<std::unique_ptr<Platform>> make_window(const WindowPlace& place) {
+Result<std::unique_ptr<Platform>> make_window(const WindowGeometry& geometry) {
   auto window = std::make_unique<Window>();
-  if (auto started = window->start(place); !started) return started.error();
+  if (auto started = window->start(geometry); !started) return started.error();
   return std::unique_ptr<Platform>(std::move(window));
 }
 

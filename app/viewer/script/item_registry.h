@@ -1,49 +1,62 @@
-// The names of what is on screen: where each item was drawn, and what a script wants of it.
+// The named items on screen: where each one was drawn, and the value that a script requests for it.
 //
-// A script reaches a widget only through here: it asks for a value by name, and the widget of that name, when it is
-// drawn, takes the value on the way that a hand's value would take. What is not drawn cannot be set.
+// A script reaches widgets only through this registry. It requests a value for a name. The widget of that name takes
+// the value when it is drawn, and handles it like a value that the user enters. An item that is not drawn cannot be
+// set.
 #pragma once
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "viewer/viewport/image_view.h"
+#include "viewer/viewport/placement.h"
 
 namespace etendue::viewer {
 
-class Items {
- public:
-  void begin_frame() { placed_.clear(); }
+// The description of an item for `etendue list widgets`.
+struct ItemInfo {
+  std::string name;
+  std::string label;
+  std::string description;
+};
 
-  // Remembers the place of the ImGui item that was drawn last.
-  void place(const std::string& name);
-  // The same of what is no ImGui item.
-  void place(const std::string& name, const Placement& at) { placed_[name] = at; }
-  // Where an item was drawn in this frame.
+class ItemRegistry {
+ public:
+  void begin_frame() { placements_.clear(); }
+
+  // Records the placement of the last ImGui item under this name.
+  void add(const std::string& name);
+  // Records the placement of something that is not an ImGui item.
+  void add(const std::string& name, const Placement& placement) { placements_[name] = placement; }
+  // The placement of an item in this frame, or null if it was not drawn or is not visible.
   const Placement* find(const std::string& name) const;
 
+  // --- for scripts
+  // Requests a value for an item; replaces the request before.
   void request(const std::string& name, const std::string& value);
-  bool wanted(std::string_view name) const { return request_ && request_->name == name; }
-  bool wanted_below(std::string_view prefix) const { return request_ && request_->name.starts_with(prefix); }
-  // Has this item brought into sight when it is drawn outside of it, until another is sought.
-  void seek(const std::string& name) { sought_ = name; }
-  // For the widget: the value asked for, once; the widget then answers with what was wrong, or nothing.
-  std::optional<std::string> take(const std::string& name);
-  void answer(const std::string& error);
-
-  // For the script: nothing while no widget has answered.
+  void cancel_request() { request_.reset(); }
+  // The error message of the widget that took the request (empty if it succeeded). Nothing while no widget has
+  // answered.
   std::optional<std::string> take_answer();
-  void cancel() { request_.reset(); }
+  // Scrolls this item into view in the next frames. An empty name ends that.
+  void scroll_to(const std::string& name) { scroll_target_ = name; }
+
+  // --- for widgets
+  bool is_requested(std::string_view name) const { return request_ && request_->name == name; }
+  bool is_requested_below(std::string_view prefix) const { return request_ && request_->name.starts_with(prefix); }
+  // The value that a script requests for this item, once. The widget then calls `answer`.
+  std::optional<std::string> take_request(const std::string& name);
+  void answer(const std::string& error) { answer_ = error; }
 
  private:
   struct Request {
-    std::string name, value;
+    std::string name;
+    std::string value;
   };
-  std::map<std::string, Placement, std::less<>> placed_;
+  std::map<std::string, Placement, std::less<>> placements_;
   std::optional<Request> request_;
-  std::string sought_;
   std::optional<std::string> answer_;
+  std::string scroll_target_;
 };
 
 }  // namespace etendue::viewer

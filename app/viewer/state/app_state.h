@@ -1,175 +1,165 @@
-// Everything the viewer has on its desk; panels, actions and scripts work on this.
+// The state of the viewer: the document and its rendering, what is selected and shown, settings, and files in progress.
+//
+// Panels, actions, the layout and scripts use this; it depends on none of them. State that only one panel uses belongs
+// to that panel.
 #pragma once
-#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 
-#include "render/session.h"
+#include "base/parameter.h"
 #include "viewer/actions/action.h"
-#include "viewer/files/image_export.h"
-#include "viewer/files/loader.h"
-#include "viewer/files/scene_export.h"
-#include "viewer/layout/file_dialog.h"
-#include "viewer/platform/theme.h"
-#include "viewer/script/item_registry.h"
-#include "viewer/state/editor.h"
+#include "viewer/files/file_request.h"
+#include "viewer/panels/panel_set.h"
 #include "viewer/state/notices.h"
 #include "viewer/state/settings.h"
-#include "viewer/tasks/convergence_task.h"
-#include "viewer/tasks/missing_paths_task.h"
-#include "viewer/tasks/path_class_task.h"
-#include "viewer/tasks/pixel_samples_task.h"
-#include "viewer/tasks/recommendation_task.h"
-#include "viewer/tasks/surface_analysis.h"
-#include "viewer/tasks/technique_task.h"
+#include "viewer/tasks/task.h"
 #include "viewer/tools/camera_controller.h"
-#include "viewer/tools/light_meter.h"
 #include "viewer/viewer.h"
-#include "viewer/viewport/aov_layer.h"
-#include "viewer/viewport/comparison.h"
-#include "viewer/viewport/stored_points.h"
-#include "viewer/widgets/thumbnails.h"
+#include "viewer/viewport/placement.h"
+#include "viewer/widgets/ui_context.h"
+
+namespace etendue::render {
+struct Document;
+struct DocumentParameter;
+struct Frame;
+class Session;
+}  // namespace etendue::render
 
 namespace etendue::viewer {
 
-enum class Tab : uint8_t { render, scene, material, light, camera, display };
+class AovLayer;
+class Comparison;
+class Editor;
+class ExclusiveTask;
+class ImageExport;
+class Loader;
+class PathClassTask;
+class Platform;
+class SceneExport;
+class StoredPoints;
+class SurfaceAnalysis;
 
+// Indices into the scene; -1 if nothing is selected.
 struct Selection {
-  int node = -1, material = -1, light = -1;
+  int node = -1;
+  int material = -1;
+  int light = -1;
 };
 
-// What the sheet about one pixel's samples shows.
-struct SamplingView {
-  uint32_t samples = 4096;                   // to draw
-  std::string x = "pixel-x", y = "pixel-y";  // of the points
-  uint32_t points = 512;
-  bool picks = false;  // the next click chooses the pixel
-
-  friend bool operator==(const SamplingView&, const SamplingView&) = default;
+// A tool that uses the next click in the image.
+struct ClickTool {
+  std::string name;  // of the action that activates it
+  // `position` is in window pixels. Returns false if the click was not suitable; the tool then stays active.
+  std::function<bool(AppState&, Vec2 position)> use;
 };
 
-// What is shown and how; none of it changes the light, none of it is a step.
-struct View {
-  Placement region;   // of the window, for the picture
-  Placement picture;  // the picture in it
-  bool interface = true, help = false, palette = false;
-  bool covered = false;  // something lies over the interface that Escape closes
-  bool typing = false;   // a text field has the keyboard
+// The image on screen and what is drawn over it. None of this changes the document.
+struct ViewportState {
+  Placement region;                            // of the window that is left for the image
+  Placement image;                             // within the region
+  std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
+
   bool false_color = false;
-  bool health_map = false;
-  bool points = false;  // photons and virtual lights over the picture
-  std::string aov;      // the layer shown instead of the picture
-  Tab tab = Tab::render;
-  std::optional<Tab> reveal;    // the tab to bring to the front in the next frame
-  bool focus_by_click = false;  // the next click sets the focus
-  float column = 0;             // width of the right column, pixels
-  std::string sheet;            // the one that the drawer shows; empty if it is closed
-  SamplingView sampling;
+  bool show_reliability = false;
+  bool show_stored_points = false;
+  std::string aov_name;  // the AOV that is shown instead of the image; empty for the image
+  std::unique_ptr<AovLayer> aov;
+  std::unique_ptr<Comparison> comparison;
+  std::unique_ptr<StoredPoints> stored_points;
+
+  bool aov_is_uploaded = false;  // the texture of the live image has an AOV
+
+  CameraController camera_controller;
+  bool pivot_is_outdated = false;  // it belongs to the document before
+  std::optional<ClickTool> click_tool;
 };
 
-// How the interface spends its time.
-struct Pace {
-  double busy = 0, since_start = 0;  // seconds of this measurement
-  double share = 0;                  // of the last one
+struct InterfaceState {
+  bool visible = true;
+  bool help_open = false;
+  bool palette_open = false;
+  bool popup_open = false;  // something that Escape closes covers the interface
+  bool typing = false;      // a text field has the keyboard focus
 };
 
-// The angles that the hand gave to a rotation, for as long as it is still that one.
-struct Turned {
-  std::string name;
-  Vec4 rotation{0};
-  Vec3 degrees{0};
+// Files that are being read or written, and the request for a file name while the file dialog is open.
+struct FileState {
+  std::unique_ptr<Loader> loader;
+  std::unique_ptr<ImageExport> image_export;
+  std::unique_ptr<SceneExport> scene_export;
+  std::optional<FileRequest> request;
 };
 
-// The text that a field was last asked about, and the answer: a file is not read again for every frame.
-struct CheckedText {
-  std::string field, text;
-  Result<void> answer;
+// Background tasks that several panels use.
+struct SharedTasks {
+  std::unique_ptr<ExclusiveTask> exclusive;
+  std::unique_ptr<PathClassTask> path_classes;
+  std::unique_ptr<SurfaceAnalysis> surface_analysis;
 };
 
-struct Workbench {
-  Workbench(Platform& p, const ViewOptions& o);
+struct Timing {
+  double interface_share = 0;      // share of the time that drawing the interface takes
+  double first_image_seconds = 0;  // from the start of the process to the first image on screen; 0 before that
+};
 
-  // Reads a file in the background; what it is decides what happens.
-  void open(const std::string& file);
-  void save_snapshot(const std::string& file) { capture.request(file); }
+struct AppState {
+  AppState(Platform& platform, const ViewOptions& options);
+  ~AppState();
+  AppState(const AppState&) = delete;
+  AppState& operator=(const AppState&) = delete;
 
-  // All edits end here. `gesture` as in Editor.
-  void edit(const render::DocumentParameter& binding, const Value& value, const std::string& gesture = "");
-  // Several settings of one thing in one step; the first gives it its name.
-  void edit(std::span<const render::DocumentParameter> bindings, std::span<const Value> values,
+  bool has_document() const;
+  const render::Document& document() const;
+
+  // All edits of the document. Edits with the same `gesture`, one after the other, make one step of undo.
+  void edit(const render::DocumentParameter& parameter, const Value& value, const std::string& gesture = "");
+  // Several parameters of one object in one step, which is named after the first parameter.
+  void edit(std::span<const render::DocumentParameter> parameters, std::span<const Value> values,
             const std::string& gesture);
-  void edit(render::Document changed, const std::string& name, const std::string& gesture = "") {
-    editor.apply(std::move(changed), name, gesture);
-  }
-  void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture);
-  void choose_integrator(const std::string& name);
-  // Has only these paths count, in a step of its own; all of them if the expression is empty.
-  void choose_paths(const std::string& expression);
+  void edit(render::Document changed, const std::string& name, const std::string& gesture = "");
+  void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture = "");
+  // A parameter by its qualified name, in a step of its own. Does nothing if the document has no such parameter.
+  void set_parameter(const std::string& name, const Value& value);
 
-  void select(int node, int material);
-  void focus_at(const Picked& picked);
-  void frame_scene();
-  void frame_selection();
-
-  // Takes up what came from other threads since the last frame; true if the picture has to be drawn again.
-  bool advance(Picture& picture_on_screen);
-
-  // Why the method finds no light at all in the picture on the desk; empty if it may, or as long as that is not known.
+  // Why the integrator cannot render the scene, as one sentence; empty if it can or if that is not known yet.
   std::string incompatibility() const;
-  // What the method misses of the view on the desk, as far as it was measured; null if it was not.
-  const advisor::MissingPaths* misses();
+  // Opens a scene, a snapshot or an environment map in the background.
+  void open_file(const std::string& file);
+  // Selects a node, and its material and light. A negative material stands for the first one of the node.
+  void select(int node, int material);
 
-  // A layer stands in the picture's place.
-  bool shows_layer() const { return !view.aov.empty() && aov.picture().name == view.aov; }
-  void show_tab(Tab tab) { view.tab = tab, view.reveal = tab; }
+  // Whether the panel is open and the interface is not hidden.
+  bool is_visible(const Panel& panel) const { return interface.visible && panels.is_open(panel); }
+  // Whether an AOV is shown instead of the image.
+  bool shows_aov() const;
+
+  bool is_active_tool(std::string_view name) const;
+  // Activates a tool, or deactivates it if it is active. Replaces the tool that was active.
+  void toggle_tool(ClickTool tool);
 
   Platform& platform;
-  ViewOptions options;
+  const ViewOptions options;
   Settings settings;
-  render::Session session;
-  Editor editor{session};
-  Actions actions;
-  Items items;
   Notices notices;
-  Loader loader;
-  Capture capture;
-  SceneWriter scene_writer;
-  AovView aov;
-  Comparison comparison;
-  ContestHand contest;
-  PathsHand paths;
-  BlindSpotsHand missing_paths;
-  TechniquesHand techniques;
-  PointsHand points;
-  Thumbnails thumbnails;  // of the techniques
-  SurfaceHand surface;
-  Thumbnails balls;  // of its materials
-  AdviceHand advice;
-  PixelProbe probe;
-  MeterHand meter;
-  CameraHand hand;
-  FileDialog files;
+  UiContext ui;
+  InterfaceState interface;
   Selection selection;
-  Turned turned;
-  CheckedText checked;
-  View view;
-  Theme theme;
-  Faces faces;
-  Input input;
-  double pointer_rest = 0;  // seconds since the pointer moved or pressed
-  Pace pace;
-  std::shared_ptr<const render::Frame> frame;  // on screen
-  double first_picture_seconds = 0;            // from the start of the process until a picture was on screen
-  std::string previous_integrator;             // what Tab goes back to
-  std::string last_opened;
+  ActionList actions;
+  std::string previous_integrator;  // for the action that switches back to it
+  Timing timing;
   bool quit = false;
 
- private:
-  void take_opened(Result<Opened> opened);
-  bool needs_pivot_ = false;
-  bool shows_aov_ = false;
+  const std::unique_ptr<render::Session> session;
+  const std::unique_ptr<Editor> editor;
+  const SharedTasks tasks;
+  const TaskContext task_context;
+  FileState files;
+  ViewportState viewport;
+  PanelSet panels;
 };
-
-// The size of a picture that fills the region, and where a picture of a given shape lies in it.
-Placement fitted(const Placement& region, Vec2i picture);
 
 }  // namespace etendue::viewer

@@ -1,11 +1,15 @@
-// The document on the desk, and every step that led to it.
+// The document that is edited, with undo and redo.
 //
-// A step is an old document: undo puts it back. All edits of one gesture (a slider drag, an orbit) make one step.
+// Each step stores the document before the edit. All edits of one gesture (a slider drag, an orbit) make one step.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "render/session.h"
+#include "render/document.h"
+
+namespace etendue::render {
+class Session;
+}
 
 namespace etendue::viewer {
 
@@ -15,40 +19,42 @@ class Editor {
 
   bool empty() const { return !document_.scene; }
   const render::Document& document() const { return document_; }
-  uint64_t version() const { return version_; }  // of the document, as frames state it
+  // The version of the document that the session returned; frames carry the version that they show.
+  uint64_t version() const { return version_; }
 
-  // A new document; forgets all steps.
+  // Replaces the document and clears the undo history.
   void open(render::Document document);
 
-  // Makes `changed` the document. `name` is what the menu calls the step. Edits with the same gesture, one after the
-  // other, are one step until `end_gesture`.
+  // Replaces the document by an edited one. `name` is the name of the step in the menu. Consecutive edits with the same
+  // gesture make one step, until `end_gesture`; an empty gesture always makes a step of its own.
   void apply(render::Document changed, const std::string& name, const std::string& gesture = "");
   void end_gesture() { gesture_.clear(); }
-  const std::string& gesture() const { return gesture_; }
-  // Takes the last step back without a trace, if it was made by this gesture.
-  void forget(const std::string& gesture);
+  // Reverts the last step if it was made by this gesture. The step cannot be redone.
+  void discard_step(const std::string& gesture);
 
   bool undo();
   bool redo();
-  size_t undo_depth() const { return done_.size(); }
-  size_t redo_depth() const { return undone_.size(); }
-  std::string undo_name() const { return done_.empty() ? "" : done_.back().name; }
-  std::string redo_name() const { return undone_.empty() ? "" : undone_.back().name; }
+  size_t undo_depth() const { return undo_steps_.size(); }
+  size_t redo_depth() const { return redo_steps_.size(); }
+  std::string undo_name() const { return undo_steps_.empty() ? "" : undo_steps_.back().name; }
+  std::string redo_name() const { return redo_steps_.empty() ? "" : redo_steps_.back().name; }
 
-  // Hands the document to the session with other limits, without a step; `submit` with the own ones ends that.
-  uint64_t submit_limited(const render::Limits& limits);
+  // Submits the document to the session with other limits, without a step. `submit` restores its own limits.
+  uint64_t submit_with_limits(const render::Limits& limits);
   void submit();
 
  private:
   struct Step {
     render::Document document;
-    std::string name, gesture;
+    std::string name;
+    std::string gesture;
   };
 
   render::Session& session_;
   render::Document document_;
   uint64_t version_ = 0;
-  std::vector<Step> done_, undone_;
+  std::vector<Step> undo_steps_;
+  std::vector<Step> redo_steps_;
   std::string gesture_;
 };
 

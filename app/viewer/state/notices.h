@@ -1,5 +1,4 @@
-// Lines that tell the user what happened, where they look, and go away by themselves; errors stay until they are
-// closed.
+// Messages in the corner of the viewport. Information disappears after some seconds; errors stay until they are closed.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,25 +7,26 @@ namespace etendue::viewer {
 
 class Notices {
  public:
-  void say(std::string text) { add(std::move(text), false); }
-  void complain(std::string text) { add(std::move(text), true); }
-
   struct Notice {
     std::string text;
-    bool error;
-    double seconds_left;
+    bool is_error = false;
+    double seconds_left = 0;
   };
+
+  void add_message(std::string text) { add(std::move(text), false); }
+  void add_error(std::string text) { add(std::move(text), true); }
   const std::vector<Notice>& all() const { return list_; }
   void close(size_t index) { list_.erase(list_.begin() + static_cast<std::ptrdiff_t>(index)); }
-  // True while a line will go away by itself.
-  bool pass(double seconds);
-  // The newest error that `take_error` has not given yet; scripts fail by it.
+  // Removes messages whose time is over. Returns true while there are messages that will disappear.
+  bool advance(double seconds);
+  // The newest error that was not taken before, or an empty string. Steps of scripts fail with it.
   std::string take_error();
 
  private:
-  void add(std::string text, bool error);
+  void add(std::string text, bool is_error);
+
   std::vector<Notice> list_;
-  std::string error_;
+  std::string last_error_;
 };
 
 }  // namespace etendue::viewer

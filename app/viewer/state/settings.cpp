@@ -12,12 +12,12 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr size_t kMostRecent = 12;
+constexpr size_t kMaxRecent = 12;
 
 fs::path settings_file() {
   const char* config = std::getenv("XDG_CONFIG_HOME");
   const char* home = std::getenv("HOME");
-  // The specification has relative values ignored.
+  // The XDG specification requires relative paths to be ignored.
   if (config && fs::path(config).is_absolute()) return fs::path(config) / "etendue" / "viewer.json";
   return home ? fs::path(home) / ".config" / "etendue" / "viewer.json" : fs::path();
 }
@@ -27,8 +27,8 @@ Settings from_json(const json& j) {
   s.window.width = std::clamp(j.at("window").at("width").get<int>(), 320, 16384);
   s.window.height = std::clamp(j.at("window").at("height").get<int>(), 240, 16384);
   s.window.maximised = j.at("window").at("maximised").get<bool>();
-  s.column = std::clamp(j.at("column").get<float>(), 0.0f, 4096.0f);
-  s.drawer = std::clamp(j.value("drawer", 0.0f), 0.0f, 4096.0f);
+  s.column_width = std::clamp(j.at("column").get<float>(), 0.0f, 4096.0f);
+  s.bottom_panel_height = std::clamp(j.value("drawer", 0.0f), 0.0f, 4096.0f);
   s.dark = j.at("dark").get<bool>();
   s.recent = j.at("recent").get<std::vector<std::string>>();
   s.folder = j.at("folder").get<std::string>();
@@ -37,8 +37,8 @@ Settings from_json(const json& j) {
 
 json to_json(const Settings& s) {
   return {{"window", {{"width", s.window.width}, {"height", s.window.height}, {"maximised", s.window.maximised}}},
-          {"column", s.column},
-          {"drawer", s.drawer},
+          {"column", s.column_width},
+          {"drawer", s.bottom_panel_height},
           {"dark", s.dark},
           {"recent", s.recent},
           {"folder", s.folder}};
@@ -56,13 +56,13 @@ Settings load_settings(std::string& note) {
     try {
       return from_json(j);
     } catch (const json::exception&) {
-      // What follows sets the file aside.
+      // The file is renamed below.
     }
   }
-  fs::path aside = file;
-  aside += ".damaged";
-  fs::rename(file, aside, code);
-  note = "The remembered settings could not be read and were set aside as " + aside.string();
+  fs::path renamed = file;
+  renamed += ".damaged";
+  fs::rename(file, renamed, code);
+  note = "The settings file could not be read. It was renamed to " + renamed.string() + "; defaults are used";
   return {};
 }
 
@@ -80,7 +80,7 @@ void remember_recent(Settings& settings, const std::string& file) {
   const std::string path = fs::absolute(file, code).string();
   std::erase(settings.recent, path);
   settings.recent.insert(settings.recent.begin(), path);
-  if (settings.recent.size() > kMostRecent) settings.recent.resize(kMostRecent);
+  if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
   settings.folder = fs::path(path).parent_path().string();
 }
 

@@ -1,26 +1,28 @@
-// What the viewer remembers from one day to the next, in the XDG directories.
+// The settings that the viewer keeps between sessions, in $XDG_CONFIG_HOME/etendue/viewer.json.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "viewer/platform/platform.h"
+#include "viewer/platform/window_geometry.h"
 
 namespace etendue::viewer {
 
 struct Settings {
-  WindowPlace window;
-  float column = 0;  // width of the right column in units of the interface; 0 until the user moved it
-  float drawer = 0;  // height of the drawer, likewise
+  WindowGeometry window;
+  float column_width = 0;         // of the right column, units of the interface; 0 is the default width
+  float bottom_panel_height = 0;  // units of the interface; 0 is the default height
   bool dark = true;
   std::vector<std::string> recent;  // newest first
-  std::string folder;               // where the user last opened or saved
+  std::string folder;               // of the file that was last opened or saved
 };
 
-// An absent file gives what a new user gets. One that cannot be read is set aside, and `note` says where.
+// Without a settings file, returns the defaults. A file that cannot be read is renamed to NAME.damaged; `note` then
+// says so.
 Settings load_settings(std::string& note);
-// False if the folder cannot be written; nothing depends on it.
+// Returns false if the file cannot be written.
 bool save_settings(const Settings& settings);
 
+// Adds a file to the list of recent files and makes its folder the current one.
 void remember_recent(Settings& settings, const std::string& file);
 
 }  // namespace etendue::viewer

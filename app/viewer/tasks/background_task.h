@@ -1,4 +1,4 @@
-// Work that the interface does not wait for. A result that nobody wants any more is dropped when it comes.
+// A function that runs on a thread of its own and returns one result.
 #pragma once
 #include <functional>
 #include <memory>
@@ -10,23 +10,24 @@
 
 namespace etendue::viewer {
 
+// All member functions are called on one thread, that of the interface.
 template <class T>
-class Job {
+class BackgroundTask {
  public:
-  // `wake` is called from the job's thread when the result is there.
-  explicit Job(std::function<void()> wake) : wake_(std::move(wake)) {}
-  ~Job() {
+  BackgroundTask() = default;
+  // Waits for the threads, also for those of abandoned work.
+  ~BackgroundTask() {
     for (auto& worker : workers_) worker.thread.join();
   }
-  Job(const Job&) = delete;
-  Job& operator=(const Job&) = delete;
+  BackgroundTask(const BackgroundTask&) = delete;
+  BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-  bool running() const { return state_ != nullptr; }
-
-  void start(std::function<T()> work) {
-    reap();
+  // Starts the work on a new thread and abandons the work before. `wake` is called on that thread when the result is
+  // available.
+  void start(std::function<T()> work, std::function<void()> wake) {
+    join_finished();
     state_ = std::make_shared<State>();
-    workers_.push_back({state_, std::thread([state = state_, work = std::move(work), wake = wake_] {
+    workers_.push_back({state_, std::thread([state = state_, work = std::move(work), wake = std::move(wake)] {
                           T result = work();
                           {
                             const std::lock_guard lock(state->mutex);
@@ -37,10 +38,18 @@ class Job {
                         })});
   }
 
+  // The work continues on its thread, but its result is discarded.
   void abandon() { state_.reset(); }
 
+  // Whether there is work whose result was not taken.
+  bool running() const { return state_ != nullptr; }
+  bool has_result() const {
+    if (!state_) return false;
+    const std::lock_guard lock(state_->mutex);
+    return state_->done;
+  }
   // The result, once.
-  std::optional<T> take() {
+  std::optional<T> take_result() {
     if (!state_) return std::nullopt;
     const auto state = state_;
     const std::lock_guard lock(state->mutex);
@@ -50,7 +59,7 @@ class Job {
 
  private:
   struct State {
-    std::mutex mutex;
+    mutable std::mutex mutex;
     bool done = false;
     std::optional<T> result;
   };
@@ -59,7 +68,7 @@ class Job {
     std::thread thread;
   };
 
-  void reap() {
+  void join_finished() {
     std::erase_if(workers_, [](Worker& worker) {
       {
         const std::lock_guard lock(worker.state->mutex);
@@ -70,7 +79,6 @@ class Job {
     });
   }
 
-  std::function<void()> wake_;
   std::shared_ptr<State> state_;
   std::vector<Worker> workers_;
 };

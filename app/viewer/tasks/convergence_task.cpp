@@ -1,228 +1,194 @@
 #include "viewer/tasks/convergence_task.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cmath>
 
-#include "base/file.h"
-#include "image/image.h"
+#include "render/session.h"
+#include "viewer/files/file_names.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
 #include "viewer/state/notices.h"
+#include "viewer/tasks/convergence_export.h"
+#include "viewer/tasks/exclusive_task.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/widgets/format.h"
 
 namespace etendue::viewer {
 namespace {
 
-// Whether two documents ask for the same picture, by whatever method.
-bool same_picture(const render::Document& a, const render::Document& b) {
+// Whether two documents define the same image. The integrator may differ.
+bool same_image(const render::Document& a, const render::Document& b) {
   return same_view(a, b) && a.method.paths == b.method.paths;
-}
-
-std::string in_quotes(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-// One row a point; mse and relmse are without the reference's own error, the measured ones with it.
-std::string csv_of(const bench::LiveBenchmarkSnapshot& contest) {
-  std::string csv = "method,repeat,seconds,spp,mse,relmse,bias,measured_mse,measured_relmse\n";
-  for (const auto& method : contest.methods)
-    for (size_t r = 0; r < method.corrected.repeats.size(); ++r)
-      for (size_t i = 0; i < method.corrected.repeats[r].points.size(); ++i) {
-        const auto &p = method.corrected.repeats[r].points[i], &raw = method.measured.repeats[r].points[i];
-        csv += in_quotes(method.name) + text_of(",%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n",
-                                                method.corrected.repeats[r].repeat, p.seconds, p.spp, p.mse, p.relmse,
-                                                p.bias, raw.mse, raw.relmse);
-      }
-  return csv;
-}
-
-Result<std::string> write_chart(const std::string& file, const bench::LiveBenchmarkSnapshot& contest,
-                                std::span<const metrics::MethodCurves> curves, const metrics::ChartOptions& options) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto drawing = metrics::chart_of(curves, options);
-  Result<void> written;
-  if (extension == ".svg" || extension == ".csv") {
-    const std::string text = extension == ".csv" ? csv_of(contest) : metrics::svg_of(drawing);
-    written = write_file(file, text.data(), text.size());
-  } else if (extension == ".png") {
-    written = image::write_png(file, drawing.width, drawing.height, metrics::raster_of(drawing));
-  } else {
-    return usage_error(file + ": '" + extension + "' is no format of a chart; give .svg, .png or .csv");
-  }
-  if (!written) return written.error();
-  return file;
 }
 
 }  // namespace
 
-bool same_view(const render::Document& a, const render::Document& b) {
-  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
-         a.filter == b.filter && a.forced_flags == b.forced_flags;
-}
-
-std::string name_of(const render::MethodSettings& method) {
-  std::string name = method.integrator + ":sampler=" + method.sampler;
-  for (const auto& [setting, value] : method.settings) {
-    const size_t dot = setting.find('.');
-    const std::string owner = setting.substr(0, dot);
-    if (owner == method.integrator || owner == method.sampler)
-      name += ":" + setting.substr(dot + 1) + "=" + to_string(value);
-  }
-  return name;
-}
-
-std::string spoken(const std::string& method) {
-  std::string text;
-  for (const char c : method) text += c == ':' ? ", " : std::string(1, c);
-  const std::string sampler = "sampler=";
-  if (const size_t at = text.find(sampler); at != std::string::npos) text.erase(at, sampler.size());
-  return text;
-}
-
-void ContestHand::propose() {
-  if (!setup.methods.empty() || editor_.empty()) return;
-  render::MethodSettings method = editor_.document().method;
-  setup.methods.push_back(name_of(method));
+void ConvergenceTask::propose_methods(const render::Document& document) {
+  if (!parameters.methods.empty() || !document.scene) return;
+  render::MethodSettings method = document.method;
+  parameters.methods.push_back(method_spec(method));
   method.sampler = method.sampler == "random" ? "sobol" : "random";
-  setup.methods.push_back(name_of(method));
+  parameters.methods.push_back(method_spec(method));
 }
 
-void ContestHand::add(const std::string& method) {
-  if (std::ranges::find(setup.methods, method) == setup.methods.end()) setup.methods.push_back(method);
+void ConvergenceTask::add_method(const std::string& spec) {
+  auto& methods = parameters.methods;
+  if (std::ranges::find(methods, spec) == methods.end()) methods.push_back(spec);
 }
 
-void ContestHand::remove(size_t index) {
-  setup.methods.erase(setup.methods.begin() + static_cast<std::ptrdiff_t>(index));
-  for (size_t* side : {&setup.a, &setup.b})
+void ConvergenceTask::remove_method(size_t index) {
+  parameters.methods.erase(parameters.methods.begin() + static_cast<std::ptrdiff_t>(index));
+  for (size_t* side : {&parameters.a, &parameters.b})
     if (*side > index) --*side;
 }
 
-std::optional<size_t> ContestHand::place_of(const std::string& method) const {
-  if (!shown_) return std::nullopt;
-  const auto found = std::ranges::find(shown_->methods, method, &bench::Standing::name);
-  if (found == shown_->methods.end()) return std::nullopt;
-  return static_cast<size_t>(found - shown_->methods.begin());
+std::optional<size_t> ConvergenceTask::index_in_result(const std::string& spec) const {
+  if (!snapshot_) return std::nullopt;
+  const auto found = std::ranges::find(snapshot_->methods, spec, &bench::Standing::name);
+  if (found == snapshot_->methods.end()) return std::nullopt;
+  return static_cast<size_t>(found - snapshot_->methods.begin());
 }
 
-Result<void> ContestHand::start() {
-  stop();
-  document_ = editor_.document();
+Result<void> ConvergenceTask::start(const TaskContext& context) {
+  stop(context);
+  document_ = context.editor.document();
   bench::LiveBenchmarkPlan plan;
-  for (const auto& name : setup.methods) {
-    auto method = bench::parse_method(name, document_);
+  for (const auto& spec : parameters.methods) {
+    auto method = bench::parse_method(spec, document_);
     if (!method) return method.error();
     plan.methods.push_back(std::move(*method));
   }
-  if (plan.methods.empty()) return usage_error("There is no method to compare; add one.");
-  plan.rule = setup.rule, plan.seconds = setup.seconds, plan.samples = static_cast<uint32_t>(setup.samples.value);
-  plan.repeats = setup.repeats, plan.seed = document_.seed;
-  plan.threads = threads_, plan.cache = cache_, plan.compiled = session_.scene();
-  retire();
-  was_paused_ = session_.paused();
-  session_.pause(true);
-  contest_ = std::make_unique<bench::LiveBenchmark>(std::move(plan), wake_);
-  shown_ = contest_->snapshot();
-  running_ = sides_wanted_ = true;
+  if (plan.methods.empty()) return usage_error("There is no method to compare. Add one to the list.");
+  plan.rule = parameters.rule;
+  plan.seconds = double{parameters.seconds.value};
+  plan.samples = static_cast<uint32_t>(parameters.samples.value);
+  plan.repeats = parameters.repeats;
+  plan.seed = document_.seed;
+  plan.threads = context.threads;
+  plan.cache = bench::cache_folder();
+  plan.compiled = context.session.scene();
+  discard_benchmark(context);
+  set_running(context);
+  benchmark_ = std::make_unique<bench::LiveBenchmark>(std::move(plan), context.wake);
+  snapshot_ = benchmark_->snapshot();
   return {};
 }
 
-void ContestHand::stop() {
+void ConvergenceTask::stop(const TaskContext& context) {
   if (!running_) return;
-  contest_->stop();
-  finish();
+  benchmark_->stop();
+  finish(context);
 }
 
-void ContestHand::go_on() {
-  if (!can_go_on()) return;
-  was_paused_ = session_.paused();
-  session_.pause(true);
-  before_ = contest_->snapshot();
-  contest_->go_on();
-  running_ = sides_wanted_ = true;
+void ConvergenceTask::resume(const TaskContext& context) {
+  if (!can_resume()) return;
+  set_running(context);
+  resumed_from_ = benchmark_->snapshot();
+  benchmark_->go_on();
 }
 
-void ContestHand::finish() {
+void ConvergenceTask::set_running(const TaskContext& context) {
+  context.exclusive.begin({.status = "comparing", .cancel = [this, context] { stop(context); }});
+  running_ = true;
+  images_requested_ = true;
+}
+
+void ConvergenceTask::finish(const TaskContext& context) {
   running_ = false;
-  session_.pause(was_paused_);
+  context.exclusive.end();
 }
 
-// Its end may take a moment, for its reference is written and its films are given back: not on this thread.
-void ContestHand::retire() {
-  if (!contest_) return;
-  contest_->stop();
-  retiring_.start([last = std::make_shared<std::unique_ptr<bench::LiveBenchmark>>(std::move(contest_))] {
-    return last->reset(), true;
-  });
+// The destructor writes the reference to the cache and frees films, so it runs on another thread.
+void ConvergenceTask::discard_benchmark(const TaskContext& context) {
+  if (!benchmark_) return;
+  benchmark_->stop();
+  const auto last = std::make_shared<std::unique_ptr<bench::LiveBenchmark>>(std::move(benchmark_));
+  const auto destroy = [last] {
+    last->reset();
+    return true;
+  };
+  destruction_.start(destroy, context.wake);
 }
 
-void ContestHand::advance(Comparison& comparison, Notices& notices) {
-  if (auto written = job_.take()) {
+void ConvergenceTask::update(const TaskContext& context, Comparison& comparison) {
+  if (auto written = export_.take_result()) {
     if (*written)
-      notices.say("Saved " + **written);
+      context.notices.add_message("Saved " + **written);
     else
-      notices.complain(written->error().message);
+      context.notices.add_error(written->error().message);
   }
-  if (!contest_) return;
-  const bool news = has_news();
-  shown_ = contest_->snapshot();
-  if (!same_picture(editor_.document(), document_)) {
-    if (running_)
-      finish(),
-          notices.say("The scene was edited: the comparison has ended. Its curves are those of the scene before.");
-    retire();
-    comparison.a = comparison.b = comparison.reference = {};
+  if (!benchmark_) return;
+  const bool is_new = has_update();
+  snapshot_ = benchmark_->snapshot();
+  if (!same_image(context.editor.document(), document_)) {
+    if (running_) {
+      finish(context);
+      context.notices.add_message(
+          "The scene was edited. The comparison was stopped; its curves show the scene before the edit.");
+    }
+    discard_benchmark(context);
+    comparison.a = {};
+    comparison.b = {};
+    comparison.reference = {};
     comparison.mode = CompareMode::off;
     return;
   }
-  if (running_ && shown_ != before_ && shown_->phase == bench::LiveBenchmarkSnapshot::Phase::done) finish();
-  if (news || sides_wanted_) show_sides(comparison);
-  // The viewport is split once there is something on both sides; whoever leaves the split then is left alone.
-  if (!sides_wanted_ || !comparison.a.frame || !comparison.b.frame) return;
-  sides_wanted_ = false;
+  const bool done = snapshot_->phase == bench::LiveBenchmarkSnapshot::Phase::done;
+  if (running_ && snapshot_ != resumed_from_ && done) finish(context);
+  if (is_new || images_requested_) show_images(comparison);
+  // The viewport is split once, as soon as both images exist. The user may then leave the split view.
+  if (!images_requested_ || !comparison.a.frame || !comparison.b.frame) return;
+  images_requested_ = false;
   if (comparison.mode == CompareMode::off) comparison.mode = CompareMode::wipe;
 }
 
-void ContestHand::show_sides(Comparison& comparison) const {
-  const auto side = [&](size_t index) {
-    const auto place = index < setup.methods.size() ? place_of(setup.methods[index]) : std::nullopt;
-    if (!place || !shown_->methods[*place].frame) return Side{};
-    const auto& method = shown_->methods[*place];
-    return Side{spoken(method.name) + text_of(", %u spp", method.frame->samples), method.frame};
+void ConvergenceTask::show_images(Comparison& comparison) const {
+  const auto side = [&](size_t method) {
+    const auto index = method < parameters.methods.size() ? index_in_result(parameters.methods[method]) : std::nullopt;
+    if (!index || !snapshot_->methods[*index].frame) return Side{};
+    const auto& standing = snapshot_->methods[*index];
+    const std::string samples = formatted(", %u spp", standing.frame->samples);
+    return Side{.name = short_method_name(standing.name) + samples,
+                .label = method_label(standing.name) + samples,
+                .frame = standing.frame};
   };
-  comparison.a = side(setup.a), comparison.b = side(setup.b);
-  comparison.reference = {text_of("reference, %u spp", shown_->reference_samples), shown_->reference};
+  comparison.a = side(parameters.a);
+  comparison.b = side(parameters.b);
+  const std::string reference = formatted("reference, %u spp", snapshot_->reference_samples);
+  comparison.reference = {.name = reference, .label = reference, .frame = snapshot_->reference};
 }
 
-metrics::ChartOptions ContestHand::chart_options() const {
+metrics::ChartOptions ConvergenceTask::chart_options() const {
   metrics::ChartOptions options;
-  options.along = setup.along, options.kind = setup.kind;
-  if (!shown_) return options;
-  const auto& d = document_;
-  options.title = std::filesystem::path(d.scene_name).filename().string() + text_of(", %d x %d, ", d.width, d.height) +
-                  (shown_->rule == bench::Rule::equal_time ? text_of("%g s each", shown_->seconds)
-                                                           : text_of("%u spp each", shown_->samples));
-  if (options.kind == metrics::ErrorKind::rmse && std::isfinite(shown_->reference_error))
-    options.reference_error = shown_->reference_error;
+  options.along = parameters.axis;
+  options.kind = parameters.error;
+  if (!snapshot_) return options;
+  const bool equal_time = snapshot_->rule == bench::Rule::equal_time;
+  const std::string budget =
+      equal_time ? formatted("%g s each", snapshot_->seconds) : formatted("%u spp each", snapshot_->samples);
+  options.title =
+      base_name(document_.scene_name) + formatted(", %d x %d, ", document_.width, document_.height) + budget;
+  if (options.kind == metrics::ErrorKind::rmse && std::isfinite(snapshot_->reference_error))
+    options.reference_error = snapshot_->reference_error;
   return options;
 }
 
-std::vector<metrics::MethodCurves> ContestHand::curves() const {
+std::vector<metrics::MethodCurves> ConvergenceTask::curves() const {
   std::vector<metrics::MethodCurves> curves;
-  if (!shown_) return curves;
-  for (const auto& method : shown_->methods) {
+  if (!snapshot_) return curves;
+  for (const auto& method : snapshot_->methods) {
     curves.push_back(method.corrected);
-    curves.back().name = spoken(method.name);
+    curves.back().name = short_method_name(method.name);
   }
   return curves;
 }
 
-void ContestHand::write(const std::string& file) {
-  if (!shown_) return;
-  job_.start([file, contest = shown_, curves = curves(), options = chart_options()] {
-    return write_chart(file, *contest, curves, options);
-  });
+void ConvergenceTask::save_chart(const TaskContext& context, const std::string& file) {
+  if (!snapshot_) return;
+  const auto write = [file, snapshot = snapshot_, curves = curves(), options = chart_options()] {
+    return write_convergence_chart(file, *snapshot, curves, options);
+  };
+  export_.start(write, context.wake);
 }
 
 }  // namespace etendue::viewer

@@ -1,9 +1,10 @@
-// The methods that take turns on the scene on the desk: which ones, by which rule, and what became of them.
+// The live comparison of methods: renders them in turns and measures their errors against a reference.
 //
-// While they do, the main rendering is paused. An edit of what the picture is of ends them; their curves stay, marked
-// as those of the scene before.
+// The task has the processor to itself. An edit of the scene or the camera stops it. Its curves remain, marked as
+// outdated.
 #pragma once
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,9 @@
 #include "base/parameter.h"
 #include "bench/live_benchmark.h"
 #include "metrics/svg_chart.h"
-#include "viewer/state/editor.h"
+#include "render/document.h"
 #include "viewer/tasks/background_task.h"
+#include "viewer/tasks/task.h"
 
 namespace etendue {
 
@@ -22,7 +24,7 @@ struct Options<bench::Rule> {
 };
 template <>
 struct Options<metrics::Abscissa> {
-  static constexpr std::array<Option, 2> kOptions{{{"seconds", "over seconds"}, {"samples", "over samples"}}};
+  static constexpr std::array<Option, 2> kOptions{{{"seconds", "over time"}, {"samples", "over samples"}}};
 };
 template <>
 struct Options<metrics::ErrorKind> {
@@ -34,106 +36,88 @@ struct Options<metrics::ErrorKind> {
 namespace etendue::viewer {
 
 class Comparison;
-class Notices;
 
-// What the user set; none of it changes a contest that runs, but for what is drawn of it.
-struct ContestSetup {
-  std::vector<std::string> methods;                    // as a bench names them
-  size_t a = 0, b = 1;                                 // whose pictures are the sides of the viewport
-  std::string integrator = "path", sampler = "sobol";  // that can be added next
-
-  Choice<bench::Rule> rule{"compare.rule", "Rule", bench::Rule::equal_time,
-                           "What all methods get alike: time on the machine, or samples of every pixel"};
-  Number<float> seconds{
-      "compare.seconds", "Budget", 10, {0.1f, 36000}, "Seconds of rendering for each method in each repeat", "s",
-      Scale::logarithmic};
-  Number<int> samples{
-      "compare.samples", "Budget", 64, {1, 1000000}, "Samples per pixel for each method in each repeat", "spp",
-      Scale::logarithmic};
-  Number<int> repeats{"compare.repeats",
-                      "Repeats",
-                      5,
-                      {1, 100},
-                      "How often, with other random numbers: bands and uncertainties come from these",
-                      "x"};
-  Choice<metrics::Abscissa> along{"compare.axis", "Axis", metrics::Abscissa::seconds, "What the error is drawn over"};
-  Choice<metrics::ErrorKind> kind{"compare.error", "Error", metrics::ErrorKind::rmse,
-                                  "Root mean square error in radiance, or mean square error relative to the reference"};
-  auto knobs() { return std::tie(rule, seconds, samples, repeats, along, kind); }
-};
-
-class ContestHand {
+class ConvergenceTask final : public Task {
  public:
-  ContestHand(render::Session& session, Editor& editor, int threads, std::filesystem::path cache,
-              std::function<void()> wake)
-      : session_(session),
-        editor_(editor),
-        threads_(threads),
-        cache_(std::move(cache)),
-        wake_(wake),
-        job_(wake),
-        retiring_(std::move(wake)) {}
+  // Changes of these do not affect a running comparison, except for `axis` and `error`, which concern the chart only.
+  struct Parameters {
+    std::vector<std::string> methods;  // as `bench` writes them: "path:sampler=sobol"
+    size_t a = 0;                      // index of the method in image A of the viewport
+    size_t b = 1;                      // likewise for B
+    std::string integrator = "path";   // of the next method that is added
+    std::string sampler = "sobol";     // likewise
 
-  ContestSetup setup;
+    Choice<bench::Rule> rule{"compare.rule", "Compare at", bench::Rule::equal_time,
+                             "All methods get the same rendering time or the same number of samples per pixel"};
+    Number<float> seconds{
+        "compare.seconds", "Time budget", 10, {0.1f, 36000}, "Rendering time of each method in each repeat", "s",
+        Scale::logarithmic};
+    Number<int> samples{
+        "compare.samples", "Sample budget", 64, {1, 1000000}, "Samples per pixel of each method in each repeat", "spp",
+        Scale::logarithmic};
+    Number<int> repeats{"compare.repeats",
+                        "Repeats",
+                        5,
+                        {1, 100},
+                        "Independent repeats with different seeds. More repeats give narrower confidence bands",
+                        "x"};
+    Choice<metrics::Abscissa> axis{"compare.axis", "Horizontal axis", metrics::Abscissa::seconds,
+                                   "Whether errors are drawn over rendering time or over samples per pixel"};
+    Choice<metrics::ErrorKind> error{"compare.error", "Error metric", metrics::ErrorKind::rmse,
+                                     "RMSE in radiance, or relMSE: squared error relative to the reference"};
+    auto all() { return std::tie(rule, seconds, samples, repeats, axis, error); }
+  };
+  Parameters parameters;
 
-  // The method of the document, and one to compare it with; the setup begins with them.
-  void propose();
-  // A method that is not yet on the list, as a bench names it.
-  void add(const std::string& method);
-  void remove(size_t index);
+  // Fills an empty list with the method of the document and the same integrator with another sampler.
+  void propose_methods(const render::Document& document);
+  // Adds a method that is not on the list yet.
+  void add_method(const std::string& spec);
+  void remove_method(size_t index);
 
-  // From the beginning, with the document as it is.
-  Result<void> start();
-  void stop();
-  void go_on();
+  // Starts a new comparison of the methods on the list. A method that cannot be parsed is an error.
+  Result<void> start(const TaskContext& context);
+  void stop(const TaskContext& context);
+  // Continues after a stop; after the end, with twice the budget.
+  void resume(const TaskContext& context);
   bool running() const { return running_; }
-  // Whether there is something to go on with.
-  bool can_go_on() const { return contest_ && !running_; }
-  // Whether the snapshot is of what is on the desk.
-  bool up_to_date() const { return contest_ != nullptr; }
+  bool can_resume() const { return benchmark_ && !running_; }
+  // Whether the result belongs to the document as it is.
+  bool is_current() const { return benchmark_ != nullptr; }
 
-  const bench::LiveBenchmarkSnapshot* shown() const { return shown_.get(); }
-  // Where the method of that name stands, and its place among the curves; nothing if it did not take part.
-  std::optional<size_t> place_of(const std::string& method) const;
-  bool has_news() const { return contest_ && contest_->snapshot() != shown_; }
-  // Called once a frame: takes up the newest snapshot and hands its pictures to the viewport.
-  void advance(Comparison& comparison, Notices& notices);
+  // Null before the first comparison.
+  const bench::LiveBenchmarkSnapshot* result() const { return snapshot_.get(); }
+  // The index of a method in the result; nothing if it did not take part.
+  std::optional<size_t> index_in_result(const std::string& spec) const;
 
-  // The chart of what is shown; of a given size, with the document's name as its title.
+  // Called once per frame. Takes the newest result and shows the images of the methods A and B in the viewport.
+  void update(const TaskContext& context, Comparison& comparison);
+  void reset(const TaskContext& context) override { stop(context); }
+  bool has_update() const override { return benchmark_ && benchmark_->snapshot() != snapshot_; }
+  bool is_saving() const override { return export_.running(); }
+  // Shows the images of the methods A and B at the next `update`.
+  void request_images() { images_requested_ = snapshot_ != nullptr && benchmark_ != nullptr; }
+
+  // The chart of the result.
   metrics::ChartOptions chart_options() const;
   std::vector<metrics::MethodCurves> curves() const;
   // Writes the chart (.svg, .png) or its points (.csv) in the background.
-  void write(const std::string& file);
-  // Has the viewport show the sides that were chosen.
-  void choose_sides() { sides_wanted_ = shown_ != nullptr && contest_ != nullptr; }
-  bool writing() const { return job_.running(); }
+  void save_chart(const TaskContext& context, const std::string& file);
 
  private:
-  void finish();
-  void retire();
-  void show_sides(Comparison& comparison) const;
+  void set_running(const TaskContext& context);
+  void finish(const TaskContext& context);
+  void discard_benchmark(const TaskContext& context);
+  void show_images(Comparison& comparison) const;
 
-  render::Session& session_;
-  Editor& editor_;
-  const int threads_;
-  const std::filesystem::path cache_;
-  const std::function<void()> wake_;
-  std::unique_ptr<bench::LiveBenchmark> contest_;
-  std::shared_ptr<const bench::LiveBenchmarkSnapshot> shown_, before_;  // before it went on
-  render::Document document_;                                           // that the contest is of
-  bool running_ = false, was_paused_ = false, sides_wanted_ = false;
-  Job<Result<std::string>> job_;
-  Job<bool> retiring_;
+  std::unique_ptr<bench::LiveBenchmark> benchmark_;
+  std::shared_ptr<const bench::LiveBenchmarkSnapshot> snapshot_;
+  std::shared_ptr<const bench::LiveBenchmarkSnapshot> resumed_from_;  // the snapshot when it was resumed
+  render::Document document_;                                         // that is compared
+  bool running_ = false;
+  bool images_requested_ = false;
+  BackgroundTask<Result<std::string>> export_;
+  BackgroundTask<bool> destruction_;
 };
-
-// Every knob of the setup, for lists.
-std::vector<ParameterInfo> contest_parameters();
-
-// Whether two documents show the same by whatever method, and whichever paths count.
-bool same_view(const render::Document& a, const render::Document& b);
-
-// "path:sampler=sobol:max-depth=3" of a document's method; and as a reader likes it: "path, sobol, max-depth=3".
-std::string name_of(const render::MethodSettings& method);
-std::string spoken(const std::string& method);
 
 }  // namespace etendue::viewer

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 
-#include "viewer/tasks/convergence_task.h"
+#include "render/session.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
 
 namespace etendue::viewer {
 namespace {
 
-// The picture has the processor to itself for so long after an edit.
-constexpr double kRest = 0.8;
-// That the measurement may take, besides its coarsest classes.
+// Seconds after an edit in which the main rendering has the processor to itself.
+constexpr double kDelay = 0.8;
+// Time limit of the measurement after its coarsest classes, seconds.
 constexpr double kSeconds = 0.5;
-constexpr size_t kMostKnown = 64;
+constexpr uint32_t kSamples = 4;
+constexpr size_t kMaxResults = 64;
 
 bool same_question(const render::Document& a, const render::Document& b) {
   return same_view(a, b) && a.method == b.method;
@@ -19,28 +22,40 @@ bool same_question(const render::Document& a, const render::Document& b) {
 
 }  // namespace
 
-const advisor::MissingPaths* BlindSpotsHand::shown() const {
-  const auto at = std::ranges::find_if(
-      known_, [&](const Known& known) { return same_question(known.document, editor_.document()); });
-  return at == known_.end() ? nullptr : &at->spots;
+const advisor::MissingPaths* MissingPathsTask::result_for(const render::Document& document) const {
+  const auto found =
+      std::ranges::find_if(results_, [&](const Result& result) { return same_question(result.document, document); });
+  return found == results_.end() ? nullptr : &found->missing_paths;
 }
 
-void BlindSpotsHand::advance(bool looked_at) {
-  if (editor_.version() != version_) version_ = editor_.version(), edited_ = Clock::now();
-  if (study_.advance() && study_.shown()->finished) {
-    known_.push_front({document_, study_.shown()->spots});
-    if (known_.size() > kMostKnown) known_.pop_back();
+void MissingPathsTask::update(const TaskContext& context, bool allowed) {
+  const Editor& editor = context.editor;
+  if (editor.version() != edited_version_) {
+    edited_version_ = editor.version();
+    edit_time_ = Clock::now();
   }
-  if (running() && !(looked_at && same_question(editor_.document(), document_))) study_.call_off();
-  const double rest = std::chrono::duration<double>(Clock::now() - edited_).count();
-  if (!looked_at || running() || shown() || rest < kRest) return;
-  document_ = editor_.document();
-  study_.start([document = document_, scene = session_.scene()](const auto& publish, const bench::Progress& watch) {
+  if (task_.update() && task_.result()->finished) {
+    results_.push_front({document_, task_.result()->spots});
+    if (results_.size() > kMaxResults) results_.pop_back();
+  }
+  if (task_.running() && !(allowed && same_question(editor.document(), document_))) task_.cancel();
+  const double since_edit = std::chrono::duration<double>(Clock::now() - edit_time_).count();
+  if (!allowed || task_.running() || result_for(editor.document()) || since_edit < kDelay) return;
+  document_ = editor.document();
+  const auto work = [document = document_, scene = context.session.scene()](const auto& publish,
+                                                                            const bench::Progress& progress) {
     render::Session session({.threads = 1, .scene = scene});
     advisor::TableOptions options;
-    options.samples = 4, options.seconds = kSeconds;
-    publish(advisor::measured_missing_paths(session, document, options, watch));
-  });
+    options.samples = kSamples;
+    options.seconds = kSeconds;
+    publish(advisor::measured_missing_paths(session, document, options, progress));
+  };
+  task_.start(work, context.wake);
+}
+
+void MissingPathsTask::reset(const TaskContext&) {
+  task_.reset();
+  results_.clear();
 }
 
 }  // namespace etendue::viewer

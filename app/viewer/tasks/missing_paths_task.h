@@ -1,44 +1,41 @@
-// What the document's method misses of the view on the desk: measured beside the rendering once an edit has come to
-// rest, and kept for as long as the scene is open, so that going back and forth between methods asks once.
+// Measures which light paths the current integrator misses in the current view, and how much energy they carry.
 //
-// A method that declares to find all that counts costs nothing.
+// The measurement starts when the document has not been edited for a moment. Results are kept while the scene is open,
+// so that switching between integrators measures each one once. An integrator that declares to find all paths needs no
+// measurement.
 #pragma once
 #include <chrono>
 #include <deque>
 
 #include "advisor/missing_paths.h"
-#include "viewer/state/editor.h"
+#include "render/document.h"
 #include "viewer/tasks/progressive_task.h"
+#include "viewer/tasks/task.h"
 
 namespace etendue::viewer {
 
-class BlindSpotsHand {
+class MissingPathsTask final : public Task {
  public:
-  BlindSpotsHand(const render::Session& session, const Editor& editor, const std::function<void()>& wake)
-      : session_(session), editor_(editor), study_(wake) {}
+  // The result for this document, or null if it was not measured.
+  const advisor::MissingPaths* result_for(const render::Document& document) const;
 
-  // Null until it is known.
-  const advisor::MissingPaths* shown() const;
-  bool running() const { return study_.running(); }
-  bool has_news() const { return study_.has_news(); }
-  void forget() { study_.clear(), known_.clear(); }
-  // Called once a frame; somebody may be looking. An edit ends the work.
-  void advance(bool looked_at);
+  // Called once per frame. Starts a measurement if `allowed`; an edit or `allowed == false` cancels it.
+  void update(const TaskContext& context, bool allowed);
+  void reset(const TaskContext& context) override;
+  bool has_update() const override { return task_.has_update(); }
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Known {
+  struct Result {
     render::Document document;
-    advisor::MissingPaths spots;
+    advisor::MissingPaths missing_paths;
   };
 
-  const render::Session& session_;
-  const Editor& editor_;
-  std::deque<Known> known_;    // the newest first
-  render::Document document_;  // that is being measured
-  uint64_t version_ = 0;       // of the last edit
-  Clock::time_point edited_;
-  Study<advisor::MeasuredMissingPaths> study_;
+  std::deque<Result> results_;   // the newest first
+  render::Document document_;    // that is being measured
+  uint64_t edited_version_ = 0;  // the document version at the last call of `update`
+  Clock::time_point edit_time_;
+  ProgressiveTask<advisor::MeasuredMissingPaths> task_;
 };
 
 }  // namespace etendue::viewer

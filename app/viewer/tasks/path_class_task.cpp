@@ -2,62 +2,79 @@
 
 #include <algorithm>
 
-#include "viewer/tasks/convergence_task.h"
+#include "render/session.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr double kSeconds = 3;  // that a table may take, besides its coarsest classes
+// Time limit of the measurement after its coarsest classes, seconds.
+constexpr double kSeconds = 3;
 
-MethodView::Finds finds(const advisor::Found& found, const advisor::ClassTable& table, const advisor::ClassRow& row) {
-  advisor::ClassTable alone;
-  alone.total = table.total, alone.rows = {row};
-  const auto misses = advisor::missing_paths(found, alone);
-  if (misses.none()) return MethodView::Finds::all;
-  const auto& spot = misses.classes.front();
-  return spot.part || spot.points ? MethodView::Finds::part : MethodView::Finds::nothing;
+IntegratorCoverage::Found found_part(const advisor::Found& declared, const advisor::ClassTable& table,
+                                     const advisor::ClassRow& row) {
+  advisor::ClassTable single_row;
+  single_row.total = table.total;
+  single_row.rows = {row};
+  const auto missing = advisor::missing_paths(declared, single_row);
+  if (missing.none()) return IntegratorCoverage::Found::all;
+  const auto& missing_class = missing.classes.front();
+  const bool in_part = missing_class.part || missing_class.points;
+  return in_part ? IntegratorCoverage::Found::part : IntegratorCoverage::Found::none;
 }
 
 }  // namespace
 
-void PathsHand::measure() {
-  if (editor_.empty()) return;
-  begun_ = true;
-  document_ = editor_.document();
+void PathClassTask::start(const TaskContext& context) {
+  if (context.editor.empty()) return;
+  started_ = true;
+  document_ = context.editor.document();
   document_.method.paths.clear();
-  // One is left to the picture.
-  const int all = threads_ > 0 ? threads_ : static_cast<int>(std::thread::hardware_concurrency());
-  study_.start([document = document_, threads = std::max(1, all - 1), scene = session_.scene()](
-                   const auto& publish, const bench::Progress& watch) {
+  // One thread is left to the main rendering.
+  const int all = context.threads > 0 ? context.threads : static_cast<int>(std::thread::hardware_concurrency());
+  const auto work = [document = document_, threads = std::max(1, all - 1), scene = context.session.scene()](
+                        const auto& publish, const bench::Progress& progress) {
     render::Session session({.threads = threads, .scene = scene});
     advisor::TableOptions options;
     options.seconds = kSeconds;
-    advisor::class_table(session, document, options, watch, [&](const advisor::ClassTable& table) {
+    advisor::class_table(session, document, options, progress, [&](const advisor::ClassTable& table) {
       publish({table, advisor::beyond_all_methods(*session.scene())});
     });
-  });
+  };
+  task_.start(work, context.wake);
 }
 
-bool PathsHand::fresh() const { return shown() && same_view(editor_.document(), document_); }
-
-void PathsHand::advance(bool looked_at) {
-  study_.advance();
-  if (running() && !same_view(editor_.document(), document_)) study_.call_off();
-  if (looked_at && !begun_) measure();
+void PathClassTask::update(const TaskContext& context, bool start_if_new) {
+  task_.update();
+  if (task_.running() && !same_view(context.editor.document(), document_)) task_.cancel();
+  if (start_if_new && !started_) start(context);
 }
 
-const MethodView& PathsHand::seen() {
-  const auto& method = editor_.document().method;
-  const auto status = session_.status();
-  const bool hindered = status.version == editor_.version() && !status.incompatibility.empty();
-  if (study_.shown() == seen_table_ && method == seen_method_ && hindered == seen_hindered_) return seen_;
-  seen_table_ = study_.shown(), seen_method_ = method, seen_hindered_ = hindered;
-  seen_ = {};
-  const auto found = hindered ? advisor::Found() : advisor::declared(method);
-  const auto& table = seen_table_->table;
-  for (const auto& row : table.rows) seen_.rows.push_back(finds(found, table, row));
-  seen_.misses = advisor::missing_paths(found, table);
-  return seen_;
+void PathClassTask::reset(const TaskContext&) {
+  task_.reset();
+  started_ = false;
+}
+
+bool PathClassTask::is_current(const render::Document& document) const {
+  return result() && same_view(document, document_);
+}
+
+const IntegratorCoverage& PathClassTask::coverage(const TaskContext& context) {
+  const auto& method = context.editor.document().method;
+  const auto status = context.session.status();
+  const bool incompatible = status.version == context.editor.version() && !status.incompatibility.empty();
+  if (task_.result() == covered_table_ && method == covered_method_ && incompatible == covered_incompatible_)
+    return coverage_;
+  covered_table_ = task_.result();
+  covered_method_ = method;
+  covered_incompatible_ = incompatible;
+  coverage_ = {};
+  const auto declared = incompatible ? advisor::Found() : advisor::declared(method);
+  const auto& table = covered_table_->table;
+  for (const auto& row : table.rows) coverage_.rows.push_back(found_part(declared, table, row));
+  coverage_.missing_paths = advisor::missing_paths(declared, table);
+  return coverage_;
 }
 
 }  // namespace etendue::viewer

@@ -1,63 +1,59 @@
-// Where the energy of the view on the desk comes from, and what the method of the document finds of that.
+// Measures how much energy of the view each class of light paths carries, and which of them the current integrator
+// finds.
 //
-// The table is of all paths, whichever of them are chosen to count, and by the trusted method: it belongs to the scene
-// and the camera, and an edit of either leaves it standing as that of the view before.
+// The table covers all paths, also where a path filter is set, and is measured with a reference integrator. It
+// therefore depends on scene and camera only. An edit of either leaves the table as it is, marked as outdated.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "advisor/missing_paths.h"
-#include "viewer/state/editor.h"
+#include "render/document.h"
 #include "viewer/tasks/progressive_task.h"
+#include "viewer/tasks/task.h"
 
 namespace etendue::viewer {
 
-struct PathsTable {
+struct PathClasses {
   advisor::ClassTable table;
-  std::vector<std::string> beyond_methods;  // what no method finds, as far as that can be told
+  std::vector<std::string> beyond_methods;  // light that no integrator finds, as sentences
 };
 
-// The table as one method sees it.
-struct MethodView {
-  enum class Finds : uint8_t { all, part, nothing };
-  std::vector<Finds> rows;
-  advisor::MissingPaths misses;
+// The table as seen by one integrator.
+struct IntegratorCoverage {
+  enum class Found : uint8_t { all, part, none };
+  std::vector<Found> rows;  // of the table
+  advisor::MissingPaths missing_paths;
 };
 
-class PathsHand {
+class PathClassTask final : public Task {
  public:
-  PathsHand(const render::Session& session, const Editor& editor, int threads, const std::function<void()>& wake)
-      : session_(session), editor_(editor), threads_(threads), study_(wake) {}
+  // Measures the current view.
+  void start(const TaskContext& context);
+  // Called once per frame. With `start_if_new`, measures a document that was not measured since it was opened.
+  void update(const TaskContext& context, bool start_if_new);
+  void reset(const TaskContext& context) override;
+  bool has_update() const override { return task_.has_update(); }
+  bool running() const { return task_.running(); }
 
-  // Of the document as it is.
-  void measure();
-  // A new document: its table is made when somebody looks.
-  void forget() { study_.clear(), begun_ = false; }
-
-  // Null until the first classes are there.
-  const PathsTable* shown() const { return study_.shown().get(); }
-  // Whether what is shown is of the view on the desk.
-  bool fresh() const;
-  bool running() const { return study_.running(); }
-  bool has_news() const { return study_.has_news(); }
-  // Once a frame; somebody may be looking. An edit of the view ends the work.
-  void advance(bool looked_at);
-
-  // Of what is shown, by the document's method.
-  const MethodView& seen();
+  // Null until the first classes are measured.
+  const PathClasses* result() const { return task_.result().get(); }
+  // Whether the result belongs to the view of this document.
+  bool is_current(const render::Document& document) const;
+  // What the integrator of the document finds. Requires a result.
+  const IntegratorCoverage& coverage(const TaskContext& context);
 
  private:
-  const render::Session& session_;
-  const Editor& editor_;
-  const int threads_;
-  bool begun_ = false;
-  render::Document document_;  // that the table is of
-  Study<PathsTable> study_;
+  bool started_ = false;       // since the document was opened
+  render::Document document_;  // that was measured
+  ProgressiveTask<PathClasses> task_;
 
-  std::shared_ptr<const PathsTable> seen_table_;
-  render::MethodSettings seen_method_;
-  bool seen_hindered_ = false;
-  MethodView seen_;
+  // The arguments and the result of the last call of `coverage`.
+  std::shared_ptr<const PathClasses> covered_table_;
+  render::MethodSettings covered_method_;
+  bool covered_incompatible_ = false;
+  IntegratorCoverage coverage_;
 };
 
 }  // namespace etendue::viewer

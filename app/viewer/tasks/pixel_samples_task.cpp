@@ -1,26 +1,29 @@
 #include "viewer/tasks/pixel_samples_task.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 
+#include "render/pixel_samples.h"
 #include "render/renderer.h"
+#include "render/session.h"
+#include "viewer/state/editor.h"
 
 namespace etendue::viewer {
 namespace {
 
-// Whole renderings of the pixel besides the one that is shown: their spread is the error, also where a sampler's points
-// depend on each other.
-constexpr size_t kHalves = 8;
-constexpr double kStudent = 2.3646;  // the 97.5 % quantile of Student's t with as many degrees of freedom, less one
+// Independent renderings of the pixel besides the one that is shown. Their spread gives the error, also for samplers
+// whose points are correlated.
+constexpr size_t kReplicas = 8;
+constexpr double kStudentQuantile = 2.3646;  // 97.5 % quantile of Student's t distribution with kReplicas - 1 degrees
 
-constexpr uint32_t kWindow = film::kHalves * render::kTableSamples;
-constexpr double kSlice = 0.15;  // seconds between two looks at what there is so far
+constexpr uint32_t kWindow = film::kHalves * render::kTableSamples;  // samples that are drawn together
+constexpr double kSliceSeconds = 0.15;                               // between two results
 
-// Even numbers, eight to an octave: where the course of the mean is noted down.
-uint32_t next_noted(uint32_t samples) {
+// The next sample count for the running mean: an even number, about 9 % larger, or the next power of two.
+uint32_t next_recorded_count(uint32_t samples) {
   const uint32_t step = std::max(2u, static_cast<uint32_t>(samples * 0.09) & ~1u);
-  // Powers of two are always among them.
   uint32_t power = 2;
   while (power <= samples) power *= 2;
   return std::min(samples + step, power);
@@ -28,133 +31,145 @@ uint32_t next_noted(uint32_t samples) {
 
 }  // namespace
 
-Histogram histogram_of(const std::vector<float>& values) {
-  Histogram h;
-  std::vector<float> positive;
-  for (const float v : values)
-    if (v > 0) positive.push_back(v);
-  h.zeros = static_cast<uint32_t>(values.size() - positive.size());
-  if (positive.empty()) return h;
-  std::ranges::sort(positive);
-  const auto share = [&](double q) {
-    return double{positive[static_cast<size_t>(q * static_cast<double>(positive.size() - 1))]};
-  };
-  // Far apart are the ends of most of the samples, or the largest from all others.
-  h.logarithmic = share(0.95) > 30 * share(0.05) || share(1) > 5 * share(0.95);
-  h.low = h.logarithmic ? share(0) : 0;
-  h.high = std::max(share(1), h.low * 1.01);
-  const size_t bins = std::clamp<size_t>(static_cast<size_t>(std::sqrt(static_cast<double>(positive.size()))), 8, 48);
-  h.counts.resize(bins);
-  for (const float v : positive) {
-    const double at = h.logarithmic ? std::log(v / h.low) / std::log(h.high / h.low) : (v - h.low) / (h.high - h.low);
-    ++h.counts[std::min(static_cast<size_t>(at * static_cast<double>(bins)), bins - 1)];
-  }
-  return h;
-}
-
-// Samples as far as they were drawn, and what has been told from them.
-struct PixelProbe::RenderState {
-  RenderState(const render::Document& document, const Key& key) : samples(document, key.scene, key.pixel) {
-    study.pixel = key.pixel, study.wanted = key.wanted;
+// The samples drawn so far and their statistics. One background task at a time uses it.
+class PixelSamplesTask::Accumulator {
+ public:
+  Accumulator(const render::Document& document, const Input& input) : samples_(document, input.scene, input.pixel) {
+    statistics_.pixel = input.pixel;
+    statistics_.target_samples = input.target_samples;
   }
 
-  // The next samples, as many as a slice of time holds.
-  std::shared_ptr<const PixelStudy> go_on() {
-    const auto start = std::chrono::steady_clock::now();
-    while (drawn < study.wanted &&
-           std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < kSlice)
-      if (!window(std::min(study.wanted, (drawn / kWindow + 1) * kWindow))) return nullptr;
-    study.histogram = histogram_of(luminances);
-    study.tail = tail.report();
-    study.mean = Rgb(static_cast<float>(colors[0] / drawn), static_cast<float>(colors[1] / drawn),
-                     static_cast<float>(colors[2] / drawn));
-    const double mean = (halves[0] + halves[1]) / drawn;
-    study.deviation = std::sqrt(std::max(0.0, squares / drawn - mean * mean));
-    auto so_far = std::make_shared<PixelStudy>(study);
-    if (study.course.empty() || study.course.back().samples != drawn) so_far->course.push_back(moment());
-    return so_far;
-  }
+  void cancel() { cancelled_ = true; }
+  bool has_all_samples() const { return drawn_ >= statistics_.target_samples; }
 
-  bool window(uint32_t end) {
-    for (uint32_t r = 0; r < drawings.size(); ++r) {
-      drawings[r].resize(end - drawn);
-      if (!samples.draw(drawn, r, drawings[r], [this] { return wanted.load(); })) return false;
+  // Draws samples for one slice of time. Null if the task was cancelled.
+  std::shared_ptr<const PixelStatistics> draw_slice() {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    while (!has_all_samples() && std::chrono::duration<double>(Clock::now() - start).count() < kSliceSeconds) {
+      const uint32_t window_end = (drawn_ / kWindow + 1) * kWindow;
+      if (!draw_until(std::min(statistics_.target_samples, window_end))) return nullptr;
     }
-    for (const size_t first = drawn; drawn < end;) take(drawn - first);
+    const double mean = (half_sums_[0] + half_sums_[1]) / drawn_;
+    statistics_.histogram = histogram_of(luminances_);
+    statistics_.tail = tail_.report();
+    statistics_.mean = Rgb(static_cast<float>(color_sums_[0] / drawn_), static_cast<float>(color_sums_[1] / drawn_),
+                           static_cast<float>(color_sums_[2] / drawn_));
+    statistics_.standard_deviation = std::sqrt(std::max(0.0, sum_of_squares_ / drawn_ - mean * mean));
+    auto result = std::make_shared<PixelStatistics>(statistics_);
+    if (result->samples() != drawn_) result->running_mean.push_back(estimate());
+    return result;
+  }
+
+ private:
+  bool draw_until(uint32_t end) {
+    for (uint32_t r = 0; r < replicas_.size(); ++r) {
+      replicas_[r].resize(end - drawn_);
+      if (!samples_.draw(drawn_, r, replicas_[r], [this] { return !cancelled_; })) return false;
+    }
+    for (const size_t first = drawn_; drawn_ < end;) add_sample(drawn_ - first);
     return true;
   }
 
-  void take(size_t i) {
-    const Rgb& sample = drawings[0][i];
+  void add_sample(size_t i) {
+    const Rgb& sample = replicas_[0][i];
     const double y = std::max(0.0f, luminance(sample));
-    watch(y);
-    for (int c = 0; c < 3; ++c) colors[static_cast<size_t>(c)] += double{sample[c]};
-    halves[drawn % 2] += y, squares += y * y;
-    for (size_t r = 0; r < kHalves; ++r) others[r] += double{luminance(drawings[r + 1][i])};
-    luminances.push_back(static_cast<float>(y));
-    study.largest = std::max(study.largest, y);
-    ++drawn;
-    if (drawn == next || drawn == study.wanted) study.course.push_back(moment()), next = next_noted(drawn);
+    add_to_tail(y);
+    for (int c = 0; c < 3; ++c) color_sums_[static_cast<size_t>(c)] += double{sample[c]};
+    half_sums_[drawn_ % 2] += y;
+    sum_of_squares_ += y * y;
+    for (size_t r = 0; r < kReplicas; ++r) replica_sums_[r] += double{luminance(replicas_[r + 1][i])};
+    luminances_.push_back(static_cast<float>(y));
+    statistics_.maximum = std::max(statistics_.maximum, y);
+    ++drawn_;
+    if (drawn_ != next_recorded_ && !has_all_samples()) return;
+    statistics_.running_mean.push_back(estimate());
+    next_recorded_ = next_recorded_count(drawn_);
   }
 
-  // As in a rendering: what a sample has above the mean before it; the first two have nothing to be compared with.
-  void watch(double y) {
-    if (drawn < 2) return;
-    const auto deviation = static_cast<float>(y - (halves[0] + halves[1]) / drawn);
-    tail.add(std::span(&deviation, 1), y);
+  // As in the main rendering: the tail statistics use the deviation from the mean of the samples before. The first two
+  // samples are skipped.
+  void add_to_tail(double y) {
+    if (drawn_ < 2) return;
+    const auto deviation = static_cast<float>(y - (half_sums_[0] + half_sums_[1]) / drawn_);
+    tail_.add(std::span(&deviation, 1), y);
   }
 
-  PixelStudy::Moment moment() const {
-    double sum = 0, sum_of_squares = 0;
-    for (const double other : others) sum += other / drawn, sum_of_squares += sqr(other / drawn);
-    const double variance = std::max(0.0, sum_of_squares - sum * sum / kHalves) / (kHalves - 1);
-    const double a = (drawn + 1) / 2, b = drawn / 2;
-    return {drawn,
-            (halves[0] + halves[1]) / drawn,
-            kStudent * std::sqrt(variance),
-            {halves[0] / a, b > 0 ? halves[1] / b : 0}};
+  PixelStatistics::Estimate estimate() const {
+    double sum = 0;
+    double sum_of_squares = 0;
+    for (const double replica_sum : replica_sums_) {
+      sum += replica_sum / drawn_;
+      sum_of_squares += sqr(replica_sum / drawn_);
+    }
+    const double variance = std::max(0.0, sum_of_squares - sum * sum / kReplicas) / (kReplicas - 1);
+    const double first_half = (drawn_ + 1) / 2;
+    const double second_half = drawn_ / 2;
+    return {.samples = drawn_,
+            .mean = (half_sums_[0] + half_sums_[1]) / drawn_,
+            .confidence = kStudentQuantile * std::sqrt(variance),
+            .half_means = {half_sums_[0] / first_half, second_half > 0 ? half_sums_[1] / second_half : 0}};
   }
 
-  render::PixelSamples samples;
-  std::atomic<bool> wanted{true};
-  std::array<std::vector<Rgb>, kHalves + 1> drawings;  // of one window
-  uint32_t drawn = 0, next = 2;
-  std::array<double, 3> colors{};
-  std::array<double, 2> halves{};
-  std::array<double, kHalves> others{};
-  double squares = 0;
-  std::vector<float> luminances;
-  film::TailAccumulator tail;
-  PixelStudy study;
+  render::PixelSamples samples_;
+  std::atomic<bool> cancelled_{false};
+  std::array<std::vector<Rgb>, kReplicas + 1> replicas_;  // samples of the current window; the first one is shown
+  uint32_t drawn_ = 0;
+  uint32_t next_recorded_ = 2;
+  std::array<double, 3> color_sums_{};
+  std::array<double, 2> half_sums_{};
+  std::array<double, kReplicas> replica_sums_{};
+  double sum_of_squares_ = 0;
+  std::vector<float> luminances_;
+  film::TailAccumulator tail_;
+  PixelStatistics statistics_;
 };
 
-void PixelProbe::drop() {
-  if (work_) work_->wanted = false;
-  job_.abandon();
-  work_.reset();
-  key_.reset();
-  settled_ = false;
+PixelSamplesTask::PixelSamplesTask() = default;
+PixelSamplesTask::~PixelSamplesTask() { pause(); }
+
+void PixelSamplesTask::pause() {
+  if (accumulator_) accumulator_->cancel();
+  task_.abandon();
+  accumulator_.reset();
+  input_.reset();
+  complete_ = false;
 }
 
-bool PixelProbe::advance(uint32_t wanted) {
-  bool fresh = settled_ = false;
-  if (auto made = job_.take(); made && *made) study_ = std::move(*made), fresh = true;
-  const auto& d = editor_.document();
-  if (pixel_ && (pixel_->x >= d.width || pixel_->y >= d.height)) pixel_.reset(), drop();
-  const auto scene = session_.scene();
-  if (!render::PixelSamples::possible(d)) return drop(), study_.reset(), fresh;
-  if (!pixel_ || !scene || session_.status().version != editor_.version()) return fresh;
-  const Key key{scene, *pixel_, wanted, d.camera, d.width, d.height, d.filter, d.method, d.forced_flags, d.seed};
-  if (!key_ || !(*key_ == key)) {
-    drop();
-    if (study_ && study_->pixel != *pixel_) study_.reset();
-    key_ = key;
-    work_ = std::make_shared<RenderState>(d, key);
+void PixelSamplesTask::update(const TaskContext& context, uint32_t target_samples) {
+  complete_ = false;
+  if (auto result = task_.take_result(); result && *result) result_ = std::move(*result);
+  const auto& d = context.editor.document();
+  if (pixel_ && (pixel_->x >= d.width || pixel_->y >= d.height)) {
+    pixel_.reset();
+    pause();
   }
-  if (job_.running()) return fresh;
-  settled_ = work_->drawn >= wanted;
-  if (!settled_) job_.start([work = work_] { return work->go_on(); });
-  return fresh;
+  if (!render::PixelSamples::possible(d)) {
+    pause();
+    result_.reset();
+    return;
+  }
+  const auto scene = context.session.scene();
+  if (!pixel_ || !scene || context.session.status().version != context.editor.version()) return;
+  const Input input{.scene = scene,
+                    .pixel = *pixel_,
+                    .target_samples = target_samples,
+                    .camera = d.camera,
+                    .width = d.width,
+                    .height = d.height,
+                    .filter = d.filter,
+                    .method = d.method,
+                    .forced_flags = d.forced_flags,
+                    .seed = d.seed};
+  if (!input_ || !(*input_ == input)) {
+    pause();
+    if (result_ && result_->pixel != *pixel_) result_.reset();
+    input_ = input;
+    accumulator_ = std::make_shared<Accumulator>(d, input);
+  }
+  if (task_.running()) return;
+  complete_ = accumulator_->has_all_samples();
+  if (!complete_) task_.start([accumulator = accumulator_] { return accumulator->draw_slice(); }, context.wake);
 }
 
 }  // namespace etendue::viewer

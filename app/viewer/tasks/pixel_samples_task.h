@@ -1,99 +1,61 @@
-// What one pixel's samples are like: drawn beside the rendering, the first ones first, as many as are asked for.
+// Draws the samples of one pixel again, beside the main rendering and in the same order, and collects their statistics.
 #pragma once
-#include <array>
-#include <atomic>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "film/tail.h"
-#include "render/pixel_samples.h"
-#include "render/session.h"
-#include "viewer/state/editor.h"
+#include "render/document.h"
+#include "scene/forward.h"
 #include "viewer/tasks/background_task.h"
+#include "viewer/tasks/pixel_statistics.h"
+#include "viewer/tasks/task.h"
 
 namespace etendue::viewer {
 
-// Samples by their luminance. What is exactly zero is counted apart: a logarithm has no place for it, and it says
-// something.
-struct Histogram {
-  bool logarithmic = false;  // of the luminance
-  double low = 0, high = 1;  // of the bins
-  std::vector<uint32_t> counts;
-  uint32_t zeros = 0;
-};
-Histogram histogram_of(const std::vector<float>& values);
-
-// Luminances in W/(m^2 sr).
-struct PixelStudy {
-  // After so many samples: the mean, that of either half, and how far the truth may be from the mean in 95 of 100
-  // cases.
-  struct Moment {
-    uint32_t samples = 0;
-    double mean = 0, band = 0;
-    std::array<double, 2> halves{};
-  };
-
-  Vec2i pixel{0};
-  uint32_t wanted = 0;
-  Rgb mean;
-  double deviation = 0, largest = 0;  // of the samples
-  film::Tail tail;
-  std::vector<Moment> course;
-  Histogram histogram;
-
-  uint32_t samples() const { return course.empty() ? 0 : course.back().samples; }
-};
-
-class PixelProbe {
+class PixelSamplesTask final : public Task {
  public:
-  PixelProbe(const render::Session& session, const Editor& editor, std::function<void()> wake)
-      : session_(session), editor_(editor), job_(std::move(wake)) {}
-  ~PixelProbe() { drop(); }
-  PixelProbe(const PixelProbe&) = delete;
-  PixelProbe& operator=(const PixelProbe&) = delete;
+  PixelSamplesTask();
+  ~PixelSamplesTask() override;
 
-  void choose(Vec2i pixel) { pixel_ = pixel; }
+  void set_pixel(Vec2i pixel) { pixel_ = pixel; }
   const std::optional<Vec2i>& pixel() const { return pixel_; }
 
-  // Called once a frame while somebody looks, with the number of samples to draw; an edit of the light starts again.
-  // True if there is something new.
-  bool advance(uint32_t wanted);
-  // Whether there is more to come.
-  bool busy() const { return pixel_ && !settled_; }
-  // Stops drawing; what there is stays.
-  void rest() { drop(); }
-  // Of the pixel that is chosen; none yet.
-  std::shared_ptr<const PixelStudy> study() const { return pixel_ ? study_ : nullptr; }
+  // Called once per frame while the statistics are shown. An edit of anything that changes the samples starts again.
+  void update(const TaskContext& context, uint32_t target_samples);
+  // Stops the work; the statistics remain.
+  void pause();
+  // The pixel stays selected in the new document.
+  void reset(const TaskContext&) override {}
+  bool has_update() const override { return task_.has_result(); }
+  // Whether samples are missing.
+  bool is_incomplete() const { return pixel_ && !complete_; }
+
+  // The statistics of the selected pixel; null if there are none yet.
+  std::shared_ptr<const PixelStatistics> result() const { return pixel_ ? result_ : nullptr; }
 
  private:
-  // What the samples depend on.
-  struct Key {
+  // Everything that the samples depend on.
+  struct Input {
     std::shared_ptr<const scene::CompiledScene> scene;
     Vec2i pixel{0};
-    uint32_t wanted = 0;
+    uint32_t target_samples = 0;
     Camera camera;
-    int width = 0, height = 0;
+    int width = 0;
+    int height = 0;
     film::FilterKind filter{};
     render::MethodSettings method;
     std::vector<std::string> forced_flags;
     uint64_t seed = 0;
 
-    friend bool operator==(const Key&, const Key&) = default;
+    friend bool operator==(const Input&, const Input&) = default;
   };
-  struct RenderState;
+  class Accumulator;
 
-  void drop();
-
-  const render::Session& session_;
-  const Editor& editor_;
   std::optional<Vec2i> pixel_;
-  std::optional<Key> key_;
-  bool settled_ = false;               // the study is that of the present picture, and whole
-  std::shared_ptr<RenderState> work_;  // one job at a time has its hands on it
-  std::shared_ptr<const PixelStudy> study_;
-  Job<std::shared_ptr<const PixelStudy>> job_;
+  std::optional<Input> input_;
+  bool complete_ = false;  // result_ belongs to input_ and has all samples
+  std::shared_ptr<Accumulator> accumulator_;
+  std::shared_ptr<const PixelStatistics> result_;
+  BackgroundTask<std::shared_ptr<const PixelStatistics>> task_;
 };
 
 }  // namespace etendue::viewer

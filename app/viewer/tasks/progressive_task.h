@@ -1,5 +1,4 @@
-// Work in the background whose result gets better step by step, and that can be called off. What it tells after that is
-// dropped.
+// Background work that publishes better and better results and that can be cancelled.
 #pragma once
 #include <atomic>
 
@@ -9,22 +8,23 @@
 namespace etendue::viewer {
 
 template <class T>
-class Study {
+class ProgressiveTask {
  public:
   using Publisher = std::function<void(const T&)>;
-  // Publishes what it has so far, and ends soon once the watch says so.
-  using RenderState = std::function<void(const Publisher& publish, const bench::Progress& watch)>;
+  // Calls `publish` with each result, and returns soon after `progress` has returned false.
+  using Work = std::function<void(const Publisher& publish, const bench::Progress& progress)>;
 
-  // `wake` is called from the work's thread when there is something new.
-  explicit Study(const std::function<void()>& wake) : wake_(wake), job_(wake) {}
-  ~Study() { call_off(); }
-  Study(const Study&) = delete;
-  Study& operator=(const Study&) = delete;
+  ProgressiveTask() = default;
+  ~ProgressiveTask() { cancel(); }
+  ProgressiveTask(const ProgressiveTask&) = delete;
+  ProgressiveTask& operator=(const ProgressiveTask&) = delete;
 
-  void start(RenderState work) {
-    call_off();
+  // Cancels the work before. `wake` is called on the thread of the work when there is a new result.
+  void start(Work work, const std::function<void()>& wake) {
+    cancel();
+    taken_.reset();
     state_ = std::make_shared<State>();
-    job_.start([state = state_, wake = wake_, work = std::move(work)] {
+    const auto run = [state = state_, wake, work = std::move(work)] {
       const Publisher publish = [&](const T& value) {
         {
           const std::lock_guard lock(state->mutex);
@@ -32,52 +32,67 @@ class Study {
         }
         wake();
       };
-      work(publish, [&](double done, const std::string&) { return state->progress = done, state->wanted.load(); });
-      return state->ended = true;
-    });
+      const bench::Progress progress = [&](double share, const std::string&) {
+        state->progress = share;
+        return !state->cancelled;
+      };
+      work(publish, progress);
+      state->finished = true;
+      return true;
+    };
+    task_.start(run, wake);
   }
 
-  void call_off() {
-    if (state_) state_->wanted = false;
+  // Results that are published after this are discarded; `result` stays.
+  void cancel() {
+    if (state_) state_->cancelled = true;
     state_.reset();
-    job_.abandon();
+    task_.abandon();
   }
 
-  // Forgets what was told as well.
-  void clear() { call_off(), shown_.reset(); }
+  // Cancels the work and discards the result.
+  void reset() {
+    cancel();
+    result_.reset();
+  }
 
   bool running() const { return state_ != nullptr; }
+  // Share of the work that is done, 0 to 1.
   double progress() const { return state_ ? state_->progress.load() : 1; }
-  // What `advance` took up last, also of work that was called off.
-  const std::shared_ptr<const T>& shown() const { return shown_; }
-  bool has_news() const { return state_ && (state_->ended || state_->now() != state_->taken); }
+  // The result that the last call of `update` took, also of work that was cancelled later. Null if there is none.
+  const std::shared_ptr<const T>& result() const { return result_; }
+  // Whether `update` would change something.
+  bool has_update() const { return state_ && (state_->finished || state_->load() != taken_); }
 
-  // Called once a frame; true when the work has come to its end.
-  bool advance() {
+  // Takes the newest result. Returns true when the work has finished.
+  bool update() {
     if (!state_) return false;
-    const bool ended = state_->ended;
-    if (auto latest = state_->now()) shown_ = state_->taken = std::move(latest);
-    if (ended) call_off();
-    return ended;
+    const bool finished = state_->finished;
+    if (auto latest = state_->load()) {
+      taken_ = latest;
+      result_ = std::move(latest);
+    }
+    if (finished) cancel();
+    return finished;
   }
 
  private:
   struct State {
-    std::shared_ptr<const T> now() {
+    std::shared_ptr<const T> load() {
       const std::lock_guard lock(mutex);
       return latest;
     }
     std::mutex mutex;
     std::shared_ptr<const T> latest;
-    std::shared_ptr<const T> taken;  // of the interface's thread
-    std::atomic<bool> wanted{true}, ended{false};
+    std::atomic<bool> cancelled{false};
+    std::atomic<bool> finished{false};
     std::atomic<double> progress{0};
   };
 
-  const std::function<void()> wake_;
   std::shared_ptr<State> state_;
-  std::shared_ptr<const T> shown_;
-  Job<bool> job_;
+  std::shared_ptr<const T> taken_;  // the last value taken from state_
+  std::shared_ptr<const T> result_;
+  BackgroundTask<bool> task_;
 };
 
 }  // namespace etendue::viewer

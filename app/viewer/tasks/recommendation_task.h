@@ -1,66 +1,63 @@
-// Which method to use for what is on the desk: the question, and the answer as it gets better.
+// Recommends an integrator: runs short pilots of all of them and ranks them by the predicted time to an error.
 //
-// While methods are tried out, the main rendering is paused. An edit of what the answer depends on ends that.
+// The task has the processor to itself. An edit of the scene, the camera or the parameters of the method cancels it.
 #pragma once
 #include <optional>
 
 #include "advisor/advisor.h"
-#include "viewer/state/editor.h"
+#include "base/parameter.h"
+#include "render/document.h"
 #include "viewer/tasks/progressive_task.h"
+#include "viewer/tasks/task.h"
+
+namespace etendue::render {
+struct Frame;
+}
 
 namespace etendue::viewer {
 
-class Notices;
-
-// What the user set.
-struct AdviceSetup {
-  std::optional<float> error;  // RMSE; none until it was chosen
-  Number<float> pilot{"advice.pilot",
-                      "Trial",
-                      1,
-                      {0.125f, 60},
-                      "Seconds of rendering with which each method is tried out, about",
-                      "s",
-                      Scale::logarithmic};
-};
-
-class AdviceHand {
+class RecommendationTask final : public Task {
  public:
-  AdviceHand(render::Session& session, Editor& editor, int threads, const std::function<void()>& wake)
-      : session_(session), editor_(editor), threads_(threads), study_(wake) {}
+  struct Parameters {
+    std::optional<float> error;  // RMSE in radiance; if unset, see target_error
+    Number<float> pilot{"advice.pilot",
+                        "Pilot time",
+                        1,
+                        {0.125f, 60},
+                        "Rendering time of the pilot of each integrator. Longer pilots predict better",
+                        "s",
+                        Scale::logarithmic};
+  };
+  Parameters parameters;
 
-  AdviceSetup setup;
+  // The error to reach: the parameter if it is set, else the error limit of the document, else one percent of the mean
+  // luminance.
+  float target_error(const render::Document& document) const;
+  // Takes the mean luminance from a frame of the current document, once per document.
+  void measure_luminance(const render::Frame& frame, uint64_t document_version);
+  // The parameters as widgets and scripts see them.
+  std::vector<ParameterInfo> describe_parameters(const render::Document* document) const;
 
-  // The error to reach: what was chosen, else the document's limit, else a hundredth of the mean luminance.
-  float target() const;
-  // Takes the mean luminance from a picture, once for each scene.
-  void look_at(const render::Frame& frame);
+  void start(const TaskContext& context);
+  void cancel(const TaskContext& context);
+  // Called once per frame.
+  void update(const TaskContext& context);
+  void reset(const TaskContext& context) override;
+  bool has_update() const override { return task_.has_update(); }
+  bool running() const { return task_.running(); }
+  double progress() const { return task_.progress(); }
 
-  void ask();
-  void stop();
-  void forget() { stop(), study_.clear(), setup.error.reset(), usual_.reset(); }
-  // Takes a method of the ranking, and its error as the limit, in one step.
-  void use(size_t row);
-
-  // Null until there is something to say.
-  const advisor::Ranking* shown() const { return study_.shown().get(); }
-  bool fresh() const;
-  bool running() const { return study_.running(); }
-  double progress() const { return study_.progress(); }
-  bool has_news() const { return study_.has_news(); }
-  void advance(Notices& notices);
+  // Null until the first result.
+  const advisor::Ranking* result() const { return task_.result().get(); }
+  // Whether the result is valid for this document.
+  bool is_current(const render::Document& document) const;
+  // Makes a method of the ranking that of the document, and the error its limit, in one step.
+  void apply(Editor& editor, size_t row) const;
 
  private:
-  render::Session& session_;
-  Editor& editor_;
-  const int threads_;
-  bool was_paused_ = false;
-  std::optional<float> usual_;
-  render::Document document_;  // that the ranking is of
-  Study<advisor::Ranking> study_;
+  std::optional<float> default_error_;  // from the mean luminance
+  render::Document document_;           // of the ranking
+  ProgressiveTask<advisor::Ranking> task_;
 };
-
-// The knobs of the setup, as scripts see them.
-std::vector<ParameterInfo> advice_parameters(const AdviceHand* hand = nullptr);
 
 }  // namespace etendue::viewer

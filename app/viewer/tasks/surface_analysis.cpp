@@ -2,128 +2,158 @@
 
 #include <algorithm>
 
+#include "render/session.h"
+#include "viewer/state/editor.h"
+
 namespace etendue::viewer {
 namespace {
 
-constexpr uint32_t kBallSamples = 400;
+constexpr uint32_t kPreviewSamples = 400;  // per pixel
 
-std::shared_ptr<const SurfaceReading> read(const Material& material, double degrees, bool cosine) {
-  auto reading = std::make_shared<SurfaceReading>();
-  const bsdf_analysis::Lobes lobes = bsdf_analysis::lobes_of(material);
-  reading->material = material, reading->name = label_of_model(material);
-  reading->audit = bsdf_analysis::audit(lobes);
-  reading->slice = bsdf_analysis::slice(lobes, degrees, cosine);
-  reading->lobe.push_back(bsdf_analysis::lobe_surface(lobes, degrees, bsdf_analysis::Side::upper, cosine));
-  if (bsdf_analysis::passes_light(lobes))
-    reading->lobe.push_back(bsdf_analysis::lobe_surface(lobes, degrees, bsdf_analysis::Side::lower, cosine));
-  return reading;
+std::string model_label(const Material& material) {
+  return material.model ? material.model->info().description.label : "glTF surface";
 }
 
-render::Document document_of(const scene::Scene& from, const Material& material, scene::PreviewLight light) {
+std::shared_ptr<const SurfaceMeasurement> measure_material(const Material& material, double angle, bool cosine) {
+  using bsdf_analysis::lobe_surface;
+  using bsdf_analysis::Side;
+  auto result = std::make_shared<SurfaceMeasurement>();
+  const bsdf_analysis::Lobes lobes = bsdf_analysis::lobes_of(material);
+  result->material = material;
+  result->model = model_label(material);
+  result->audit = bsdf_analysis::audit(lobes);
+  result->slice = bsdf_analysis::slice(lobes, angle, cosine);
+  result->lobes.push_back(lobe_surface(lobes, angle, Side::upper, cosine));
+  if (bsdf_analysis::passes_light(lobes)) result->lobes.push_back(lobe_surface(lobes, angle, Side::lower, cosine));
+  return result;
+}
+
+render::Document preview_document(const scene::Scene& scene, const Material& material, scene::PreviewLight light) {
   render::Document d;
-  d.scene = std::make_shared<scene::Scene>(scene::preview_scene(from, material, light));
+  d.scene = std::make_shared<scene::Scene>(scene::preview_scene(scene, material, light));
   d.camera = scene::preview_camera();
-  d.width = d.height = SurfaceHand::kBall;
-  d.limits.samples = kBallSamples;
+  d.width = SurfaceAnalysis::kPreviewSize;
+  d.height = SurfaceAnalysis::kPreviewSize;
+  d.limits.samples = kPreviewSamples;
   return d;
 }
 
 }  // namespace
 
-SurfaceHand::SurfaceHand(const Editor& editor, std::function<void()> wake)
-    : editor_(editor), wake_(std::move(wake)), job_(wake_) {}
+SurfaceAnalysis::SurfaceAnalysis() = default;
+SurfaceAnalysis::~SurfaceAnalysis() = default;
 
-const SurfaceReading* SurfaceHand::shown(size_t side) const { return readings_[side].get(); }
-
-SurfaceHand::Asked SurfaceHand::asked() const { return {{wanted_, kept_}, setup.degrees, setup.cosine}; }
-
-bool SurfaceHand::fresh() const { return wanted_ && readings_[0] && of_readings_ == asked(); }
-
-void SurfaceHand::forget() {
-  job_.abandon();
-  wanted_.reset(), kept_.reset();
-  readings_ = {};
+SurfaceAnalysis::Input SurfaceAnalysis::input() const {
+  return {.materials = {selected_, pinned_}, .angle = parameters.angle, .cosine = parameters.cosine};
 }
 
-void SurfaceHand::keep() {
-  if (!wanted_) return;
-  kept_ = wanted_;
-  kept_name_ = label_of_model(*kept_);
+bool SurfaceAnalysis::is_current() const { return selected_ && results_[0] && measured_input_ == input(); }
+
+void SurfaceAnalysis::reset(const TaskContext&) {
+  task_.abandon();
+  selected_.reset();
+  pinned_.reset();
+  results_ = {};
 }
 
-void SurfaceHand::drop() { kept_.reset(), readings_[1].reset(); }
-
-bool SurfaceHand::has_news() const {
-  const auto drawn_anew = [](const Ball& ball) { return ball.session && ball.session->frame() != ball.frame; };
-  return std::any_of(balls_.begin(), balls_.end(), drawn_anew);
+void SurfaceAnalysis::pin() {
+  if (selected_) pinned_ = selected_;
 }
 
-void SurfaceHand::take_picture(Ball& ball) {
-  const auto frame = ball.session->frame();
-  if (!frame || frame == ball.frame) return;
+void SurfaceAnalysis::unpin() {
+  pinned_.reset();
+  results_[1].reset();
+}
+
+bool SurfaceAnalysis::has_update() const {
+  const auto has_new_frame = [](const PreviewRendering& rendering) {
+    return rendering.session && rendering.session->frame() != rendering.frame;
+  };
+  return std::ranges::any_of(renderings_, has_new_frame);
+}
+
+void SurfaceAnalysis::update(const TaskContext& context, int material) {
+  const bool previews = previews_requested_;
+  checks_shown_ = checks_requested_ || previews_requested_;
+  checks_requested_ = false;
+  previews_requested_ = false;
+
+  selected_.reset();
+  if (!context.editor.empty() && material >= 0) {
+    const auto& materials = context.editor.document().scene->materials;
+    if (static_cast<size_t>(material) < materials.size()) selected_ = materials[static_cast<size_t>(material)];
+  }
+  if (auto results = task_.take_result()) {
+    results_ = std::move(*results);
+    measured_input_ = measuring_input_;
+  }
+  if (!selected_) results_[0].reset();
+  if (checks_shown_ && selected_ && !task_.running() && !is_current()) {
+    measuring_input_ = input();
+    const auto work = [input = measuring_input_, previous_input = measured_input_, previous = results_] {
+      return measure(input, previous_input, previous);
+    };
+    task_.start(work, context.wake);
+  }
+  update_previews(context, previews);
+}
+
+SurfaceAnalysis::Results SurfaceAnalysis::measure(const Input& input, const Input& previous_input,
+                                                  const Results& previous) {
+  Results results;
+  const bool same_parameters = input.angle == previous_input.angle && input.cosine == previous_input.cosine;
+  for (size_t side = 0; side < kSides; ++side) {
+    const auto& material = input.materials[side];
+    if (!material) continue;
+    const bool unchanged = same_parameters && previous[side] && material == previous_input.materials[side];
+    results[side] =
+        unchanged ? previous[side] : measure_material(*material, static_cast<double>(input.angle), input.cosine);
+  }
+  return results;
+}
+
+void SurfaceAnalysis::take_frame(PreviewRendering& rendering) {
+  const auto frame = rendering.session->frame();
+  if (!frame || frame == rendering.frame) return;
   auto pixels = std::make_shared<std::vector<float>>();
   pixels->reserve(3 * frame->pixels->size());
   for (const Rgb& c : *frame->pixels) pixels->insert(pixels->end(), {c.r, c.g, c.b});
-  ball.frame = frame;
-  ball.picture = {frame->width, frame->height, frame->samples, std::move(pixels)};
+  rendering.frame = frame;
+  rendering.preview = {
+      .width = frame->width, .height = frame->height, .samples = frame->samples, .pixels = std::move(pixels)};
 }
 
-void SurfaceHand::advance(int material, bool looked_at, bool sheet) {
-  wanted_.reset();
-  if (!editor_.empty() && material >= 0 && static_cast<size_t>(material) < editor_.document().scene->materials.size())
-    wanted_ = editor_.document().scene->materials[static_cast<size_t>(material)];
-  if (auto done = job_.take()) readings_ = std::move(*done), of_readings_ = in_work_;
-  if (!wanted_) readings_[0].reset();
-  if (looked_at && wanted_ && !job_.running() && !fresh()) {
-    in_work_ = asked();
-    job_.start([asked = in_work_, before = of_readings_, readings = readings_] {
-      Readings found;
-      const bool same_look = asked.degrees == before.degrees && asked.cosine == before.cosine;
-      for (size_t side = 0; side < 2; ++side) {
-        if (!asked.materials[side]) continue;
-        const bool same = same_look && readings[side] && asked.materials[side] == before.materials[side];
-        found[side] =
-            same ? readings[side] : read(*asked.materials[side], static_cast<double>(asked.degrees), asked.cosine);
+void SurfaceAnalysis::update_previews(const TaskContext& context, bool requested) {
+  for (size_t side = 0; side < kSides; ++side) {
+    PreviewRendering& rendering = renderings_[side];
+    const auto& material = side == 0 ? selected_ : pinned_;
+    if (!requested || !material) {
+      // A session is paused rather than destroyed: its destructor would wait for scene compilation.
+      if (rendering.session) rendering.session->pause(true);
+      if (!material) {
+        rendering.preview = {};
+        rendering.material.reset();
       }
-      return found;
-    });
-  }
-  show_balls(sheet);
-}
-
-void SurfaceHand::show_balls(bool sheet) {
-  for (size_t side = 0; side < 2; ++side) {
-    Ball& ball = balls_[side];
-    const auto& material = side == 0 ? wanted_ : kept_;
-    if (!sheet || !material) {
-      // Nobody looks. Its threads rest; to end them would wait for what they compile.
-      if (ball.session) ball.session->pause(true);
-      if (!material) ball.picture = {}, ball.material.reset();
       continue;
     }
-    const auto& scene = *editor_.document().scene;
-    const bool same_sky = setup.light != scene::PreviewLight::scene || ball.sky == scene.environment;
-    if (ball.session) take_picture(ball);
-    if (ball.session && ball.material == material && ball.light == setup.light && same_sky) {
-      ball.session->pause(false);
+    const auto& scene = *context.editor.document().scene;
+    const scene::PreviewLight light = parameters.light;
+    if (rendering.session) take_frame(rendering);
+    const bool same_environment = light != scene::PreviewLight::scene || rendering.environment == scene.environment;
+    if (rendering.session && rendering.material == material && rendering.light == light && same_environment) {
+      rendering.session->pause(false);
       continue;
     }
-    if (!ball.session) {
-      ball.session = std::make_unique<render::Session>(render::SessionOptions{.threads = 1, .interactive = true});
-      ball.session->on_update(wake_);
+    if (!rendering.session) {
+      rendering.session = std::make_unique<render::Session>(render::SessionOptions{.threads = 1, .interactive = true});
+      rendering.session->on_update(context.wake);
     }
-    ball.session->pause(false);
-    ball.material = material, ball.light = setup.light, ball.sky = scene.environment;
-    ball.session->submit(document_of(scene, *material, setup.light));
+    rendering.session->pause(false);
+    rendering.material = material;
+    rendering.light = light;
+    rendering.environment = scene.environment;
+    rendering.session->submit(preview_document(scene, *material, light));
   }
-}
-
-std::vector<ParameterInfo> surface_parameters(const SurfaceSetup& setup) {
-  return describe_all(SurfaceSetup(setup).knobs());
-}
-
-std::string label_of_model(const Material& material) {
-  return material.model ? material.model->info().description.label : "glTF surface";
 }
 
 }  // namespace etendue::viewer

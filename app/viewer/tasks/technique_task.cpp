@@ -1,70 +1,82 @@
 #include "viewer/tasks/technique_task.h"
 
-#include "camera/camera_ray.h"
-
-#include <cctype>
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 
 #include "advisor/class_energy.h"
+#include "camera/camera_ray.h"
 #include "film/film_image.h"
-#include "image/image.h"
 #include "integrator/bdpt/techniques.h"
+#include "integrator/integrator.h"
 #include "render/incompatibility.h"
+#include "render/session.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
 #include "viewer/state/notices.h"
-#include "viewer/tasks/convergence_task.h"
+#include "viewer/tasks/technique_export.h"
 
 namespace etendue::viewer {
 namespace {
 
 using integrator::Techniques;
 
-constexpr int kWidth = 96, kTallest = 192;
-// The picture has the processor to itself for so long after an edit.
-constexpr double kRest = 0.3;
-// Samples grow by this factor from round to round.
+constexpr int kWidth = 96;  // of the small images
+constexpr int kMaxHeight = 192;
+// Seconds after an edit in which the main rendering has the processor to itself.
+constexpr double kDelay = 0.3;
+// The number of samples per pixel grows by this factor from round to round.
 constexpr uint32_t kGrowth = 4;
 
-const integrator::TechniqueParameters& knobs_of(const render::Document& d) {
+// The parameters of the integrator that select techniques.
+const integrator::TechniqueParameters& technique_parameters(const render::Document& d) {
   return integrator::find_integrator(d.method.integrator)->techniques;
 }
 
-std::string name_in(const render::Document& d, std::string_view knob) {
-  return d.method.integrator + "." + std::string(knob);
+std::string qualified_name(const render::Document& d, std::string_view parameter) {
+  return d.method.integrator + "." + std::string(parameter);
 }
 
-render::Document changed(const render::Document& d, std::string_view knob, const Value& value) {
-  const auto with = render::with(d, name_in(d, knob), value);
-  return with ? *with : d;
+render::Document with_value(const render::Document& d, std::string_view parameter, const Value& value) {
+  const auto changed = render::with(d, qualified_name(d, parameter), value);
+  return changed ? *changed : d;
 }
 
-int64_t longest_of(const render::Document& d) {
-  const auto limit = render::get(d, name_in(d, "max-depth"));
+// 0 is no limit.
+int64_t max_path_length(const render::Document& d) {
+  const auto limit = render::get(d, qualified_name(d, "max-depth"));
   return limit ? std::get<int64_t>(*limit) : 0;
 }
 
-// Renders the small pictures of a document, round by round.
-class Maker {
+// Renders the small images of a document, round by round.
+class TechniqueRenderer {
  public:
-  Maker(const render::Document& document, const TechniquesSetup& setup,
-        const std::shared_ptr<const scene::CompiledScene>& scene, const Study<TechniquePyramid>::Publisher& publish,
-        const bench::Progress& watch)
-      : small_(reduced(document)), setup_(setup), publish_(publish), watch_(watch), session_({1, false, 0.1, scene}) {
-    pyramid_.width = small_.width, pyramid_.height = small_.height;
-    for (int k = 1; k <= setup.longest; ++k)
-      for (int s = 0; s <= k + 1; ++s) pyramid_.cells.push_back({s, k + 1 - s, absence(s, k + 1 - s)});
-    films_.resize(pyramid_.cells.size() + 1);
+  TechniqueRenderer(const render::Document& document, const TechniqueTask::Parameters& parameters,
+                    const std::shared_ptr<const scene::CompiledScene>& scene,
+                    const ProgressiveTask<TechniqueImages>::Publisher& publish, const bench::Progress& progress)
+      : small_(reduced(document)),
+        parameters_(parameters),
+        publish_(publish),
+        progress_(progress),
+        session_({.threads = 1, .interactive = false, .publish_interval = 0.1, .scene = scene}) {
+    result_.width = small_.width;
+    result_.height = small_.height;
+    for (int edges = 1; edges <= parameters.longest; ++edges)
+      for (int s = 0; s <= edges + 1; ++s) {
+        const int t = edges + 1 - s;
+        result_.images.push_back({.s = s, .t = t, .unavailable = reason_unavailable(s, t)});
+      }
+    films_.resize(result_.images.size() + 1);
   }
 
-  void go() {
-    const auto most = static_cast<uint32_t>(setup_.samples.value);
-    for (uint32_t samples = std::min(2u, most);; samples = std::min(samples * kGrowth, most)) {
-      if (!render(whole(), pyramid_.whole, films_.back(), samples)) return;
-      for (size_t i = 0; i < pyramid_.cells.size(); ++i) {
-        TechniqueCell& cell = pyramid_.cells[i];
-        if (cell.absent.empty() && !render(alone(cell), cell, films_[i], samples)) return;
+  void render_all() {
+    const auto target = static_cast<uint32_t>(parameters_.samples.value);
+    for (uint32_t samples = std::min(2u, target);; samples = std::min(samples * kGrowth, target)) {
+      if (!render(combined(), result_.combined, films_.back(), samples)) return;
+      for (size_t i = 0; i < result_.images.size(); ++i) {
+        TechniqueImage& image = result_.images[i];
+        if (image.unavailable.empty() && !render(single(image), image, films_[i], samples)) return;
       }
-      if (samples == most) return;
+      if (samples == target) return;
     }
   }
 
@@ -72,163 +84,146 @@ class Maker {
   static render::Document reduced(const render::Document& document) {
     render::Document d = document;
     d.width = kWidth;
-    d.height = std::clamp(kWidth * document.height / std::max(1, document.width), 1, kTallest);
-    return changed(d, knobs_of(d).only, std::string());
+    d.height = std::clamp(kWidth * document.height / std::max(1, document.width), 1, kMaxHeight);
+    return with_value(d, technique_parameters(d).only, std::string());
   }
 
-  // Why a technique finds nothing here, as far as that is known beforehand.
-  std::string absence(int s, int t) const {
-    const std::string set = std::get<std::string>(*render::get(small_, name_in(small_, knobs_of(small_).without)));
-    if (Techniques::parse(set)->contains(s, t)) return "Left out: the others do its work.";
+  // Why a technique contributes nothing, as far as that follows from the document.
+  std::string reason_unavailable(int s, int t) const {
+    if (Techniques::parse(TechniqueTask::disabled_techniques(small_))->contains(s, t))
+      return "Disabled: its weight goes to the other techniques.";
     if (t == 0 && !CameraRays(small_.camera, small_.width, small_.height).can_be_hit())
-      return "No light can fall onto this lens by chance.";
-    const int64_t longest = longest_of(small_);
-    return longest > 0 && s + t - 1 > longest ? "The paths are longer than the method's longest." : "";
+      return "A light path cannot hit this lens: its area is zero.";
+    const int64_t longest = max_path_length(small_);
+    return longest > 0 && s + t - 1 > longest ? "These paths are longer than the maximum of the integrator." : "";
   }
 
-  render::Document whole() const { return changed(small_, knobs_of(small_).weighted, true); }
+  render::Document combined() const { return with_value(small_, technique_parameters(small_).weighted, true); }
 
-  render::Document alone(const TechniqueCell& cell) const {
-    const auto& knobs = knobs_of(small_);
-    auto d = changed(small_, knobs.only, std::to_string(cell.s) + "," + std::to_string(cell.t));
-    d = changed(d, knobs.weighted, setup_.weighted.value);
-    return changed(d, "max-depth", int64_t{cell.edges()});
+  render::Document single(const TechniqueImage& image) const {
+    const auto& names = technique_parameters(small_);
+    auto d = with_value(small_, names.only, std::to_string(image.s) + "," + std::to_string(image.t));
+    d = with_value(d, names.weighted, parameters_.weighted.value);
+    return with_value(d, "max-depth", int64_t{image.edges()});
   }
 
-  // Goes on with a picture to so many samples; false if it was given up.
-  bool render(render::Document d, TechniqueCell& cell, film::Film& film, uint32_t samples) {
-    d.limits = {samples, 0, 0};
-    const uint64_t version = cell.samples > 0 ? session_.submit(d, std::move(film)) : session_.submit(d);
-    if (!bench::wait_for(session_, version, [&](const render::Status&) { return watch_(0, "techniques"); }))
-      return false;
+  // Continues an image to this number of samples. Returns false if the task was cancelled.
+  bool render(render::Document d, TechniqueImage& image, film::Film& film, uint32_t samples) {
+    d.limits = {.samples = samples, .seconds = 0, .rmse = 0};
+    const uint64_t version = image.samples > 0 ? session_.submit(d, std::move(film)) : session_.submit(d);
+    const auto keep_going = [&](const render::Status&) { return progress_(0, "techniques"); };
+    if (!bench::wait_for(session_, version, keep_going)) return false;
     film = session_.film_copy();
     const auto energy = advisor::energy_of(film);
-    cell.samples = samples, cell.mean = energy.mean, cell.standard_error = energy.standard_error;
-    cell.picture = std::make_shared<const std::vector<float>>(film::radiance_of(film));
-    publish_(pyramid_);
-    return watch_(0, "techniques");
+    image.samples = samples;
+    image.mean = energy.mean;
+    image.standard_error = energy.standard_error;
+    image.pixels = std::make_shared<const std::vector<float>>(film::radiance_of(film));
+    publish_(result_);
+    return progress_(0, "techniques");
   }
 
   const render::Document small_;
-  const TechniquesSetup& setup_;
-  const Study<TechniquePyramid>::Publisher& publish_;
-  const bench::Progress& watch_;
+  const TechniqueTask::Parameters& parameters_;
+  const ProgressiveTask<TechniqueImages>::Publisher& publish_;
+  const bench::Progress& progress_;
   render::Session session_;
-  TechniquePyramid pyramid_;
-  std::vector<film::Film> films_;  // of the cells, and of the whole
+  TechniqueImages result_;
+  std::vector<film::Film> films_;  // of the images, then of the combined image
 };
 
-// Side by side with gaps, row k below row k - 1; what has no picture is black.
-Result<void> write_grid(const std::string& file, const TechniquePyramid& p, float exposure, image::ToneCurve curve) {
-  constexpr size_t kGap = 4;
-  const auto w = static_cast<size_t>(p.width), h = static_cast<size_t>(p.height);
-  const auto rows = static_cast<size_t>(p.cells.back().edges()), columns = rows + 2;
-  const size_t width = columns * (w + kGap) - kGap, height = rows * (h + kGap) - kGap;
-  std::vector<uint8_t> grid(3 * width * height, 255);
-  for (const TechniqueCell& cell : p.cells) {
-    const auto shown =
-        cell.picture ? image::display_pixels(*cell.picture, exposure, curve) : std::vector<uint8_t>(3 * w * h, 0);
-    const size_t x = static_cast<size_t>(cell.s) * (w + kGap), y = static_cast<size_t>(cell.edges() - 1) * (h + kGap);
-    for (size_t row = 0; row < h; ++row)
-      std::copy_n(shown.begin() + static_cast<std::ptrdiff_t>(3 * w * row), 3 * w,
-                  grid.begin() + static_cast<std::ptrdiff_t>(3 * ((y + row) * width + x)));
-  }
-  return image::write_png(file, static_cast<int>(width), static_cast<int>(height), grid);
-}
-
-Result<void> write_layers(const std::string& file, const TechniquePyramid& p) {
-  image::LayeredImage picture{p.width, p.height, {}, {}};
-  const auto add = [&](const std::string& name, const TechniqueCell& cell) {
-    if (cell.picture) picture.layers.push_back({name, {"R", "G", "B"}, *cell.picture});
-  };
-  add("", p.whole);
-  for (const auto& cell : p.cells) add("technique." + std::to_string(cell.s) + "." + std::to_string(cell.t), cell);
-  return image::write_exr(file, picture);
-}
+std::string vertices(int count) { return std::to_string(count) + (count == 1 ? " vertex" : " vertices"); }
 
 }  // namespace
 
-std::optional<double> TechniquePyramid::share(const TechniqueCell& cell) const {
-  if (!cell.picture || !(whole.mean > 0)) return {};
-  return cell.mean / whole.mean;
+std::optional<double> TechniqueImages::share(const TechniqueImage& image) const {
+  if (!image.pixels || !(combined.mean > 0)) return {};
+  return image.mean / combined.mean;
 }
 
-bool TechniquesHand::possible() const { return !editor_.empty() && !knobs_of(editor_.document()).empty(); }
-
-bool TechniquesHand::asks_the_same() const {
-  return same_view(editor_.document(), document_) && editor_.document().method == document_.method &&
-         setup.weighted == asked_.weighted && setup.longest == asked_.longest && setup.samples == asked_.samples;
+bool TechniqueTask::is_available(const render::Document& document) {
+  return document.scene && !technique_parameters(document).empty();
 }
 
-bool TechniquesHand::fresh() const { return shown() && asks_the_same(); }
+std::string TechniqueTask::disabled_parameter(const render::Document& document) {
+  return qualified_name(document, technique_parameters(document).without);
+}
 
-void TechniquesHand::advance(bool looked_at, Notices& notices) {
-  if (auto written = job_.take()) {
+std::string TechniqueTask::disabled_techniques(const render::Document& document) {
+  return std::get<std::string>(*render::get(document, disabled_parameter(document)));
+}
+
+bool TechniqueTask::same_question(const render::Document& document) const {
+  return same_view(document, document_) && document.method == document_.method &&
+         parameters.weighted == rendered_parameters_.weighted && parameters.longest == rendered_parameters_.longest &&
+         parameters.samples == rendered_parameters_.samples;
+}
+
+bool TechniqueTask::is_current(const render::Document& document) const { return result() && same_question(document); }
+
+void TechniqueTask::update(const TaskContext& context, bool allowed) {
+  if (auto written = export_.take_result()) {
     if (*written)
-      notices.say("Saved " + **written);
+      context.notices.add_message("Saved " + **written);
     else
-      notices.complain(written->error().message);
+      context.notices.add_error(written->error().message);
   }
-  if (editor_.version() != version_) version_ = editor_.version(), edited_ = Clock::now();
-  if (study_.advance()) done_ = true;
-  if (running() && !(looked_at && asks_the_same())) study_.call_off();
-  const double rest = std::chrono::duration<double>(Clock::now() - edited_).count();
-  if (!looked_at || !possible() || running() || rest < kRest || (done_ && asks_the_same())) return;
-  document_ = editor_.document(), asked_ = setup, done_ = false;
-  study_.start(
-      [document = document_, asked = asked_, scene = session_.scene()](
-          const auto& publish, const bench::Progress& watch) { Maker(document, asked, scene, publish, watch).go(); });
+  const Editor& editor = context.editor;
+  if (editor.version() != edited_version_) {
+    edited_version_ = editor.version();
+    edit_time_ = Clock::now();
+  }
+  if (task_.update()) complete_ = true;
+  const bool same = same_question(editor.document());
+  if (running() && !(allowed && same)) task_.cancel();
+  const double since_edit = std::chrono::duration<double>(Clock::now() - edit_time_).count();
+  const bool can_start = allowed && is_available(editor.document()) && !running() && since_edit >= kDelay;
+  if (!can_start || (complete_ && same)) return;
+  document_ = editor.document();
+  rendered_parameters_ = parameters;
+  complete_ = false;
+  const auto work = [document = document_, parameters = parameters, scene = context.session.scene()](
+                        const auto& publish, const bench::Progress& progress) {
+    TechniqueRenderer(document, parameters, scene, publish, progress).render_all();
+  };
+  task_.start(work, context.wake);
 }
 
-std::string TechniquesHand::left_out() const {
-  const auto& d = editor_.document();
-  return std::get<std::string>(*render::get(d, name_in(d, knobs_of(d).without)));
+void TechniqueTask::reset(const TaskContext&) {
+  task_.reset();
+  complete_ = false;
 }
 
-void TechniquesHand::write(const std::string& file) {
-  if (!shown()) return;
-  const auto& display = editor_.document().display;
-  job_.start([file, pyramid = study_.shown(), exposure = display.exposure + setup.exposure,
-              curve = display.curve]() -> Result<std::string> {
-    std::string extension = std::filesystem::path(file).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (extension != ".exr" && extension != ".png")
-      return usage_error(file + ": techniques are written as .exr or .png");
-    const auto written =
-        extension == ".exr" ? write_layers(file, *pyramid) : write_grid(file, *pyramid, exposure, curve);
-    return written ? Result<std::string>(file) : written.error();
-  });
+void TechniqueTask::save(const TaskContext& context, const std::string& file) {
+  if (!result()) return;
+  const auto& display = context.editor.document().display;
+  const auto write = [file, result = task_.result(), exposure = display.exposure + parameters.exposure,
+                      curve = display.curve] { return write_techniques(file, *result, exposure, curve); };
+  export_.start(write, context.wake);
 }
 
-std::vector<ParameterInfo> techniques_parameters(const TechniquesSetup& setup) {
-  return describe_all(TechniquesSetup(setup).knobs());
-}
-
-std::string toggled(const std::string& set, int s, int t) {
+std::string toggle_technique(const std::string& set, int s, int t) {
   std::istringstream words(set);
-  std::string kept;
-  bool held = false;
+  std::string remaining;
+  bool contained = false;
   for (std::string word; words >> word;) {
     const auto parsed = Techniques::parse(word);
     if (parsed && parsed->contains(s, t))
-      held = true;
+      contained = true;
     else
-      kept += (kept.empty() ? "" : " ") + word;
+      remaining += (remaining.empty() ? "" : " ") + word;
   }
-  if (!held) kept += (kept.empty() ? "" : " ") + std::to_string(s) + "," + std::to_string(t);
-  return kept;
+  if (!contained) remaining += (remaining.empty() ? "" : " ") + std::to_string(s) + "," + std::to_string(t);
+  return remaining;
 }
 
-std::string words_of(int s, int t) {
-  const std::string from_light = std::to_string(s) + (s == 1 ? " vertex" : " vertices");
-  const std::string from_camera = std::to_string(t) + (t == 1 ? " vertex" : " vertices");
-  if (s == 0) return "A walk from the camera meets a light.";
-  if (t == 0) return "A walk from a light falls onto the lens.";
-  if (s == 1 && t == 1) return "A point on a light is seen by the camera.";
-  if (s == 1) return "A walk from the camera of " + from_camera + " is connected to a point chosen on a light.";
-  if (t == 1)
-    return "The end of a walk from a light of " + from_light + " is seen by the camera, anywhere in the picture.";
-  return "A walk from the camera of " + from_camera + " and one from a light of " + from_light + " are connected.";
+std::string describe_technique(int s, int t) {
+  if (s == 0) return "The camera subpath hits a light.";
+  if (t == 0) return "The light subpath hits the lens.";
+  if (s == 1 && t == 1) return "A sampled point on a light is connected to the camera.";
+  if (s == 1) return "A camera subpath of " + vertices(t) + " is connected to a sampled point on a light.";
+  if (t == 1) return "A light subpath of " + vertices(s) + " is connected to the camera.";
+  return "A camera subpath of " + vertices(t) + " is connected to a light subpath of " + vertices(s) + ".";
 }
 
 }  // namespace etendue::viewer

@@ -1,104 +1,108 @@
-// What each technique of a bidirectional method adds to the view on the desk: a pyramid of small pictures.
-//                                                                         thesis Fig. 9.25; Veach & Guibas 1995
+// Renders the contribution of each technique of a bidirectional integrator as small images [Veach and Guibas 1995].
 //
-// Row k holds the k + 2 ways to find a path of k edges: (s, t) takes s vertices from the light and t = k + 1 - s from
-// the camera. Pictures are made one after the other beside the rendering, round by round with more samples. An edit of
-// what they are of begins them anew.
+// A path of k edges can be sampled by k + 2 techniques (s, t): s vertices are sampled from the light and t = k + 1 - s
+// from the camera. The images of one length form a row, as in [Lang, fig. 9.25]. They are rendered one after the other
+// beside the main rendering, with more samples in each round. An edit of the view or the integrator restarts them.
 #pragma once
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/parameter.h"
-#include "viewer/state/editor.h"
+#include "render/document.h"
 #include "viewer/tasks/progressive_task.h"
+#include "viewer/tasks/task.h"
 
 namespace etendue::viewer {
 
-class Notices;
-
-struct TechniqueCell {
-  int s = 0, t = 0;
-  std::string absent;                                           // why it has no picture; empty if it has, or will have
-  uint32_t samples = 0;                                         // of every pixel
-  double mean = 0;                                              // luminance over the picture, W/(m^2 sr)
-  double standard_error = 0;                                    // of it
-  std::shared_ptr<const std::vector<float>> picture = nullptr;  // linear, three numbers a pixel
+struct TechniqueImage {
+  int s = 0;
+  int t = 0;
+  std::string unavailable{};  // why there is no image; empty if there is or will be one
+  uint32_t samples = 0;       // per pixel
+  double mean = 0;            // luminance of the image, W/(m^2 sr)
+  double standard_error = 0;  // of `mean`
+  std::shared_ptr<const std::vector<float>> pixels = nullptr;  // linear radiance, three numbers per pixel
 
   int edges() const { return s + t - 1; }
 };
 
-struct TechniquePyramid {
-  int width = 0, height = 0;         // of each picture
-  TechniqueCell whole;               // all techniques together, with their weights
-  std::vector<TechniqueCell> cells;  // row by row, from s = 0 on
+struct TechniqueImages {
+  int width = 0;  // of each image
+  int height = 0;
+  TechniqueImage combined;             // all techniques with MIS weights
+  std::vector<TechniqueImage> images;  // in order of path length, then of s
 
-  // Of all light that was found; nothing before both are known.
-  std::optional<double> share(const TechniqueCell& cell) const;
+  // The mean of an image relative to that of the combined image; nothing while one of them is unknown.
+  std::optional<double> share(const TechniqueImage& image) const;
 };
 
-struct TechniquesSetup {
-  Toggle weighted{"techniques.weighted", "Weighted", true,
-                  "On: what each adds to the picture. Off: what each finds by itself, paths of others included"};
-  Number<int> longest{"techniques.longest", "Longest path", 4, {1, 8}, "Edges of the paths in the last row"};
-  Number<int> samples{
-      "techniques.samples", "Samples", 128, {2, 65536}, "Of every pixel of each small picture, at last", "spp",
-      Scale::logarithmic};
-  Number<float> exposure{
-      "techniques.exposure", "Exposure", 0, {-10, 20}, "Of all small pictures, beside the picture's own", "EV"};
-  auto knobs() { return std::tie(weighted, longest, samples, exposure); }
-};
-
-class TechniquesHand {
+class TechniqueTask final : public Task {
  public:
-  TechniquesHand(const render::Session& session, const Editor& editor, const std::function<void()>& wake)
-      : session_(session), editor_(editor), study_(wake), job_(wake) {}
+  struct Parameters {
+    Toggle weighted{"techniques.weighted", "Apply MIS weights", true,
+                    "On: the contribution of each technique to the image. Off: what each technique estimates alone"};
+    Number<int> longest{
+        "techniques.longest", "Max. path length", 4, {1, 8}, "Number of edges of the paths in the last row"};
+    Number<int> samples{"techniques.samples",
+                        "Samples",
+                        128,
+                        {2, 65536},
+                        "Samples per pixel of each small image. More samples reduce noise",
+                        "spp",
+                        Scale::logarithmic};
+    Number<float> exposure{"techniques.exposure",
+                           "Exposure",
+                           0,
+                           {-10, 20},
+                           "Exposure of the small images, relative to that of the main image",
+                           "EV"};
+    auto all() { return std::tie(weighted, longest, samples, exposure); }
+  };
+  Parameters parameters;
 
-  TechniquesSetup setup;
+  // Whether the integrator of the document has techniques.
+  static bool is_available(const render::Document& document);
+  // The techniques that the document disables, as integrator::Techniques reads them. Requires `is_available`.
+  static std::string disabled_techniques(const render::Document& document);
+  // The qualified name of the parameter with the disabled techniques.
+  static std::string disabled_parameter(const render::Document& document);
 
-  // Whether the document's method has techniques to look at.
-  bool possible() const;
-  // Null until the first picture is there.
-  const TechniquePyramid* shown() const { return study_.shown().get(); }
-  // Whether what is shown is of the document, and whether all its pictures have their samples.
-  bool fresh() const;
-  bool whole() const { return fresh() && !running() && done_; }
-  bool running() const { return study_.running(); }
-  bool has_news() const { return study_.has_news(); }
-  void forget() { study_.clear(), done_ = false; }
-  // Called once a frame; somebody may be looking.
-  void advance(bool looked_at, Notices& notices);
+  // Called once per frame. Renders if `allowed`.
+  void update(const TaskContext& context, bool allowed);
+  void reset(const TaskContext& context) override;
+  bool has_update() const override { return task_.has_update(); }
+  bool is_saving() const override { return export_.running(); }
+  bool running() const { return task_.running(); }
 
-  // The set of techniques that the document's method leaves out; it must have techniques.
-  std::string left_out() const;
-  // Writes all pictures in the background: .exr as layers "technique.S.T", .png as a grid, as they are shown.
-  void write(const std::string& file);
-  bool writing() const { return job_.running(); }
+  // Null until the first image is rendered.
+  const TechniqueImages* result() const { return task_.result().get(); }
+  // Whether the result belongs to this document, and whether all images have their samples.
+  bool is_current(const render::Document& document) const;
+  bool is_complete(const render::Document& document) const { return is_current(document) && !running() && complete_; }
+
+  // Writes all images in the background: .exr with a layer "technique.S.T" for each, .png as a grid.
+  void save(const TaskContext& context, const std::string& file);
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool asks_the_same() const;
+  bool same_question(const render::Document& document) const;
 
-  const render::Session& session_;
-  const Editor& editor_;
-  render::Document document_;  // that the pictures are of
-  TechniquesSetup asked_;      // and what was set
-  bool done_ = false;
-  uint64_t version_ = 0;  // of the last edit
-  Clock::time_point edited_;
-  Study<TechniquePyramid> study_;
-  Job<Result<std::string>> job_;
+  render::Document document_;       // of the images
+  Parameters rendered_parameters_;  // likewise
+  bool complete_ = false;
+  uint64_t edited_version_ = 0;  // the document version at the last call of `update`
+  Clock::time_point edit_time_;
+  ProgressiveTask<TechniqueImages> task_;
+  BackgroundTask<Result<std::string>> export_;
 };
 
-// The knobs of the setup, as scripts see them.
-std::vector<ParameterInfo> techniques_parameters(const TechniquesSetup& setup = {});
+// Adds a technique to a set of techniques; if the set contains it, removes all words that contain it instead.
+std::string toggle_technique(const std::string& set, int s, int t);
 
-// A set of techniques, as integrator/techniques.h reads them, with one put in, or taken out with all words that hold
-// it.
-std::string toggled(const std::string& set, int s, int t);
-
-// "A point on a light is chosen ..."
-std::string words_of(int s, int t);
+// A sentence that describes how technique (s, t) samples a path.
+std::string describe_technique(int s, int t);
 
 }  // namespace etendue::viewer

@@ -2,23 +2,26 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "camera/camera_ray.h"
+#include "camera/camera.h"
+#include "geometry/mesh.h"
 #include "scene/compiled_scene.h"
 
 namespace etendue::viewer {
 namespace {
 
 constexpr float kRadiansPerPixel = 0.005f;
-constexpr float kNearestToPole = 0.02f;  // radians
+constexpr float kMinPoleAngle = 0.02f;  // radians between the view direction and the vertical
+constexpr float kDollyFactor = 0.88f;   // of the distance, per notch of the wheel
 
 Vec3 eye_of(const Camera& camera) { return Vec3(camera.to_world[3]); }
 Vec3 back_of(const Camera& camera) { return Vec3(camera.to_world[2]); }
 
-// Turns about the vertical and the camera's right, without going over the poles. The camera stays upright.
-Mat3 turned(const Camera& camera, float yaw, float pitch) {
+// A rotation about the vertical axis and the right axis of the camera. The pitch is limited so that the camera stays
+// upright.
+Mat3 rotation(const Camera& camera, float yaw, float pitch) {
   const Vec3 back = back_of(camera);
   const float elevation = std::asin(std::clamp(back.y, -1.0f, 1.0f));
-  const float limit = kPi / 2 - kNearestToPole;
+  const float limit = kPi / 2 - kMinPoleAngle;
   const float bounded = std::clamp(elevation - pitch, -limit, limit) - elevation;
   const Mat4 about_up = glm::rotate(Mat4(1), yaw, Vec3(0, 1, 0));
   return Mat3(about_up * glm::rotate(Mat4(1), -bounded, Vec3(camera.to_world[0])));
@@ -36,104 +39,69 @@ void move_to(Camera& camera, const Vec3& eye) { camera.to_world[3] = Vec4(eye, 1
 
 }  // namespace
 
-std::optional<Picked> pick(const render::Document& document, const scene::CompiledScene& scene,
-                           const Placement& picture, Vec2 at) {
-  if (!picture.contains(at)) return std::nullopt;
-  Camera pinhole = document.camera;
-  pinhole.lens_radius = 0;
-  const Vec2 raster = (at - picture.corner) / picture.size * Vec2(document.width, document.height);
-  const Ray ray = CameraRays(pinhole, document.width, document.height).ray(raster, Vec2(0.5f));
-  const Hit hit = scene.intersect(ray, 0);
-  if (!hit) return std::nullopt;
-  const auto& instance = scene.instances()[hit.instance];
-  Picked picked;
-  picked.position = ray.origin + ray.direction * hit.t;
-  picked.axial_distance = glm::dot(eye_of(pinhole) - picked.position, back_of(pinhole));
-  picked.node = static_cast<int>(instance.node);
-  picked.material = static_cast<int>(instance.material);
-  return picked;
-}
-
-void CameraHand::find_pivot(const Camera& camera, const scene::CompiledScene& scene) {
+void CameraController::reset_pivot(const Camera& camera, const scene::CompiledScene& scene) {
   const Bounds& bounds = scene.bounds();
   const Ray axis{eye_of(camera), 0, -back_of(camera), kInfinity};
   const Hit hit = scene.intersect(axis, 0);
-  const float to_middle = bounds.empty() ? 1.0f : glm::dot(bounds.center() - axis.origin, axis.direction);
-  const float distance = hit ? hit.t : std::max(to_middle, 0.1f * std::max(bounds.radius(), 1e-3f));
+  const float to_centre = bounds.empty() ? 1.0f : glm::dot(bounds.center() - axis.origin, axis.direction);
+  const float distance = hit ? hit.t : std::max(to_centre, 0.1f * std::max(bounds.radius(), 1e-3f));
   pivot_ = axis.origin + axis.direction * distance;
-  speed_ = bounds.empty() ? 1.0f : std::max(0.4f * bounds.radius(), 1e-4f);
+  fly_speed_ = bounds.empty() ? 1.0f : std::max(0.4f * bounds.radius(), 1e-4f);
 }
 
-Camera CameraHand::orbit(Camera camera, Vec2 amount) const {
-  const Mat3 turn = turned(camera, -amount.x * kRadiansPerPixel, amount.y * -kRadiansPerPixel);
-  move_to(camera, pivot_ + turn * (eye_of(camera) - pivot_));
-  set_axes(camera, turn * Mat3(camera.to_world));
+Camera CameraController::orbit(Camera camera, Vec2 movement) const {
+  const Mat3 rotate = rotation(camera, -movement.x * kRadiansPerPixel, movement.y * -kRadiansPerPixel);
+  move_to(camera, pivot_ + rotate * (eye_of(camera) - pivot_));
+  set_axes(camera, rotate * Mat3(camera.to_world));
   return camera;
 }
 
-Camera CameraHand::look_around(Camera camera, Vec2 amount) const {
-  const Mat3 turn = turned(camera, -amount.x * kRadiansPerPixel * 0.5f, amount.y * -kRadiansPerPixel * 0.5f);
-  set_axes(camera, turn * Mat3(camera.to_world));
+Camera CameraController::look_around(Camera camera, Vec2 movement) const {
+  const Mat3 rotate = rotation(camera, -movement.x * kRadiansPerPixel * 0.5f, movement.y * -kRadiansPerPixel * 0.5f);
+  set_axes(camera, rotate * Mat3(camera.to_world));
   return camera;
 }
 
-Camera CameraHand::pan(Camera camera, Vec2 amount, float height) {
+Camera CameraController::pan(Camera camera, Vec2 movement, float image_height) {
   const float distance = std::max(glm::dot(eye_of(camera) - pivot_, back_of(camera)), 1e-6f);
-  const float visible =
+  const float visible_height =
       camera.projection == Projection::perspective ? 2 * std::tan(0.5f * camera.yfov) * distance : 2 * camera.ymag;
-  const float metres = visible / std::max(height, 1.0f);
-  const Vec3 move = (Vec3(camera.to_world[0]) * -amount.x + Vec3(camera.to_world[1]) * amount.y) * metres;
+  const float metres = visible_height / std::max(image_height, 1.0f);
+  const Vec3 move = (Vec3(camera.to_world[0]) * -movement.x + Vec3(camera.to_world[1]) * movement.y) * metres;
   move_to(camera, eye_of(camera) + move);
   pivot_ += move;
   return camera;
 }
 
-Camera CameraHand::dolly(Camera camera, const Vec3& target, float notches) const {
-  const float closer = std::pow(0.88f, notches);
+Camera CameraController::dolly(Camera camera, const Vec3& target, float notches) const {
+  const float scale = std::pow(kDollyFactor, notches);
   if (camera.projection == Projection::orthographic) {
-    // The point under the cursor stays where it is.
-    const Vec3 aside = target - eye_of(camera);
-    const Vec3 across = aside - back_of(camera) * glm::dot(aside, back_of(camera));
-    move_to(camera, eye_of(camera) + across * (1 - closer));
-    camera.ymag *= closer;
+    // The point under the pointer keeps its position in the image.
+    const Vec3 to_target = target - eye_of(camera);
+    const Vec3 across = to_target - back_of(camera) * glm::dot(to_target, back_of(camera));
+    move_to(camera, eye_of(camera) + across * (1 - scale));
+    camera.ymag *= scale;
     return camera;
   }
-  move_to(camera, target + (eye_of(camera) - target) * closer);
+  move_to(camera, target + (eye_of(camera) - target) * scale);
   return camera;
 }
 
-Camera CameraHand::fly(Camera camera, const Vec3& direction, float seconds) const {
-  move_to(camera, eye_of(camera) + Mat3(camera.to_world) * direction * (speed_ * seconds));
+Camera CameraController::fly(Camera camera, const Vec3& direction, float seconds) const {
+  move_to(camera, eye_of(camera) + Mat3(camera.to_world) * direction * (fly_speed_ * seconds));
   return camera;
 }
 
-Camera CameraHand::frame(Camera camera, const Bounds& bounds, float aspect) {
+Camera CameraController::frame(Camera camera, const Bounds& bounds, float aspect) {
   if (bounds.empty()) return camera;
   const float radius = std::max(bounds.radius(), 1e-6f);
-  const float narrow = std::min(1.0f, aspect);
-  if (camera.projection == Projection::orthographic) camera.ymag = radius / narrow;
-  const float half = std::atan(std::tan(0.5f * camera.yfov) * narrow);
-  const float distance = camera.projection == Projection::perspective ? radius / std::sin(half) : 2 * radius;
+  const float narrow_side = std::min(1.0f, aspect);
+  if (camera.projection == Projection::orthographic) camera.ymag = radius / narrow_side;
+  const float half_angle = std::atan(std::tan(0.5f * camera.yfov) * narrow_side);
+  const float distance = camera.projection == Projection::perspective ? radius / std::sin(half_angle) : 2 * radius;
   pivot_ = bounds.center();
   move_to(camera, pivot_ + back_of(camera) * distance);
   return camera;
-}
-
-Bounds bounds_of_node(const scene::CompiledScene& scene, int node) {
-  Bounds bounds;
-  for (const auto& instance : scene.instances())
-    if (static_cast<int>(instance.node) == node) bounds.extend(bounds_of(*instance.mesh, instance.to_world));
-  return bounds;
-}
-
-std::optional<Vec2> project(const Camera& camera, const Placement& picture, const Vec3& point) {
-  const Vec3 p = Vec3(glm::inverse(camera.to_world) * Vec4(point, 1));
-  const bool perspective = camera.projection == Projection::perspective;
-  if (perspective && p.z > -1e-4f * std::max(1e-3f, glm::length(p))) return std::nullopt;
-  const float half = perspective ? std::tan(0.5f * camera.yfov) * -p.z : camera.ymag;
-  const float aspect = picture.size.x / picture.size.y;
-  const Vec2 unit(p.x / (half * aspect), -p.y / half);
-  return picture.corner + (unit * 0.5f + 0.5f) * picture.size;
 }
 
 }  // namespace etendue::viewer

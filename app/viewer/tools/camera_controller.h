@@ -1,54 +1,43 @@
-// The hand on the camera: orbit, pan, dolly, fly, and which ray a pixel of the viewport stands for.
+// Camera movements: orbit, pan, dolly, fly, and framing of objects.
 #pragma once
-#include <optional>
-
-#include "geometry/mesh.h"
-#include "render/document.h"
+#include "base/vec.h"
 #include "scene/forward.h"
-#include "viewer/viewport/image_view.h"
+
+namespace etendue {
+struct Bounds;
+struct Camera;
+}  // namespace etendue
 
 namespace etendue::viewer {
 
-// What a pixel of the picture shows.
-struct Picked {
-  Vec3 position{0};
-  float axial_distance = 0;  // along the camera's axis, as focus is measured
-  int node = -1, material = -1;
-};
-
-// Nothing where the ray meets nothing, or outside the picture.
-std::optional<Picked> pick(const render::Document& document, const scene::CompiledScene& scene,
-                           const Placement& picture, Vec2 at);
-
-// All moves return the camera that the move leads to; `amount` is in pixels of a picture that is `height` pixels high.
-class CameraHand {
+// All movements return the moved camera. Mouse movements are in pixels.
+class CameraController {
  public:
+  // The centre of orbits.
   const Vec3& pivot() const { return pivot_; }
   void set_pivot(const Vec3& pivot) { pivot_ = pivot; }
-  // Puts the pivot where the axis meets the scene, or in front of the camera at the distance of what there is.
-  void find_pivot(const Camera& camera, const scene::CompiledScene& scene);
+  // Sets the pivot to the point where the camera axis hits the scene; without a hit, to a point on the axis near the
+  // centre of the scene. Also sets the fly speed according to the size of the scene.
+  void reset_pivot(const Camera& camera, const scene::CompiledScene& scene);
 
-  Camera orbit(Camera camera, Vec2 amount) const;
-  Camera pan(Camera camera, Vec2 amount, float height);
-  // Towards `target` by this many notches of a wheel.
+  Camera orbit(Camera camera, Vec2 movement) const;
+  // `image_height` in pixels.
+  Camera pan(Camera camera, Vec2 movement, float image_height);
+  // Moves towards `target` by this many notches of the wheel.
   Camera dolly(Camera camera, const Vec3& target, float notches) const;
-  Camera look_around(Camera camera, Vec2 amount) const;
-  // `direction` is in the camera's frame: x right, y up, z back.
+  Camera look_around(Camera camera, Vec2 movement) const;
+  // `direction` is in camera coordinates: x right, y up, z backward.
   Camera fly(Camera camera, const Vec3& direction, float seconds) const;
-  void set_speed(float metres_per_second) { speed_ = metres_per_second; }
-  float speed() const { return speed_; }
+  float fly_speed() const { return fly_speed_; }
+  void set_fly_speed(float metres_per_second) { fly_speed_ = metres_per_second; }
 
-  // Keeps the direction and shows all of `bounds`.
+  // Moves the camera along its axis so that it shows all of `bounds`, whose centre becomes the pivot. `aspect` is width
+  // divided by height.
   Camera frame(Camera camera, const Bounds& bounds, float aspect);
 
  private:
   Vec3 pivot_{0};
-  float speed_ = 1;
+  float fly_speed_ = 1;
 };
-
-// What a node shows, in the world.
-Bounds bounds_of_node(const scene::CompiledScene& scene, int node);
-// Where a point of the world is seen; nothing behind the camera.
-std::optional<Vec2> project(const Camera& camera, const Placement& picture, const Vec3& point);
 
 }  // namespace etendue::viewer

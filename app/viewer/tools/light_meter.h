@@ -1,49 +1,59 @@
-// The light meter: what was measured where the hand last clicked with it.
+// The light meter: measures radiance, irradiance and emitted flux at a point of a surface, in radiometric and
+// photometric units.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
+#include "base/vec.h"
 #include "render/light_meter.h"
 #include "spectrum/photometry.h"
-#include "viewer/state/editor.h"
 #include "viewer/tasks/progressive_task.h"
+#include "viewer/tasks/task.h"
+
+struct ImDrawList;
 
 namespace etendue::viewer {
 
-struct MeterSetup {
-  Choice<Efficacy> efficacy{
-      "meter.efficacy", "A watt of light is", Efficacy::equal_energy,
-      "Which spectrum watts have, so that they can be told in lumens: three bands do not know it"};
-  auto knobs() { return std::tie(efficacy); }
-};
+struct AppState;
 
-class MeterHand {
+class LightMeter final : public Task {
  public:
-  MeterHand(const render::Session& session, const Editor& editor, const std::function<void()>& wake)
-      : session_(session), editor_(editor), study_(wake) {}
+  struct Parameters {
+    Choice<Efficacy> efficacy{"meter.efficacy", "Luminous efficacy", Efficacy::equal_energy,
+                              "Spectrum assumed when converting watts to lumens. RGB radiance does not determine it"};
+    auto all() { return std::tie(efficacy); }
+  };
+  Parameters parameters;
 
-  MeterSetup setup;
-  bool picks = false;  // the next click in the picture measures there
-
-  // At a place in pixels of the picture.
+  // Measures at a position of the image, in pixels.
   void measure(Vec2 raster);
-  void forget();
-  // Null until there is something.
-  const render::MeterReadings* shown() const { return study_.shown().get(); }
-  std::optional<Vec2> place() const { return raster_; }
-  // Whether it is of the scene on the desk, and whole.
-  bool whole() const { return shown() && !study_.running() && version_ == editor_.version(); }
-  bool has_news() const { return study_.has_news(); }
-  // Called once a frame; an edit of the light measures anew.
-  void advance();
+  std::optional<Vec2> position() const { return raster_; }
+
+  // Called once per frame. An edit of the scene repeats the measurement.
+  void update(const TaskContext& context);
+  void reset(const TaskContext& context) override;
+  bool has_update() const override { return task_.has_update(); }
+
+  // Null if there is no measurement yet.
+  const render::MeterReadings* result() const { return task_.result().get(); }
+  // Whether the result has all samples and belongs to the current document.
+  bool is_complete(uint64_t document_version) const {
+    return result() && !task_.running() && version_ == document_version;
+  }
+
+  // The parameters and the readings.
+  void draw(AppState& state);
+  // A marker at the position in the image.
+  void draw_marker(const AppState& state, ImDrawList& draw) const;
+  nlohmann::json report(uint64_t document_version) const;
 
  private:
-  const render::Session& session_;
-  const Editor& editor_;
   std::optional<Vec2> raster_;
   uint64_t version_ = 0;  // of the document that is measured
-  Study<render::MeterReadings> study_;
+  ProgressiveTask<render::MeterReadings> task_;
 };
 
-std::vector<ParameterInfo> meter_parameters(const MeterSetup& setup = {});
+// The name of the action that activates the light meter.
+inline constexpr const char* kLightMeterAction = "meter.pick";
 
 }  // namespace etendue::viewer

@@ -1,101 +1,116 @@
 #include "viewer/viewport/aov_layer.h"
 
+#include <cmath>
+
 #include "base/hash.h"
 #include "render/aov.h"
+#include "render/session.h"
 #include "spectrum/colormap.h"
+#include "viewer/state/editor.h"
 #include "viewer/viewport/error_layer.h"
+#include "viewer/viewport/srgb.h"
 #include "viewer/widgets/format.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr uint32_t kSamples = 2;
+constexpr uint32_t kSamples = 2;  // per pixel
 
-Rgb linear(const Rgb& encoded) {
-  return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
-}
-
-// Neighbouring ids get colours that have nothing to do with each other; nothing is black.
+// A random colour for each id, so that neighbouring ids differ. Id 0 is black.
 Rgb color_of_id(float id) {
   if (id < 0.5f) return Rgb(0);
   const uint64_t bits = mix_bits(static_cast<uint64_t>(id));
-  const auto part = [&](unsigned shift) { return 0.2f + 0.75f * static_cast<float>((bits >> shift) & 0xff) / 255.0f; };
-  return linear({part(0), part(8), part(16)});
+  const auto channel = [&](unsigned shift) {
+    return 0.2f + 0.75f * static_cast<float>((bits >> shift) & 0xff) / 255.0f;
+  };
+  return linear_from_srgb({channel(0), channel(8), channel(16)});
 }
 
-std::vector<Rgb> to_look_at(const image::Layer& layer, size_t pixels) {
-  std::vector<Rgb> shown(pixels);
-  const size_t n = layer.channels.size();
-  float most = 0;
-  for (const float v : layer.pixels) most = std::max(most, std::abs(v));
+// Maps a vector with components in [-max, max] to a colour.
+Rgb color_of_vector(const float* v, float max) {
+  return linear_from_srgb({v[0] / max * 0.5f + 0.5f, v[1] / max * 0.5f + 0.5f, v[2] / max * 0.5f + 0.5f});
+}
+
+std::vector<Rgb> false_colors(const image::Layer& layer, size_t pixels) {
+  std::vector<Rgb> colors(pixels);
+  const size_t channels = layer.channels.size();
+  float max = 0;
+  for (const float v : layer.pixels) max = std::max(max, std::abs(v));
   for (size_t i = 0; i < pixels; ++i) {
-    const float* v = layer.pixels.data() + i * n;
-    if (layer.name == "albedo")
-      shown[i] = {v[0], v[1], v[2]};
-    else if (layer.name == "depth")
-      shown[i] = v[0] > 0 ? linear(viridis(1 - v[0] / most)) : Rgb(0);
-    else if (layer.name == "position")
-      shown[i] = linear({v[0] / most * 0.5f + 0.5f, v[1] / most * 0.5f + 0.5f, v[2] / most * 0.5f + 0.5f});
-    else if (n == 3)  // normals; where nothing was hit they have no length
-      shown[i] = v[0] == 0 && v[1] == 0 && v[2] == 0
-                     ? Rgb(0)
-                     : linear({v[0] * 0.5f + 0.5f, v[1] * 0.5f + 0.5f, v[2] * 0.5f + 0.5f});
-    else
-      shown[i] = color_of_id(v[0]);
+    const float* v = layer.pixels.data() + i * channels;
+    if (layer.name == "albedo") {
+      colors[i] = {v[0], v[1], v[2]};
+    } else if (layer.name == "depth") {
+      colors[i] = v[0] > 0 ? linear_from_srgb(viridis(1 - v[0] / max)) : Rgb(0);
+    } else if (layer.name == "position") {
+      colors[i] = color_of_vector(v, max);
+    } else if (channels == 3) {
+      // Normals; they are zero where no surface was hit.
+      const bool is_zero = v[0] == 0 && v[1] == 0 && v[2] == 0;
+      colors[i] = is_zero ? Rgb(0) : color_of_vector(v, 1);
+    } else {
+      colors[i] = color_of_id(v[0]);
+    }
   }
-  return shown;
+  return colors;
 }
 
-AovPicture errors_of(render::Session& session, uint64_t version) {
+AovImage error_image(render::Session& session, uint64_t version) {
   const film::Film film = session.film_copy();
   ErrorLayer layer = error_layer(film);
-  return {kErrorLayer,
-          version,
-          session.status().samples,
-          text_of("%.2g to %.2g, dark to bright", layer.low, layer.high),
-          film.width(),
-          film.height(),
-          std::move(layer.pixels)};
+  return {.name = kErrorLayer,
+          .version = version,
+          .samples = session.status().samples,
+          .scale = formatted("%.2g to %.2g, dark to bright", layer.low, layer.high),
+          .width = film.width(),
+          .height = film.height(),
+          .pixels = std::move(layer.pixels)};
+}
+
+AovImage aov_image(const scene::CompiledScene& scene, const std::string& name, const render::Document& document,
+                   uint64_t version) {
+  const auto layers = render::render_aovs(scene, document, {name}, kSamples, 1);
+  const size_t pixels = static_cast<size_t>(document.width) * static_cast<size_t>(document.height);
+  return {.name = name,
+          .version = version,
+          .width = document.width,
+          .height = document.height,
+          .pixels = layers.empty() ? std::vector<Rgb>(pixels) : false_colors(layers.front(), pixels)};
 }
 
 }  // namespace
 
-std::vector<std::string> layer_names() {
+std::vector<std::string> aov_layer_names() {
   auto names = render::aov_names();
   names.emplace_back(kErrorLayer);
   return names;
 }
 
-// Errors fall with samples; a fourth more is a difference that can be seen.
-bool AovView::is_stale(const std::string& name) const {
-  if (picture_.name != name || picture_.version != editor_.version()) return true;
+// The error layer is updated when the number of samples has grown by a quarter.
+bool AovLayer::is_outdated(const std::string& name) const {
+  if (image_.name != name || image_.version != editor_.version()) return true;
+  if (name != kErrorLayer) return false;
   const render::Status status = session_.status();
-  return name == kErrorLayer && (status.samples > picture_.samples + picture_.samples / 4 ||
-                                 (status.finished && status.samples > picture_.samples));
+  return status.samples > image_.samples + image_.samples / 4 || (status.finished && status.samples > image_.samples);
 }
 
-bool AovView::advance(const std::string& name) {
-  bool fresh = false;
-  if (auto made = job_.take()) {
-    picture_ = std::move(*made);
-    fresh = true;
+bool AovLayer::update(const std::string& name) {
+  bool has_new_image = false;
+  if (auto image = task_.take_result()) {
+    image_ = std::move(*image);
+    has_new_image = true;
   }
   const auto scene = session_.scene();
-  const bool wanted = !name.empty() && is_stale(name);
-  if (wanted && !job_.running() && scene && session_.status().version == editor_.version()) {
-    if (name == kErrorLayer) {
-      job_.start([&session = session_, version = editor_.version()] { return errors_of(session, version); });
-      return fresh;
-    }
-    job_.start([scene, name, document = editor_.document(), version = editor_.version()] {
-      const auto layers = render::render_aovs(*scene, document, {name}, kSamples, 1);
-      AovPicture picture{name, version, 0, {}, document.width, document.height, {}};
-      const size_t pixels = static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
-      picture.pixels = layers.empty() ? std::vector<Rgb>(pixels) : to_look_at(layers.front(), pixels);
-      return picture;
-    });
-  }
-  return fresh;
+  const uint64_t version = editor_.version();
+  const bool can_start = !task_.running() && scene && session_.status().version == version;
+  if (name.empty() || !can_start || !is_outdated(name)) return has_new_image;
+  if (name == kErrorLayer)
+    task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
+  else
+    task_.start(
+        [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },
+        wake_);
+  return has_new_image;
 }
 
 }  // namespace etendue::viewer

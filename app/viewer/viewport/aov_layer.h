@@ -1,45 +1,53 @@
-// Layers in the viewport: what lies under the pixels (albedo, normals, depth, ids), and how much each of them errs.
-// Made beside the rendering, which goes on.
+// Arbitrary output variables (AOVs) in the viewport: albedo, normals, depth, ids, and the error of each pixel. They are
+// computed beside the main rendering, which continues.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "render/session.h"
-#include "viewer/state/editor.h"
+#include "spectrum/rgb.h"
 #include "viewer/tasks/background_task.h"
+
+namespace etendue::render {
+class Session;
+}
 
 namespace etendue::viewer {
 
-struct AovPicture {
+class Editor;
+
+struct AovImage {
   std::string name;
-  uint64_t version = 0;
-  uint32_t samples = 0;  // that the errors are of
-  std::string scale;     // of what is measured in colours, in words
-  int width = 0, height = 0;
-  std::vector<Rgb> pixels;  // linear, made to be looked at
+  uint64_t version = 0;  // of the document
+  uint32_t samples = 0;  // of the rendering, for the error
+  std::string scale;     // meaning of the colours: "0.001 to 0.03"
+  int width = 0;
+  int height = 0;
+  std::vector<Rgb> pixels;  // linear colours
 };
 
-// The layer of errors, beside those of render::aov_names().
+// The name of the error layer. The other names are those of render::aov_names().
 inline constexpr const char* kErrorLayer = "error";
-std::vector<std::string> layer_names();
+std::vector<std::string> aov_layer_names();
 
-class AovView {
+class AovLayer {
  public:
-  AovView(render::Session& session, const Editor& editor, std::function<void()> wake)
-      : session_(session), editor_(editor), job_(std::move(wake)) {}
+  AovLayer(render::Session& session, const Editor& editor, std::function<void()> wake)
+      : session_(session), editor_(editor), wake_(std::move(wake)) {}
 
-  // Called once a frame with the name of the layer to show, or nothing; true if there is a new picture.
-  bool advance(const std::string& name);
-  const AovPicture& picture() const { return picture_; }
-  bool busy() const { return job_.running(); }
+  // Called once per frame with the name of the layer to show, or an empty name. Returns true if there is a new image.
+  bool update(const std::string& name);
+  const AovImage& image() const { return image_; }
+  bool is_busy() const { return task_.running(); }
 
  private:
-  bool is_stale(const std::string& name) const;
+  bool is_outdated(const std::string& name) const;
 
   render::Session& session_;
   const Editor& editor_;
-  Job<AovPicture> job_;
-  AovPicture picture_;
+  std::function<void()> wake_;
+  BackgroundTask<AovImage> task_;
+  AovImage image_;
 };
 
 }  // namespace etendue::viewer

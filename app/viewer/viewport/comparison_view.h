@@ -1,34 +1,43 @@
-// What the viewport shows of all pictures: the live one, two at a divider, the map of their difference, the reference.
+// Draws the image of the viewport: the live image, an AOV, two images with a divider, a difference map, or the
+// reference.
 #pragma once
 #include <array>
 #include <memory>
+#include <vector>
 
-#include "viewer/state/app_state.h"
+#include "viewer/platform/gl.h"
+#include "viewer/viewport/image_view.h"
 
 namespace etendue::viewer {
 
-class SplitScreen {
- public:
-  // `live` holds what the workbench has on screen when nothing is compared.
-  SplitScreen(const Gl& gl, Picture& live) : gl_(gl), live_(live) {}
+struct AppState;
+struct Side;
 
-  void draw(const Workbench& w, GLuint target, Vec2i target_size);
+class ComparisonView {
+ public:
+  // `live` has the live image, or the AOV while one is shown.
+  ComparisonView(const Gl& gl, ImageView& live) : gl_(gl), live_(live) {}
+
+  void draw(const AppState& state, GLuint framebuffer, Vec2i framebuffer_size);
 
  private:
   using Pixels = std::shared_ptr<const std::vector<Rgb>>;
   struct Slot {
-    std::unique_ptr<Picture> picture;
+    std::unique_ptr<ImageView> image;
     Pixels pixels;
   };
-  enum Role { left, right, reference, map, kRoles };
+  enum SlotIndex { left_slot, right_slot, reference_slot, map_slot, kSlots };
 
-  // On the graphics card after this, and only once.
-  Picture& uploaded(const Workbench& w, Role role, Vec2i size, const Pixels& pixels);
-  Picture& uploaded(const Workbench& w, Role role, const Side& side);
+  // The view with these pixels, which are uploaded once.
+  ImageView& view_of(const AppState& state, SlotIndex slot, Vec2i size, const Pixels& pixels);
+  ImageView& view_of(const AppState& state, SlotIndex slot, const Side& side);
 
   const Gl& gl_;
-  Picture& live_;
-  std::array<Slot, kRoles> slots_;
+  ImageView& live_;
+  std::array<Slot, kSlots> slots_;
 };
+
+// The horizontal position of the divider in the window, in whole pixels.
+float divider_x(const AppState& state);
 
 }  // namespace etendue::viewer

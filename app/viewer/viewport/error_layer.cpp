@@ -4,15 +4,17 @@
 #include <cmath>
 
 #include "spectrum/colormap.h"
+#include "viewer/viewport/srgb.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr int kReach = 2;  // of the window, pixels
+constexpr int kRadius = 2;  // of the averaging window, pixels
 constexpr double kStops = 5;
+constexpr double kScaleQuantile = 0.99;
 
-// The squared standard error of each pixel, mean over the channels.
-std::vector<double> variances_of(const film::Film& film) {
+// The squared standard error of each pixel, averaged over the channels.
+std::vector<double> pixel_variances(const film::Film& film) {
   std::vector<double> variances;
   variances.reserve(film.pixels().size());
   for (int y = 0; y < film.height(); ++y)
@@ -23,12 +25,14 @@ std::vector<double> variances_of(const film::Film& film) {
   return variances;
 }
 
-// Means over windows along one direction, cut off at the borders: `count` lines of `length` numbers.
+// Moving averages in one direction, over windows that are cut off at the borders. The values form `count` lines of
+// `length` numbers: lines start `line_step` apart, and the numbers of a line are `step` apart.
 std::vector<double> smoothed(const std::vector<double>& values, int count, int length, int line_step, int step) {
   std::vector<double> means(values.size());
   for (int line = 0; line < count; ++line)
     for (int i = 0; i < length; ++i) {
-      const int first = std::max(0, i - kReach), last = std::min(length - 1, i + kReach);
+      const int first = std::max(0, i - kRadius);
+      const int last = std::min(length - 1, i + kRadius);
       double sum = 0;
       for (int k = first; k <= last; ++k) sum += values[static_cast<size_t>(line * line_step + k * step)];
       means[static_cast<size_t>(line * line_step + i * step)] = sum / (last - first + 1);
@@ -36,25 +40,28 @@ std::vector<double> smoothed(const std::vector<double>& values, int count, int l
   return means;
 }
 
-Rgb linear(const Rgb& encoded) {
-  return {srgb_to_linear(encoded.r), srgb_to_linear(encoded.g), srgb_to_linear(encoded.b)};
-}
-
 }  // namespace
 
 ErrorLayer error_layer(const film::Film& film) {
-  const int w = film.width(), h = film.height();
-  std::vector<double> errors = smoothed(smoothed(variances_of(film), h, w, w, 1), w, h, 1, w);
+  const int width = film.width();
+  const int height = film.height();
+  std::vector<double> errors = smoothed(pixel_variances(film), height, width, width, 1);
+  errors = smoothed(errors, width, height, 1, width);
   for (double& e : errors) e = std::sqrt(e);
   ErrorLayer layer;
   layer.pixels.assign(errors.size(), Rgb(0));
   if (errors.empty()) return layer;
   auto sorted = errors;
-  const auto most = sorted.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), most, sorted.end());
-  layer.high = *most, layer.low = layer.high * std::exp2(-kStops);
-  for (size_t i = 0; layer.high > 0 && i < errors.size(); ++i)
-    if (errors[i] > 0) layer.pixels[i] = linear(viridis(static_cast<float>(std::log2(errors[i] / layer.low) / kStops)));
+  const auto rank = static_cast<std::ptrdiff_t>(kScaleQuantile * static_cast<double>(sorted.size() - 1));
+  std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+  layer.high = sorted[static_cast<size_t>(rank)];
+  layer.low = layer.high * std::exp2(-kStops);
+  if (layer.high <= 0) return layer;
+  for (size_t i = 0; i < errors.size(); ++i) {
+    if (errors[i] <= 0) continue;
+    const double position = std::log2(errors[i] / layer.low) / kStops;
+    layer.pixels[i] = linear_from_srgb(viridis(static_cast<float>(position)));
+  }
   return layer;
 }
 

@@ -1,6 +1,5 @@
-// Where a picture errs: the standard error of each pixel, as colours.
+// The standard error of each pixel as a false-colour image.
 #pragma once
-#include <string>
 #include <vector>
 
 #include "film/film.h"
@@ -8,12 +7,13 @@
 namespace etendue::viewer {
 
 struct ErrorLayer {
-  std::vector<Rgb> pixels;   // linear, made to be looked at; black where nothing is known or nothing errs
-  double low = 0, high = 0;  // radiance at both ends of the scale, which is logarithmic
+  std::vector<Rgb> pixels;  // linear colours; black where the error is zero or unknown
+  double low = 0;           // radiance at the ends of the colour scale, which is logarithmic
+  double high = 0;
 };
 
-// From the two halves of the film, which have one degree of freedom in a pixel: means over 5 x 5 pixels. The scale ends
-// where all but 1 % of the pixels lie, and spans five stops.
+// The error of a pixel is estimated from the two half-buffers of the film, which gives one degree of freedom per pixel;
+// it is therefore averaged over 5 x 5 pixels. The scale ends at the 99th percentile and spans five stops.
 ErrorLayer error_layer(const film::Film& film);
 
 }  // namespace etendue::viewer

@@ -1,34 +1,42 @@
-// Where the picture has tails: a veil over the tiles that the verdict of its health rests on.
+#include "viewer/viewport/reliability_overlay.h"
+
 #include <imgui.h>
 
-#include "viewer/layout/interface.h"
+#include <algorithm>
+
+#include "render/document.h"
+#include "render/reliability.h"
+#include "viewer/state/app_state.h"
 
 namespace etendue::viewer {
 namespace {
 
-// From a hint of doubt to certainty; orange on any picture, more of it where the tail is heavier.
-ImU32 veil(const render::TileReliability& tile) {
-  constexpr double kDoubt = 0.5, kSure = 1;
-  const double khat = tile.tail.khat.value_or(0), doubt = std::clamp((khat - kDoubt) / (kSure - kDoubt), 0.0, 1.0);
-  const double opacity = tile.heavy ? 0.35 + 0.35 * doubt : 0.25 * doubt;
+// Orange, which is visible on most images. The opacity grows with the tail index from 0.5 to 1.
+ImU32 tile_color(const render::TileReliability& tile) {
+  constexpr double kLow = 0.5;
+  constexpr double kHigh = 1;
+  const double tail_index = tile.tail.khat.value_or(0);
+  const double severity = std::clamp((tail_index - kLow) / (kHigh - kLow), 0.0, 1.0);
+  const double opacity = tile.heavy ? 0.35 + 0.35 * severity : 0.25 * severity;
   return IM_COL32(230, 159, 0, static_cast<int>(255 * opacity));
 }
 
 }  // namespace
 
-void draw_health_map(const Workbench& w, const render::Reliability& health, ImDrawList* draw) {
-  const auto& d = w.editor.document();
-  const Placement& p = w.view.picture;
-  const Vec2 pixel = p.size / Vec2(d.width, d.height);
-  for (int tile = 0; tile < static_cast<int>(health.tiles.size()); ++tile) {
-    const Vec2 first(tile % health.across * render::TailStatistics::kWidth,
-                     tile / health.across * render::TailStatistics::kHeight);
-    const Vec2 end = glm::min(first + Vec2(render::TailStatistics::kWidth, render::TailStatistics::kHeight),
-                              Vec2(d.width, d.height));
-    const Vec2 a = p.corner + first * pixel, b = p.corner + end * pixel;
-    const render::TileReliability& state = health.tiles[static_cast<size_t>(tile)];
-    draw->AddRectFilled({a.x, a.y}, {b.x, b.y}, veil(state));
-    if (state.heavy) draw->AddRect({a.x, a.y}, {b.x, b.y}, IM_COL32(230, 159, 0, 255));
+void draw_reliability_overlay(const AppState& state, const render::Reliability& reliability, ImDrawList* draw) {
+  const auto& d = state.document();
+  const Placement& image = state.viewport.image;
+  const Vec2 image_size(d.width, d.height);
+  const Vec2 pixel = image.size / image_size;
+  const Vec2 tile_size(render::TailStatistics::kWidth, render::TailStatistics::kHeight);
+  for (int i = 0; i < static_cast<int>(reliability.tiles.size()); ++i) {
+    const Vec2 first = Vec2(i % reliability.across, i / reliability.across) * tile_size;
+    const Vec2 end = glm::min(first + tile_size, image_size);
+    const Vec2 a = image.corner + first * pixel;
+    const Vec2 b = image.corner + end * pixel;
+    const render::TileReliability& tile = reliability.tiles[static_cast<size_t>(i)];
+    draw->AddRectFilled({a.x, a.y}, {b.x, b.y}, tile_color(tile));
+    if (tile.heavy) draw->AddRect({a.x, a.y}, {b.x, b.y}, IM_COL32(230, 159, 0, 255));
   }
 }
 

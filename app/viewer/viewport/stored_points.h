@@ -1,47 +1,54 @@
-// What a method keeps in space (photons, virtual lights), as points over the picture: those that the camera sees.
-//
-// They are asked for now and then beside the rendering, and looked for with one ray each: what a surface hides is not
-// shown.
+// The photons or virtual point lights that an integrator has stored, as points over the image. Points that are hidden
+// by a surface are left out.
 #pragma once
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <vector>
 
-#include "viewer/state/editor.h"
+#include "base/vec.h"
+#include "spectrum/rgb.h"
 #include "viewer/tasks/background_task.h"
+
+namespace etendue::render {
+class Session;
+}
 
 namespace etendue::viewer {
 
-struct SeenPoint {
-  Vec2 raster;  // in pixels of the picture
-  Rgb tint;     // of its power, the largest channel one
+class Editor;
+
+struct VisiblePoint {
+  Vec2 raster;  // in pixels of the image
+  Rgb color;    // of the power, scaled to a maximum of one
 };
 
-struct SeenPoints {
-  uint64_t version = 0;  // of the document
-  uint32_t samples = 0;  // of the picture, when they were asked for
-  size_t kept = 0;       // by the method, before any were left out
-  std::vector<SeenPoint> points;
+struct VisiblePoints {
+  uint64_t version = 0;  // of the document; 0 if it was edited during the search
+  uint32_t samples = 0;  // of the rendering
+  size_t stored = 0;     // number of points that the integrator has stored
+  std::vector<VisiblePoint> points;
 };
 
-class PointsHand {
+class StoredPoints {
  public:
-  PointsHand(render::Session& session, const Editor& editor, std::function<void()> wake)
-      : session_(session), editor_(editor), job_(std::move(wake)) {}
+  StoredPoints(render::Session& session, const Editor& editor, std::function<void()> wake)
+      : session_(session), editor_(editor), wake_(std::move(wake)) {}
 
-  // Of the document on the desk; null until they are known.
-  const SeenPoints* shown() const { return shown_ && shown_->version == editor_.version() ? shown_.get() : nullptr; }
-  // Called once a frame; somebody may be looking. True if there are others.
-  bool advance(bool looked_at);
+  // The points for the current document; null while they are unknown.
+  const VisiblePoints* result() const;
+  // Called once per frame. Searches the points at most twice per second if `requested`.
+  void update(bool requested);
 
  private:
   using Clock = std::chrono::steady_clock;
 
   render::Session& session_;
   const Editor& editor_;
-  std::shared_ptr<const SeenPoints> shown_;
-  Clock::time_point asked_;
-  Job<std::shared_ptr<const SeenPoints>> job_;
+  std::function<void()> wake_;
+  std::shared_ptr<const VisiblePoints> result_;
+  Clock::time_point start_;
+  BackgroundTask<std::shared_ptr<const VisiblePoints>> task_;
 };
 
 }  // namespace etendue::viewer

@@ -1,241 +1,188 @@
-// What am I looking at, and how do I get around it? Hands on the picture, and what is drawn over it.
+#include "viewer/viewport/viewport.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include <chrono>
+#include <cmath>
+#include <optional>
 
-#include "spectrum/colormap.h"
-#include "viewer/layout/interface.h"
+#include "render/session.h"
+#include "scene/compiled_scene.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/viewport/picking.h"
 #include "viewer/widgets/format.h"
-#include "viewer/widgets/scale_bar.h"
 
 namespace etendue::viewer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr float kClickTolerance = 4;  // pixels that the pointer may move during a click
+constexpr double kDoubleClickSeconds = 0.35;
+constexpr double kScrollGestureSeconds = 0.6;  // a longer pause starts a new step of undo
+constexpr float kFlySpeedFactor = 1.25f;       // per notch of the wheel
+constexpr float kMaxFlySeconds = 0.2f;         // longest time step, so that a slow frame causes no jump
 
-constexpr float kClickSlack = 4;       // pixels that a click may wander
-constexpr double kDoubleClick = 0.35;  // seconds
-constexpr double kWheelGesture = 0.6;  // seconds of rest that end a step
-
-// One hand: what it holds and since when.
-struct Hold {
-  enum class Grip { none, orbit, pan, fly } grip = Grip::none;
-  Vec2 start{0}, last{0};
-  bool moved = false;
-  Vec2 click_at{-1e6f};
-  Clock::time_point clicked{}, wheeled{};
-};
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-std::optional<Picked> picked_at(const Workbench& w, Vec2 at) {
-  const auto scene = w.session.scene();
-  return scene ? pick(w.editor.document(), *scene, w.view.picture, at) : std::nullopt;
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Whether the click is for the sampling sheet.
-bool choose_pixel(Workbench& w, Vec2 at) {
-  const bool wanted = w.view.sampling.picks || (w.view.sheet == "sheet.sampling" && w.input.control());
-  if (!wanted || !w.view.picture.contains(at)) return false;
-  w.view.sampling.picks = false;
-  w.view.sheet = "sheet.sampling";
-  w.probe.choose(pixel_at(w.view.picture, {w.editor.document().width, w.editor.document().height}, at));
+std::optional<PickedSurface> pick_at(const AppState& state, Vec2 position) {
+  const auto scene = state.session->scene();
+  return scene ? pick(state.document(), *scene, state.viewport.image, position) : std::nullopt;
+}
+
+// The direction of flight from the keys W, A, S, D, Q and E, in camera coordinates.
+Vec3 fly_direction(const Input& input) {
+  const auto axis = [&](int positive, int negative) {
+    return (input.keys[static_cast<size_t>(positive)] ? 1.0f : 0.0f) -
+           (input.keys[static_cast<size_t>(negative)] ? 1.0f : 0.0f);
+  };
+  return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_S, GLFW_KEY_W)};
+}
+
+bool use_tool(AppState& state, Vec2 position) {
+  if (!state.viewport.click_tool || !state.viewport.image.contains(position)) return false;
+  // The tool may activate another one, so it is copied.
+  const ClickTool tool = *state.viewport.click_tool;
+  if (!tool.use(state, position)) return false;
+  if (state.is_active_tool(tool.name)) state.viewport.click_tool.reset();
   return true;
 }
 
-// Whether the click is for the light meter.
-bool measure(Workbench& w, Vec2 at) {
-  if (!w.meter.picks || !w.view.picture.contains(at)) return false;
-  w.meter.picks = false;
-  const Placement& p = w.view.picture;
-  w.meter.measure((at - p.corner) / p.size * Vec2(w.editor.document().width, w.editor.document().height));
-  w.show_tab(Tab::light);
-  return true;
-}
-
-void click(Workbench& w, Hold& hold, Vec2 at) {
-  if (choose_pixel(w, at) || measure(w, at)) return;
-  const auto picked = picked_at(w, at);
-  const bool twice = seconds_since(hold.clicked) < kDoubleClick && glm::length(at - hold.click_at) <= kClickSlack;
-  hold.clicked = twice ? Clock::time_point{} : Clock::now();
-  hold.click_at = at;
-  if (picked && (twice || w.view.focus_by_click)) {
-    w.view.focus_by_click = false;
-    w.focus_at(*picked);
-  }
-  if (picked)
-    w.select(picked->node, picked->material);
-  else
-    w.selection.node = -1;
-}
-
-void grab(Workbench& w, Hold& hold) {
-  const auto pressed = [&](Button b) { return w.input.pressed[static_cast<size_t>(b)]; };
-  Hold::Grip grip = Hold::Grip::none;
-  if (pressed(Button::left)) grip = w.input.shift() ? Hold::Grip::pan : Hold::Grip::orbit;
-  if (pressed(Button::middle)) grip = Hold::Grip::pan;
-  if (pressed(Button::right)) grip = Hold::Grip::fly;
-  if (grip == Hold::Grip::none) return;
-  w.editor.end_gesture();
-  hold.grip = grip;
-  hold.start = hold.last = w.input.mouse;
-  hold.moved = false;
-}
-
-void drag(Workbench& w, Hold& hold) {
-  const Vec2 move = w.input.mouse - hold.last;
-  if (glm::length(w.input.mouse - hold.start) > kClickSlack) hold.moved = true;
-  if (!hold.moved || move == Vec2(0)) return;
-  hold.last = w.input.mouse;
-  const Camera& camera = w.editor.document().camera;
-  if (hold.grip == Hold::Grip::orbit) w.edit_camera(w.hand.orbit(camera, move), "Orbit", "camera.orbit");
-  if (hold.grip == Hold::Grip::pan) w.edit_camera(w.hand.pan(camera, move, w.view.picture.size.y), "Pan", "camera.pan");
-  if (hold.grip == Hold::Grip::fly) w.edit_camera(w.hand.look_around(camera, move), "Fly", "camera.fly");
-}
-
-void fly(Workbench& w, float seconds) {
-  const auto axis = [&](int forth, int back) {
-    return (w.input.keys[static_cast<size_t>(forth)] ? 1.0f : 0.0f) -
-           (w.input.keys[static_cast<size_t>(back)] ? 1.0f : 0.0f);
-  };
-  const Vec3 direction(axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_S, GLFW_KEY_W));
-  if (direction != Vec3(0))
-    w.edit_camera(w.hand.fly(w.editor.document().camera, direction, std::min(seconds, 0.2f)), "Fly", "camera.fly");
-}
-
-void let_go(Workbench& w, Hold& hold) {
-  const size_t button = hold.grip == Hold::Grip::fly ? 1 : w.input.buttons[2] ? 2 : 0;
-  if (w.input.buttons[button] || (hold.grip == Hold::Grip::pan && w.input.buttons[2])) return;
-  if (hold.grip == Hold::Grip::orbit && !hold.moved) click(w, hold, hold.start);
-  if (hold.grip == Hold::Grip::fly && hold.moved)
-    if (const auto scene = w.session.scene()) {
-      const float speed = w.hand.speed();
-      w.hand.find_pivot(w.editor.document().camera, *scene);
-      w.hand.set_speed(speed);
-    }
-  hold.grip = Hold::Grip::none;
-  w.editor.end_gesture();
-}
-
-void wheel(Workbench& w, Hold& hold) {
-  if (hold.grip == Hold::Grip::fly) return w.hand.set_speed(w.hand.speed() * std::pow(1.25f, w.input.wheel));
-  const auto picked = picked_at(w, w.input.mouse);
-  if (seconds_since(hold.wheeled) > kWheelGesture) w.editor.end_gesture();
-  hold.wheeled = Clock::now();
-  w.edit_camera(w.hand.dolly(w.editor.document().camera, picked ? picked->position : w.hand.pivot(), w.input.wheel),
-                "Dolly", "camera.dolly");
-}
-
-void outline(const Workbench& w, ImDrawList* draw) {
-  const auto scene = w.session.scene();
-  if (w.selection.node < 0 || !scene || w.view.picture.size.x < 2) return;
-  const Bounds b = bounds_of_node(*scene, w.selection.node);
-  if (b.empty()) return;
-  const auto corner = [&](int i) {
-    return Vec3(i & 1 ? b.max.x : b.min.x, i & 2 ? b.max.y : b.min.y, i & 4 ? b.max.z : b.min.z);
-  };
-  // It lies on the picture, whose brightness no theme knows: a bright line in a dark one is seen on everything.
-  struct Stroke {
-    ImU32 color;
-    float width;
-  };
-  for (const Stroke& stroke : {Stroke{IM_COL32(0, 0, 0, 140), 3.5f}, Stroke{IM_COL32(120, 190, 240, 255), 1.5f}})
-    for (int i = 0; i < 8; ++i)
-      for (int bit : {1, 2, 4}) {
-        if (i & bit) continue;
-        const auto from = project(w.editor.document().camera, w.view.picture, corner(i));
-        const auto to = project(w.editor.document().camera, w.view.picture, corner(i | bit));
-        if (from && to) draw->AddLine({from->x, from->y}, {to->x, to->y}, stroke.color, stroke.width);
-      }
-}
-
-// The scale of false colour, with the luminances at its ends and in between.
-void legend(const Workbench& w, ImDrawList* draw) {
-  const Vec2 stops = false_color_stops(w.editor.document().display.exposure);
-  std::string figures[5];
-  for (int i = 0; i <= 4; ++i)
-    figures[i] =
-        text_of("%.2g", static_cast<double>(std::exp2(stops.x + (stops.y - stops.x) * static_cast<float>(i) / 4)));
-  draw_scale_bar(w, draw, viridis, figures, "luminance, W/(m\u00b2 sr)");
-}
-
-std::string layer_label(const Workbench& w) {
-  const AovPicture& shown = w.aov.picture();
-  if (shown.name != w.view.aov) return w.view.aov + " ...";
-  return shown.scale.empty() ? w.view.aov + (w.aov.busy() ? " ..." : "") : w.view.aov + ", " + shown.scale;
-}
-
-// Dark rims keep them apart from the picture and from each other.
-void points(const Workbench& w, ImDrawList* draw) {
-  const SeenPoints* seen = w.points.shown();
-  if (!seen || w.shows_layer()) return;
-  const Placement& p = w.view.picture;
-  const Vec2 scale = p.size / Vec2(w.editor.document().width, w.editor.document().height);
-  const float half = std::max(1.0f, ImGui::GetFontSize() * (seen->points.size() > 2000 ? 0.07f : 0.14f));
-  for (const SeenPoint& point : seen->points) {
-    const Vec2 at = p.corner + point.raster * scale;
-    const ImU32 color =
-        ImGui::ColorConvertFloat4ToU32({std::sqrt(point.tint.r), std::sqrt(point.tint.g), std::sqrt(point.tint.b), 1});
-    draw->AddRectFilled({at.x - half - 1, at.y - half - 1}, {at.x + half + 1, at.y + half + 1}, IM_COL32(0, 0, 0, 150));
-    draw->AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, color);
-  }
-  const std::string words =
-      seen->kept == 0 ? w.editor.document().method.integrator + " keeps nothing in space"
-                      : text_of("%zu points of light, %zu of them seen here", seen->kept, seen->points.size());
-  const float em = ImGui::GetFontSize();
-  draw_label(draw, Vec2(p.corner.x + em * 0.6f, p.corner.y + p.size.y - em * 0.6f - label_size(words).y), words);
-}
-
-// Why the picture is black, in its middle.
-void obstacle_notice(const Workbench& w, ImDrawList* draw) {
-  const std::string text = w.incompatibility();
-  if (text.empty() || w.shows_layer()) return;
-  const Placement& p = w.view.picture;
-  const float em = ImGui::GetFontSize(), width = std::min(em * 26, w.view.region.size.x - 2 * em);
-  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
-  const Vec2 corner = glm::floor(p.corner + (p.size - Vec2(words.x, words.y)) * 0.5f), margin(em * 0.7f, em * 0.5f);
-  const Vec2 from = corner - margin, to = corner + Vec2(words.x, words.y) + margin;
-  draw->AddRectFilled({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.92f), em * 0.25f);
-  draw->AddRect({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(w.theme.warning), em * 0.25f);
-  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr,
-                width);
+bool use_panel(AppState& state, Vec2 position) {
+  if (!state.viewport.image.contains(position)) return false;
+  for (const auto& panel : state.panels.all())
+    if (state.panels.is_open(*panel) && panel->handle_click(state, position)) return true;
+  return false;
 }
 
 }  // namespace
 
-void handle_viewport(Workbench& w, float seconds) {
-  static Hold hold;  // one pointer
-  if (w.editor.empty()) return;
-  const bool over = !ImGui::GetIO().WantCaptureMouse && w.view.region.contains(w.input.mouse);
-  const bool divides = hold.grip == Hold::Grip::none && handle_divider(w, over);
-  if (hold.grip == Hold::Grip::none && over && !divides) grab(w, hold);
-  if (hold.grip != Hold::Grip::none) {
-    drag(w, hold);
-    if (hold.grip == Hold::Grip::fly) fly(w, seconds);
-    let_go(w, hold);
+void ViewportController::handle_input(AppState& state, float seconds) {
+  if (!state.has_document()) return;
+  const Input& input = state.ui.input;
+  const bool hovered = !ImGui::GetIO().WantCaptureMouse && state.viewport.region.contains(input.mouse);
+  const bool moves_divider = drag_ == Drag::none && divider_.handle_input(state, hovered);
+  if (drag_ == Drag::none && hovered && !moves_divider) begin_drag(state);
+  if (drag_ != Drag::none) {
+    continue_drag(state);
+    if (drag_ == Drag::fly) fly(state, seconds);
+    end_drag(state);
   }
-  if (w.input.wheel != 0 && (over || hold.grip == Hold::Grip::fly)) wheel(w, hold);
+  if (input.wheel != 0 && (hovered || drag_ == Drag::fly)) scroll(state);
 }
 
-void draw_viewport_overlay(Workbench& w) {
-  if (w.editor.empty()) return;
-  ImDrawList* draw = ImGui::GetBackgroundDrawList();
-  const Placement& r = w.view.region;
-  draw->PushClipRect({r.corner.x, r.corner.y}, {r.corner.x + r.size.x, r.corner.y + r.size.y});
-  if (w.view.interface) outline(w, draw);
-  if (w.view.health_map)
-    if (const auto health = w.session.status().health) draw_health_map(w, *health, draw);
-  if (w.view.points) points(w, draw);
-  const bool map = w.comparison.map() && !w.comparison.reference_on_screen();
-  if (w.view.false_color && w.view.aov.empty() && !map) legend(w, draw);
-  draw_comparison_overlay(w, draw);
-  draw_pixel_marker(w, draw);
-  draw_meter_marker(w, draw);
-  if (w.view.interface) obstacle_notice(w, draw);
-  if (!w.view.aov.empty()) draw_label(draw, w.view.picture.corner + Vec2(ImGui::GetFontSize() * 0.5f), layer_label(w));
-  draw->PopClipRect();
+void ViewportController::begin_drag(AppState& state) {
+  const Input& input = state.ui.input;
+  const auto pressed = [&](Button b) { return input.pressed[static_cast<size_t>(b)]; };
+  if (pressed(Button::left)) drag_ = input.shift() ? Drag::pan : Drag::orbit;
+  if (pressed(Button::middle)) drag_ = Drag::pan;
+  if (pressed(Button::right)) drag_ = Drag::fly;
+  if (drag_ == Drag::none) return;
+  state.editor->end_gesture();
+  drag_start_ = input.mouse;
+  last_position_ = input.mouse;
+  moved_ = false;
+}
+
+void ViewportController::continue_drag(AppState& state) {
+  const Vec2 position = state.ui.input.mouse;
+  const Vec2 movement = position - last_position_;
+  if (glm::length(position - drag_start_) > kClickTolerance) moved_ = true;
+  if (!moved_ || movement == Vec2(0)) return;
+  last_position_ = position;
+  const Camera& camera = state.document().camera;
+  CameraController& controller = state.viewport.camera_controller;
+  const float height = state.viewport.image.size.y;
+  if (drag_ == Drag::orbit) state.edit_camera(controller.orbit(camera, movement), "Orbit", "camera.orbit");
+  if (drag_ == Drag::pan) state.edit_camera(controller.pan(camera, movement, height), "Pan", "camera.pan");
+  if (drag_ == Drag::fly) state.edit_camera(controller.look_around(camera, movement), "Fly", "camera.fly");
+}
+
+void ViewportController::fly(AppState& state, float seconds) {
+  const Vec3 direction = fly_direction(state.ui.input);
+  if (direction == Vec3(0)) return;
+  const CameraController& controller = state.viewport.camera_controller;
+  state.edit_camera(controller.fly(state.document().camera, direction, std::min(seconds, kMaxFlySeconds)), "Fly",
+                    "camera.fly");
+}
+
+void ViewportController::end_drag(AppState& state) {
+  const auto& buttons = state.ui.input.buttons;
+  const auto is_down = [&](Button b) { return buttons[static_cast<size_t>(b)]; };
+  const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
+  if (held) return;
+  if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
+  if (drag_ == Drag::fly && moved_) {
+    // After a flight, the camera orbits what it looks at. The speed stays.
+    CameraController& controller = state.viewport.camera_controller;
+    const float speed = controller.fly_speed();
+    if (const auto scene = state.session->scene()) controller.reset_pivot(state.document().camera, *scene);
+    controller.set_fly_speed(speed);
+  }
+  drag_ = Drag::none;
+  state.editor->end_gesture();
+}
+
+void ViewportController::click(AppState& state, Vec2 position) {
+  if (use_tool(state, position) || use_panel(state, position)) return;
+  const bool is_double =
+      seconds_since(click_time_) < kDoubleClickSeconds && glm::length(position - click_position_) <= kClickTolerance;
+  click_time_ = is_double ? Clock::time_point{} : Clock::now();
+  click_position_ = position;
+  if (is_double) focus_at(state, position);
+  select_at(state, position);
+}
+
+void ViewportController::scroll(AppState& state) {
+  CameraController& controller = state.viewport.camera_controller;
+  const float notches = state.ui.input.wheel;
+  if (drag_ == Drag::fly) return controller.set_fly_speed(controller.fly_speed() * std::pow(kFlySpeedFactor, notches));
+  if (seconds_since(scroll_time_) > kScrollGestureSeconds) state.editor->end_gesture();
+  scroll_time_ = Clock::now();
+  const auto picked = pick_at(state, state.ui.input.mouse);
+  const Vec3 target = picked ? picked->position : controller.pivot();
+  state.edit_camera(controller.dolly(state.document().camera, target, notches), "Dolly", "camera.dolly");
+}
+
+bool focus_at(AppState& state, Vec2 position) {
+  const auto picked = pick_at(state, position);
+  if (!picked) return false;
+  state.viewport.camera_controller.set_pivot(picked->position);
+  Camera camera = state.document().camera;
+  camera.focus_distance = picked->axial_distance;
+  if (!(camera == state.document().camera)) state.edit_camera(camera, "Focus");
+  state.notices.add_message(
+      formatted("Focus distance and orbit centre: %.4g m", static_cast<double>(picked->axial_distance)));
+  return true;
+}
+
+void select_at(AppState& state, Vec2 position) {
+  const auto picked = pick_at(state, position);
+  if (picked)
+    state.select(picked->node, picked->material);
+  else
+    state.selection.node = -1;
+}
+
+void frame_scene(AppState& state) {
+  const auto scene = state.session->scene();
+  if (!state.has_document() || !scene) return;
+  const auto& d = state.document();
+  const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);
+  state.edit_camera(state.viewport.camera_controller.frame(d.camera, scene->bounds(), aspect), "Frame all");
+}
+
+void frame_selection(AppState& state) {
+  const auto scene = state.session->scene();
+  if (!state.has_document() || !scene) return;
+  const Bounds bounds = bounds_of_node(*scene, state.selection.node);
+  if (bounds.empty()) return frame_scene(state);
+  const auto& d = state.document();
+  const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);
+  state.edit_camera(state.viewport.camera_controller.frame(d.camera, bounds, aspect), "Frame selection");
 }
 
 }  // namespace etendue::viewer

@@ -13,18 +13,20 @@ bool finite(const std::vector<Spot>& spots) {
   return !spots.empty() && std::ranges::all_of(spots, [](const Spot& s) { return finite(s); });
 }
 
-// Where the edge of an area crosses a vertical strip: its height on the strip's two sides.
+// An edge of an area that crosses a vertical strip: its y coordinates at the left and right sides of the strip.
 struct Crossing {
-  double left, right;
+  double left = 0;
+  double right = 0;
 };
 
 std::vector<Crossing> crossings(const std::vector<Spot>& points, double left, double right) {
   std::vector<Crossing> list;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Spot &a = points[i], &b = points[(i + 1) % points.size()];
+    const Spot& a = points[i];
+    const Spot& b = points[(i + 1) % points.size()];
     if (std::min(a.x, b.x) > left || std::max(a.x, b.x) < right) continue;
-    const auto at = [&](double x) { return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y); };
-    list.push_back({at(left), at(right)});
+    const auto y_at = [&](double x) { return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y); };
+    list.push_back({.left = y_at(left), .right = y_at(right)});
   }
   std::ranges::sort(list, {}, [](const Crossing& c) { return c.left + c.right; });
   return list;
@@ -35,8 +37,8 @@ class Painter {
   Painter(ImDrawList& list, const ImVec2& corner, float scale, ImFont* font)
       : list_(list), corner_(corner), scale_(scale), font_(font) {}
 
-  // In strips between the corners' abscissae: an area need not be convex, as ImGui wants it. Without smooth edges,
-  // which would show where strips meet.
+  // Dear ImGui fills only convex polygons, so an area is divided into vertical strips at the x coordinates of its
+  // corners. Anti-aliasing is off because it would make the borders between strips visible.
   void operator()(const metrics::Area& area) {
     if (!finite(area.points)) return;
     std::vector<double> xs;
@@ -61,10 +63,11 @@ class Painter {
       for (const auto& [a, b] : metrics::dashes_of(stroke)) list_.AddLine(at(a), at(b), color_of(stroke.ink), width);
       return;
     }
-    // A thin line along the axes lies on whole pixels.
-    const Spot &first = stroke.points.front(), &last = stroke.points.back();
+    // A thin horizontal or vertical line is aligned to whole pixels.
+    const Spot& first = stroke.points.front();
+    const Spot& last = stroke.points.back();
     if (stroke.points.size() == 2 && stroke.width <= 1 && (first.x == last.x || first.y == last.y))
-      return ruled(first, last, color_of(stroke.ink), width);
+      return draw_aligned(first, last, color_of(stroke.ink), width);
     for (const Spot& s : stroke.points) list_.PathLineTo(at(s));
     list_.PathStroke(color_of(stroke.ink), 0, width);
   }
@@ -87,8 +90,9 @@ class Painter {
     return {corner_.x + static_cast<float>(s.x) * scale_, corner_.y + static_cast<float>(s.y) * scale_};
   }
 
-  void ruled(const Spot& from, const Spot& to, ImU32 color, float width) {
-    const ImVec2 a = at(from), b = at(to);
+  void draw_aligned(const Spot& from, const Spot& to, ImU32 color, float width) {
+    const ImVec2 a = at(from);
+    const ImVec2 b = at(to);
     if (from.x == to.x)
       list_.AddRectFilled({std::floor(a.x), std::min(a.y, b.y)},
                           {std::floor(a.x) + std::max(1.0f, width), std::max(a.y, b.y)}, color);
@@ -105,7 +109,7 @@ class Painter {
 
 }  // namespace
 
-void draw(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font) {
+void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font) {
   Painter painter(list, corner, scale, font);
   for (const auto& shape : drawing.shapes) std::visit(painter, shape);
 }
@@ -115,8 +119,8 @@ ImU32 color_of(const metrics::Ink& ink) {
 }
 
 metrics::Ink ink_of(const ImVec4& color) {
-  const auto part = [](float v) { return static_cast<uint8_t>(std::lround(255 * v)); };
-  return {part(color.x), part(color.y), part(color.z), static_cast<double>(color.w)};
+  const auto byte_of = [](float v) { return static_cast<uint8_t>(std::lround(255 * v)); };
+  return {byte_of(color.x), byte_of(color.y), byte_of(color.z), static_cast<double>(color.w)};
 }
 
 }  // namespace etendue::viewer

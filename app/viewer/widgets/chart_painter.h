@@ -1,4 +1,4 @@
-// A drawing of core/measure as a panel shows it.
+// Draws the charts of lab/metrics with Dear ImGui.
 #pragma once
 #include <imgui.h>
 
@@ -6,9 +6,9 @@
 
 namespace etendue::viewer {
 
-// `corner` is where the drawing's upper left corner lies on screen, `scale` how many pixels of the screen are one of
-// its own. Words are drawn in `font` as it is, whatever size they ask for: letters of another size would blur.
-void draw(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
+// `corner` is the upper left corner of the drawing on screen, `scale` the size of one unit of the drawing in pixels.
+// Text is drawn at the size of `font`, independent of the size in the drawing, because scaled glyphs would be blurred.
+void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
 
 ImU32 color_of(const metrics::Ink& ink);
 metrics::Ink ink_of(const ImVec4& color);

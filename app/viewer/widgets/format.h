@@ -1,20 +1,18 @@
-// Figures as words, in the lengths that bars and sheets have room for.
+// Numbers and times as text.
 #pragma once
-#include <cstdio>
+#include <cstddef>
 #include <string>
 
 namespace etendue::viewer {
 
-// As printf has it, up to 250 letters.
-std::string text_of(const char* format, auto... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
+// As printf; the result is cut off after 1000 characters.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
-// "0:48", "1:02:03".
-std::string time_text(double seconds);
-// "312 kB", "1.4 GB".
+// A duration: "0:48", "1:02:03".
+std::string clock_text(double seconds);
+// A number of bytes: "312 kB", "1.4 GB".
 std::string memory_text(size_t bytes);
+
+std::string lower_case(std::string text);
 
 }  // namespace etendue::viewer

@@ -1,4 +1,6 @@
-// One number: a slider where the range says something, a field to drag in where it is only a limit.
+// A widget for one number: a slider if the range is narrow enough, otherwise a drag field.
+//
+// A double click opens text input. Ctrl+click resets.
 #pragma once
 #include <optional>
 #include <string>
@@ -7,20 +9,23 @@
 
 namespace etendue::viewer {
 
-struct NumberEdit {
-  std::optional<Value> value;
+// What the user did in this frame.
+struct WidgetEdit {
+  std::optional<Value> value;  // if it was changed
   bool reset = false;          // Ctrl+click
   bool starts_typing = false;  // double click
-  bool ended = false;          // the hand let go
+  bool ended = false;          // the drag or the text input has ended
+  bool scripted = false;       // the value comes from a script
 };
 
-// `info.default_value` is the value now. `drag` makes it a field to drag in that moves by so much a pixel.
-NumberEdit number_widget(const ParameterInfo& info, float drag = 0);
-// What may be entered, as the user sees it: "0 to 180 °".
+// `info.default_value` is the current value. A positive `drag_speed`, in units per pixel, makes it a drag field.
+WidgetEdit number_widget(const ParameterInfo& info, float drag_speed = 0);
+// The range as the user sees it: "0 to 180 °".
 std::string range_text(const ParameterInfo& info);
 
-// Labels stand in a column of this width, widgets fill the rest of the line.
+// The width of the column of labels. The widgets fill the rest of the line.
 float label_width();
+// Draws a label, which is shortened if it is too long. The next item fills the rest of the line.
 void label_column(const std::string& label);
 
 }  // namespace etendue::viewer

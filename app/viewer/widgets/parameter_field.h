@@ -1,38 +1,36 @@
-// One setting as a field: drawn, described, heard by scripts, put into the document.
+// The parts of a parameter widget: reading requests of scripts, the tooltip, and the edit of the document.
 #pragma once
-#include <span>
+#include <optional>
+#include <string>
 
-#include "viewer/state/app_state.h"
+#include "base/parameter.h"
 #include "viewer/widgets/number_widget.h"
+
+namespace etendue::render {
+struct DocumentParameter;
+}
 
 namespace etendue::viewer {
 
-// What a hand or a script did to a field.
-struct Change {
-  std::optional<Value> value;
-  bool reset = false, forget = false, ended = false;
-};
+struct AppState;
+struct UiContext;
 
-// What a script asks for goes the same way as what a hand enters.
-std::optional<Value> from_script(Workbench& w, const ParameterInfo& info);
-// Names the item that was drawn last, and says what it is while the pointer rests on it.
-void describe_field(Workbench& w, const ParameterInfo& info);
-// A number in the width that was set; `drag` as in number_widget.
-Change number_field(Workbench& w, const ParameterInfo& info, float drag = 0);
-// Makes the change an edit, a reset, or the end of a gesture.
-void commit(Workbench& w, const render::DocumentParameter& binding, const Change& change);
+// The value that a script requests for a parameter. Values outside of the range are answered with an error.
+std::optional<Value> take_requested_value(UiContext& ui, const ParameterInfo& info);
 
-// The options of a choice in an open list, integrators under the names of their groups; the one that was chosen.
-std::optional<Value> option_list(const Workbench& w, const ParameterInfo& info, size_t index);
+// Registers the last item under the name of the parameter, and shows its tooltip while it is hovered.
+void describe_item(UiContext& ui, const ParameterInfo& info);
 
-// The value that the opened file had.
-std::optional<Value> original(const Workbench& w, const std::string& name);
+// A number widget of the current item width that scripts can set. `drag_speed` as in number_widget.
+WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_speed = 0);
 
-// Three fields in one line: NAME.x, NAME.y, NAME.z.
-void vector_row(Workbench& w, std::span<const render::DocumentParameter> xyz);
-// The quaternion NAME.x .. NAME.w as three angles in degrees, which scripts know as SECTION.euler.x, .y and .z.
-void rotation_row(Workbench& w, std::span<const render::DocumentParameter> xyzw);
-// The settings of a rotation row, as scripts see them.
-std::vector<ParameterInfo> euler_parameters(const std::string& section, const Vec3& degrees);
+// The options of a choice, to be called in an open combo box. Returns the option that was chosen.
+std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected);
+
+// Applies an edit of a widget to the document, and ends the gesture if the drag has ended.
+void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit);
+
+// The value of a parameter in the file that was opened; nothing if the document has no such file.
+std::optional<Value> original_value(const AppState& state, const std::string& name);
 
 }  // namespace etendue::viewer

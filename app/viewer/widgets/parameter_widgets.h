@@ -1,39 +1,34 @@
-// Widgets made from descriptions: one kind for each kind of parameter, with label, unit, range and tooltip.
-//
-// Double click types a number, Ctrl+click resets to what the file had. A drag is one step of undo.
+// Widgets for parameters, made from their descriptions: one kind of widget for each type, with label, unit, range and
+// tooltip. A drag is one step of undo.
 #pragma once
-#include <span>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "viewer/state/app_state.h"
+#include "base/parameter.h"
 
 namespace etendue::viewer {
 
-// All settings of a section, colours joined: NAME.r, NAME.g, NAME.b are one widget.
-void section_widgets(Workbench& w, const std::string& section);
-// Those whose names (without the section) are given, or are not.
-void some_widgets(Workbench& w, const std::string& section, const std::vector<std::string>& names);
-void other_widgets(Workbench& w, const std::string& section, const std::vector<std::string>& names);
+struct AppState;
 
-// One setting that is no part of a document: the new value, if it was changed.
-std::optional<Value> loose_widget(Workbench& w, const ParameterInfo& info);
+// All parameters of a section of the document. NAME.r, .g and .b become one colour widget; NAME.x, .y and .z one line.
+void section_widgets(AppState& state, const std::string& section);
+// Only these parameters of the section, or all others. Names are without the section.
+void section_widgets_for(AppState& state, const std::string& section, const std::vector<std::string>& names);
+void section_widgets_except(AppState& state, const std::string& section, const std::vector<std::string>& names);
 
-// A button for an action, with its tooltip.
-void action_button(Workbench& w, const char* name);
-// A line of quiet words, wrapped.
-void note(const Workbench& w, const std::string& text);
-// The same of what the user should heed.
-void warning(const Workbench& w, const std::string& text);
-// A line with a label on the left and a figure in tabular digits.
-void figure(const Workbench& w, const char* label, const std::string& value);
-// A folding group; it opens itself for a script that wants a widget whose name starts so.
-bool group(Workbench& w, const char* label, const std::string& prefix, bool open = true);
-// Shown once the pointer has rested for a moment.
-void tooltip(const Workbench& w, const std::string& text);
-inline constexpr double kTooltipDelay = 0.4;  // seconds
+// A parameter that is not part of the document. Returns the new value if it was changed.
+std::optional<Value> parameter_widget(AppState& state, const ParameterInfo& info);
 
-// The settings of the viewer itself that scripts can set: false colour and the layer shown.
-std::vector<ParameterInfo> loose_parameters();
+// All parameters of a panel, as a tuple of references.
+template <class... P>
+void parameter_widgets(AppState& state, const std::tuple<P...>& parameters) {
+  for (const ParameterInfo& info : describe_all(parameters))
+    if (const auto value = parameter_widget(state, info)) assign_by_name(parameters, info.name, *value);
+}
+
+// A choice that has no label, of this width. Returns the new value if it was changed.
+std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, float width);
 
 }  // namespace etendue::viewer

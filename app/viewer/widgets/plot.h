@@ -1,4 +1,4 @@
-// A small chart in a panel: two axes with figures, and where values lie between them.
+// A small chart in a panel: two axes with labels, and the positions of values between them.
 #pragma once
 #include <imgui.h>
 
@@ -6,44 +6,52 @@
 #include <vector>
 
 #include "metrics/log_axis.h"
-#include "viewer/state/app_state.h"
+#include "viewer/viewport/placement.h"
 
 namespace etendue::viewer {
 
+struct UiContext;
+
 struct PlotAxis {
   bool logarithmic = false;
-  double low = 0, high = 1;
+  double low = 0;
+  double high = 1;
 
-  // 0 at the low end, 1 at the high end.
-  double share(double value) const;
-  // At round values; at most about `most` have a label.
-  std::vector<metrics::LogAxis::Tick> ticks(int most) const;
+  // The position of a value: 0 at the low end, 1 at the high end.
+  double position(double value) const;
+  // Ticks at round values. At most about `max_labels` of them have a label.
+  std::vector<metrics::LogAxis::Tick> ticks(int max_labels) const;
 };
 
 class Plot {
  public:
-  // In `frame`, with room for the title above and the figures at the axes.
-  Plot(const Workbench& w, ImDrawList* draw, const Placement& frame, const char* title, const PlotAxis& x,
+  // `frame` is the rectangle of the window for the chart with its title and labels.
+  Plot(const UiContext& ui, ImDrawList* draw, const Placement& frame, const char* title, const PlotAxis& x,
        const PlotAxis& y);
 
-  const Placement& inner() const { return inner_; }
+  // The rectangle between the axes.
+  const Placement& area() const { return area_; }
+  // The position of a point in the window.
   ImVec2 at(double x, double y) const;
-  // Grid lines and figures; what comes after lies on them.
   void draw_axes() const;
-  void curve(const std::vector<ImVec2>& points, ImU32 color, float width) const;
-  // Figures with their middle, or an end, at a place.
-  void words(ImVec2 at, float anchor, ImU32 color, const char* text) const;
+  void draw_curve(const std::vector<ImVec2>& points, ImU32 color, float width) const;
+  // Text whose left end (anchor 0), centre (0.5) or right end (1) is at a position.
+  void draw_text(ImVec2 position, float anchor, ImU32 color, const char* text) const;
 
  private:
-  const Workbench& w_;
+  const UiContext& ui_;
   ImDrawList* draw_;
-  Placement frame_, inner_;
+  Placement frame_;
+  Placement area_;
   const char* title_;
-  PlotAxis x_, y_;
-  std::vector<metrics::LogAxis::Tick> across_, up_;
+  PlotAxis x_;
+  PlotAxis y_;
+  std::vector<metrics::LogAxis::Tick> x_ticks_;
+  std::vector<metrics::LogAxis::Tick> y_ticks_;
 };
 
-// Distinct to every eye (M. Okabe and K. Ito): the two halves of a film.
-ImU32 half_color(const Workbench& w, int half);
+// The colours of the two half-buffers of the film, from the palette of Okabe and Ito, which is safe for colour-blind
+// readers.
+ImU32 half_buffer_color(const UiContext& ui, int half);
 
 }  // namespace etendue::viewer

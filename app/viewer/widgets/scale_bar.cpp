@@ -1,16 +1,18 @@
 #include "viewer/widgets/scale_bar.h"
 
+#include "viewer/widgets/ui_context.h"
+
 namespace etendue::viewer {
 namespace {
 
-// Figures whose upper edge has its middle at `at`; letters of another size would blur.
-void centred(const Workbench& w, ImDrawList* draw, Vec2 at, const char* text) {
-  ImFont* font = w.faces.figures;
+// `position` is the middle of the upper edge.
+void draw_centred(const UiContext& ui, ImDrawList* draw, Vec2 position, const char* text) {
+  ImFont* font = ui.fonts.monospace;
   const float width = font->CalcTextSizeA(font->FontSize, 1e6f, 0, text).x;
-  draw->AddText(font, font->FontSize, {at.x - width * 0.5f, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
+  draw->AddText(font, font->FontSize, {position.x - width * 0.5f, position.y}, ImGui::GetColorU32(ImGuiCol_Text), text);
 }
 
-void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size, Rgb (*color)(float)) {
+void draw_colors(ImDrawList* draw, Vec2 corner, Vec2 size, Rgb (*color)(float)) {
   constexpr int kSteps = 64;
   for (int i = 0; i < kSteps; ++i) {
     const Rgb c = color((static_cast<float>(i) + 0.5f) / kSteps);
@@ -20,30 +22,29 @@ void color_bar(ImDrawList* draw, Vec2 corner, Vec2 size, Rgb (*color)(float)) {
   }
 }
 
-// A ground that words are legible on, with an edge that stands out from a picture of its colour.
-void ground(ImDrawList* draw, Vec2 corner, Vec2 end) {
-  draw->AddRectFilled({corner.x, corner.y}, {end.x, end.y}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92f), 4);
-  draw->AddRect({corner.x, corner.y}, {end.x, end.y}, ImGui::GetColorU32(ImGuiCol_Border), 4);
+void draw_background(ImDrawList* draw, Vec2 corner, Vec2 end) {
+  constexpr float kRounding = 4;
+  draw->AddRectFilled({corner.x, corner.y}, {end.x, end.y}, ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92f), kRounding);
+  draw->AddRect({corner.x, corner.y}, {end.x, end.y}, ImGui::GetColorU32(ImGuiCol_Border), kRounding);
 }
 
 Vec2 label_padding() { return Vec2(0.5f, 0.3f) * ImGui::GetFontSize(); }
 
 }  // namespace
 
-void draw_scale_bar(const Workbench& w, ImDrawList* draw, Rgb (*color)(float), std::span<const std::string> figures,
-                    const char* title) {
+void draw_scale_bar(const UiContext& ui, ImDrawList* draw, const Placement& image, Rgb (*color)(float),
+                    std::span<const std::string> labels, const char* title) {
   const float em = ImGui::GetFontSize();
-  const float margin = em * 2;  // half of the widest figure stands out at both ends
-  const Placement& p = w.view.picture;
+  const float margin = em * 2;  // for the labels at both ends
   const Vec2 size(em * 16, em * 0.8f);
-  const Vec2 corner(p.corner.x + p.size.x - size.x - margin - em * 0.5f, p.corner.y + em * 1.2f);
-  ground(draw, corner - Vec2(margin, em * 0.6f), corner + size + Vec2(margin, em * 3.3f));
-  color_bar(draw, corner, size, color);
-  for (size_t i = 0; i < figures.size(); ++i) {
-    const float at = static_cast<float>(i) / static_cast<float>(figures.size() - 1);
-    centred(w, draw, {corner.x + size.x * at, corner.y + size.y + em * 0.4f}, figures[i].c_str());
+  const Vec2 corner(image.corner.x + image.size.x - size.x - margin - em * 0.5f, image.corner.y + em * 1.2f);
+  draw_background(draw, corner - Vec2(margin, em * 0.6f), corner + size + Vec2(margin, em * 3.3f));
+  draw_colors(draw, corner, size, color);
+  for (size_t i = 0; i < labels.size(); ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(labels.size() - 1);
+    draw_centred(ui, draw, {corner.x + size.x * share, corner.y + size.y + em * 0.4f}, labels[i].c_str());
   }
-  centred(w, draw, {corner.x + size.x * 0.5f, corner.y + size.y + em * 1.8f}, title);
+  draw_centred(ui, draw, {corner.x + size.x * 0.5f, corner.y + size.y + em * 1.8f}, title);
 }
 
 Vec2 label_size(const std::string& text) {
@@ -52,9 +53,10 @@ Vec2 label_size(const std::string& text) {
 }
 
 Vec2 draw_label(ImDrawList* draw, Vec2 corner, const std::string& text) {
-  const Vec2 size = label_size(text), at = corner + label_padding();
-  ground(draw, corner, corner + size);
-  draw->AddText({at.x, at.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+  const Vec2 size = label_size(text);
+  const Vec2 text_corner = corner + label_padding();
+  draw_background(draw, corner, corner + size);
+  draw->AddText({text_corner.x, text_corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
   return size;
 }
 

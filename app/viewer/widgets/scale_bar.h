@@ -1,19 +1,22 @@
-// The key to a picture in false colours: a bar with figures below it.
+// Labels and colour scales over the image.
 #pragma once
 #include <imgui.h>
 
 #include <span>
 #include <string>
 
-#include "viewer/state/app_state.h"
+#include "spectrum/rgb.h"
+#include "viewer/viewport/placement.h"
 
 namespace etendue::viewer {
 
-// In the upper right corner of the picture. `color` takes 0 to 1, the figures are spread evenly over it.
-void draw_scale_bar(const Workbench& w, ImDrawList* draw, Rgb (*color)(float), std::span<const std::string> figures,
-                    const char* title);
+struct UiContext;
 
-// Words on a ground of their own that are legible on any picture. `corner` is the upper left; returns the size.
+// A colour scale in the upper right corner of the image. `color` maps 0..1 to sRGB; the labels are evenly spaced.
+void draw_scale_bar(const UiContext& ui, ImDrawList* draw, const Placement& image, Rgb (*color)(float),
+                    std::span<const std::string> labels, const char* title);
+
+// Text on a background that is legible over any image. `corner` is the upper left one. Returns the size.
 Vec2 draw_label(ImDrawList* draw, Vec2 corner, const std::string& text);
 Vec2 label_size(const std::string& text);
 

@@ -1,10 +1,21 @@
-// The verdict on a picture's health as one sign: its shape says it as well as its colour.
+// Icons for the reliability of an error estimate and for checks. Shape and colour both show the status.
 #pragma once
-#include "viewer/state/app_state.h"
+
+namespace etendue::render {
+enum class Verdict;
+}
 
 namespace etendue::viewer {
 
-// Draws it as an item as high as a line of the present face.
-void traffic_light(const Workbench& w, render::Verdict verdict);
+struct UiContext;
+
+enum class Status { unknown, good, doubtful, bad };
+
+// Draws an icon as an item of the height of a text line.
+void status_icon(const UiContext& ui, Status status);
+
+Status status_of(render::Verdict verdict);
+// "reliable", "uncertain", "unreliable" or "unknown".
+const char* reliability_label(render::Verdict verdict);
 
 }  // namespace etendue::viewer

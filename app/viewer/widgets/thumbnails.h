@@ -1,5 +1,7 @@
-// Small pictures as textures of the interface, as the display shows them.
+// Small images as textures, displayed like the main image.
 #pragma once
+#include <imgui.h>
+
 #include <memory>
 #include <vector>
 
@@ -8,31 +10,34 @@
 
 namespace etendue::viewer {
 
+// Linear radiance, three numbers per pixel, and how it is displayed.
+struct ThumbnailImage {
+  int width = 0;
+  int height = 0;
+  std::shared_ptr<const std::vector<float>> pixels;
+  float exposure = 0;
+  image::ToneCurve curve = image::ToneCurve::none;
+
+  friend bool operator==(const ThumbnailImage&, const ThumbnailImage&) = default;
+};
+
 class Thumbnails {
  public:
-  explicit Thumbnails(const Gl& gl) : gl_(gl) {}
+  Thumbnails() = default;
   ~Thumbnails();
   Thumbnails(const Thumbnails&) = delete;
   Thumbnails& operator=(const Thumbnails&) = delete;
 
-  // Linear pixels, three numbers each.
-  struct Source {
-    int width = 0, height = 0;
-    std::shared_ptr<const std::vector<float>> pixels;
-    float exposure = 0;
-    image::ToneCurve curve = image::ToneCurve::none;
-
-    friend bool operator==(const Source&, const Source&) = default;
-  };
-  // The texture of picture `index`, made anew only if its source is another one.
-  GLuint texture(size_t index, const Source& source);
+  // The texture of the image with this index. It is uploaded if the image differs from that of the last call. All calls
+  // have the same `gl`, which outlives this object.
+  ImTextureID texture(const Gl& gl, size_t index, const ThumbnailImage& image);
 
  private:
   struct Entry {
     GLuint texture = 0;
-    Source source;
+    ThumbnailImage image;
   };
-  const Gl& gl_;
+  const Gl* gl_ = nullptr;
   std::vector<Entry> entries_;
 };
 

@@ -1,7 +1,16 @@
-// Vectors and rotations: three fields in one line.
+#include "viewer/widgets/vector_widgets.h"
+
 #include <imgui.h>
 
+#include <cmath>
+
+#include "geometry/mesh.h"
+#include "render/document.h"
+#include "render/session.h"
+#include "scene/compiled_scene.h"
 #include "scene/rotation.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
 #include "viewer/widgets/parameter_field.h"
 
 namespace etendue::viewer {
@@ -9,19 +18,19 @@ namespace {
 
 constexpr const char* kAxes[3] = {"x", "y", "z"};
 
-std::string stem(const std::string& name) { return name.substr(0, name.size() - 2); }
+using Quaternion = std::span<const render::DocumentParameter>;
 
-// A thousandth of what there is for each pixel that the hand moves, so that a drag suits dolls' houses and cities.
-float metres_per_pixel(const Workbench& w) {
-  const auto scene = w.session.scene();
+// A thousandth of the scene's diagonal per pixel, so that a drag suits scenes of any size.
+float metres_per_pixel(const AppState& state) {
+  const auto scene = state.session->scene();
   const Bounds bounds = scene ? scene->bounds() : Bounds{};
-  const float extent = bounds.empty() ? 1 : glm::length(bounds.max - bounds.min);
-  return std::clamp(0.001f * extent, 1e-6f, 1e4f);
+  const float diagonal = bounds.empty() ? 1 : glm::length(bounds.max - bounds.min);
+  return std::clamp(0.001f * diagonal, 1e-6f, 1e4f);
 }
 
-// Each field stands alone; `field(axis)` draws it.
+// A label and three fields, which `draw_field(axis)` draws.
 template <class Field>
-void row(const std::string& label, Field field) {
+void three_fields(const std::string& label, Field draw_field) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.75f;
   label_column(label);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
@@ -29,46 +38,64 @@ void row(const std::string& label, Field field) {
     if (axis > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
     ImGui::PushID(axis);
-    field(axis);
+    draw_field(axis);
     ImGui::PopID();
   }
 }
 
-void edit_rotation(Workbench& w, std::span<const render::DocumentParameter> xyzw, const Vec4& rotation,
-                   const char* gesture) {
-  const Value values[4] = {double{rotation.x}, double{rotation.y}, double{rotation.z}, double{rotation.w}};
-  w.edit(xyzw, values, gesture);
+void edit_rotation(AppState& state, Quaternion parameters, const Vec4& q, const std::string& gesture) {
+  const Value values[4] = {double{q.x}, double{q.y}, double{q.z}, double{q.w}};
+  state.edit(parameters, values, gesture);
 }
 
-Vec4 quaternion_of(std::span<const render::DocumentParameter> xyzw) {
+Vec4 quaternion_of(Quaternion parameters) {
   Vec4 q;
   for (int c = 0; c < 4; ++c)
-    q[c] = static_cast<float>(std::get<double>(xyzw[static_cast<size_t>(c)].info.default_value));
+    q[c] = static_cast<float>(std::get<double>(parameters[static_cast<size_t>(c)].info.default_value));
   return q;
 }
 
-// The rotation that the file had.
-std::optional<Vec4> original_rotation(const Workbench& w, std::span<const render::DocumentParameter> xyzw) {
+std::optional<Vec4> original_rotation(const AppState& state, Quaternion parameters) {
   Vec4 q;
   for (int c = 0; c < 4; ++c) {
-    const auto value = original(w, xyzw[static_cast<size_t>(c)].info.name);
+    const auto value = original_value(state, parameters[static_cast<size_t>(c)].info.name);
     if (!value) return std::nullopt;
     q[c] = static_cast<float>(std::get<double>(*value));
   }
   return q;
 }
 
+void angle_field(AppState& state, Quaternion parameters, const std::string& gesture, ParameterInfo info, int axis) {
+  constexpr float kDegreesPerPixel = 0.5f;
+  EnteredRotation& entered = state.ui.entered_rotation;
+  info.unit.clear();  // the label has the unit
+  const WidgetEdit edit = number_field(state.ui, info, kDegreesPerPixel);
+  if (edit.scripted) state.editor->end_gesture();
+  if (edit.starts_typing) state.editor->discard_step(gesture);
+  if (edit.reset) {
+    const auto original = original_rotation(state, parameters);
+    if (original && *original != quaternion_of(parameters)) edit_rotation(state, parameters, *original, "");
+  } else if (edit.value && *edit.value != info.default_value) {
+    entered.degrees[axis] = static_cast<float>(std::get<double>(*edit.value));
+    entered.quaternion = scene::rotation_of(entered.degrees);
+    edit_rotation(state, parameters, entered.quaternion, gesture);
+  }
+  if (edit.ended) state.editor->end_gesture();
+}
+
 }  // namespace
 
-void vector_row(Workbench& w, std::span<const render::DocumentParameter> xyz) {
+void vector_widget(AppState& state, std::span<const render::DocumentParameter> xyz) {
+  constexpr float kUnitsPerPixel = 0.005f;
   const ParameterInfo& first = xyz[0].info;
-  const bool metres = first.unit == "m";
+  const bool is_length = first.unit == "m";
+  const float speed = is_length ? metres_per_pixel(state) : kUnitsPerPixel;
   ImGui::PushID(first.name.c_str());
-  row(metres ? first.label + " (m)" : first.label, [&](int axis) {
-    const render::DocumentParameter& binding = xyz[static_cast<size_t>(axis)];
-    ParameterInfo info = binding.info;
-    info.unit.clear();  // the label has it
-    commit(w, binding, number_field(w, info, metres ? metres_per_pixel(w) : 0.005f));
+  three_fields(is_length ? first.label + " (m)" : first.label, [&](int axis) {
+    const render::DocumentParameter& parameter = xyz[static_cast<size_t>(axis)];
+    ParameterInfo info = parameter.info;
+    info.unit.clear();  // the label has the unit
+    apply_edit(state, parameter, number_field(state.ui, info, speed));
   });
   ImGui::PopID();
 }
@@ -76,42 +103,37 @@ void vector_row(Workbench& w, std::span<const render::DocumentParameter> xyz) {
 std::vector<ParameterInfo> euler_parameters(const std::string& section, const Vec3& degrees) {
   std::vector<ParameterInfo> list(3);
   for (int axis = 0; axis < 3; ++axis) {
-    auto& info = list[static_cast<size_t>(axis)];
+    ParameterInfo& info = list[static_cast<size_t>(axis)];
     info.name = section + ".euler." + kAxes[axis];
-    info.label = "Rotation", info.unit = "\u00b0", info.min = -360, info.max = 360;
-    info.doc = std::string("Degrees about the parent's ") + kAxes[axis] + " axis; x turns first, then y, then z";
+    info.label = "Rotation";
+    info.unit = "\u00b0";
+    info.min = -360;
+    info.max = 360;
+    info.doc = std::string("Rotation about the ") + kAxes[axis] +
+               " axis of the parent, in degrees. Rotations are applied in the order x, y, z";
     info.default_value = static_cast<double>(degrees[axis]);
   }
   return list;
 }
 
-void rotation_row(Workbench& w, std::span<const render::DocumentParameter> xyzw) {
-  const std::string name = stem(xyzw[0].info.name), section = xyzw[0].section;
-  const Vec4 now = quaternion_of(xyzw);
-  // Angles stay as the hand left them: 120 degrees about y would come back as 60 and two half turns.
-  if (w.turned.name != name || w.turned.rotation != now) w.turned = {name, now, scene::euler_degrees(now)};
-  const auto infos = euler_parameters(section, w.turned.degrees);
+void rotation_widget(AppState& state, std::span<const render::DocumentParameter> xyzw) {
+  const std::string& first = xyzw[0].info.name;
+  const std::string name = first.substr(0, first.size() - 2);
+  const Vec4 current = quaternion_of(xyzw);
+  EnteredRotation& entered = state.ui.entered_rotation;
+  if (entered.parameter != name || entered.quaternion != current)
+    entered = {.parameter = name, .quaternion = current, .degrees = scene::euler_degrees(current)};
+  const auto infos = euler_parameters(xyzw[0].section, entered.degrees);
   ImGui::PushID(name.c_str());
-  row("Rotation (\u00b0)", [&](int axis) {
-    ParameterInfo info = infos[static_cast<size_t>(axis)];
-    info.unit.clear();
-    const Change change = number_field(w, info, 0.5f);
-    if (change.forget) w.editor.forget(name);
-    if (change.reset) {
-      if (const auto before = original_rotation(w, xyzw); before && *before != now) edit_rotation(w, xyzw, *before, "");
-    } else if (change.value && *change.value != info.default_value) {
-      Vec3 degrees = w.turned.degrees;
-      degrees[axis] = static_cast<float>(std::get<double>(*change.value));
-      const Vec4 turned = scene::rotation_of(degrees);
-      w.turned = {name, turned, degrees};
-      edit_rotation(w, xyzw, turned, name.c_str());
-    }
-    if (change.ended) w.editor.end_gesture();
-  });
+  three_fields("Rotation (\u00b0)",
+               [&](int axis) { angle_field(state, xyzw, name, infos[static_cast<size_t>(axis)], axis); });
   ImGui::PopID();
-  for (const auto& binding : xyzw) {
-    w.items.place(binding.info.name);
-    if (const auto value = from_script(w, binding.info)) w.edit(binding, *value);
+  for (const auto& parameter : xyzw) {
+    state.ui.items.add(parameter.info.name);
+    const auto value = take_requested_value(state.ui, parameter.info);
+    if (!value) continue;
+    state.editor->end_gesture();
+    state.edit(parameter, *value);
   }
 }
 
