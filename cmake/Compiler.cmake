@@ -22,6 +22,14 @@ target_compile_options(etendue_options INTERFACE -ffp-contract=off)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O0 -g")
 
+if(ETENDUE_PROFILE)
+  target_compile_options(etendue_options INTERFACE -g -fno-omit-frame-pointer)
+endif()
+if(ETENDUE_COVERAGE)
+  target_compile_options(etendue_options INTERFACE --coverage)
+  target_link_options(etendue_options INTERFACE --coverage)
+endif()
+
 if(ETENDUE_SANITIZE)
   # With sanitizers in between, GCC 12 no longer sees that a variant's string is there when it is read.
   target_compile_options(etendue_options INTERFACE -Wno-maybe-uninitialized)

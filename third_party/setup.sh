@@ -15,15 +15,36 @@ install_packages() {
     { echo "etendue: packages could not be installed; third_party/$1 lists them" >&2; return 1; }
 }
 
+# Turns ninja's status lines into progress on standard error: one line that is rewritten on a terminal, else a line per
+# tenth of the work. Needs NINJA_STATUS='@ %f %t ' in front of each line.
+show_progress() {
+  local terminal=no
+  [ -t 2 ] && terminal=yes
+  awk -v terminal=$terminal '
+    BEGIN { srand(); start = srand() }
+    $1 == "@" && $3 > 2 {
+      percent = int(100 * $2 / $3)
+      srand(); elapsed = srand() - start
+      text = sprintf("building: %3d %%  %d of %d  %d s", percent, $2, $3, elapsed)
+      if (terminal == "yes") printf "\r%s ", text
+      else if (int(percent / 10) > tenth) { tenth = int(percent / 10); print text }
+      fflush(); shown = 1
+    }
+    END { if (shown && terminal == "yes") print "" }' >&2
+}
+
 #   setup PRESET TARGET...
 setup() {
-  local preset=$1 root
+  local preset=$1 root log
   shift
   root=$(dirname "$third_party")
+  log=$root/build/$preset/build.log
   install_packages packages.txt || return 1
-  [ -f "$root/build/$preset/build.ninja" ] || cmake -S "$root" --preset "$preset" >"$root/build-$preset.log" 2>&1 ||
-    { cat "$root/build-$preset.log" >&2; return 1; }
-  rm -f "$root/build-$preset.log"
-  cmake --build "$root/build/$preset" --target "$@" >"$root/build/$preset/build.log" 2>&1 ||
-    { tail -n 60 "$root/build/$preset/build.log" >&2; return 1; }
+  if [ ! -f "$root/build/$preset/build.ninja" ]; then
+    echo "configuring the preset '$preset'; the first build takes a few minutes" >&2
+    mkdir -p "$root/build/$preset"
+    cmake -S "$root" --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  fi
+  NINJA_STATUS='@ %f %t ' cmake --build "$root/build/$preset" --target "$@" 2>&1 | tee "$log" | show_progress
+  [ "${PIPESTATUS[0]}" = 0 ] || { grep -v '^@' "$log" | tail -n 60 >&2; return 1; }
 }

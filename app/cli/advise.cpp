@@ -1,5 +1,4 @@
-// etendue advise: which method to use on a scene for an error, and for how long.
-#include <CLI/CLI.hpp>
+// etendue advise: ranks the methods for a scene by the predicted time to a target error.
 #include <cstdio>
 #include <memory>
 
@@ -7,70 +6,61 @@
 #include "command.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "scene/builtin/builtin.h"
-#include "settings.h"
+#include "scene_options.h"
 
 namespace etendue::cli {
 namespace {
 
-struct Options {
-  std::string scene, size, camera, env, paths;
-  std::vector<std::string> sets;
-  advisor::Question question;
+struct Arguments {
+  SceneArguments scene;
+  advisor::AdviceRequest question;
   int threads = 0;
   bool json = false;
 };
 
-Result<render::Document> open(const Options& o) {
-  auto document = render::new_document(o.scene, o.camera);
-  if (!document) return document;
-  if (auto r = set_size(*document, o.size); !r) return r.error();
-  if (auto r = set_environment(*document, o.env); !r) return r.error();
-  if (auto r = set_all(*document, o.sets); !r) return r.error();
-  if (!o.paths.empty())
-    if (auto r = set(*document, "film.paths", o.paths); !r) return r.error();
-  return document;
-}
-
-int run(const Options& o) {
-  const auto document = open(o);
+int run(const Arguments& a) {
+  const auto document = open_document(a.scene);
   if (!document) return fail(document.error());
-  for (const auto& warning : document->scene->warnings)
-    std::fprintf(stderr, "etendue: %s: %s\n", document->scene_name.c_str(), warning.c_str());
-
+  print_warnings(*document);
   const std::atomic<bool>& interrupted = watch_interrupts();
-  render::SessionOptions session_options;
-  session_options.threads = o.threads;
-  render::Session session(session_options);
-  Progress bar;
-  const auto ranking = advisor::advise(session, *document, o.question, [&](double done, const std::string& what) {
-    bar.show(done, what);
+  render::Session session({.threads = a.threads});
+  Progress progress;
+  const auto ranking = advisor::advise(session, *document, a.question, [&](double done, const std::string& task) {
+    progress.show(done, task);
     return !interrupted;
   });
-  bar.finish();
+  progress.finish();
   const std::string text =
-      o.json ? advisor::ranking_json(ranking, document->scene_name) + "\n" : advisor::ranking_text(ranking);
+      a.json ? advisor::ranking_json(ranking, document->scene_name) + "\n" : advisor::ranking_text(ranking);
   std::fputs(text.c_str(), stdout);
   return ranking.interrupted ? static_cast<int>(Fault::interrupted) : 0;
 }
 
 }  // namespace
 
-Command add_advise(CLI::App& app) {
-  auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names())->required();
-  app.add_option("--error", o->question.target, "The RMSE to reach")->required()->check(CLI::PositiveNumber);
-  app.add_flag("--json", o->json, "Print JSON");
-  app.add_option("--pilot", o->question.pilot_seconds, "Seconds of trying out each method, about")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--size", o->size, "WIDTHxHEIGHT");
-  app.add_option("--camera", o->camera, "A camera of the scene by name or index");
-  app.add_option("--seed", o->question.seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
-  app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
-  app.add_option("--set", o->sets, "NAME=VALUE: any setting by name; repeatable")->take_all();
-  app.add_option("--paths", o->paths, "Only light paths that match this expression");
-  app.add_option("--env", o->env, "Environment map, .hdr or .exr");
-  return [o] { return run(*o); };
+Command advise_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "advise",
+          .summary = "Rank the methods for a scene by the predicted time to a target error",
+          .options = {scene_option(a->scene.scene),
+                      {.names = "--error",
+                       .target = &a->question.target,
+                       .doc = "Target error (RMSE)",
+                       .required = true,
+                       .bounds = kPositive},
+                      json_flag(a->json),
+                      {.names = "--pilot",
+                       .target = &a->question.pilot_seconds,
+                       .doc = "Approximate duration of the pilot rendering of each method, in seconds",
+                       .bounds = kPositive},
+                      size_option(a->scene.size),
+                      camera_option(a->scene.camera),
+                      seed_option(a->question.seed),
+                      threads_option(a->threads),
+                      set_option(a->scene.settings),
+                      paths_option(a->scene.paths),
+                      environment_option(a->scene.environment)},
+          .run = [a] { return run(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -1,7 +1,4 @@
-// etendue bench: errors of several methods over time, against a reference.
-#include "bench/report.h"
-
-#include <CLI/CLI.hpp>
+// etendue bench: the error of several methods over time, against a reference.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -9,19 +6,20 @@
 #include <optional>
 #include <thread>
 
+#include "base/number_text.h"
 #include "bench/benchmark.h"
+#include "bench/report.h"
 #include "command.h"
 #include "interrupt.h"
 #include "progress.h"
-#include "scene/builtin/builtin.h"
-#include "settings.h"
+#include "scene_options.h"
 
 namespace etendue::cli {
 namespace {
 
-struct Options {
-  std::string scene, methods, out, reference, size, camera, env;
-  std::vector<std::string> sets;
+struct Arguments {
+  SceneArguments scene;
+  std::string methods, out, reference;
   double budget = 0, reference_time = 0;
   uint32_t samples = 0, reference_samples = 0;
   int repeats = 3, threads = 0;
@@ -29,158 +27,165 @@ struct Options {
   bool no_cache = false;
 };
 
-// Without a size it is the reference's, if one is given.
-std::string size_of(const Options& o, const std::optional<bench::Reference>& given) {
-  if (!o.size.empty() || !given) return o.size;
-  return std::to_string(given->picture.width) + "x" + std::to_string(given->picture.height);
+// Effort for computing the reference. The default is that of all methods together.
+bench::ReferenceBudget reference_effort(const Arguments& a, size_t methods) {
+  if (a.reference_time > 0 || a.reference_samples > 0) return {a.reference_time, a.reference_samples};
+  const double renderings = static_cast<double>(methods) * a.repeats;
+  if (a.budget > 0) return {a.budget * renderings, 0};
+  return {0, static_cast<uint32_t>(std::min(a.samples * renderings, 1e9))};
 }
 
-Result<render::Document> open(const Options& o, const std::optional<bench::Reference>& given) {
-  auto document = render::new_document(o.scene, o.camera);
-  if (!document) return document;
-  if (auto r = set_size(*document, size_of(o, given)); !r) return r.error();
-  if (auto r = set_environment(*document, o.env); !r) return r.error();
-  if (auto r = set_all(*document, o.sets); !r) return r.error();
-  return document;
-}
-
-// As long as all methods together, unless something else is asked for.
-bench::Effort effort_of(const Options& o, size_t methods) {
-  if (o.reference_time > 0 || o.reference_samples > 0) return {o.reference_time, o.reference_samples};
-  const double runs = static_cast<double>(methods) * o.repeats;
-  if (o.budget > 0) return {o.budget * runs, 0};
-  return {0, static_cast<uint32_t>(std::min(o.samples * runs, 1e9))};
-}
-
-// One bar for the reference and the methods.
-class Meter {
+// One progress bar for the reference and the methods.
+class BenchProgress {
  public:
-  explicit Meter(const std::atomic<bool>& interrupted) : interrupted_(interrupted) {}
+  explicit BenchProgress(const std::atomic<bool>& interrupted) : interrupted_(interrupted) {}
 
-  // What comes next takes the part of the bar up to `end`.
+  // The part of the bar from `begin` to `end`, both fractions.
   bench::Progress part(double begin, double end) {
-    return [this, begin, end](double done, const std::string& what) {
-      bar_.show(begin + done * (end - begin), what);
+    return [this, begin, end](double done, const std::string& task) {
+      progress_.show(begin + done * (end - begin), task);
       return !interrupted_;
     };
   }
-  void finish() { bar_.finish(); }
+  void finish() { progress_.finish(); }
 
  private:
   const std::atomic<bool>& interrupted_;
-  Progress bar_;
+  Progress progress_;
 };
 
-void say_what_is_uncertain(const bench::Outcome& outcome, const bench::Reference& reference) {
+// Warns if errors may be those of the reference.
+void print_reference_warning(const bench::Outcome& outcome, const bench::Reference& reference) {
   if (!reference.noise) {
-    std::fprintf(stderr, "etendue: the error of the reference is unknown; small errors may be the reference's\n");
+    std::fprintf(stderr,
+                 "etendue: the error of the reference is unknown, so small errors may be errors of the reference\n");
     return;
   }
   if (!bench::reference_too_noisy(outcome, reference)) return;
-  const double wanted = bench::seconds_wanted(outcome, reference);
+  const double seconds = bench::required_reference_seconds(outcome, reference);
   std::string advice;
-  if (wanted > 0) advice = "; --reference-time " + std::to_string(std::lround(wanted) + 1) + " would do";
+  if (seconds > 0) advice = "; use --reference-time " + std::to_string(std::lround(seconds) + 1);
   std::fprintf(stderr,
-               "etendue: the reference is too noisy to tell: its standard error %.2g is not ten times smaller "
-               "than the smallest error measured%s\n",
-               reference.standard_error(), advice.c_str());
+               "etendue: reference too noisy: its standard error %s is not ten times smaller than the smallest "
+               "measured error%s\n",
+               format_number(reference.standard_error(), 2).c_str(), advice.c_str());
 }
 
-// Everything that is decided before the first ray: what cannot work fails before anything was rendered or written.
+// Everything that can be checked before rendering. Wrong arguments fail before anything is rendered or written.
 struct Job {
   render::Document document;
   bench::Plan plan;
-  std::optional<bench::Reference> given;
+  std::optional<bench::Reference> given_reference;
 };
 
-Result<Job> prepare(const Options& o) {
-  if (o.budget <= 0 && o.samples == 0) return usage_error("bench: no budget; give --budget SECONDS or --samples N");
+Result<Job> prepare(const Arguments& a) {
+  if (a.budget <= 0 && a.samples == 0) return usage_error("bench: no budget; give --budget SECONDS or --samples N");
   std::optional<bench::Reference> given;
-  if (!o.reference.empty()) {
-    auto read = bench::read_reference(o.reference);
+  if (!a.reference.empty()) {
+    auto read = bench::read_reference(a.reference);
     if (!read) return read.error();
     given = std::move(*read);
   }
-  auto document = open(o, given);
+  SceneArguments scene = a.scene;
+  if (scene.size.empty() && given)
+    scene.size = std::to_string(given->image.width) + "x" + std::to_string(given->image.height);
+  auto document = open_document(scene);
   if (!document) return document.error();
-  auto methods = bench::parse_methods(o.methods, *document);
+  auto methods = bench::parse_methods(a.methods, *document);
   if (!methods) return methods.error();
-  Job job{std::move(*document), {std::move(*methods), o.budget, o.samples, o.repeats, o.seed}, {}};
+  Job job{std::move(*document), {std::move(*methods), a.budget, a.samples, a.repeats, a.seed}, {}};
   if (given) {
-    auto fitting = bench::fitted(std::move(*given), job.document.width, job.document.height);
-    if (!fitting) return fitting.error();
-    job.given = std::move(*fitting);
+    auto fitted = bench::resized_reference(std::move(*given), job.document.width, job.document.height);
+    if (!fitted) return fitted.error();
+    job.given_reference = std::move(*fitted);
   }
-  if (auto ok = bench::make_folder(o.out); !ok) return ok.error();
+  if (auto ok = bench::create_folder(a.out); !ok) return ok.error();
   return job;
 }
 
-// A reference that was made is left beside the report.
-Result<void> write(const Options& o, const Job& job, bench::Reference& reference, const bench::Outcome& outcome) {
-  if (!job.given) {
-    reference.file = (std::filesystem::path(o.out) / "reference.exr").string();
-    if (auto ok = image::write_exr(reference.file, reference.picture); !ok) return ok;
+// A computed reference is written beside the report.
+Result<void> write_results(const Arguments& a, const Job& job, bench::Reference& reference,
+                           const bench::Outcome& outcome) {
+  if (!job.given_reference) {
+    reference.file = (std::filesystem::path(a.out) / "reference.exr").string();
+    if (auto ok = image::write_exr(reference.file, reference.image); !ok) return ok;
   }
-  const int threads = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
-  return bench::write_report(o.out, {job.document, job.plan, reference, outcome, threads});
+  const int threads = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+  return bench::write_report(a.out, {job.document, job.plan, reference, outcome, threads});
 }
 
-int run(const Options& o) {
-  const auto job = prepare(o);
+int run(const Arguments& a) {
+  const auto job = prepare(a);
   if (!job) return fail(job.error());
-  for (const auto& warning : job->document.scene->warnings)
-    std::fprintf(stderr, "etendue: %s: %s\n", job->document.scene_name.c_str(), warning.c_str());
+  print_warnings(job->document);
+  BenchProgress progress(watch_interrupts());
+  render::Session session({.threads = a.threads});
+  const double methods_begin = job->given_reference ? 0 : 0.5;
+  auto reference = job->given_reference ? *job->given_reference
+                                        : bench::render_reference(
+                                              session, job->document, reference_effort(a, job->plan.methods.size()),
+                                              a.no_cache ? "" : bench::cache_folder(), progress.part(0, methods_begin));
+  const auto outcome = bench::run(session, job->plan, reference, progress.part(methods_begin, 1));
+  progress.finish();
 
-  Meter meter(watch_interrupts());
-  render::SessionOptions session_options;
-  session_options.threads = o.threads;
-  render::Session session(session_options);
-  const double begin = job->given ? 0 : 0.5;
-  auto reference = job->given ? *job->given
-                              : bench::made_reference(session, job->document, effort_of(o, job->plan.methods.size()),
-                                                      o.no_cache ? "" : bench::cache_folder(), meter.part(0, begin));
-  const auto outcome = bench::run(session, job->plan, reference, meter.part(begin, 1));
-  meter.finish();
-
-  if (auto ok = write(o, *job, reference, outcome); !ok) return fail(ok.error());
+  if (auto ok = write_results(a, *job, reference, outcome); !ok) return fail(ok.error());
   if (outcome.interrupted) {
-    std::fprintf(stderr, "etendue: interrupted; %s holds what was whole by then\n", o.out.c_str());
+    std::fprintf(stderr, "etendue: interrupted; %s holds the results so far\n", a.out.c_str());
     return static_cast<int>(Fault::interrupted);
   }
-  say_what_is_uncertain(outcome, reference);
+  print_reference_warning(outcome, reference);
   return 0;
 }
 
 }  // namespace
 
-Command add_bench(CLI::App& app) {
-  auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names())->required();
-  app.add_option("--methods", o->methods,
-                 "integrator[:name=value]..., comma separated, as path:sampler=sobol,path-pure")
-      ->required();
-  app.add_option("--budget", o->budget, "Seconds of rendering of each method in each repeat")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--samples", o->samples, "Samples per pixel instead of, or as well as, seconds")
-      ->check(CLI::Range(1u, 1000000u));
-  app.add_option("--repeats", o->repeats, "How often, with seeds of their own; error bars come from these")
-      ->check(CLI::Range(1, 10000));
-  app.add_option("-o,--out", o->out, "The folder to write into")->required();
-  app.add_option("--reference", o->reference,
-                 "The picture to measure against, of this size or a multiple; otherwise it is made and kept");
-  app.add_option("--reference-time", o->reference_time,
-                 "Seconds for making the reference; otherwise as long as all methods together")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--reference-samples", o->reference_samples, "Samples per pixel of the reference instead of seconds")
-      ->check(CLI::Range(1u, 1000000000u));
-  app.add_flag("--no-cache", o->no_cache, "Make the reference anew and do not keep it");
-  app.add_option("--size", o->size, "WIDTHxHEIGHT; otherwise the reference's, or the scene's own");
-  app.add_option("--camera", o->camera, "A camera of the scene by name or index");
-  app.add_option("--seed", o->seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
-  app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
-  app.add_option("--set", o->sets, "NAME=VALUE: any setting of the scene by name; repeatable")->take_all();
-  app.add_option("--env", o->env, "Environment map, .hdr or .exr");
-  return [o] { return run(*o); };
+Command bench_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {
+      .name = "bench",
+      .summary = "Compare methods: error over time against a reference",
+      .options =
+          {scene_option(a->scene.scene),
+           {.names = "--methods",
+            .target = &a->methods,
+            .doc = "Methods separated by commas, INTEGRATOR[:NAME=VALUE]..., e.g. path:sampler=sobol,path-pure",
+            .required = true},
+           {.names = "--budget",
+            .target = &a->budget,
+            .doc = "Rendering time of each method in each repeat, in seconds",
+            .bounds = kPositive},
+           {.names = "--samples",
+            .target = &a->samples,
+            .doc = "Samples per pixel of each repeat, instead of or in addition to --budget",
+            .bounds = between(1, 1'000'000)},
+           {.names = "--repeats",
+            .target = &a->repeats,
+            .doc = "Independent repeats of each method, from which error bars are computed (3)",
+            .bounds = between(1, 10'000)},
+           {.names = "-o,--out", .target = &a->out, .doc = "Folder for the results", .required = true},
+           {.names = "--reference",
+            .target = &a->reference,
+            .doc = "Reference image, of the image's size or a multiple of it; by default it is computed and cached"},
+           {.names = "--reference-time",
+            .target = &a->reference_time,
+            .doc = "Rendering time of the reference in seconds; by default that of all methods together",
+            .bounds = kPositive},
+           {.names = "--reference-samples",
+            .target = &a->reference_samples,
+            .doc = "Samples per pixel of the reference, instead of --reference-time",
+            .bounds = between(1, 1'000'000'000)},
+           {.names = "--no-cache",
+            .target = &a->no_cache,
+            .doc = "Compute the reference again and do not store it in the cache"},
+           {.names = "--size",
+            .target = &a->scene.size,
+            .doc = "Size of the images in pixels, WIDTHxHEIGHT; by default that of the reference or of the scene"},
+           camera_option(a->scene.camera),
+           seed_option(a->seed),
+           threads_option(a->threads),
+           set_option(a->scene.settings),
+           environment_option(a->scene.environment)},
+      .run = [a] { return run(*a); }};
 }
 
 }  // namespace etendue::cli

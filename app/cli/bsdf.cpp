@@ -1,10 +1,7 @@
-// etendue bsdf: what a reflection model does with energy, reciprocity and samples, measured.
-#include <CLI/CLI.hpp>
-#include <cmath>
+// etendue bsdf: measures energy conservation, reciprocity and sampling quality of a reflection model.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "bsdf/measured/brdf_table.h"
@@ -12,63 +9,64 @@
 #include "bsdf_analysis/drawings.h"
 #include "command.h"
 #include "interrupt.h"
-#include "render/document.h"
+#include "json.h"
 #include "scene/builtin/builtin.h"
+#include "scene_options.h"
 
 namespace etendue::cli {
 namespace {
 
-using nlohmann::json;
-
-struct Options {
+struct Arguments {
   std::string model, against, scene, material, out, table;
-  std::vector<std::string> set, set_against;
-  std::vector<int> steps{24, 72};  // of a table: polar, azimuth
+  std::vector<std::string> settings, settings_against;
+  std::vector<int> steps{24, 72};  // of a table: polar and azimuthal
   double degrees = 45;
   bool json = false, all = false;
 };
 
-// One side of the comparison.
-struct Specimen {
+// One of the reflection models that are compared.
+struct Subject {
   std::string name;
   Material material;
   std::vector<ParameterInfo> parameters;
   bsdf_analysis::Lobes lobes;
-  bsdf_analysis::Audit audit;
+  bsdf_analysis::SurfaceAnalysis analysis;
 };
 
-Result<render::Document> document_of(const Options& o) {
+// A document with one material: the chosen one of a scene, or the default.
+Result<render::Document> document_with_material(const Arguments& a) {
   render::Document d;
   auto scene = std::make_shared<scene::Scene>();
   scene->materials.emplace_back();
-  if (!o.scene.empty()) {
-    auto loaded = scene::load(o.scene);
+  if (!a.scene.empty()) {
+    auto loaded = scene::load(a.scene);
     if (!loaded) return loaded.error();
     const auto& materials = loaded->materials;
     size_t index = 0;
-    while (index < materials.size() && materials[index].name != o.material && std::to_string(index) != o.material)
+    while (index < materials.size() && materials[index].name != a.material && std::to_string(index) != a.material)
       ++index;
     if (index == materials.size())
-      return usage_error(o.scene + ": there is no material '" + o.material + "'; `etendue inspect` lists them");
+      return usage_error(a.scene + ": there is no material '" + a.material + "'; give its name, or its index below " +
+                         std::to_string(materials.size()));
     scene->materials[0] = materials[index];
   }
   d.scene = scene;
   return d;
 }
 
-// A name alone is a parameter of the model, or else of the material.
+// An unqualified name is a parameter of the model if there is one of that name, otherwise of the material.
 Result<render::Document> with_setting(const render::Document& d, const std::string& model, const std::string& setting) {
   const size_t equals = setting.find('=');
-  if (equals == std::string::npos) return usage_error("'" + setting + "' has no value; a setting is NAME=VALUE");
+  if (equals == std::string::npos) return usage_error("'" + setting + "' has no '='; give NAME=VALUE");
   const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-  const std::string own = "material.0." + model + "." + name;
-  for (const auto& b : render::bindings(d, "material.0"))
-    if (b.info.name == own) return render::with_text(d, own, value);
+  const std::string qualified = "material.0." + model + "." + name;
+  for (const auto& parameter : render::section_parameters(d, "material.0"))
+    if (parameter.info.name == qualified) return render::with_text(d, qualified, value);
   return render::with_text(d, "material.0." + name, value);
 }
 
-Result<Specimen> specimen_of(const Options& o, const std::string& model, const std::vector<std::string>& settings) {
-  auto d = document_of(o);
+Result<Subject> make_subject(const Arguments& a, const std::string& model, const std::vector<std::string>& settings) {
+  auto d = document_with_material(a);
   if (!d) return d.error();
   if (!model.empty()) d = render::with_text(*d, "material.0.model", model);
   if (!d) return d.error();
@@ -78,22 +76,18 @@ Result<Specimen> specimen_of(const Options& o, const std::string& model, const s
     d = with_setting(*d, name, setting);
     if (!d) return d.error();
   }
-  Specimen s{name, d->scene->materials[0], {}, {}, {}};
+  Subject s{name, d->scene->materials[0], {}, {}, {}};
   if (s.material.model) s.parameters = s.material.model->parameters();
   s.lobes = bsdf_analysis::lobes_of(s.material);
   return s;
 }
-
-json number(double v) { return std::isfinite(v) ? json(v) : json(); }
-
-json color_json(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 json albedo_json(const std::vector<bsdf_analysis::Albedo>& curve) {
   json list = json::array();
   for (const auto& a : curve)
     list.push_back({{"degrees", a.degrees},
                     {"albedo", color_json(a.value)},
-                    {"standard_error", number(a.error)},
+                    {"standard_error", number_json(a.error)},
                     {"diffuse", color_json(a.diffuse)},
                     {"glossy", color_json(a.glossy)},
                     {"specular", color_json(a.specular)},
@@ -101,144 +95,169 @@ json albedo_json(const std::vector<bsdf_analysis::Albedo>& curve) {
   return list;
 }
 
-json specimen_json(const Specimen& s) {
-  json parameters = json::object(), badges = json::object(), sampling = json::array();
-  for (const auto& p : s.parameters)
-    parameters[p.name] = std::visit([](const auto& v) { return json(v); }, p.default_value);
-  for (const auto& b : s.audit.badges) badges[b.name] = {{"holds", b.holds}, {"reason", b.reason}};
-  for (const auto& q : s.audit.sampling)
+json subject_json(const Subject& s) {
+  json parameters = json::object(), checks = json::object(), sampling = json::array();
+  for (const auto& p : s.parameters) parameters[p.name] = value_json(p.default_value);
+  for (const auto& check : s.analysis.checks) checks[check.name] = {{"holds", check.holds}, {"reason", check.reason}};
+  for (const auto& q : s.analysis.sampling)
     sampling.push_back({{"degrees", q.degrees},
-                        {"deviation", number(q.deviation)},
-                        {"largest", number(q.largest)},
+                        {"deviation", number_json(q.deviation)},
+                        {"largest", number_json(q.largest)},
                         {"absorbed", q.absorbed},
-                        {"deviation_by_cosine", number(q.by_cosine)},
-                        {"discrepancy", number(q.discrepancy)}});
+                        {"deviation_by_cosine", number_json(q.cosine_deviation)},
+                        {"discrepancy", number_json(q.discrepancy)}});
   return {{"model", s.name},
           {"parameters", parameters},
-          {"badges", badges},
-          {"asymmetry", s.audit.plausibility.asymmetry},
-          {"hemispherical_albedo", number(bsdf_analysis::hemispherical_albedo(s.audit.albedo))},
-          {"albedo", albedo_json(s.audit.albedo)},
-          {"albedo_inside", albedo_json(s.audit.albedo_inside)},
+          {"badges", checks},
+          {"asymmetry", s.analysis.plausibility.asymmetry},
+          {"hemispherical_albedo", number_json(bsdf_analysis::hemispherical_albedo(s.analysis.albedo))},
+          {"albedo", albedo_json(s.analysis.albedo)},
+          {"albedo_inside", albedo_json(s.analysis.albedo_inside)},
           {"sampling", sampling}};
 }
 
-void print(const Specimen& s) {
+void print(const Subject& s) {
   std::printf("%s\n", s.name.c_str());
-  for (const auto& b : s.audit.badges) std::printf("  %s %-22s %s\n", b.holds ? " " : "!", b.label(), b.reason.c_str());
-  std::printf("  albedo by angle (hemispherical %.4f)\n", bsdf_analysis::hemispherical_albedo(s.audit.albedo));
-  for (const auto& a : s.audit.albedo)
-    std::printf("    %5.1f\u00b0  %.4f %.4f %.4f  +- %.1g\n", a.degrees, static_cast<double>(a.value.r),
+  for (const auto& check : s.analysis.checks)
+    std::printf("  %s %-22s %s\n", check.holds ? " " : "!", check.label(), check.reason.c_str());
+  std::printf("  directional albedo (hemispherical %.4f)\n", bsdf_analysis::hemispherical_albedo(s.analysis.albedo));
+  for (const auto& a : s.analysis.albedo)
+    std::printf("    %5.1f°  %.4f %.4f %.4f  ± %.1g\n", a.degrees, static_cast<double>(a.value.r),
                 static_cast<double>(a.value.g), static_cast<double>(a.value.b), a.error);
-  std::printf("  weights of samples: deviation (by the cosine), largest, absorbed\n");
-  for (const auto& q : s.audit.sampling)
-    std::printf("    %5.1f\u00b0  %.3f (%.3f)  %.3g  %.1f %%\n", q.degrees, q.deviation, q.by_cosine, q.largest,
+  std::printf("  sample weights: standard deviation (with cosine sampling), maximum, absorbed samples\n");
+  for (const auto& q : s.analysis.sampling)
+    std::printf("    %5.1f°  %.3f (%.3f)  %.3g  %.1f %%\n", q.degrees, q.deviation, q.cosine_deviation, q.largest,
                 100 * q.absorbed);
 }
 
-Result<void> write_drawings(const std::vector<Specimen>& specimens, const Options& o) {
+Result<void> write_drawings(const std::vector<Subject>& subjects, const Arguments& a) {
   std::error_code error;
-  std::filesystem::create_directories(o.out, error);
-  if (error) return output_error(o.out + ": cannot be made: " + error.message());
+  std::filesystem::create_directories(a.out, error);
+  if (error) return output_error(a.out + ": the folder cannot be created: " + error.message());
   std::vector<bsdf_analysis::Slice> slices;
   std::vector<std::vector<bsdf_analysis::Albedo>> curves;
   std::vector<std::string> names;
-  for (const auto& s : specimens) {
-    slices.push_back(bsdf_analysis::slice(s.lobes, o.degrees));
-    curves.push_back(s.audit.albedo);
+  for (const auto& s : subjects) {
+    slices.push_back(bsdf_analysis::slice(s.lobes, a.degrees));
+    curves.push_back(s.analysis.albedo);
     names.push_back(s.name);
   }
   const auto write = [&](const char* name, const metrics::Drawing& drawing) {
-    const std::string svg = metrics::svg_of(drawing);
-    return write_file(std::filesystem::path(o.out) / name, svg.data(), svg.size());
+    const std::string svg = metrics::to_svg(drawing);
+    return write_file(std::filesystem::path(a.out) / name, svg.data(), svg.size());
   };
-  if (auto done = write("polar.svg", bsdf_analysis::polar_drawing(slices, names)); !done) return done;
-  if (auto done = write("albedo.svg", bsdf_analysis::albedo_drawing(curves, names)); !done) return done;
-  for (const auto& s : specimens) {
-    std::vector<bsdf_analysis::LobeSurface> sides{bsdf_analysis::lobe_surface(s.lobes, o.degrees)};
-    if (bsdf_analysis::passes_light(s.lobes))
-      sides.push_back(bsdf_analysis::lobe_surface(s.lobes, o.degrees, bsdf_analysis::Side::lower));
-    const char* name = &s == specimens.data() ? "lobe.svg" : "lobe-against.svg";
-    if (auto done = write(name, bsdf_analysis::lobe_drawing(sides, o.degrees)); !done) return done;
+  if (auto ok = write("polar.svg", bsdf_analysis::polar_drawing(slices, names)); !ok) return ok;
+  if (auto ok = write("albedo.svg", bsdf_analysis::albedo_drawing(curves, names)); !ok) return ok;
+  for (const auto& s : subjects) {
+    std::vector<bsdf_analysis::LobeSurface> sides{bsdf_analysis::lobe_surface(s.lobes, a.degrees)};
+    if (bsdf_analysis::transmits_light(s.lobes))
+      sides.push_back(bsdf_analysis::lobe_surface(s.lobes, a.degrees, bsdf_analysis::Side::lower));
+    const char* name = &s == subjects.data() ? "lobe.svg" : "lobe-against.svg";
+    if (auto ok = write(name, bsdf_analysis::lobe_drawing(sides, a.degrees)); !ok) return ok;
   }
   return {};
 }
 
-// The virtual gonioreflectometer: what reflects, as a file that the model `tabulated` reads.
-Result<void> write_table(const Specimen& s, const Options& o) {
-  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, Transport::radiance); };
-  const bool isotropic = !SurfaceMaterial(s.material, {}).anisotropic;
-  return BrdfTable::measured(f, o.steps[0], o.steps[1], isotropic).write(o.table);
+// Samples the reflection into a table, as a gonioreflectometer does. The model `tabulated` reads the file.
+Result<void> write_table(const Subject& s, const Arguments& a) {
+  const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, TransportMode::radiance); };
+  const bool isotropic = !SurfaceMaterial(s.material, {}).is_anisotropic;
+  return BrdfTable::measured(f, a.steps[0], a.steps[1], isotropic).write(a.table);
 }
 
-// Every model as it is by default, a line each, for docs/materials.md.
-void print_table() {
+// Prints all models with default parameters as a Markdown table, for docs/materials.md.
+void print_all_models() {
   std::printf(
-      "| model | class | never negative | reciprocal | conserves energy | most albedo | albedo of even light | "
-      "deviation of weights at 0, 45, 80 degrees |\n|---|---|---|---|---|---|---|---|\n");
-  const auto sign = [](const bsdf_analysis::Check& b) { return b.holds ? "yes" : "**no**"; };
+      "| model | class | non-negative | reciprocal | energy conserving | largest albedo | hemispherical albedo | "
+      "standard deviation of sample weights at 0°, 45°, 80° |\n|---|---|---|---|---|---|---|---|\n");
+  const auto result = [](const bsdf_analysis::Check& check) { return check.holds ? "yes" : "**no**"; };
   for (const BsdfModelInfo& info : bsdf_model_infos()) {
     Material material;
     material.model.model = make_bsdf_model(info.description.name);
-    const bsdf_analysis::Audit a = bsdf_analysis::audit(bsdf_analysis::lobes_of(material));
-    std::printf("| `%s` | %s | %s | %s | %s | %.3f at %.4g | %.3f |", info.description.name,
-                etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.kind)].name,
-                sign(a.badges[0]), sign(a.badges[1]), sign(a.badges[2]),
-                static_cast<double>(max_component(a.plausibility.most.value)), a.plausibility.most.degrees,
-                bsdf_analysis::hemispherical_albedo(a.albedo));
-    for (const auto& q : a.sampling)
+    const bsdf_analysis::SurfaceAnalysis analysis = bsdf_analysis::analyze(bsdf_analysis::lobes_of(material));
+    std::printf("| `%s` | %s | %s | %s | %s | %.3f at %.4g° | %.3f |", info.description.name,
+                etendue::Options<ModelClass>::kOptions[static_cast<size_t>(info.description.model_class)].name,
+                result(analysis.checks[0]), result(analysis.checks[1]), result(analysis.checks[2]),
+                static_cast<double>(max_component(analysis.plausibility.largest_albedo.value)),
+                analysis.plausibility.largest_albedo.degrees, bsdf_analysis::hemispherical_albedo(analysis.albedo));
+    for (const auto& q : analysis.sampling)
       if (q.degrees == 0 || q.degrees == 45 || q.degrees == 80) std::printf(" %.2f", q.deviation);
     std::printf(" |\n");
   }
 }
 
-int run(const Options& o) {
-  if (o.all) return print_table(), 0;
-  if (o.model.empty() && o.scene.empty())
-    return fail(usage_error("name a model (`etendue list materials`), or a scene and one of its materials"));
-  std::vector<Specimen> specimens;
-  auto first = specimen_of(o, o.model, o.set);
-  if (!first) return fail(first.error());
-  specimens.push_back(*first);
-  if (!o.against.empty()) {
-    auto second = specimen_of(o, o.against, o.set_against);
-    if (!second) return fail(second.error());
-    specimens.push_back(*second);
+int run(const Arguments& a) {
+  if (a.all) {
+    print_all_models();
+    return 0;
   }
-  if (!o.table.empty())
-    if (const auto written = write_table(specimens.front(), o); !written) return fail(written.error());
+  if (a.model.empty() && a.scene.empty())
+    return fail(
+        usage_error("bsdf: no model; give the name of one (see etendue list materials), or --scene and "
+                    "--material"));
+  std::vector<Subject> subjects;
+  auto first = make_subject(a, a.model, a.settings);
+  if (!first) return fail(first.error());
+  subjects.push_back(std::move(*first));
+  if (!a.against.empty()) {
+    auto second = make_subject(a, a.against, a.settings_against);
+    if (!second) return fail(second.error());
+    subjects.push_back(std::move(*second));
+  }
+  if (!a.table.empty())
+    if (const auto ok = write_table(subjects.front(), a); !ok) return fail(ok.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
-  for (auto& s : specimens) s.audit = bsdf_analysis::audit(s.lobes, [&] { return !interrupted; });
+  for (auto& s : subjects) s.analysis = bsdf_analysis::analyze(s.lobes, [&] { return !interrupted; });
   if (interrupted) return static_cast<int>(Fault::interrupted);
-  if (!o.out.empty())
-    if (const auto written = write_drawings(specimens, o); !written) return fail(written.error());
-  if (o.json) {
+  if (!a.out.empty())
+    if (const auto ok = write_drawings(subjects, a); !ok) return fail(ok.error());
+  if (a.json) {
     json list = json::array();
-    for (const auto& s : specimens) list.push_back(specimen_json(s));
-    std::printf("%s\n", (o.against.empty() ? list[0] : list).dump(2).c_str());
+    for (const auto& s : subjects) list.push_back(subject_json(s));
+    std::printf("%s\n", (a.against.empty() ? list[0] : list).dump(2).c_str());
   } else {
-    for (const auto& s : specimens) print(s);
+    for (const auto& s : subjects) print(s);
   }
   return 0;
 }
 
 }  // namespace
 
-Command add_bsdf(CLI::App& app) {
-  auto o = std::make_shared<Options>();
-  app.add_option("model", o->model, "A reflection model, or gltf; `etendue list materials` has them");
-  app.add_option("--set", o->set, "NAME=VALUE: a parameter of the model, or of the material")->take_all();
-  app.add_option("--against", o->against, "Another model to put beside it");
-  app.add_option("--set-against", o->set_against, "NAME=VALUE of the other model")->take_all();
-  app.add_option("--scene", o->scene, "Look at a material of this scene");
-  app.add_option("--material", o->material, "Its name or number")->needs("--scene");
-  app.add_option("--angle", o->degrees, "Degrees between eye and normal in the drawings")->check(CLI::Range(0.0, 89.9));
-  app.add_option("--out", o->out, "Write polar.svg, albedo.svg and lobe.svg into this folder");
-  app.add_option("--table", o->table, "Measure it into a table, which the model tabulated reads back");
-  app.add_option("--steps", o->steps, "Polar and azimuth steps of the table")->expected(2)->check(CLI::Range(2, 360));
-  app.add_flag("--all", o->all, "Every model as it is by default, as a table in Markdown");
-  app.add_flag("--json", o->json, "Print JSON");
-  return [o] { return run(*o); };
+Command bsdf_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {
+      .name = "bsdf",
+      .summary = "Analyse a reflection model: energy, reciprocity, sampling",
+      .options =
+          {{.names = "model", .target = &a->model, .doc = "A reflection model, or gltf; see etendue list materials"},
+           {.names = "--set",
+            .target = &a->settings,
+            .doc = "NAME=VALUE: sets a parameter of the model or of the material; may be repeated"},
+           {.names = "--against", .target = &a->against, .doc = "A second model for comparison"},
+           {.names = "--set-against",
+            .target = &a->settings_against,
+            .doc = "NAME=VALUE: sets a parameter of the second model; may be repeated"},
+           {.names = "--scene", .target = &a->scene, .doc = "Analyse a material of this scene"},
+           {.names = "--material",
+            .target = &a->material,
+            .doc = "Name or index of the material in the scene",
+            .needs = "--scene"},
+           {.names = "--angle",
+            .target = &a->degrees,
+            .doc = "Angle between view direction and normal in the drawings, in degrees (45)",
+            .bounds = between(0, 89.9)},
+           {.names = "--out", .target = &a->out, .doc = "Folder for the drawings polar.svg, albedo.svg and lobe.svg"},
+           {.names = "--table",
+            .target = &a->table,
+            .doc = "File for a table of the reflection, which the model 'tabulated' reads"},
+           {.names = "--steps",
+            .target = &a->steps,
+            .doc = "Polar and azimuthal steps of the table (24 72)",
+            .bounds = between(2, 360),
+            .count = 2},
+           {.names = "--all", .target = &a->all, .doc = "Print all models with default parameters as a Markdown table"},
+           json_flag(a->json)},
+      .run = [a] { return run(*a); }};
 }
 
 }  // namespace etendue::cli

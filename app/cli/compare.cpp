@@ -1,68 +1,69 @@
-// etendue compare: how far an image is from a reference.
-#include <CLI/CLI.hpp>
+// etendue compare: error metrics of an image against a reference.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "json.h"
 #include "metrics/flip.h"
 #include "metrics/heat_map.h"
 #include "metrics/metrics.h"
 #include "render/image_output.h"
+#include "scene_options.h"
 
 namespace etendue::cli {
 namespace {
 
-struct Options {
-  std::string image, reference, heatmap, heatmap_of = "absolute";
+struct Arguments {
+  std::string image, reference, heat_map, heat_map_metric = "absolute";
   bool json = false;
-  double most_rmse = INFINITY, pixels_per_degree = metrics::kPixelsPerDegree;
+  double max_rmse = INFINITY, pixels_per_degree = metrics::kPixelsPerDegree;
 };
 
-// As the reference was shown; a file without settings is shown as it is.
-metrics::Look look_of(const image::LayeredImage& reference, double pixels_per_degree) {
+// FLIP compares displayed images. The display settings are those that the reference carries, or the defaults.
+metrics::ViewingConditions look_of(const image::LayeredImage& reference, double pixels_per_degree) {
   const auto state = reference.attributes.find(render::kStateAttribute);
   const auto display =
       state != reference.attributes.end() ? render::display_from_state(state->second) : render::Display();
   return {display.exposure, display.curve, pixels_per_degree};
 }
 
-metrics::HeatMap kind_of(const std::string& name) {
-  const auto& kinds = etendue::Options<metrics::HeatMap>::kOptions;
-  const auto found = std::ranges::find(kinds, name, &Option::name);
-  return static_cast<metrics::HeatMap>(found - kinds.begin());
+metrics::HeatMap heat_map_of(const std::string& name) {
+  const auto& options = Options<metrics::HeatMap>::kOptions;
+  const auto found = std::ranges::find(options, name, &Option::name);
+  return static_cast<metrics::HeatMap>(found - options.begin());
 }
 
-std::vector<std::string> kind_names() {
+std::vector<std::string> heat_map_names() {
   std::vector<std::string> names;
-  for (const auto& kind : etendue::Options<metrics::HeatMap>::kOptions) names.emplace_back(kind.name);
+  for (const auto& option : Options<metrics::HeatMap>::kOptions) names.emplace_back(option.name);
   return names;
 }
 
 void print(const std::vector<std::pair<const char*, double>>& rows, bool as_json) {
-  nlohmann::json j;
+  json j;
   for (const auto& [name, value] : rows) {
-    j[name] = std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+    j[name] = number_json(value);
     if (!as_json) std::printf("%-7s %.6g\n", name, value);
   }
   if (as_json) std::printf("%s\n", j.dump(2).c_str());
 }
 
-int run(const Options& o) {
-  const auto picture = image::read_linear(o.image);
-  if (!picture) return fail(picture.error());
-  const auto reference = image::read_linear(o.reference);
+int run(const Arguments& a) {
+  const auto image = image::read_linear(a.image);
+  if (!image) return fail(image.error());
+  const auto reference = image::read_linear(a.reference);
   if (!reference) return fail(reference.error());
-  const auto m = metrics::compare(*picture, *reference);
+  const auto m = metrics::compare(*image, *reference);
   if (!m) return fail(m.error());
-  const auto flip = metrics::flip_map(*picture, *reference, look_of(*reference, o.pixels_per_degree));
+  const auto flip = metrics::flip_map(*image, *reference, look_of(*reference, a.pixels_per_degree));
   if (!flip) return fail(flip.error());
-  if (!o.heatmap.empty()) {
-    const auto kind = kind_of(o.heatmap_of);
+  if (!a.heat_map.empty()) {
+    const auto metric = heat_map_of(a.heat_map_metric);
     const auto map =
-        kind == metrics::HeatMap::flip ? metrics::painted(*flip) : metrics::heat_map(*picture, *reference, kind);
-    if (auto ok = image::write_png(o.heatmap, picture->width, picture->height, map); !ok) return fail(ok.error());
+        metric == metrics::HeatMap::flip ? metrics::color_mapped(*flip) : metrics::heat_map(*image, *reference, metric);
+    if (auto ok = image::write_png(a.heat_map, image->width, image->height, map); !ok) return fail(ok.error());
   }
   print({{"mse", m->mse},
          {"rmse", m->rmse},
@@ -72,23 +73,32 @@ int run(const Options& o) {
          {"psnr", m->psnr},
          {"bias", m->bias},
          {"flip", metrics::mean_of(*flip)}},
-        o.json);
-  return m->rmse <= o.most_rmse ? 0 : 1;
+        a.json);
+  return m->rmse <= a.max_rmse ? 0 : 1;
 }
 
 }  // namespace
 
-Command add_compare(CLI::App& app) {
-  auto o = std::make_shared<Options>();
-  app.add_option("image", o->image, "The picture to judge")->required();
-  app.add_option("reference", o->reference, "What it should be")->required();
-  app.add_flag("--json", o->json, "Print JSON");
-  app.add_option("--heatmap", o->heatmap, "Write where they differ, as .png");
-  app.add_option("--heatmap-of", o->heatmap_of, "What the heat map shows")->check(CLI::IsMember(kind_names()));
-  app.add_option("--pixels-per-degree", o->pixels_per_degree, "Of the eye's field, for FLIP")
-      ->check(CLI::Range(1.0, 1000.0));
-  app.add_option("--max-rmse", o->most_rmse, "Exit with 1 if the RMSE is above this");
-  return [o] { return run(*o); };
+Command compare_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "compare",
+          .summary = "Compute error metrics of an image against a reference",
+          .options = {{.names = "image", .target = &a->image, .doc = "The image", .required = true},
+                      {.names = "reference", .target = &a->reference, .doc = "The reference image", .required = true},
+                      json_flag(a->json),
+                      {.names = "--heatmap", .target = &a->heat_map, .doc = "Write a map of the differences, a .png"},
+                      {.names = "--heatmap-of",
+                       .target = &a->heat_map_metric,
+                       .doc = "Metric of the heat map (absolute)",
+                       .choices = heat_map_names()},
+                      {.names = "--pixels-per-degree",
+                       .target = &a->pixels_per_degree,
+                       .doc = "Resolution of the display for FLIP, in pixels per degree of visual angle",
+                       .bounds = between(1, 1000)},
+                      {.names = "--max-rmse",
+                       .target = &a->max_rmse,
+                       .doc = "Exit with code 1 if the RMSE exceeds this value"}},
+          .run = [a] { return run(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -1,38 +1,34 @@
-// etendue inspect: what is in a scene, what the loader gave up, and the transport model it needs.
-#include <CLI/CLI.hpp>
+// etendue inspect: the contents of a scene, what the importer had to ignore, and the transport model that it needs.
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "bsdf_analysis/plausibility.h"
 #include "command.h"
-#include "render/document.h"
-#include "scene/builtin/builtin.h"
+#include "json.h"
 #include "scene/compiled_scene.h"
+#include "scene_options.h"
 #include "transport/model.h"
 
 namespace etendue::cli {
 namespace {
 
-using nlohmann::json;
-
-// Surfaces that send back more light than they get from some direction.
-json makers_of_light(const scene::CompiledScene& compiled) {
+// The used materials that reflect more light than they receive from some direction.
+json non_conserving_materials(const scene::CompiledScene& compiled) {
   std::set<uint32_t> used;
   for (const auto& instance : compiled.instances()) used.insert(instance.material);
-  json makers = json::array();
+  json list = json::array();
   for (const uint32_t index : used) {
     const Material& material = compiled.materials()[index].description;
     const auto curve = bsdf_analysis::albedo_curve(bsdf_analysis::lobes_of(material), false, {20, 512});
     const bsdf_analysis::Plausibility p = bsdf_analysis::plausibility({}, curve);
     if (!p.conserves_energy())
-      makers.push_back({{"material", material.name},
-                        {"albedo", max_component(p.most.value)},
-                        {"degrees", p.most.degrees},
-                        {"hemispherical", bsdf_analysis::hemispherical_albedo(curve)}});
+      list.push_back({{"material", material.name},
+                      {"albedo", max_component(p.largest_albedo.value)},
+                      {"degrees", p.largest_albedo.degrees},
+                      {"hemispherical", bsdf_analysis::hemispherical_albedo(curve)}});
   }
-  return makers;
+  return list;
 }
 
 json description_of(const render::Document& d, const scene::CompiledScene& compiled, const transport::Model& model) {
@@ -53,7 +49,7 @@ json description_of(const render::Document& d, const scene::CompiledScene& compi
           {"cameras", cameras},
           {"unsupported", d.scene->unsupported},
           {"warnings", d.scene->warnings},
-          {"makes_light", makers_of_light(compiled)},
+          {"makes_light", non_conserving_materials(compiled)},
           {"memory_bytes", compiled.memory()},
           {"model", flags}};
 }
@@ -70,12 +66,12 @@ void print(const json& j) {
               j["scene"].get<std::string>().c_str(), number("triangles"), number("instances"), number("materials"),
               number("textures"), number("lights"));
   print_list("cameras", j["cameras"]);
-  print_list("variants of the materials (--set scene.variant=NAME)", j["variants"]);
-  print_list("extensions that are ignored", j["unsupported"]);
+  print_list("material variants (--set scene.variant=NAME)", j["variants"]);
+  print_list("unsupported extensions", j["unsupported"]);
   print_list("warnings", j["warnings"]);
-  if (!j["makes_light"].empty()) std::printf("surfaces that make light\n");
+  if (!j["makes_light"].empty()) std::printf("materials that do not conserve energy\n");
   for (const auto& m : j["makes_light"])
-    std::printf("  %-22s up to %.3g times what comes, at %.4g degrees; %.3g of light from everywhere\n",
+    std::printf("  %-22s albedo up to %.3g, at %.4g°; hemispherical albedo %.3g\n",
                 m["material"].get<std::string>().c_str(), m["albedo"].get<double>(), m["degrees"].get<double>(),
                 m["hemispherical"].get<double>());
   std::printf("transport model\n");
@@ -86,25 +82,26 @@ void print(const json& j) {
 
 }  // namespace
 
-Command add_inspect(CLI::App& app) {
-  struct Options {
+Command inspect_command() {
+  struct Arguments {
     std::string scene;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names())->required();
-  app.add_flag("--json", o->json, "Print JSON");
-  return [o] {
-    const auto document = render::new_document(o->scene);
-    if (!document) return fail(document.error());
-    const auto compiled = scene::compile(document->scene, document->camera, nullptr);
-    const json description = description_of(*document, *compiled, transport::model_for(*compiled));
-    if (o->json)
-      std::printf("%s\n", description.dump(2).c_str());
-    else
-      print(description);
-    return 0;
-  };
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "inspect",
+          .summary = "Describe a scene and the transport model that it needs",
+          .options = {scene_option(a->scene), json_flag(a->json)},
+          .run = [a] {
+            const auto document = render::new_document(a->scene);
+            if (!document) return fail(document.error());
+            const auto compiled = scene::compile(document->scene, document->camera, nullptr);
+            const json description = description_of(*document, *compiled, transport::model_for(*compiled));
+            if (a->json)
+              std::printf("%s\n", description.dump(2).c_str());
+            else
+              print(description);
+            return 0;
+          }};
 }
 
 }  // namespace etendue::cli

@@ -1,86 +1,84 @@
-// etendue list: the registries, with every parameter described.
-#include <CLI/CLI.hpp>
+// etendue list: the registries, with a description of every parameter.
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "base/number_text.h"
 #include "command.h"
 #include "integrator/integrator.h"
-#include "render/document_parameters.h"
+#include "json.h"
+#include "render/document.h"
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
+#include "scene_options.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
 namespace {
 
-using nlohmann::json;
-
-json value_json(const Value& value) {
-  return std::visit([](const auto& v) { return json(v); }, value);
-}
-
 json parameter_json(const ParameterInfo& p) {
+  const bool is_number = p.type == ParameterType::integer || p.type == ParameterType::number;
   json j{{"name", p.name},
          {"label", p.label},
          {"type", type_name(p.type)},
          {"unit", p.unit},
-         {"min", nullptr},
-         {"max", nullptr},
+         {"min", is_number ? json(p.min) : json()},
+         {"max", is_number ? json(p.max) : json()},
          {"default", value_json(p.default_value)},
          {"doc", p.doc}};
-  if (p.type == ParameterType::integer || p.type == ParameterType::number) j["min"] = p.min, j["max"] = p.max;
   if (p.type == ParameterType::choice) j["options"] = p.options;
   return j;
 }
 
-json entry(const std::string& name, const std::string& label, const std::string& doc,
-           const std::vector<ParameterInfo>& parameters) {
+json entry_json(const std::string& name, const std::string& label, const std::string& doc,
+                const std::vector<ParameterInfo>& parameters) {
   json list = json::array();
   for (const auto& p : parameters) list.push_back(parameter_json(p));
   return {{"name", name}, {"label", label}, {"doc", doc}, {"parameters", list}};
 }
 
-json integrators() {
+json integrators_json() {
   json list = json::array();
   for (const auto& info : integrator::integrator_infos()) {
-    json j = entry(info.name, info.label, info.summary, info.parameters);
-    j["group"] = integrator::info_of(info.group).name,
+    json j = entry_json(info.name, info.label, info.summary, info.parameters);
+    j["group"] = integrator::info_of(info.group).name;
     j["key"] = info.shortcut ? json(std::string(1, info.shortcut)) : json();
-    j["paths"] = info.paths, j["point_paths"] = info.point_paths, j["bias"] = integrator::bias_name(info.bias),
-    j["cost"] = info.cost, j["fails"] = info.limitations;
+    j["paths"] = info.paths;
+    j["point_paths"] = info.point_paths;
+    j["bias"] = integrator::bias_name(info.bias);
+    j["cost"] = info.cost;
+    j["fails"] = info.limitations;
     list.push_back(j);
   }
   return list;
 }
 
-json samplers() {
+json samplers_json() {
   json list = json::array();
-  for (const auto& info : sampler_infos()) list.push_back(entry(info.name, info.label, info.doc, info.parameters));
+  for (const auto& info : sampler_infos()) list.push_back(entry_json(info.name, info.label, info.doc, info.parameters));
   return list;
 }
 
-// A section's parameters as a scene with just that object has them, names without the section.
-std::vector<ParameterInfo> bare(const std::vector<render::DocumentParameter>& bindings) {
-  std::vector<ParameterInfo> infos;
-  for (const auto& b : bindings) {
-    infos.push_back(b.info);
-    infos.back().name = b.info.name.substr(b.section.size() + 1);
-  }
-  return infos;
-}
-
-render::Document with_one_light(LightType type) {
-  render::Document d;
+// A document with one material and one light, to enumerate the parameters of sections.
+render::Document sample_document(std::string_view light_type = "point") {
   auto scene = std::make_shared<scene::Scene>();
   scene->materials.emplace_back();
-  scene->lights.emplace_back();
-  scene->lights[0].type = type;
+  scene->lights.push_back(make_light(light_type));
+  render::Document d;
   d.scene = scene;
   return d;
 }
 
-json presets(const std::vector<ModelPreset>& presets) {
+// The parameters of a section, with unqualified names.
+std::vector<ParameterInfo> section_infos(const render::Document& document, const std::string& section) {
+  std::vector<ParameterInfo> infos;
+  for (const auto& parameter : render::section_parameters(document, section)) {
+    infos.push_back(parameter.info);
+    infos.back().name = parameter.info.name.substr(section.size() + 1);
+  }
+  return infos;
+}
+
+json presets_json(const std::vector<ModelPreset>& presets) {
   json list = json::array();
   for (const auto& p : presets) {
     json values = json::object();
@@ -90,125 +88,127 @@ json presets(const std::vector<ModelPreset>& presets) {
   return list;
 }
 
-json materials() {
-  const auto d = with_one_light(LightType::point);
-  json list = json::array({entry(
+json materials_json() {
+  json list = json::array({entry_json(
       "gltf", "glTF surface",
-      "Metallic-roughness with transmission, volume, specular, ior and emission, as the Khronos specification says",
-      bare(render::material_bindings(d, 0, "material.0")))});
+      "Metallic-roughness material with transmission, volume, specular, IOR and emission [glTF 2.0, appendix B]",
+      section_infos(sample_document(), "material.0"))});
   for (const auto& info : bsdf_model_infos()) {
     const BsdfModelDescription& model = info.description;
-    json j = entry(model.name, model.label, model.doc, info.parameters);
-    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.kind)].name;
-    j["sampling"] = model.sampling, j["presets"] = presets(info.presets);
+    json j = entry_json(model.name, model.label, model.summary, info.parameters);
+    j["class"] = Options<ModelClass>::kOptions[static_cast<size_t>(model.model_class)].name;
+    j["formula"] = model.formula;
+    j["properties"] = model.properties;
+    j["sampling"] = model.sampling;
+    j["limitations"] = model.limitations;
+    j["source"] = model.source;
+    j["presets"] = presets_json(info.presets);
     list.push_back(j);
   }
   return list;
 }
 
-json lights() {
+json lights_json() {
   json list = json::array();
-  const auto add = [&](const char* name, const char* label, const char* doc, LightType type) {
-    list.push_back(entry(name, label, doc, bare(render::light_bindings(with_one_light(type), 0, "light.0"))));
-  };
-  list.push_back(entry("area", "Emissive triangles",
-                       "Every triangle of a material with emission; its parameters are the material's", {}));
-  add("point", "Point light", "Radiant intensity the same in all directions", LightType::point);
-  add("spot", "Spot light", "A point light that shines into a cone", LightType::spot);
-  add("directional", "Directional light", "Parallel light from infinity", LightType::directional);
-  add("quad", "Quad light",
-      "A rectangle that shines, black and seen by rays; directions to it are sampled from near by", LightType::quad);
-  add("disk", "Disk light", "A disk that shines, exactly round; its points are sampled", LightType::disk);
-  add("sphere", "Sphere light", "A sphere that shines, exactly round; the cone that it fills is sampled",
-      LightType::sphere);
-  add("ambient", "Ambient light",
-      "Not physical: radiance from everywhere at every place, which casts no shadows; methods that walk from lights "
-      "alone "
-      "do not find it",
-      LightType::ambient);
-  list.push_back(entry("environment", "Environment", "Radiance from infinity, constant or from an equirectangular map",
-                       bare(render::environment_bindings(with_one_light(LightType::point), "environment"))));
+  list.push_back(entry_json("area", "Emissive triangles",
+                            "All triangles of a material with emission; the parameters are those of the material", {}));
+  for (const LightTypeInfo& info : light_type_infos()) {
+    const LightTypeDescription& type = info.description;
+    json j = entry_json(type.name, type.label, type.summary, section_infos(sample_document(type.name), "light.0"));
+    j["class"] = Options<LightClass>::kOptions[static_cast<size_t>(type.light_class)].name;
+    j["formula"] = type.formula;
+    j["sampling"] = type.sampling;
+    j["source"] = type.source;
+    list.push_back(j);
+  }
+  list.push_back(entry_json("environment", "Environment",
+                            "Radiance from infinity, constant or from an equirectangular map",
+                            section_infos(sample_document(), "environment")));
   return list;
 }
 
-json media() {
-  return json::array(
-      {entry("absorbing", "Absorbing solid",
-             "Beer's law inside a solid of KHR_materials_volume; its parameters are the material's", {})});
+json media_json() {
+  return json::array({entry_json("absorbing", "Absorbing volume",
+                                 "Beer's law inside solids with KHR_materials_volume; the parameters are those of the "
+                                 "material",
+                                 {})});
 }
 
-json scenes() {
+json scenes_json() {
   json list = json::array();
-  for (const scene::Builtin& b : scene::builtins()) list.push_back(entry(b.name, b.label, b.doc, {}));
+  for (const scene::Builtin& b : scene::builtins()) list.push_back(entry_json(b.name, b.label, b.doc, {}));
   return list;
 }
 
-json widgets() { return json::parse(viewer::widgets_json()); }
+json widgets_json() { return json::parse(viewer::widgets_json()); }
 
 struct Registry {
   const char* name;
   json (*make)();
 };
-constexpr Registry kRegistries[] = {{"integrators", integrators}, {"samplers", samplers}, {"materials", materials},
-                                    {"lights", lights},           {"media", media},       {"scenes", scenes},
-                                    {"widgets", widgets}};
+constexpr Registry kRegistries[] = {
+    {"integrators", integrators_json}, {"samplers", samplers_json}, {"materials", materials_json},
+    {"lights", lights_json},           {"media", media_json},       {"scenes", scenes_json},
+    {"widgets", widgets_json}};
 
-// Numbers as people write them: settings are floats, and six digits name a float.
-std::string words(const json& value) {
+std::string registry_names() {
+  std::string names;
+  for (const auto& registry : kRegistries) names += (names.empty() ? "" : ", ") + std::string(registry.name);
+  return names;
+}
+
+// A value without quotation marks. Six digits are enough for the parameters, which are single-precision numbers.
+std::string plain_text(const json& value) {
   if (value.is_string()) return value.get<std::string>();
-  if (!value.is_number_float()) return value.dump();
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value.get<double>());
-  return text;
+  return value.is_number_float() ? format_number(value.get<double>(), 6) : value.dump();
 }
 
 void print_parameter(const json& p) {
   std::string range;
-  if (!p["min"].is_null()) range = words(p["min"]) + " to " + words(p["max"]);
+  if (!p["min"].is_null()) range = plain_text(p["min"]) + " to " + plain_text(p["max"]);
   if (p.contains("options"))
-    for (const auto& option : p["options"]) range += (range.empty() ? "" : ", ") + words(option);
+    for (const auto& option : p["options"]) range += (range.empty() ? "" : ", ") + plain_text(option);
   if (range.empty()) range = "true, false";
-  const std::string unit = words(p["unit"]);
-  std::printf("    %-22s %s [%s] default %s%s\n", words(p["name"]).c_str(), words(p["doc"]).c_str(), range.c_str(),
-              words(p["default"]).c_str(), unit.empty() ? "" : (" " + unit).c_str());
+  const std::string unit = plain_text(p["unit"]);
+  std::printf("    %-22s %s [%s] default %s%s\n", plain_text(p["name"]).c_str(), plain_text(p["doc"]).c_str(),
+              range.c_str(), plain_text(p["default"]).c_str(), unit.empty() ? "" : (" " + unit).c_str());
 }
 
 void print(const json& list) {
   for (const auto& e : list) {
-    std::printf("%s: %s\n  %s\n", e["name"].get<std::string>().c_str(), e["label"].get<std::string>().c_str(),
-                e["doc"].get<std::string>().c_str());
+    std::printf("%s: %s\n  %s\n", plain_text(e["name"]).c_str(), plain_text(e["label"]).c_str(),
+                plain_text(e["doc"]).c_str());
     if (e.contains("paths"))
-      std::printf("  %s; paths %s, %s\n  fails: %s\n", e["group"].get<std::string>().c_str(),
-                  e["paths"].get<std::string>().c_str(), e["bias"].get<std::string>().c_str(),
-                  e["fails"].get<std::string>().c_str());
+      std::printf("  %s; paths %s, %s\n  limitations: %s\n", plain_text(e["group"]).c_str(),
+                  plain_text(e["paths"]).c_str(), plain_text(e["bias"]).c_str(), plain_text(e["fails"]).c_str());
     for (const auto& p : e["parameters"]) print_parameter(p);
   }
 }
 
 }  // namespace
 
-Command add_list(CLI::App& app) {
-  struct Options {
+Command list_command() {
+  struct Arguments {
     std::string kind;
     bool json = false;
   };
-  auto o = std::make_shared<Options>();
-  app.add_option("kind", o->kind, "integrators, samplers, materials, lights, media, scenes or widgets")->required();
-  app.add_flag("--json", o->json, "Print JSON");
-  return [o] {
-    for (const auto& registry : kRegistries) {
-      if (o->kind != registry.name) continue;
-      const json list = registry.make();
-      if (o->json)
-        std::printf("%s\n", list.dump(2).c_str());
-      else
-        print(list);
-      return 0;
-    }
-    std::string known;
-    for (const auto& registry : kRegistries) known += (known.empty() ? "" : ", ") + std::string(registry.name);
-    return fail(usage_error("list: there is no registry '" + o->kind + "'; there are " + known));
-  };
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "list",
+          .summary = "List integrators, samplers and other registries with their parameters",
+          .options = {{.names = "kind", .target = &a->kind, .doc = "One of " + registry_names(), .required = true},
+                      json_flag(a->json)},
+          .run = [a] {
+            for (const auto& registry : kRegistries) {
+              if (a->kind != registry.name) continue;
+              const json list = registry.make();
+              if (a->json)
+                std::printf("%s\n", list.dump(2).c_str());
+              else
+                print(list);
+              return 0;
+            }
+            return fail(usage_error("list: there is no registry '" + a->kind + "'; give one of " + registry_names()));
+          }};
 }
 
 }  // namespace etendue::cli

@@ -1,4 +1,4 @@
-// How long work tells about itself: a bar on a terminal, a line now and then elsewhere. Standard error only.
+// Progress of long work on standard error: a bar on a terminal, a line every ten seconds otherwise.
 #pragma once
 #include <chrono>
 #include <string>
@@ -9,16 +9,15 @@ class Progress {
  public:
   Progress();
   ~Progress();
-  // `done` from 0 to 1; `text` is what is known beside it ("128 spp, 1.9 Ms/s").
+  // `done` is the fraction of the work, 0 to 1. `text` is shown beside it ("128 spp, 1.90 Msamples/s").
   void show(double done, const std::string& text);
+  // Removes the bar.
   void finish();
 
  private:
-  bool terminal_;
-  bool shown_ = false;
-  std::chrono::steady_clock::time_point start_, last_;
+  bool is_terminal_;
+  bool is_shown_ = false;
+  std::chrono::steady_clock::time_point start_, last_update_;
 };
-
-std::string duration_text(double seconds);
 
 }  // namespace etendue::cli

@@ -1,326 +1,332 @@
-// etendue render: a scene to a file, until enough samples, time or accuracy.
-#include <CLI/CLI.hpp>
+// etendue render: renders a scene to a file until a limit on samples, time or error is reached.
+#include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "advisor/certificate.h"
 #include "base/file.h"
+#include "base/number_text.h"
 #include "command.h"
-#include "integrator/integrator.h"
 #include "interrupt.h"
-#include "memory.h"
 #include "progress.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
 #include "render/image_output.h"
 #include "render/incompatibility.h"
 #include "render/session.h"
+#include "render_statistics.h"
 #include "scene/builtin/builtin.h"
-#include "settings.h"
+#include "scene_options.h"
 
 namespace etendue::cli {
 namespace {
 
-struct Options {
-  std::string scene, out, png, integrator, sampler, size, camera, paths, aov, env, json, resume, like;
-  std::vector<std::string> sets;
-  std::string filter;
-  uint32_t spp = 0;
-  double time = 0, error = 0, checkpoint = 0;
+constexpr uint32_t kDefaultSamples = 64;  // per pixel, without any limit
+constexpr uint32_t kAovSamples = 16;      // per pixel
+// Time for finding out which light paths the method may miss: a fraction of the rendering time, with an upper limit in
+// seconds.
+constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
+
+struct Arguments {
+  SceneArguments scene;
+  std::string out, png, integrator, sampler, aovs, json, resume, like;
+  uint32_t samples = 0;
+  double seconds = 0, error = 0, checkpoint_interval = 0;
   int threads = 0, max_depth = -1;
   int64_t seed = -1;
   double exposure = NAN;
 };
 
-struct ResumePoint {
+// The document to render, and the samples that exist already.
+struct Start {
   render::Document document;
-  std::optional<film::Film> film;
-  double seconds = 0;
-  std::vector<std::byte> work;
+  std::optional<render::ResumePoint> resume_point = {};
+  double seconds = 0;  // of rendering that the existing samples took
 };
 
-// Where a rendering starts: a checkpoint, a snapshot, or a scene with defaults.
-Result<ResumePoint> starting_point(const Options& o) {
-  ResumePoint start;
-  if (!o.resume.empty()) {
-    auto checkpoint = render::read_checkpoint(o.resume);
-    if (!checkpoint) return checkpoint.error();
-    auto document = render::document_from_state(checkpoint->state, o.resume);
-    if (!document) return document.error();
-    start = {std::move(*document), std::move(checkpoint->film), checkpoint->seconds, std::move(checkpoint->work)};
-    return start;
-  }
-  if (!o.like.empty()) {
-    auto snapshot = image::read_exr(o.like);
-    if (!snapshot) return snapshot.error();
-    const auto state = snapshot->attributes.find(render::kStateAttribute);
-    if (state == snapshot->attributes.end())
-      return input_error(o.like + ": carries no settings; give an .exr that this program wrote");
-    auto document = render::document_from_state(state->second, o.like, nullptr);
-    if (!document) return document.error();
-    start.document = std::move(*document);
-    return start;
-  }
-  if (o.scene.empty())
-    return usage_error("render: no scene; give a .gltf or .glb file, or one of " + scene::builtin_names());
-  auto document = render::new_document(o.scene, o.camera);
+Result<Start> start_from_checkpoint(const std::string& file) {
+  auto checkpoint = render::read_checkpoint(file);
+  if (!checkpoint) return checkpoint.error();
+  auto document = render::document_from_state(checkpoint->state, file);
   if (!document) return document.error();
-  start.document = std::move(*document);
-  return start;
+  return Start{
+      .document = std::move(*document),
+      .resume_point = render::ResumePoint(std::move(checkpoint->film), std::move(checkpoint->integrator_state)),
+      .seconds = checkpoint->seconds};
 }
 
-Result<void> apply(const Options& o, render::Document& d) {
-  const auto give = [&](const std::string& name, const std::string& value) { return set(d, name, value); };
-  if (auto r = set_size(d, o.size); !r) return r;
-  if (!o.integrator.empty())
-    if (auto r = give("render.integrator", o.integrator); !r) return r;
-  if (!o.sampler.empty())
-    if (auto r = give("render.sampler", o.sampler); !r) return r;
-  if (auto r = set_environment(d, o.env); !r) return r;
-  if (auto r = set_all(d, o.sets); !r) return r;
-  if (!o.paths.empty())
-    if (auto r = give("film.paths", o.paths); !r) return r;
-  if (o.max_depth >= 0)
-    if (auto r = give("max-depth", std::to_string(o.max_depth)); !r) return r;
-  if (o.seed >= 0)
-    if (auto r = give("render.seed", std::to_string(o.seed)); !r) return r;
-  if (!std::isnan(o.exposure))
-    if (auto r = give("camera.exposure", std::to_string(o.exposure)); !r) return r;
-  const std::string even = render::adaptive_incompatibility(d.method.integrator);
-  if (d.method.adaptive != render::Adaptive::off && !even.empty()) return usage_error("render.adaptive: " + even);
+Result<Start> start_like_snapshot(const std::string& file) {
+  const auto snapshot = image::read_exr(file);
+  if (!snapshot) return snapshot.error();
+  const auto state = snapshot->attributes.find(render::kStateAttribute);
+  if (state == snapshot->attributes.end())
+    return input_error(file + ": the file carries no settings; give an .exr that etendue wrote");
+  auto document = render::document_from_state(state->second, file);
+  if (!document) return document.error();
+  return Start{.document = std::move(*document)};
+}
+
+Result<Start> find_start(const Arguments& a) {
+  if (!a.resume.empty()) return start_from_checkpoint(a.resume);
+  if (!a.like.empty()) return start_like_snapshot(a.like);
+  if (a.scene.scene.empty())
+    return usage_error("render: no scene; give a .gltf or .glb file, or one of " + scene::builtin_names());
+  auto document = render::new_document(a.scene.scene, a.scene.camera);
+  if (!document) return document.error();
+  return Start{.document = std::move(*document)};
+}
+
+// Whether the arguments change what the samples are. A resumed rendering does not permit this.
+bool changes_samples(const Arguments& a) {
+  return !a.scene.size.empty() || !a.integrator.empty() || !a.sampler.empty() || !a.scene.environment.empty() ||
+         !a.scene.settings.empty() || !a.scene.paths.empty() || a.max_depth >= 0 || a.seed >= 0 ||
+         !a.scene.camera.empty();
+}
+
+Result<void> apply(const Arguments& a, render::Document& d) {
+  const auto set = [&](const std::string& name, const std::string& value) {
+    return value.empty() ? Result<void>() : set_parameter(d, name, value);
+  };
+  if (auto r = set_size(d, a.scene.size); !r) return r;
+  if (auto r = set("render.integrator", a.integrator); !r) return r;
+  if (auto r = set("render.sampler", a.sampler); !r) return r;
+  if (auto r = set_environment(d, a.scene.environment); !r) return r;
+  if (auto r = set_parameters(d, a.scene.settings); !r) return r;
+  if (auto r = set("film.paths", a.scene.paths); !r) return r;
+  if (auto r = set("max-depth", a.max_depth >= 0 ? std::to_string(a.max_depth) : ""); !r) return r;
+  if (auto r = set("render.seed", a.seed >= 0 ? std::to_string(a.seed) : ""); !r) return r;
+  if (auto r = set("camera.exposure", std::isnan(a.exposure) ? "" : std::to_string(a.exposure)); !r) return r;
+  const std::string reason = render::adaptive_incompatibility(d.method.integrator);
+  if (d.method.adaptive != render::Adaptive::off && !reason.empty()) return usage_error("render.adaptive: " + reason);
+  // Snapshots and checkpoints carry limits, which hold unless there are new ones.
+  const bool carries_limits = !a.like.empty() || !a.resume.empty();
+  if (a.samples > 0 || a.seconds > 0 || a.error > 0 || !carries_limits) d.limits = {a.samples, a.seconds, a.error};
+  if (d.limits == render::Limits{}) d.limits.samples = kDefaultSamples;
   return {};
 }
 
-// What a resumed rendering may not change: everything that the film depends on.
-bool changes_light(const Options& o) {
-  return !o.size.empty() || !o.integrator.empty() || !o.sampler.empty() || !o.env.empty() || !o.sets.empty() ||
-         !o.paths.empty() || o.max_depth >= 0 || o.seed >= 0 || !o.camera.empty();
-}
-
-void set_limits(const Options& o, bool inherits, render::Document& d) {
-  if (o.spp > 0 || o.time > 0 || o.error > 0 || !inherits) d.limits = {o.spp, o.time, o.error};
-  if (d.limits == render::Limits{}) d.limits.samples = 64;
-}
-
-Result<std::vector<std::string>> aov_list(const std::string& text) {
+// Splits the argument of --aov. "all" stands for all AOVs, without the sample count.
+Result<std::vector<std::string>> parse_aovs(const std::string& text) {
   std::vector<std::string> names;
   const auto& known = render::aov_names();
-  for (const auto& name : CLI::detail::split(text, ',')) {
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) {
     if (name == "all") return known;
-    if (!name.empty() && name != "sample-count" && std::find(known.begin(), known.end(), name) == known.end()) {
+    if (name.empty()) continue;
+    if (name != "sample-count" && std::ranges::find(known, name) == known.end()) {
       std::string all = "sample-count";
       for (const auto& k : known) all += ", " + k;
-      return usage_error("--aov: there is no '" + name + "'; there are " + all);
+      return usage_error("--aov: there is no layer '" + name + "'; give some of " + all);
     }
-    if (!name.empty()) names.push_back(name);
+    names.push_back(name);
   }
   return names;
 }
 
 std::string progress_text(const render::Status& s) {
-  char text[128];
-  std::snprintf(text, sizeof text, "%u spp  %.2f Ms/s  %.2f Mrays/s", s.samples, s.paths_per_second * 1e-6,
-                s.rays_per_second * 1e-6);
-  std::string line = text;
-  if (s.phase_progress > 0) {
-    std::snprintf(text, sizeof text, "  %s %.0f %%", s.phase.c_str(), 100 * s.phase_progress);
-    line += text;
-  }
-  if (s.error.known) {
-    std::snprintf(text, sizeof text, "  rmse %.2g", s.error.rmse);
-    line += text;
-  }
-  return line;
+  std::string text = std::to_string(s.samples) + " spp  " + format_rate(s.paths_per_second, "samples") + "  " +
+                     format_rate(s.rays_per_second, "rays");
+  if (s.phase_progress > 0) text += "  " + s.phase + " " + format_percent(s.phase_progress);
+  if (s.error.known) text += "  RMSE " + format_number(s.error.rmse, 2);
+  return text;
 }
-
-nlohmann::json number(std::optional<double> v) {
-  return v && std::isfinite(*v) ? nlohmann::json(*v) : nlohmann::json();
-}
-
-nlohmann::json rejected_json(const film::InvalidSamples& rejected) {
-  auto first = nlohmann::json::array();
-  for (const auto& r : rejected.first)
-    first.push_back({{"x", r.x}, {"y", r.y}, {"sample", r.sample}, {"kind", film::flaw_name(r.flaw)}});
-  return {{"nan", rejected.nan}, {"infinite", rejected.infinite}, {"negative", rejected.negative}, {"first", first}};
-}
-
-nlohmann::json health_json(const render::Reliability& h) {
-  return {{"verdict", render::verdict_name(h.verdict)},
-          {"reason", h.reason},
-          {"khat_heavy_share", h.heavy_share},
-          {"khat_limit", film::khat_limit(h.watched)},
-          {"khat_error", h.tail.khat ? number(h.tail.khat_error) : nlohmann::json()},
-          {"vov", number(h.tail.vov)},
-          {"brightest_share", number(h.tail.brightest)},
-          {"samples", h.watched}};
-}
-
-// Little time goes into what the method may miss; nothing, if it declares to miss nothing.
-constexpr double kCertificatePart = 0.1, kCertificateSeconds = 0.5;
 
 std::string certificate_of(render::Session& session, const render::Document& d, const render::Status& s,
                            const film::Film& film) {
-  const double seconds = std::min(kCertificateSeconds, kCertificatePart * s.seconds);
-  const advisor::Evidence evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
-                                   s.health ? s.health->tail.khat : std::optional<double>()};
+  const double seconds = std::min(kCertificateSeconds, kCertificateFraction * s.seconds);
+  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), s.rejected, session.model(),
+                                           s.reliability ? s.reliability->tail.khat : std::optional<double>()};
   return advisor::certificate_json(
       advisor::certificate(session, d, evidence, seconds, [](double, const std::string&) { return true; }));
 }
 
-nlohmann::json statistics_json(const std::vector<integrator::Statistic>& statistics) {
-  nlohmann::json all = nlohmann::json::object();
-  for (const auto& s : statistics) all[s.name] = {{"value", s.value}, {"unit", s.unit}, {"doc", s.doc}};
-  return all;
-}
+// One rendering: runs the session with progress and checkpoints, then writes the results.
+class RenderJob {
+ public:
+  RenderJob(const Arguments& a, std::vector<std::string> aovs, Start start)
+      : a_(a),
+        aovs_(std::move(aovs)),
+        document_(std::move(start.document)),
+        earlier_seconds_(start.seconds),
+        checkpoint_file_(a.resume.empty() ? a.out + ".checkpoint" : a.resume),
+        session_({.threads = a.threads}) {
+    if (start.resume_point)
+      session_.submit(document_, std::move(*start.resume_point));
+    else
+      session_.submit(document_);
+  }
 
-nlohmann::json stats(const render::Document& d, const render::Status& s, const transport::Model& model, int threads,
-                     const std::string& certificate) {
-  nlohmann::json flags = nlohmann::json::object();
-  for (const auto& decision : model.decisions)
-    flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
-  return {{"integrator", d.method.integrator},
-          {"sampler", d.method.sampler},
-          {"spp", s.samples},
-          {"seconds", s.seconds},
-          {"rays", s.rays},
-          {"statistics", statistics_json(s.statistics)},
-          {"width", d.width},
-          {"height", d.height},
-          {"threads", threads},
-          {"seed", d.seed},
-          {"rmse_estimate", s.error.known ? nlohmann::json(s.error.rmse) : nlohmann::json()},
-          {"rejected", rejected_json(s.rejected)},
-          {"khat", s.health ? number(s.health->tail.khat) : nlohmann::json()},
-          {"health", s.health ? health_json(*s.health) : nlohmann::json()},
-          {"peak_rss_bytes", peak_memory()},
-          {"model", flags},
-          {"obstacle", s.incompatibility.empty() ? nlohmann::json() : nlohmann::json(s.incompatibility)},
-          {"certificate", nlohmann::json::parse(certificate)}};
-}
-
-int run(const Options& o) {
-  if (o.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
-  if (auto ok = render::check_output_name(o.out); !ok) return fail(ok.error());
-  if (!o.png.empty())
-    if (auto ok = render::check_output_name(o.png); !ok) return fail(ok.error());
-  if (!o.resume.empty() && changes_light(o))
-    return fail(usage_error("--resume: a checkpoint goes on with its own settings; leave out what changes the image"));
-  auto aovs = aov_list(o.aov);
-  if (!aovs) return fail(aovs.error());
-  auto start = starting_point(o);
-  if (!start) return fail(start.error());
-  render::Document& d = start->document;
-  if (auto ok = apply(o, d); !ok) return fail(ok.error());
-  set_limits(o, !o.like.empty() || !o.resume.empty(), d);
-  for (const auto& warning : d.scene->warnings)
-    std::fprintf(stderr, "etendue: %s: %s\n", d.scene_name.c_str(), warning.c_str());
-
-  const std::atomic<bool>& interrupted = watch_interrupts();
-  render::SessionOptions session_options;
-  session_options.threads = o.threads;
-  render::Session session(session_options);
-  if (start->film)
-    session.submit(d, {std::move(*start->film), std::move(start->work)});
-  else
-    session.submit(d);
-
-  Progress progress;
-  bool warned = false;
-  const auto warn = [&](const render::Status& s) {
-    if (!warned && !s.incompatibility.empty()) std::fprintf(stderr, "etendue: %s\n", s.incompatibility.c_str());
-    warned = warned || !s.incompatibility.empty();
-  };
-  auto last_checkpoint = std::chrono::steady_clock::now();
-  const std::string checkpoint_file = o.resume.empty() ? o.out + ".checkpoint" : o.resume;
-  const auto save_checkpoint = [&]() -> Result<void> {
-    const auto status = session.status();
-    render::ResumePoint copy = session.start_copy();
-    return render::write_checkpoint(checkpoint_file, {render::state_json(d, status.samples), std::move(copy.film),
-                                                      status.seconds + start->seconds, std::move(copy.work)});
-  };
-  while (!session.status().finished && !interrupted) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    const auto status = session.status();
-    warn(status);
-    progress.show(status.progress, progress_text(status));
-    const double since = std::chrono::duration<double>(std::chrono::steady_clock::now() - last_checkpoint).count();
-    if (o.checkpoint > 0 && since >= o.checkpoint) {
-      if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
-      last_checkpoint = std::chrono::steady_clock::now();
+  int run() {
+    const std::atomic<bool>& interrupted = watch_interrupts();
+    if (auto ok = render(interrupted); !ok) return fail(ok.error());
+    status_ = session_.status();
+    print_incompatibility();
+    if (interrupted && a_.checkpoint_interval > 0)
+      if (auto ok = write_checkpoint(); !ok) return fail(ok.error());
+    if (auto ok = write_results(); !ok) return fail(ok.error());
+    if (status_.reliability && status_.reliability->verdict == render::Verdict::unreliable)
+      std::fprintf(stderr, "etendue: %s: unreliable: %s\n", a_.out.c_str(), status_.reliability->reason.c_str());
+    if (interrupted) {
+      std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds the result so far\n", status_.samples,
+                   a_.out.c_str());
+      return static_cast<int>(Fault::interrupted);
     }
+    std::error_code ignored;
+    if (a_.checkpoint_interval > 0 || !a_.resume.empty()) std::filesystem::remove(checkpoint_file_, ignored);
+    return 0;
   }
-  session.stop();
-  progress.finish();
 
-  const auto status = session.status();
-  warn(status);
-  const film::Film film = session.film_copy();
-  if (interrupted && o.checkpoint > 0)
-    if (auto ok = save_checkpoint(); !ok) return fail(ok.error());
-  render::Rendering rendering{d, film, status.samples, {}, session.reweighted_copy()};
-  rendering.sample_counts = std::find(aovs->begin(), aovs->end(), "sample-count") != aovs->end();
-  if (const auto compiled = session.scene(); compiled && !aovs->empty())
-    rendering.layers = render::render_aovs(*compiled, d, *aovs, std::min(16u, std::max(1u, status.samples)), o.threads);
-  const transport::Model model = session.model();
-  const bool has_place = !o.json.empty() || !(o.out.ends_with(".png") || o.out.ends_with(".hdr"));
-  if (has_place) rendering.certificate = certificate_of(session, d, status, film);
-  if (auto ok = render::write_image(o.out, rendering); !ok) return fail(ok.error());
-  if (!o.png.empty())
-    if (auto ok = render::write_image(o.png, rendering); !ok) return fail(ok.error());
-  if (!o.json.empty()) {
-    const std::string text =
-        stats(d, status, model, o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency()),
-              rendering.certificate)
-            .dump(2) +
-        "\n";
-    if (o.json == "-")
-      std::fputs(text.c_str(), stdout);
-    else if (auto ok = write_file(o.json, text.data(), text.size()); !ok)
-      return fail(ok.error());
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Result<void> render(const std::atomic<bool>& interrupted) {
+    Progress progress;
+    auto last_checkpoint = Clock::now();
+    while (!session_.status().finished && !interrupted) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      status_ = session_.status();
+      print_incompatibility();
+      progress.show(status_.progress, progress_text(status_));
+      const double elapsed = std::chrono::duration<double>(Clock::now() - last_checkpoint).count();
+      if (a_.checkpoint_interval > 0 && elapsed >= a_.checkpoint_interval) {
+        if (auto ok = write_checkpoint(); !ok) return ok;
+        last_checkpoint = Clock::now();
+      }
+    }
+    session_.stop();
+    return {};
   }
-  if (status.health && status.health->verdict == render::Verdict::unreliable)
-    std::fprintf(stderr, "etendue: %s: unreliable: %s\n", o.out.c_str(), status.health->reason.c_str());
-  if (interrupted) {
-    std::fprintf(stderr, "etendue: interrupted at %u spp; %s holds what there is\n", status.samples, o.out.c_str());
-    return static_cast<int>(Fault::interrupted);
+
+  // Warns once if the integrator finds no light.
+  void print_incompatibility() {
+    if (incompatibility_printed_ || status_.incompatibility.empty()) return;
+    std::fprintf(stderr, "etendue: %s\n", status_.incompatibility.c_str());
+    incompatibility_printed_ = true;
   }
-  std::error_code code;
-  if (o.checkpoint > 0 || !o.resume.empty()) std::filesystem::remove(checkpoint_file, code);
-  return 0;
+
+  Result<void> write_checkpoint() {
+    const render::Status status = session_.status();
+    render::ResumePoint point = session_.resume_point();
+    return render::write_checkpoint(checkpoint_file_, {.state = render::state_json(document_, status.samples),
+                                                       .film = std::move(point.film),
+                                                       .seconds = status.seconds + earlier_seconds_,
+                                                       .integrator_state = std::move(point.integrator_state)});
+  }
+
+  Result<void> write_results() {
+    const film::Film film = session_.film_copy();
+    const transport::Model model = session_.model();
+    render::Rendering rendering{.document = document_,
+                                .film = film,
+                                .samples = status_.samples,
+                                .certificate = {},
+                                .reweighted = session_.reweighted_copy()};
+    rendering.sample_counts = std::ranges::find(aovs_, "sample-count") != aovs_.end();
+    if (const auto compiled = session_.scene(); compiled && !aovs_.empty())
+      rendering.layers =
+          render::render_aovs(*compiled, document_, aovs_, std::clamp(status_.samples, 1u, kAovSamples), a_.threads);
+    const bool stores_certificate = !(a_.out.ends_with(".png") || a_.out.ends_with(".hdr"));
+    // The session renders other documents for the certificate, so its film and model are copied before.
+    if (!a_.json.empty() || stores_certificate)
+      rendering.certificate = certificate_of(session_, document_, status_, film);
+    if (auto ok = render::write_image(a_.out, rendering); !ok) return ok;
+    if (!a_.png.empty())
+      if (auto ok = render::write_image(a_.png, rendering); !ok) return ok;
+    if (a_.json.empty()) return {};
+    const std::string text = statistics_json({.document = document_,
+                                              .status = status_,
+                                              .model = model,
+                                              .threads = a_.threads,
+                                              .certificate = rendering.certificate}) +
+                             "\n";
+    if (a_.json != "-") return write_file(a_.json, text.data(), text.size());
+    std::fputs(text.c_str(), stdout);
+    return {};
+  }
+
+  const Arguments& a_;
+  std::vector<std::string> aovs_;
+  render::Document document_;
+  double earlier_seconds_;
+  std::string checkpoint_file_;
+  render::Session session_;
+  render::Status status_;
+  bool incompatibility_printed_ = false;
+};
+
+// Wrong arguments fail before anything is rendered.
+int run(const Arguments& a) {
+  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
+  if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
+  if (!a.png.empty())
+    if (auto ok = render::check_output_name(a.png); !ok) return fail(ok.error());
+  if (!a.resume.empty() && changes_samples(a))
+    return fail(
+        usage_error("--resume: a checkpoint continues with its own settings; leave out the options that "
+                    "change the image"));
+  auto aovs = parse_aovs(a.aovs);
+  if (!aovs) return fail(aovs.error());
+  auto start = find_start(a);
+  if (!start) return fail(start.error());
+  if (auto ok = apply(a, start->document); !ok) return fail(ok.error());
+  print_warnings(start->document);
+  return RenderJob(a, std::move(*aovs), std::move(*start)).run();
 }
 
 }  // namespace
 
-Command add_render(CLI::App& app) {
-  auto o = std::make_shared<Options>();
-  app.add_option("scene", o->scene, "A .gltf or .glb file, or one of " + scene::builtin_names());
-  app.add_option("-o,--out", o->out, "What to write: .exr (linear, with all settings), .hdr or .png (as displayed)");
-  app.add_option("--png", o->png, "The same picture once more, as displayed");
-  app.add_option("--spp", o->spp, "Samples per pixel (64 if no limit is given)")->check(CLI::Range(1u, 1000000u));
-  app.add_option("--time", o->time, "Seconds of rendering")->check(CLI::PositiveNumber);
-  app.add_option("--error", o->error, "Stop at this estimated RMSE")->check(CLI::PositiveNumber);
-  app.add_option("--integrator", o->integrator, "See 'etendue list integrators'");
-  app.add_option("--sampler", o->sampler, "See 'etendue list samplers'");
-  app.add_option("--set", o->sets, "NAME=VALUE: any setting by name; repeatable")->take_all();
-  app.add_option("--size", o->size, "WIDTHxHEIGHT");
-  app.add_option("--camera", o->camera, "A camera of the scene by name or index");
-  app.add_option("--seed", o->seed, "Another seed is independent noise")->check(CLI::NonNegativeNumber);
-  app.add_option("--threads", o->threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
-  app.add_option("--max-depth", o->max_depth, "Path segments from camera to light; 0 is no limit")
-      ->check(CLI::Range(0, 1000));
-  app.add_option("--paths", o->paths, "Only light paths that match this expression, e.g. 'E(D|G)L' or 'EDS+L'");
-  app.add_option("--aov", o->aov, "Layers to add, comma separated, or 'all'");
-  app.add_option("--env", o->env, "Environment map, .hdr or .exr");
-  app.add_option("--exposure", o->exposure, "EV, for .png")->check(CLI::Range(-30.0, 30.0));
-  app.add_option("--json", o->json, "Statistics as JSON; '-' is standard output");
-  app.add_option("--checkpoint", o->checkpoint, "Seconds between checkpoints, written to OUT.checkpoint")
-      ->check(CLI::PositiveNumber);
-  app.add_option("--resume", o->resume, "Go on from a checkpoint");
-  app.add_option("--like", o->like, "Take all settings from an .exr of this program");
-  return [o] { return run(*o); };
+Command render_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {
+      .name = "render",
+      .summary = "Render a scene to an image file",
+      .options = {scene_option(a->scene.scene, false),
+                  {.names = "-o,--out",
+                   .target = &a->out,
+                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear) or .png (as displayed)"},
+                  {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
+                  {.names = "--spp",
+                   .target = &a->samples,
+                   .doc = "Samples per pixel (64 if no limit is given)",
+                   .bounds = between(1, 1'000'000)},
+                  {.names = "--time", .target = &a->seconds, .doc = "Rendering time in seconds", .bounds = kPositive},
+                  {.names = "--error", .target = &a->error, .doc = "Stop at this estimated RMSE", .bounds = kPositive},
+                  {.names = "--integrator",
+                   .target = &a->integrator,
+                   .doc = "Light transport algorithm; see etendue list integrators"},
+                  {.names = "--sampler", .target = &a->sampler, .doc = "Sampler; see etendue list samplers"},
+                  set_option(a->scene.settings),
+                  size_option(a->scene.size),
+                  camera_option(a->scene.camera),
+                  seed_option(a->seed),
+                  threads_option(a->threads),
+                  {.names = "--max-depth",
+                   .target = &a->max_depth,
+                   .doc = "Largest number of path segments from camera to light; 0: no limit",
+                   .bounds = between(0, 1000)},
+                  paths_option(a->scene.paths),
+                  {.names = "--aov",
+                   .target = &a->aovs,
+                   .doc = "Additional layers of the .exr, separated by commas, e.g. albedo,depth; or all"},
+                  environment_option(a->scene.environment),
+                  {.names = "--exposure",
+                   .target = &a->exposure,
+                   .doc = "Exposure compensation of the .png in EV",
+                   .bounds = between(-30, 30)},
+                  {.names = "--json", .target = &a->json, .doc = "File for statistics as JSON; '-' is standard output"},
+                  {.names = "--checkpoint",
+                   .target = &a->checkpoint_interval,
+                   .doc = "Time between checkpoints in seconds; they are written to OUT.checkpoint",
+                   .bounds = kPositive},
+                  {.names = "--resume", .target = &a->resume, .doc = "Continue from this checkpoint"},
+                  {.names = "--like", .target = &a->like, .doc = "Use all settings of this .exr that etendue wrote"}},
+      .run = [a] { return run(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -1,22 +1,21 @@
-// etendue stress: every case where a method is known to fail, what should happen, what did.
-#include <CLI/CLI.hpp>
+// etendue stress: runs the cases in which methods are known to fail and compares the results with the expectations.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "command.h"
+#include "scene_options.h"
 #include "stress/case.h"
 #include "stress/matrix.h"
 
 namespace etendue::cli {
 namespace {
 
-struct Options {
+struct Arguments {
   std::vector<std::string> names;
   std::string out;
-  stress::LabOptions lab;
+  stress::TestOptions test;
   bool list = false, json = false;
 };
 
@@ -25,23 +24,29 @@ void print_list() {
     std::printf("%-30s %s\n  %s\n", c.name, std::string(stress::kind_name(c.kind)).c_str(), c.theory);
 }
 
-void print_row(const stress::Row& row) {
-  size_t failed = 0;
-  for (const auto& f : row.findings) failed += f.ok ? 0 : 1;
+size_t failures(const stress::CaseResult& row) {
+  size_t count = 0;
+  for (const auto& f : row.results) count += f.ok ? 0 : 1;
+  return count;
+}
+
+void print_row(const stress::CaseResult& row) {
+  const size_t failed = failures(row);
   std::printf("%-4s %-30s %3zu of %3zu  %6.1f s\n", failed ? "FAIL" : "ok", row.stress_case->name,
-              row.findings.size() - failed, row.findings.size(), row.seconds);
-  for (const auto& f : row.findings)
+              row.results.size() - failed, row.results.size(), row.seconds);
+  for (const auto& f : row.results)
     if (!f.ok)
       std::printf("       %s: expected %s, measured %s\n", f.method.c_str(), f.expectation.c_str(),
                   stress::number(f.measured).c_str());
   std::fflush(stdout);
 }
 
-Result<std::vector<const stress::Case*>> chosen(const std::vector<std::string>& names) {
+// The cases of these names, or all of them without names.
+Result<std::vector<const stress::Case*>> select_cases(const std::vector<std::string>& names) {
   std::vector<const stress::Case*> list;
   for (const auto& name : names) {
     const stress::Case* found = stress::find_case(name);
-    if (!found) return usage_error("no case is called '" + name + "'; see etendue stress --list");
+    if (!found) return usage_error("stress: there is no case '" + name + "'; see etendue stress --list");
     list.push_back(found);
   }
   if (names.empty())
@@ -49,7 +54,7 @@ Result<std::vector<const stress::Case*>> chosen(const std::vector<std::string>& 
   return list;
 }
 
-Result<void> write(const std::filesystem::path& folder, const std::vector<stress::Row>& rows) {
+Result<void> write_matrix(const std::filesystem::path& folder, const std::vector<stress::CaseResult>& rows) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::pair<const char*, std::string> files[] = {{"matrix.json", stress::matrix_json(rows)},
@@ -59,38 +64,49 @@ Result<void> write(const std::filesystem::path& folder, const std::vector<stress
   return {};
 }
 
-int run(const Options& o) {
-  if (o.list) return print_list(), 0;
-  const auto list = chosen(o.names);
-  if (!list) return fail(list.error());
-  std::vector<stress::Row> rows;
-  size_t findings = 0, failed = 0;
-  for (const stress::Case* c : *list) {
-    rows.push_back(stress::run(*c, o.lab));
-    if (!o.json) print_row(rows.back());
-    for (const auto& f : rows.back().findings) ++findings, failed += f.ok ? 0 : 1;
+int run(const Arguments& a) {
+  if (a.list) {
+    print_list();
+    return 0;
   }
-  if (!o.out.empty())
-    if (auto ok = write(o.out, rows); !ok) return fail(ok.error());
-  if (o.json)
+  const auto cases = select_cases(a.names);
+  if (!cases) return fail(cases.error());
+  std::vector<stress::CaseResult> rows;
+  size_t expectations = 0, failed = 0;
+  for (const stress::Case* c : *cases) {
+    rows.push_back(stress::run(*c, a.test));
+    if (!a.json) print_row(rows.back());
+    expectations += rows.back().results.size();
+    failed += failures(rows.back());
+  }
+  if (!a.out.empty())
+    if (auto ok = write_matrix(a.out, rows); !ok) return fail(ok.error());
+  if (a.json)
     std::printf("%s\n", stress::matrix_json(rows).c_str());
   else
-    std::printf("%zu cases, %zu expectations, %zu not met\n", rows.size(), findings, failed);
+    std::printf("%zu cases, %zu expectations, %zu not met\n", rows.size(), expectations, failed);
   return failed ? 1 : 0;
 }
 
 }  // namespace
 
-Command add_stress(CLI::App& app) {
-  auto o = std::make_shared<Options>();
-  app.add_option("case", o->names, "Cases by name; all without");
-  app.add_flag("--list", o->list, "Say what cases there are, and run none");
-  app.add_flag("--json", o->json, "Print JSON");
-  app.add_option("--out", o->out, "A folder for matrix.json and matrix.html with pictures");
-  app.add_option("--seed", o->lab.seed, "Another seed is independent noise");
-  app.add_option("--threads", o->lab.threads, "0: one per hardware thread")->check(CLI::Range(0, 1024));
-  app.add_option("--size", o->lab.size, "Width and height of the small pictures, pixels")->check(CLI::Range(8, 512));
-  return [o] { return run(*o); };
+Command stress_command() {
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "stress",
+          .summary = "Run the cases in which methods are known to fail and check the expectations",
+          .options = {{.names = "case", .target = &a->names, .doc = "Names of cases; default: all"},
+                      {.names = "--list", .target = &a->list, .doc = "Print the cases without running them"},
+                      json_flag(a->json),
+                      {.names = "--out",
+                       .target = &a->out,
+                       .doc = "Folder for matrix.json and matrix.html, a report with images"},
+                      seed_option(a->test.seed),
+                      threads_option(a->test.threads),
+                      {.names = "--size",
+                       .target = &a->test.size,
+                       .doc = "Width and height of the rendered images in pixels (32)",
+                       .bounds = between(8, 512)}},
+          .run = [a] { return run(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -1,36 +1,45 @@
-// etendue view: the workbench in a window, or the same without a display and driven by a script.
-#include <CLI/CLI.hpp>
+// etendue view: the viewer, in a window, or without a display and controlled by a script.
 #include <memory>
 
 #include "command.h"
 #include "scene/builtin/builtin.h"
-#include "size.h"
+#include "scene_options.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
 
-Command add_view(CLI::App& app) {
-  struct Options {
+Command view_command() {
+  struct Arguments {
     viewer::ViewOptions view;
     std::string size;
   };
-  auto o = std::make_shared<Options>();
-  app.add_option("scene", o->view.scene,
-                 "A .gltf or .glb file, a snapshot, or one of " + scene::builtin_names() + "; without it, cornell");
-  app.add_flag("--offscreen", o->view.offscreen, "Run without a display");
-  app.add_option("--script", o->view.script, "A JSON file of user actions; the viewer ends with it");
-  app.add_option("--size", o->size, "Width and height of the window in pixels, like 1920x1080 (1280x720)");
-  app.add_option("--threads", o->view.threads, "How many threads render; 0 takes one for each of the processor's")
-      ->check(CLI::Range(0, 1024));
-  app.add_flag("--safe", o->view.safe, "Neither read nor write what the viewer remembers");
-  return [o] {
-    if (!o->size.empty()) {
-      const auto size = parse_size(o->size);
-      if (!size) return fail(size.error());
-      o->view.width = size->x, o->view.height = size->y;
-    }
-    return viewer::run_viewer(o->view);
-  };
+  const auto a = std::make_shared<Arguments>();
+  return {.name = "view",
+          .summary = "Open the viewer; the default without a subcommand",
+          .options = {{.names = "scene",
+                       .target = &a->view.scene,
+                       .doc = "A glTF file (.gltf or .glb), a snapshot (.exr), or a built-in scene: " +
+                              scene::builtin_names() + "; default: cornell"},
+                      {.names = "--offscreen", .target = &a->view.offscreen, .doc = "Run without a display"},
+                      {.names = "--script",
+                       .target = &a->view.script,
+                       .doc = "JSON file of user actions; the viewer closes after the last one"},
+                      {.names = "--size",
+                       .target = &a->size,
+                       .doc = "Size of the window in pixels, WIDTHxHEIGHT (1280x720)"},
+                      threads_option(a->view.threads),
+                      {.names = "--safe",
+                       .target = &a->view.safe,
+                       .doc = "Use default settings; neither read nor write the remembered ones"}},
+          .run = [a] {
+            if (!a->size.empty()) {
+              const auto size = parse_size(a->size);
+              if (!size) return fail(size.error());
+              a->view.width = size->x;
+              a->view.height = size->y;
+            }
+            return viewer::run_viewer(a->view);
+          }};
 }
 
 }  // namespace etendue::cli

@@ -131,7 +131,7 @@ class Application {
     const auto latest = state_.session->frame();
     const bool is_new = latest && latest != shown;
     const bool is_urgent =
-        is_new && (!shown || latest->version != shown->version || latest->coarseness != shown->coarseness);
+        is_new && (!shown || latest->version != shown->version || latest->preview_scale != shown->preview_scale);
     const bool image_is_due = is_new && since_draw >= pacing_.interval(latest->samples);
     const bool has_result = has_task_update(state_);
     const bool result_is_due = has_result && since_draw >= pacing_.interval(0);

@@ -1,4 +1,4 @@
-// Bytes as text (RFC 4648), as data URIs hold them.
+// Base64 encoding of bytes [RFC 4648, sec. 4], for data URIs.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -6,6 +6,7 @@
 
 namespace etendue {
 
+// The encoded text, padded with '='; no line breaks.
 std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace etendue

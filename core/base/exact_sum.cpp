@@ -14,25 +14,27 @@ constexpr uint64_t kLow = 0xffffffffU;
 void ExactSum::add(double x) {
   assert(std::isfinite(x));
   const auto bits = std::bit_cast<uint64_t>(x);
-  const uint64_t exponent = bits >> 52 & 0x7ff, fraction = bits & ((uint64_t{1} << 52) - 1);
-  // The 53 bits of the number stand at `place`; a denormal number has no hidden bit and the smallest exponent.
+  const uint64_t exponent = bits >> 52 & 0x7ff;
+  const uint64_t fraction = bits & ((uint64_t{1} << 52) - 1);
+  // The mantissa is shifted to bit `position` of the chunks. A denormal number has no hidden bit, and its exponent
+  // is 1.
   const uint64_t mantissa = exponent > 0 ? fraction | uint64_t{1} << 52 : fraction;
-  const uint64_t place = exponent > 0 ? exponent : 1;
-  const uint64_t shift = place & 31, rest = mantissa >> (32 - shift);
-  const size_t chunk = place >> 5;
+  const uint64_t position = exponent > 0 ? exponent : 1;
+  const uint64_t shift = position & 31, rest = mantissa >> (32 - shift);
+  const size_t chunk = position >> 5;
   const int64_t sign = bits >> 63 ? -1 : 1;
   chunks_[chunk] += sign * static_cast<int64_t>(mantissa << shift & kLow);
   chunks_[chunk + 1] += sign * static_cast<int64_t>(rest & kLow);
   chunks_[chunk + 2] += sign * static_cast<int64_t>(rest >> 32);
-  if (--room_ == 0) carry();
+  if (--terms_until_carry_ == 0) carry();
 }
 
 void ExactSum::add(const ExactSum& other) {
   ExactSum small = other;
   small.carry();
-  if (room_ < 2) carry();
+  if (terms_until_carry_ < 2) carry();
   for (size_t i = 0; i < kChunks; ++i) chunks_[i] += small.chunks_[i];
-  --room_;
+  --terms_until_carry_;
 }
 
 void ExactSum::carry() {
@@ -40,7 +42,7 @@ void ExactSum::carry() {
     chunks_[i + 1] += chunks_[i] >> 32;
     chunks_[i] &= static_cast<int64_t>(kLow);
   }
-  room_ = (int64_t{1} << 30) - 1;
+  terms_until_carry_ = (int64_t{1} << 30) - 1;
 }
 
 double ExactSum::value() const {
@@ -51,7 +53,7 @@ double ExactSum::value() const {
     for (int64_t& chunk : sum.chunks_) chunk = -chunk;
     sum.carry();
   }
-  // From below, so that only the last additions round.
+  // Starts with the smallest chunk, so that only the last additions round.
   double value = 0;
   for (size_t i = 0; i < kChunks; ++i)
     value += std::ldexp(static_cast<double>(sum.chunks_[i]), 32 * static_cast<int>(i) + kSmallestExponent);

@@ -1,6 +1,7 @@
-// A sum of doubles without any rounding, so that the order of its terms does not matter: what threads add up apart and
-// merge in whatever order has the same bits.                    R. M. Neal, "Fast Exact Summation", 2015 (the small
-// one)
+// Exact summation of doubles [Neal 2015, "small superaccumulator"].
+//
+// The sum is exact, so it does not depend on the order of its terms. Partial sums of several threads can be merged in
+// any order and give the same bits.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,18 +14,18 @@ class ExactSum {
   // `x` must be finite.
   void add(double x);
   void add(const ExactSum& other);
-  // Within one unit in the last place of the true sum.
+  // The sum, within one unit in the last place.
   double value() const;
 
  private:
-  // Chunk i counts units of 2^(32 i - 1075). Terms of less than 2^32 leave room for 2^31 of them; `carry` makes room
-  // anew.
+  // Chunk i counts units of 2^(32 i - 1075). Each term adds less than 2^32 to a chunk, so a 64-bit chunk has room for
+  // 2^31 terms. `carry` moves the upper bits of each chunk to the next one, which makes room again.
   static constexpr size_t kChunks = 67;
   static constexpr int kSmallestExponent = -1075;
   void carry();
 
   std::array<int64_t, kChunks> chunks_{};
-  int64_t room_ = int64_t{1} << 30;
+  int64_t terms_until_carry_ = int64_t{1} << 30;
 };
 
 }  // namespace etendue

@@ -23,7 +23,7 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
   const auto size = fs::file_size(path, code);
   std::vector<std::byte> bytes(code ? 0 : size);
   if (!code && std::fread(bytes.data(), 1, bytes.size(), file.get()) == bytes.size()) return bytes;
-  return input_error(path.string() + ": cannot be read to its end");
+  return input_error(path.string() + ": the file could not be read completely");
 }
 
 Result<void> write_atomically(const fs::path& path, const std::function<Result<void>(const fs::path&)>& write) {
@@ -56,7 +56,7 @@ Result<void> write_file(const fs::path& path, const void* data, size_t size) {
     const bool complete = std::fwrite(data, 1, size, file) == size;
     const bool closed = std::fclose(file) == 0;
     if (complete && closed) return {};
-    return output_error(path.string() + ": cannot be written to its end; is the disk full?");
+    return output_error(path.string() + ": could not be written completely; is the disk full?");
   });
 }
 

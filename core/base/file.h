@@ -1,4 +1,4 @@
-// Reading whole files, and writing them so that a reader never sees half of one.
+// Reading whole files, and writing files atomically: a reader sees the old content or the new one, never a part.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace etendue {
 
-// The whole file. Directories, missing and unreadable files are input errors that name the path.
+// The content of a file. Directories, missing files and unreadable files are input errors; the message names the path.
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
-// Calls `write` with a temporary name in the same folder and renames it to `path` if it succeeded; removes it if not.
-// The temporary name keeps the extension of `path`. What stood there before survives every failure.
+// Calls `write` with the name of a temporary file in the folder of `path` and with its extension. If `write` succeeds,
+// the temporary file is renamed to `path`, otherwise it is removed. A failure leaves an existing file unchanged.
 Result<void> write_atomically(const std::filesystem::path& path,
                               const std::function<Result<void>(const std::filesystem::path&)>& write);
 
-// The same for bytes that are already there.
+// Writes `size` bytes with write_atomically.
 Result<void> write_file(const std::filesystem::path& path, const void* data, size_t size);
 
 }  // namespace etendue

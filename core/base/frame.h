@@ -1,4 +1,4 @@
-// An orthonormal frame around a surface normal: local z is the normal, local x the tangent.
+// An orthonormal frame at a surface point. The local z axis is the normal, the local x axis the tangent.
 #pragma once
 #include "base/vec.h"
 
@@ -12,8 +12,8 @@ struct Frame {
   explicit Frame(const Vec3& normal) { build(normal); }
   Frame(const Vec3& normal, const Vec3& tangent, float handedness) { build(normal, tangent, handedness); }
 
-  // Any tangent will do. Branch-free construction of Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
-  // (Built in place: copying what was just written number by number stalls the processor.)
+  // With an arbitrary tangent; branch-free [Duff et al. 2017]. The frame is built in place, because copying values that
+  // were just stored component by component causes store-forwarding stalls.
   void build(const Vec3& normal) {
     z = normal;
     const float sign = std::copysign(1.0f, normal.z);
@@ -23,8 +23,8 @@ struct Frame {
     y = Vec3(b, sign + normal.y * normal.y * a, -normal.y);
   }
 
-  // The tangent is projected into the plane of the normal; one that is parallel to the normal gives any tangent.
-  // `handedness` is +1 or -1 as glTF's TANGENT.w: y = handedness * cross(z, x).
+  // With the given tangent, projected into the plane of the normal. A tangent parallel to the normal is replaced by an
+  // arbitrary one. `handedness` is +1 or -1, as TANGENT.w in glTF: y = handedness * cross(z, x).
   void build(const Vec3& normal, const Vec3& tangent, float handedness) {
     const Vec3 projected = tangent - normal * glm::dot(normal, tangent);
     const float squared = length_squared(projected);
@@ -37,7 +37,7 @@ struct Frame {
     y = glm::cross(z, x) * handedness;
   }
 
-  // Always inline: a vector that is returned through a register pair stalls.
+  // Always inlined, because returning a vector in a register pair causes store-forwarding stalls.
   [[gnu::always_inline]] Vec3 to_local(const Vec3& v) const {
     return Vec3(glm::dot(v, x), glm::dot(v, y), glm::dot(v, z));
   }

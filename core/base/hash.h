@@ -1,5 +1,7 @@
-// Integer hashes: the seeds of everything random, so that a sample depends on its name (pixel, index, dimension) and
-// never on the order in which threads ask for it.
+// Integer hash functions.
+//
+// All random numbers are hashes of a key (seed, pixel, sample index, dimension). A random number therefore does not
+// depend on the order in which threads request it.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -7,7 +9,7 @@
 
 namespace etendue {
 
-// Finaliser with good avalanche in both directions (C. Wellons, "Prospecting for hash functions", 2018: lowbias32).
+// Bijection with good avalanche behaviour [Wellons 2018, lowbias32].
 constexpr uint32_t mix_bits(uint32_t x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
@@ -17,7 +19,7 @@ constexpr uint32_t mix_bits(uint32_t x) {
   return x;
 }
 
-// splitmix64's finaliser (D. Stafford's variant 13).
+// Finaliser of SplitMix64 [Steele et al. 2014], with the constants of variant 13 of [Stafford 2011].
 constexpr uint64_t mix_bits(uint64_t x) {
   x ^= x >> 30;
   x *= 0xbf58476d1ce4e5b9ULL;
@@ -27,13 +29,15 @@ constexpr uint64_t mix_bits(uint64_t x) {
   return x;
 }
 
-// Literals with a ULL suffix are of this type, which is none of the two above.
+// For literals with the suffix ULL, which would be ambiguous where uint64_t is `unsigned long`.
 constexpr uint64_t mix_bits(unsigned long long x) { return mix_bits(static_cast<uint64_t>(x)); }
 
+// A hash of `value` under a seed.
 constexpr uint32_t hash_combine(uint32_t seed, uint32_t value) {
   return mix_bits(seed ^ (value + 0x9e3779b9U + (seed << 6) + (seed >> 2)));
 }
 
+// A hash of a byte string.
 constexpr uint64_t hash_bytes(const char* data, std::size_t size, uint64_t seed = 0x243f6a8885a308d3ULL) {
   uint64_t h = seed ^ (size * 0x9e3779b97f4a7c15ULL);
   for (std::size_t i = 0; i < size; ++i) {
@@ -43,9 +47,10 @@ constexpr uint64_t hash_bytes(const char* data, std::size_t size, uint64_t seed 
   return h;
 }
 
-// [0, 1) from the upper 24 bits: every float of that grid is equally likely, one is never returned.
+// A uniform number in [0, 1) from the upper 24 bits. All multiples of 2^-24 are equally likely.
 constexpr float to_unit_float(uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
 
+// The bits in reverse order: bit i becomes bit 31 - i.
 constexpr uint32_t reverse_bits(uint32_t x) {
   x = (x >> 16) | (x << 16);
   x = ((x & 0xff00ff00U) >> 8) | ((x & 0x00ff00ffU) << 8);

@@ -19,8 +19,8 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-Error wrong(const ParameterInfo& info, std::string_view text, const std::string& expected) {
-  return usage_error(info.name + ": '" + std::string(text) + "' is not a value it can take; give " + expected);
+Error invalid_value(const ParameterInfo& info, std::string_view text, const std::string& expected) {
+  return usage_error(info.name + ": '" + std::string(text) + "' is not a valid value; expected " + expected);
 }
 
 std::string expected_range(const ParameterInfo& info) {
@@ -33,6 +33,26 @@ bool parse_number(std::string_view text, T& out) {
   if (text.starts_with('+')) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   return error == std::errc{} && end == text.data() + text.size();
+}
+
+ParameterInfo described(const char* name, const char* label, const char* doc, ParameterType type) {
+  ParameterInfo info;
+  info.name = name;
+  info.label = label;
+  info.doc = doc;
+  info.type = type;
+  return info;
+}
+
+template <class T>
+ParameterInfo describe_number(const Number<T>& p, ParameterType type, Value value) {
+  ParameterInfo info = described(p.name, p.label, p.doc, type);
+  info.unit = p.unit;
+  info.min = static_cast<double>(p.range.min);
+  info.max = static_cast<double>(p.range.max);
+  info.logarithmic = p.scale == Scale::logarithmic;
+  info.default_value = std::move(value);
+  return info;
 }
 
 }  // namespace
@@ -63,21 +83,21 @@ Result<Value> parse_value(const ParameterInfo& info, std::string_view text) {
     case ParameterType::toggle:
       if (text == "true" || text == "on" || text == "1" || text == "yes") return Value(true);
       if (text == "false" || text == "off" || text == "0" || text == "no") return Value(false);
-      return wrong(info, text, "true or false");
+      return invalid_value(info, text, "true or false");
     case ParameterType::integer: {
       int64_t i = 0;
-      if (!parse_number(text, i)) return wrong(info, text, expected_range(info));
+      if (!parse_number(text, i)) return invalid_value(info, text, expected_range(info));
       return checked_value(info, i);
     }
     case ParameterType::number: {
       double d = 0;
-      if (!parse_number(text, d)) return wrong(info, text, expected_range(info));
+      if (!parse_number(text, d)) return invalid_value(info, text, expected_range(info));
       return checked_value(info, d);
     }
     case ParameterType::choice:
       return checked_value(info, std::string(text));
   }
-  return wrong(info, text, "a value");
+  return invalid_value(info, text, "a value");
 }
 
 Result<Value> checked_value(const ParameterInfo& info, const Value& value) {
@@ -85,28 +105,28 @@ Result<Value> checked_value(const ParameterInfo& info, const Value& value) {
   switch (info.type) {
     case ParameterType::toggle:
       if (std::holds_alternative<bool>(value)) return value;
-      return wrong(info, text, "true or false");
+      return invalid_value(info, text, "true or false");
     case ParameterType::integer: {
       const auto* i = std::get_if<int64_t>(&value);
       if (i && static_cast<double>(*i) >= info.min && static_cast<double>(*i) <= info.max) return value;
-      return wrong(info, text, expected_range(info));
+      return invalid_value(info, text, expected_range(info));
     }
     case ParameterType::number: {
       double d = std::nan("");
       if (const auto* i = std::get_if<int64_t>(&value)) d = static_cast<double>(*i);
       if (const auto* f = std::get_if<double>(&value)) d = *f;
       if (d >= info.min && d <= info.max) return Value(d);
-      return wrong(info, text, expected_range(info));
+      return invalid_value(info, text, expected_range(info));
     }
     case ParameterType::choice:
       for (const auto& option : info.options)
         if (std::holds_alternative<std::string>(value) && option == text) return value;
-      if (info.accepts_text && std::holds_alternative<std::string>(value)) {
-        if (auto accepted = info.accepts_text(text); !accepted)
+      if (info.validate_text && std::holds_alternative<std::string>(value)) {
+        if (auto accepted = info.validate_text(text); !accepted)
           return usage_error(info.name + ": " + accepted.error().message);
         return value;
       }
-      return wrong(info, text, "one of " + joined(info.options));
+      return invalid_value(info, text, "one of " + joined(info.options));
   }
   return value;
 }
@@ -115,6 +135,36 @@ const ParameterInfo* find_parameter(std::span<const ParameterInfo> infos, std::s
   for (const auto& info : infos)
     if (info.name == name) return &info;
   return nullptr;
+}
+
+ParameterInfo describe(const Number<int>& p) { return describe_number(p, ParameterType::integer, int64_t{p.value}); }
+
+ParameterInfo describe(const Number<float>& p) {
+  return describe_number(p, ParameterType::number, static_cast<double>(p.value));
+}
+
+ParameterInfo describe(const Toggle& p) {
+  ParameterInfo info = described(p.name, p.label, p.doc, ParameterType::toggle);
+  info.default_value = p.value;
+  return info;
+}
+
+ParameterInfo describe_choice(const char* name, const char* label, const char* doc, std::span<const Option> options,
+                              size_t selected) {
+  ParameterInfo info = described(name, label, doc, ParameterType::choice);
+  for (const Option& option : options) {
+    info.options.emplace_back(option.name);
+    info.option_labels.emplace_back(option.label);
+  }
+  if (selected < info.options.size()) info.default_value = info.options[selected];
+  return info;
+}
+
+ParameterInfo describe(const Text& p) {
+  ParameterInfo info = describe_choice(p.name, p.label, p.doc, p.presets, 0);
+  info.validate_text = p.validate;
+  info.default_value = p.value;
+  return info;
 }
 
 }  // namespace etendue

@@ -1,14 +1,39 @@
-// Parameters that describe themselves.
+// Parameters: values that a user can set, declared once and described to every interface
 //
-// A knob is declared once, as a member of the thing that it turns:
+// Declaration. A parameter is a member of the class that it controls. The function `parameters` lists all of them:
 //
-//   Number<int> roulette_start{"roulette-start", "Roulette from vertex", 4, {1, 64}, "Earlier ends more paths"};
+//   class Path {
+//     Number<int> roulette_start{"roulette-start", "Russian roulette start depth", 4, {1, 64},
+//                                "Path depth at which termination begins. Lower is faster and noisier."};
+//     Toggle weighted{"weighted", "Apply MIS weights", true, "Off: every technique counts fully."};
+//     auto parameters() { return std::tie(roulette_start, weighted); }
+//   };
 //
-// and the thing lists its knobs in one place (`auto parameters() { return std::tie(roulette_start, ...); }`). Widgets,
-// `--set`, `list --json`, snapshots and undo all read the type-erased description that `describe` makes of it.
+//   Type        Value         Members
+//   Number<T>   int or float  name, label, value, range, doc, unit, scale
+//   Triple      Vec3          as Number; its components are three parameters NAME.r, NAME.g and NAME.b
+//   Toggle      bool          name, label, value, doc
+//   Choice<E>   enum E        name, label, value, doc; Options<E> lists the names and labels of the enumerators
+//   Text        std::string   name, label, value, doc, validate, presets
+//
+//   name        identifies the parameter in files and on the command line: lower case, words joined by hyphens
+//   label       is shown to the user
+//   value       is the default until it is set
+//   doc         is the tooltip and the text of the manual: what the parameter does, the effect of raising it
+//   unit        is shown after a number, like "m"; empty if it has none
+//
+// Use in computations. A Number, Toggle, Choice or Text converts to its value: `if (depth >= roulette_start) ...`.
+//
+// Generic access. Widgets, `--set`, `list --json`, saved states, undo and the generated manual use the type-erased
+// form:
+//
+//   describe_all(path.parameters())                            -> one ParameterInfo per parameter
+//   parse_value(info, "8")  or  checked_value(info, value)     -> a valid Value, or an error with the valid range
+//   assign_by_name(path.parameters(), "roulette-start", value)    sets the member
+//
+// Thread safety: parameters are set before an object is shared between threads.
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,30 +47,49 @@
 
 namespace etendue {
 
+// ---- Type-erased values and descriptions
+
+// The value of any parameter. The value of a choice is the name of the option.
 using Value = std::variant<bool, int64_t, double, std::string>;
 
+// A value for the parameter of this name.
+struct Setting {
+  std::string name;
+  Value value;
+};
+
 enum class ParameterType { toggle, integer, number, choice };
+
+// "toggle", "integer", "number" or "choice".
+std::string_view type_name(ParameterType type);
 
 struct ParameterInfo {
   std::string name, label, unit, doc;
   ParameterType type = ParameterType::number;
-  double min = 0, max = 0;                          // inclusive; integers and numbers only
-  bool logarithmic = false;                         // the quantity is naturally seen on a logarithmic slider
-  Value default_value = false;                      // a choice's value is the name of the option
+  double min = 0, max = 0;   // inclusive; integers and numbers only
+  bool logarithmic = false;  // a slider for this number should be logarithmic
+  Value default_value = false;
   std::vector<std::string> options, option_labels;  // choices only
-  // A choice with this also takes a text that is none of its options, if it passes; else the error says why not.
-  Result<void> (*accepts_text)(std::string_view) = nullptr;
+  // Set for Text parameters, which are choices that also take other texts. Returns an error for an invalid text.
+  Result<void> (*validate_text)(std::string_view) = nullptr;
 };
 
+// The value as `parse_value` reads it; numbers have as many digits as they need to be read back exactly.
 std::string to_string(const Value& value);
-std::string_view type_name(ParameterType type);
 
-// Reads `text` as a value of this parameter: true/false/on/off, a number within the range, the name of an option.
+// Parses a value of this parameter: true/false, on/off, yes/no or 1/0; a number in the range; the name of an option.
+// An invalid text is a usage error that names the valid values.
 Result<Value> parse_value(const ParameterInfo& info, std::string_view text);
 
-// The value, if it has the right type and lies in the range (an integer is accepted where a number is wanted).
+// `value` if its type is right and it lies in the range. An integer is converted where a number is expected.
 Result<Value> checked_value(const ParameterInfo& info, const Value& value);
 
+// The parameter of this name, or null.
+const ParameterInfo* find_parameter(std::span<const ParameterInfo> infos, std::string_view name);
+
+// ---- Declarations
+
+// Inclusive.
 template <class T>
 struct Range {
   T min, max;
@@ -67,7 +111,6 @@ struct Number {
   operator T() const { return value; }  // NOLINT(google-explicit-constructor)
 };
 
-// Three numbers that belong together: NAME.r, NAME.g and NAME.b.
 struct Triple {
   static constexpr const char* kParts[3] = {".r", ".g", ".b"};
 
@@ -78,6 +121,9 @@ struct Triple {
   const char* doc;
   const char* unit = "";
   Scale scale = Scale::linear;
+
+  Number<float> component(int i) const { return {name, label, value[i], range, doc, unit, scale}; }
+  std::string component_name(int i) const { return std::string(name) + kParts[i]; }
 };
 
 struct Toggle {
@@ -89,11 +135,14 @@ struct Toggle {
   operator bool() const { return value; }  // NOLINT(google-explicit-constructor)
 };
 
-// Specialise with `static constexpr std::array<Option, N> kOptions` in the order of the enumerators.
 struct Option {
   const char* name;
   const char* label;
 };
+
+// Specialise for an enumeration E with
+//   static constexpr std::array<Option, N> kOptions
+// in the order of the enumerators, whose values must be 0 to N - 1.
 template <class E>
 struct Options;
 
@@ -107,74 +156,54 @@ struct Choice {
   operator E() const { return value; }  // NOLINT(google-explicit-constructor)
 };
 
-// A text that has to pass `accepts`; the first of `offered` is what it is at first.
 struct Text {
   const char* name;
   const char* label;
   std::string value;
   const char* doc;
-  Result<void> (*accepts)(std::string_view);
-  std::vector<Option> offered;
+  Result<void> (*validate)(std::string_view);  // an error for an invalid text
+  std::vector<Option> presets;                 // texts that interfaces offer, the default first
 
   operator const std::string&() const { return value; }  // NOLINT(google-explicit-constructor)
 };
 
-template <class T>
-ParameterInfo describe(const Number<T>& p) {
-  ParameterInfo info;
-  info.name = p.name, info.label = p.label, info.unit = p.unit, info.doc = p.doc;
-  info.type = std::is_same_v<T, int> ? ParameterType::integer : ParameterType::number;
-  info.min = static_cast<double>(p.range.min), info.max = static_cast<double>(p.range.max);
-  info.logarithmic = p.scale == Scale::logarithmic;
-  if constexpr (std::is_same_v<T, int>)
-    info.default_value = int64_t{p.value};
-  else
-    info.default_value = static_cast<double>(p.value);
-  return info;
-}
+// ---- Description of a declared parameter; default_value is its current value
 
-inline ParameterInfo describe_part(const Triple& p, int part) {
-  const Number<float> number{p.name, p.label, p.value[part], p.range, p.doc, p.unit, p.scale};
-  ParameterInfo info = describe(number);
-  info.name += Triple::kParts[part];
-  return info;
-}
-
-inline ParameterInfo describe(const Toggle& p) {
-  ParameterInfo info;
-  info.name = p.name, info.label = p.label, info.doc = p.doc;
-  info.type = ParameterType::toggle;
-  info.default_value = p.value;
-  return info;
-}
+ParameterInfo describe(const Number<int>& p);
+ParameterInfo describe(const Number<float>& p);
+ParameterInfo describe(const Toggle& p);
+ParameterInfo describe(const Text& p);
+// A choice with these options; `selected` is the index of the current one.
+ParameterInfo describe_choice(const char* name, const char* label, const char* doc, std::span<const Option> options,
+                              size_t selected);
 
 template <class E>
 ParameterInfo describe(const Choice<E>& p) {
-  ParameterInfo info;
-  info.name = p.name, info.label = p.label, info.doc = p.doc;
-  info.type = ParameterType::choice;
-  for (const Option& option : Options<E>::kOptions) {
-    info.options.emplace_back(option.name);
-    info.option_labels.emplace_back(option.label);
-  }
-  info.default_value = info.options[static_cast<size_t>(p.value)];
-  return info;
+  return describe_choice(p.name, p.label, p.doc, Options<E>::kOptions, static_cast<size_t>(p.value));
 }
 
-inline ParameterInfo describe(const Text& p) {
-  ParameterInfo info;
-  info.name = p.name, info.label = p.label, info.doc = p.doc;
-  info.type = ParameterType::choice;
-  info.accepts_text = p.accepts;
-  for (const Option& option : p.offered) {
-    info.options.emplace_back(option.name);
-    info.option_labels.emplace_back(option.label);
+template <class P>
+void append_description(const P& p, std::vector<ParameterInfo>& infos) {
+  if constexpr (std::is_same_v<P, Triple>) {
+    for (int i = 0; i < 3; ++i) {
+      infos.push_back(describe(p.component(i)));
+      infos.back().name = p.component_name(i);
+    }
+  } else {
+    infos.push_back(describe(p));
   }
-  info.default_value = p.value;
-  return info;
 }
 
-// The value must have been checked against the description before.
+// One description for each parameter of a tuple of references, three for a Triple.
+template <class... P>
+std::vector<ParameterInfo> describe_all(const std::tuple<P...>& parameters) {
+  std::vector<ParameterInfo> infos;
+  std::apply([&](const auto&... p) { (append_description(p, infos), ...); }, parameters);
+  return infos;
+}
+
+// ---- Assignment; the value must have passed `checked_value` or `parse_value`
+
 template <class T>
 void assign(Number<T>& p, const Value& value) {
   if (const auto* i = std::get_if<int64_t>(&value))
@@ -194,23 +223,15 @@ void assign(Choice<E>& p, const Value& value) {
     if (options[i].name == std::get<std::string>(value)) p.value = static_cast<E>(i);
 }
 
-template <class P>
-void append_description(const P& p, std::vector<ParameterInfo>& infos) {
-  if constexpr (std::is_same_v<P, Triple>)
-    for (int part = 0; part < 3; ++part) infos.push_back(describe_part(p, part));
-  else
-    infos.push_back(describe(p));
-}
-
-// Gives the knob, or a part of it, the value if this is its name.
+// Sets the parameter, or a component of it, if `name` is its name; returns whether it is.
 template <class P>
 bool assign_if_named(P& p, std::string_view name, const Value& value) {
   if constexpr (std::is_same_v<P, Triple>) {
-    for (int part = 0; part < 3; ++part) {
-      if (name != std::string(p.name) + Triple::kParts[part]) continue;
-      Number<float> number{p.name, p.label, 0, p.range, p.doc};
-      assign(number, value);
-      p.value[part] = number.value;
+    for (int i = 0; i < 3; ++i) {
+      if (name != p.component_name(i)) continue;
+      Number<float> component = p.component(i);
+      assign(component, value);
+      p.value[i] = component.value;
       return true;
     }
     return false;
@@ -221,20 +242,10 @@ bool assign_if_named(P& p, std::string_view name, const Value& value) {
   }
 }
 
-// The description of every knob in a tuple of references to knobs; default_value is the value that each has now.
+// Sets the parameter of this name in a tuple of references; false if there is none.
 template <class... P>
-std::vector<ParameterInfo> describe_all(const std::tuple<P...>& knobs) {
-  std::vector<ParameterInfo> infos;
-  std::apply([&](const auto&... p) { (append_description(p, infos), ...); }, knobs);
-  return infos;
+bool assign_by_name(const std::tuple<P...>& parameters, std::string_view name, const Value& value) {
+  return std::apply([&](auto&... p) { return (assign_if_named(p, name, value) || ...); }, parameters);
 }
-
-// Gives the knob called `name` a value that was checked; false if there is no such knob.
-template <class... P>
-bool assign_by_name(const std::tuple<P...>& knobs, std::string_view name, const Value& value) {
-  return std::apply([&](auto&... p) { return (assign_if_named(p, name, value) || ...); }, knobs);
-}
-
-const ParameterInfo* find_parameter(std::span<const ParameterInfo> infos, std::string_view name);
 
 }  // namespace etendue

@@ -5,7 +5,7 @@
 namespace etendue {
 namespace {
 
-// The sum in double: a million small weights beside a large one must keep their share.
+// Summed in double precision, so that many small weights are not lost beside a large one.
 double sum_of(std::span<const float> weights) { return std::accumulate(weights.begin(), weights.end(), 0.0); }
 
 }  // namespace
@@ -32,10 +32,10 @@ AliasTable::AliasTable(std::span<const float> weights) : bins_(weights.size()) {
       small.push_back(l);
     }
   }
-  // Whatever is left is full up to rounding. An index of weight zero must never be left here with itself as its alias.
+  // The remaining bins are full up to rounding. None of them has weight zero, since the mass left over is their number.
   for (const auto* rest : {&small, &large})
     for (const uint32_t i : *rest) {
-      bins_[i].threshold = bins_[i].probability > 0 ? 1.0f : 0.0f;
+      bins_[i].threshold = 1;
       bins_[i].alias = i;
     }
 }
@@ -56,7 +56,7 @@ Piecewise1D::Piecewise1D(std::span<const float> values)
   guide_.reserve(buckets + 1);
   uint32_t cell = 0;
   for (size_t i = 0; i <= buckets; ++i) {
-    // Leaves room for what rounding does to the product that looks it up.
+    // A little below i / buckets, because the lookup multiplies in float precision and may round up.
     const float u = (static_cast<float>(i) - 0.01f) / static_cast<float>(buckets);
     while (cell + 1 < values_.size() && cdf_[cell + 1] <= u) ++cell;
     guide_.push_back(cell);

@@ -1,5 +1,6 @@
-// Piecewise constant distributions: choosing one of many (a light by its power), a point on [0,1) or in [0,1)^2
-// (an environment map by its luminance).
+// Sampling of piecewise constant distributions
+//
+// Discrete (a light, by its power), over [0, 1) and over [0, 1)^2 (an environment map, by its luminance).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,16 +10,16 @@
 
 namespace etendue {
 
-// Chooses an index with probability proportional to its weight in O(1): Vose's alias table, 1991.
+// Samples an index with probability proportional to its weight in constant time: alias method [Vose 1991].
 class AliasTable {
  public:
   struct Choice {
     uint32_t index;
-    float probability;  // pdf_discrete
+    float probability;
   };
 
   AliasTable() = default;
-  // Weights must be finite and not negative. If all are zero every index is equally likely.
+  // Weights must be finite and not negative. If all are zero, all indices are equally likely.
   explicit AliasTable(std::span<const float> weights);
 
   bool empty() const { return bins_.empty(); }
@@ -40,7 +41,7 @@ class AliasTable {
   std::vector<Bin> bins_;
 };
 
-// A density on [0,1) that is constant on n equal cells.
+// A density on [0, 1) that is constant on n cells of equal width.
 class Piecewise1D {
  public:
   struct Sample {
@@ -49,8 +50,10 @@ class Piecewise1D {
   };
 
   Piecewise1D() = default;
+  // The density is proportional to `values`, which must be finite and not negative; if all are zero, it is uniform.
   explicit Piecewise1D(std::span<const float> values);
 
+  // The mean of the values given, which is the integral of the function over [0, 1).
   float integral() const { return integral_; }
   size_t size() const { return values_.size(); }
   Sample sample(float u) const;
@@ -58,11 +61,14 @@ class Piecewise1D {
 
  private:
   std::vector<float> values_, cdf_;
-  std::vector<uint32_t> guide_;  // the cell where each of as many equal parts of the random number starts (Chen 1974)
+  // Guide table [Chen and Asau 1974]: entry i is the cell that contains the random number i / (guide_.size() - 1), so
+  // that the search of a cell starts close to it.
+  std::vector<uint32_t> guide_;
   float integral_ = 0;
 };
 
-// A density on [0,1)^2 that is constant on cells: a marginal over rows, then a conditional along the row.
+// A density on [0, 1)^2 that is constant on the cells of a grid: marginal density of the row times the conditional
+// density along the row.
 class Piecewise2D {
  public:
   struct Sample {
@@ -71,7 +77,7 @@ class Piecewise2D {
   };
 
   Piecewise2D() = default;
-  // `values` holds height rows of width cells; v = 0 is the first row.
+  // `values` holds `height` rows of `width` cells; the first row is at v = 0.
   Piecewise2D(std::span<const float> values, int width, int height);
 
   bool empty() const { return rows_.empty(); }

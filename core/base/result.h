@@ -1,4 +1,4 @@
-// Errors at a boundary (files, arguments) are values that a user can act on. A broken invariant inside is an assert.
+// Errors of files and arguments, returned as values. Violations of internal invariants are assertions instead.
 #pragma once
 #include <cassert>
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace etendue {
 
-// What kind of thing went wrong decides the exit code of the command line.
+// The kind of an error; the value is the exit code of the command line program.
 enum class Fault { usage = 2, input = 3, output = 4, interrupted = 130 };
 
-// `message` reads "FILE: what is wrong, where, and what would be right".
+// `message` reads "FILE: what is wrong, where, and what would be right", without a full stop.
 struct Error {
   Fault fault = Fault::input;
   std::string message;
@@ -21,7 +21,7 @@ inline Error usage_error(std::string message) { return {Fault::usage, std::move(
 inline Error input_error(std::string message) { return {Fault::input, std::move(message)}; }
 inline Error output_error(std::string message) { return {Fault::output, std::move(message)}; }
 
-// A value or the error that prevented it.
+// A value, or the error that occurred instead. Reading the value of an error throws std::bad_variant_access.
 template <class T>
 class [[nodiscard]] Result {
  public:

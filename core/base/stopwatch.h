@@ -1,4 +1,4 @@
-// Adds up the time that some part of the work takes, for whoever asks what it costs. Of one thread.
+// Measures the total time of a part of the work on one thread.
 #pragma once
 #include <chrono>
 
@@ -10,7 +10,7 @@ class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(total_).count(); }
 
-  // Lets the watch run for its life. Without a watch nothing is measured.
+  // Adds its lifetime to a stopwatch. With a null pointer it measures nothing.
   class Lap {
    public:
     explicit Lap(Stopwatch* watch) : watch_(watch) {

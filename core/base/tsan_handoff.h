@@ -1,9 +1,9 @@
-// What a thread did before it gave work to a task library, said in the language's own terms.
+// Tells ThreadSanitizer that a task starts after the code that submitted it.
 //
-// TBB orders the giver before the taker by means that a thread sanitizer does not see, as the library is not compiled
-// with one. `take` has to come before anything of the task is read, even a captured reference: a handover is therefore
-// a static variable. Ends need none, because ~task_group loads, in code that is compiled here, what the last task
-// stored.
+// TBB synchronises the two threads, but ThreadSanitizer does not see this, because the library is not instrumented. The
+// submitting thread calls `release`, the task calls `acquire` before it reads anything, even a captured reference. A
+// TsanHandoff is therefore a static variable. The end of a task needs none: ~task_group is compiled with the program
+// and loads what the last task stored.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace etendue {
 
 class TsanHandoff {
  public:
-  void give() { given_.fetch_add(1, std::memory_order_release); }
-  void take() const { static_cast<void>(given_.load(std::memory_order_acquire)); }
+  void release() { releases_.fetch_add(1, std::memory_order_release); }
+  void acquire() const { static_cast<void>(releases_.load(std::memory_order_acquire)); }
 
  private:
-  std::atomic<uint64_t> given_{0};
+  std::atomic<uint64_t> releases_{0};
 };
 
 }  // namespace etendue

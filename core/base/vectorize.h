@@ -1,13 +1,13 @@
-// Loops over many paths at once, on the widest registers that the machine has.
+// Support for loops that the compiler vectorises over many paths.
 //
-// A function marked ETENDUE_WIDE is compiled for several instruction sets, and the program takes the best one when it
-// starts. Every one of them gives the same bits: products and sums are never fused.
+// A function marked ETENDUE_VECTORIZE is compiled for several instruction sets; the dynamic linker selects the best one
+// at program start. All versions give the same bits, because multiplications and additions are never fused.
 #pragma once
 #include <array>
 
 #include "base/vec.h"
 
-// The linker's choice of a version runs before a thread sanitizer is ready.
+// Disabled with ThreadSanitizer: the linker selects the version before the sanitizer is initialised.
 #if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
 #define ETENDUE_VECTORIZE [[gnu::target_clones("default", "avx2", "avx512f"), gnu::flatten]]
 #else
@@ -16,31 +16,42 @@
 
 namespace etendue {
 
-// Loops run over whole registers: what lies beyond the last element that counts is computed for nothing, and arrays
-// have room for it.
-inline constexpr size_t kWidest = 16;
-constexpr size_t whole_registers(size_t count) { return (count + kWidest - 1) / kWidest * kWidest; }
+// The number of floats in the widest vector register.
+inline constexpr size_t kMaxLanes = 16;
 
-// Vectors number by number.
+// `count` rounded up to whole registers. Vectorised loops run over padded_lanes(count) elements; their arrays must have
+// that size, and the results beyond `count` are unused.
+constexpr size_t padded_lanes(size_t count) { return (count + kMaxLanes - 1) / kMaxLanes * kMaxLanes; }
+
+// N vectors in structure-of-arrays layout.
 template <size_t N>
 struct Vec3Lanes {
   alignas(64) std::array<float, N> x, y, z;
 
-  void set(size_t i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  void set(size_t i, const Vec3& v) {
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
+  }
   Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-struct WideVec3View {
+// Pointers to the three arrays of vectors in structure-of-arrays layout.
+struct Vec3LanesView {
   float *x, *y, *z;
 
-  WideVec3View(float* x_, float* y_, float* z_) : x(x_), y(y_), z(z_) {}
+  Vec3LanesView(float* x_, float* y_, float* z_) : x(x_), y(y_), z(z_) {}
   template <size_t N>
-  WideVec3View(Vec3Lanes<N>& v)  // NOLINT(google-explicit-constructor)
-      : WideVec3View(v.x.data(), v.y.data(), v.z.data()) {}
+  Vec3LanesView(Vec3Lanes<N>& v)  // NOLINT(google-explicit-constructor)
+      : Vec3LanesView(v.x.data(), v.y.data(), v.z.data()) {}
 
-  void set(size_t i, const Vec3& v) const { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  void set(size_t i, const Vec3& v) const {
+    x[i] = v.x;
+    y[i] = v.y;
+    z[i] = v.z;
+  }
   Vec3 operator[](size_t i) const { return {x[i], y[i], z[i]}; }
-  WideVec3View operator+(size_t n) const { return {x + n, y + n, z + n}; }
+  Vec3LanesView operator+(size_t n) const { return {x + n, y + n, z + n}; }
 };
 
 }  // namespace etendue

@@ -1,6 +1,7 @@
-// The types behind AllLobes (all_lobes.h): every lobe of glTF's extensions and of the registered BSDF models.
+// The lobe types inside AllLobes (all_lobes.h): those of the glTF extensions and of the registered BSDF models.
 //
-// Only files that put lobes together or implement AllLobes include this header.
+// Included only by files that add lobes to an AllLobes or implement it: they are the ones that an edited BSDF model
+// recompiles.
 #pragma once
 #include "bsdf/all_lobes.h"
 #include "bsdf/coating_layers.h"
@@ -14,19 +15,23 @@
 
 namespace etendue {
 
-// Layers of glTF's extensions.
+// The lobes of the glTF extensions that StandardLobe lacks.
 template <class Color>
-using LayerLobes = std::tuple<Clearcoat<Color>, Sheen<Color>, DiffuseTransmission<Color, FilmFresnel<Color>>,
-                              Layered<Color, FilmFresnel<Color>>, ThinTransmission<Color, FilmFresnel<Color>>,
-                              Dielectric<Color, TintedBoundary<Color>>>;
+using GltfExtensionLobes =
+    std::tuple<Clearcoat<Color>, Sheen<Color>, DiffuseTransmission<Color, FilmFresnel<Color>>,
+               MetallicRoughness<Color, FilmFresnel<Color>>, ThinTransmission<Color, FilmFresnel<Color>>,
+               Dielectric<Color, TintedBoundary<Color>>>;
 
 template <class Color, class... Model>
-auto every_lobe(TypeList<Model...>) ->
-    typename UniqueVariant<StandardLobe<Color>, LayerLobes<Color>, typename Model::template Lobes<Color>...>::type;
+auto every_lobe(TypeList<Model...>) -> typename UniqueVariant<StandardLobe<Color>, GltfExtensionLobes<Color>,
+                                                              typename Model::template Lobes<Color>...>::type;
 
+// A variant of all of them, each type once.
 template <class Color>
 using AnyLobe = decltype(every_lobe<Color>(BsdfModels{}));
 
+// Five lobes are enough: base, diffuse transmission, specular transmission, sheen, clear coat. BSDF models use at most
+// four.
 template <class Color>
 using AnyLobeSet = LobeSet<Color, AnyLobe<Color>, 5, CoatingLayers>;
 

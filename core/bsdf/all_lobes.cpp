@@ -8,7 +8,7 @@ namespace etendue {
 
 struct AllLobesAccess {
   using Set = AnyLobeSet<Rgb>;
-  // Copies of an AllLobes copy the bytes of its set.
+  // Copying an AllLobes copies the bytes of its set.
   static_assert(std::is_trivially_copyable_v<Set> && std::is_trivially_destructible_v<Set>);
   static_assert(sizeof(Set) <= AllLobes<Rgb>::kBytes && alignof(Set) <= AllLobes<Rgb>::kAlignment);
 
@@ -26,36 +26,36 @@ AllLobes<Rgb>::AllLobes() { AllLobesAccess::create(*this); }
 void AllLobes<Rgb>::clear() { lobe_set(*this).clear(); }
 bool AllLobes<Rgb>::empty() const { return lobe_set(*this).empty(); }
 int AllLobes<Rgb>::size() const { return lobe_set(*this).size(); }
-bool AllLobes<Rgb>::has_non_delta() const { return lobe_set(*this).has_non_delta(); }
-float AllLobes<Rgb>::alpha() const { return lobe_set(*this).alpha(); }
-bool AllLobes<Rgb>::scatters(Scatter letter) const { return lobe_set(*this).scatters(letter); }
-Rgb AllLobes<Rgb>::eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+bool AllLobes<Rgb>::has_non_delta_lobe() const { return lobe_set(*this).has_non_delta_lobe(); }
+float AllLobes<Rgb>::min_alpha() const { return lobe_set(*this).min_alpha(); }
+bool AllLobes<Rgb>::has_component(ScatterType type) const { return lobe_set(*this).has_component(type); }
+Rgb AllLobes<Rgb>::eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).eval(wo, wi, mode);
 }
-Rgb AllLobes<Rgb>::eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
-  return lobe_set(*this).eval_part(letter, wo, wi, mode);
+Rgb AllLobes<Rgb>::eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+  return lobe_set(*this).eval_component(type, wo, wi, mode);
 }
-float AllLobes<Rgb>::pdf(const Vec3& wo, const Vec3& wi, Transport mode) const {
+float AllLobes<Rgb>::pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
   return lobe_set(*this).pdf(wo, wi, mode);
 }
-bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Rgb>& s) const {
-  return lobe_set(*this).sample(wo, draw, mode, s);
+bool AllLobes<Rgb>::sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Rgb>& s) const {
+  return lobe_set(*this).sample(wo, random, mode, s);
 }
-void AllLobes<Rgb>::add_deltas(const Vec3& wo, Transport mode, Deltas<Rgb>& deltas) const {
+void AllLobes<Rgb>::add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Rgb>& deltas) const {
   lobe_set(*this).add_deltas(wo, mode, deltas);
 }
 
-bool is_directed(const AllLobes<Rgb>& lobes) {
+bool depends_on_azimuth(const AllLobes<Rgb>& lobes) {
   const auto turned = [](const Vec3& w, float phi) {
     return Vec3(std::cos(phi) * w.x - std::sin(phi) * w.y, std::sin(phi) * w.x + std::cos(phi) * w.y, w.z);
   };
-  const Vec3 o = glm::normalize(Vec3(0.5f, 0.1f, 0.7f));
+  const Vec3 wo = glm::normalize(Vec3(0.5f, 0.1f, 0.7f));
   for (const Vec3& to : {Vec3(-0.5f, -0.1f, 0.7f), Vec3(-0.3f, -0.3f, 0.7f), Vec3(0.4f, 0.3f, 0.5f)})
     for (const float phi : {0.7f, 1.6f, 3.5f}) {
-      const Vec3 i = glm::normalize(to);
-      const float straight = average(lobes.eval(o, i, Transport::radiance));
-      const float after = average(lobes.eval(turned(o, phi), turned(i, phi), Transport::radiance));
-      if (std::abs(straight - after) > 1e-2f * std::max(straight, after) + 1e-4f) return true;
+      const Vec3 wi = glm::normalize(to);
+      const float f = average(lobes.eval(wo, wi, TransportMode::radiance));
+      const float f_turned = average(lobes.eval(turned(wo, phi), turned(wi, phi), TransportMode::radiance));
+      if (std::abs(f - f_turned) > 1e-2f * std::max(f, f_turned) + 1e-4f) return true;
     }
   return false;
 }

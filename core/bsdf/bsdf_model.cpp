@@ -23,14 +23,15 @@ const BsdfModelInfo& info_of() {
 }
 
 template <class Model>
-constexpr bool is_solid() {
+constexpr bool encloses_solid() {
   return requires { Model::kSolid; };
 }
 
 template <class Model>
 class BsdfModelOf final : public BsdfModel {
  public:
-  explicit BsdfModelOf(const Model& model = {}, bool ready = !kPrepares) : model_(model), ready_(ready) {}
+  explicit BsdfModelOf(const Model& model = {}, bool is_prepared = !kNeedsPreparation)
+      : model_(model), is_prepared_(is_prepared) {}
 
   const BsdfModelInfo& info() const override { return info_of<Model>(); }
   std::vector<ParameterInfo> parameters() const override {
@@ -39,48 +40,48 @@ class BsdfModelOf final : public BsdfModel {
   }
   std::shared_ptr<const BsdfModel> with(std::string_view name, const Value& value) const override {
     Model changed = model_;
-    [[maybe_unused]] const bool known = assign_by_name(changed.parameters(), name, value);
-    assert(known);
+    [[maybe_unused]] const bool exists = assign_by_name(changed.parameters(), name, value);
+    assert(exists);
     return std::make_shared<BsdfModelOf>(changed);
   }
   std::shared_ptr<const BsdfModel> prepared() const override {
-    return ready_ ? nullptr : std::make_shared<BsdfModelOf>(ready_model(), true);
+    return is_prepared_ ? nullptr : std::make_shared<BsdfModelOf>(prepared_model(), true);
   }
   void add_lobes(const Rgb& base, AllLobes<Rgb>& lobes) const override {
-    if (ready_)
+    if (is_prepared_)
       model_.add_lobes(base, lobe_set(lobes));
     else
-      ready_model().add_lobes(base, lobe_set(lobes));
+      prepared_model().add_lobes(base, lobe_set(lobes));
   }
-  void sketch(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
-  bool solid() const override { return is_solid<Model>(); }
+  void add_unprepared_lobes(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
+  bool is_solid() const override { return encloses_solid<Model>(); }
 
  private:
-  static constexpr bool kPrepares = requires(Model model) { model.prepare(); };
+  static constexpr bool kNeedsPreparation = requires(Model model) { model.prepare(); };
 
-  Model ready_model() const {
+  Model prepared_model() const {
     Model copy = model_;
-    if constexpr (kPrepares) copy.prepare();
+    if constexpr (kNeedsPreparation) copy.prepare();
     return copy;
   }
 
   Model model_;
-  bool ready_;
+  bool is_prepared_;
 };
 
-struct Entry {
+struct RegistryEntry {
   const BsdfModelInfo* info;
   std::shared_ptr<const BsdfModel> (*make)();
 };
 
 template <class... Model>
-std::vector<Entry> entries_of(TypeList<Model...>) {
+std::vector<RegistryEntry> entries_of(TypeList<Model...>) {
   return {{&info_of<Model>(),
            []() -> std::shared_ptr<const BsdfModel> { return std::make_shared<BsdfModelOf<Model>>(); }}...};
 }
 
-const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all = entries_of(BsdfModels{});
+const std::vector<RegistryEntry>& entries() {
+  static const std::vector<RegistryEntry> all = entries_of(BsdfModels{});
   return all;
 }
 
@@ -109,12 +110,12 @@ std::shared_ptr<const BsdfModel> make_bsdf_model(std::string_view name) {
 
 std::string_view preset_of(const BsdfModel& model) {
   const auto parameters = model.parameters();
-  const auto has = [&](const std::pair<std::string, Value>& setting) {
+  const auto has_value = [&](const std::pair<std::string, Value>& setting) {
     const ParameterInfo* p = find_parameter(parameters, setting.first);
     return p && p->default_value == setting.second;
   };
   for (const ModelPreset& preset : model.info().presets)
-    if (std::all_of(preset.values.begin(), preset.values.end(), has)) return preset.name;
+    if (std::all_of(preset.values.begin(), preset.values.end(), has_value)) return preset.name;
   return kNoPreset;
 }
 
@@ -128,9 +129,9 @@ std::shared_ptr<const BsdfModel> with_preset(std::shared_ptr<const BsdfModel> mo
 bool operator==(const BsdfModelRef& a, const BsdfModelRef& b) {
   if (a.model == b.model) return true;
   if (!a.model || !b.model || &a->info() != &b->info()) return false;
-  const auto of_a = a->parameters(), of_b = b->parameters();
-  for (size_t i = 0; i < of_a.size(); ++i)
-    if (of_a[i].default_value != of_b[i].default_value) return false;
+  const auto parameters_a = a->parameters(), parameters_b = b->parameters();
+  for (size_t i = 0; i < parameters_a.size(); ++i)
+    if (parameters_a[i].default_value != parameters_b[i].default_value) return false;
   return true;
 }
 

@@ -1,18 +1,20 @@
-// Reflection models: what a surface does with light where glTF's own description is not asked.     thesis 4.2.2.5
+// BSDF models of the literature, which a material can use instead of the glTF surface.           [Lang, sec. 4.2.2.5]
 //
-// A model is a struct of knobs (base/parameter.h) in a file of its own under models/. It has a `kDescription`, names
-// the types of its lobes,
+// A model is a struct of parameters (base/parameter.h) in a header of its own under models/. It defines
 //
-//   template <class Color> using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;
+//   static constexpr BsdfModelDescription kDescription{...};
+//   template <class Color> using Lobes = std::tuple<Lambert<Color>, CosinePower<Color>>;   // the lobe types it adds
+//   auto parameters();                                                                     // std::tie of its
+//   parameters template <class LobeSet> void add_lobes(const Rgb& base, LobeSet& lobes) const;
 //
-// and puts them into a mix for a base colour, which is that of the material with its texture and the colour of
-// vertices:
+// and is registered by one line of model_registry.h. `base` is the base colour at the point: that of the material times
+// its texture and the vertex colour. Optional members:
 //
-//   template <class Mix> void add_lobes(const Rgb& base, Mix& lobes) const;
+//   static std::vector<ModelPreset> presets();   named sets of parameter values
+//   void prepare();                              precomputes tables; see BsdfModel::prepared
+//   static constexpr bool kSolid = true;         light passes through the surface into a solid body
 //
-// It is registered by one line of models.h. Models are immutable values: an edit is another one. What takes long to
-// find from the knobs, a table for example, is found by `void prepare()`: not while a hand turns them, but once before
-// `add_lobes` runs at every vertex.
+// Models are immutable values: editing a parameter creates another model.
 #pragma once
 #include <memory>
 #include <string>
@@ -33,8 +35,9 @@ struct BsdfModelInfo {
   std::vector<ModelPreset> presets;
 };
 
-// All models, in the order of the thesis.
+// All models, in the order of the registry.
 const std::vector<BsdfModelInfo>& bsdf_model_infos();
+// Null if no model has this name.
 const BsdfModelInfo* find_bsdf_model(std::string_view name);
 
 class BsdfModel {
@@ -42,18 +45,21 @@ class BsdfModel {
   virtual ~BsdfModel() = default;
 
   virtual const BsdfModelInfo& info() const = 0;
-  // Those of `info` with the values they have here as defaults.
+  // The parameters of `info`, with the values of this model as defaults.
   virtual std::vector<ParameterInfo> parameters() const = 0;
-  // Another one; the name must be a parameter's, and the value have been checked against its description.
+  // A copy with one parameter changed. The model must have the parameter, and the value must have been checked against
+  // its description.
   virtual std::shared_ptr<const BsdfModel> with(std::string_view name, const Value& value) const = 0;
-  // The same model, for whose `add_lobes` everything is ready; that may take a second. Null if it is so already.
+  // A copy with precomputed tables, so that `add_lobes` is fast; this can take a second. Null if nothing needs to be
+  // precomputed.
   virtual std::shared_ptr<const BsdfModel> prepared() const = 0;
-  // Of a model that was not prepared, in a copy that is.
+  // Adds the lobes of the model. A model that is not prepared precomputes its tables at every call.
   virtual void add_lobes(const Rgb& base, AllLobes<Rgb>& lobes) const = 0;
-  // At once, without what takes long to find: enough to tell mirrors and directed surfaces from others.
-  virtual void sketch(AllLobes<Rgb>& lobes) const = 0;
-  // Light passes through it into a solid body, whose colour is the material's attenuation.
-  virtual bool solid() const = 0;
+  // Adds the lobes that need no precomputed tables, for a white base colour: enough to find out whether the model has
+  // lobes other than deltas and whether it is anisotropic.
+  virtual void add_unprepared_lobes(AllLobes<Rgb>& lobes) const = 0;
+  // Light passes through the surface into a solid body, which the material's attenuation describes.
+  virtual bool is_solid() const = 0;
 
  protected:
   BsdfModel() = default;
@@ -61,16 +67,16 @@ class BsdfModel {
   BsdfModel& operator=(const BsdfModel&) = default;
 };
 
-// A model with its default parameters; null if there is none of this name.
+// A model with its default parameters; null if no model has this name.
 std::shared_ptr<const BsdfModel> make_bsdf_model(std::string_view name);
 
-// The name of the preset that the model's parameters are, or kNoPreset.
+// The name of the preset whose values the model's parameters have, or kNoPreset.
 inline constexpr const char* kNoPreset = "none";
 std::string_view preset_of(const BsdfModel& model);
-// The model with the values of a preset; an unknown name leaves it as it is.
+// The model with the values of a preset; unchanged if no preset has this name.
 std::shared_ptr<const BsdfModel> with_preset(std::shared_ptr<const BsdfModel> model, std::string_view preset);
 
-// A material's model: none is glTF's own surface. Equal if name and parameters are.
+// The model of a material; null stands for the glTF surface. Two are equal if their names and parameters are.
 struct BsdfModelRef {
   std::shared_ptr<const BsdfModel> model = nullptr;
 

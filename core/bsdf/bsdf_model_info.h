@@ -1,4 +1,4 @@
-// What a reflection model says about itself.
+// The description of a BSDF model: what menus, `etendue list materials` and the generated manual print.
 #pragma once
 #include <array>
 #include <string>
@@ -10,24 +10,30 @@
 
 namespace etendue {
 
-// The classes of thesis 4.2.2.5, by which menus are grouped.
+// The classes by which menus group models [Lang, sec. 4.2.2.5].
 enum class ModelClass : uint8_t { idealised, phenomenological, physical, measured };
 
+// Texts are plain ASCII. Formulas use wo, wi for directions, h for the half vector, cos_o, cos_i, cos_h for their
+// cosines to the normal, <a, b> for dot products, r for the mirror direction of wo.
 struct BsdfModelDescription {
-  const char* name;   // as commands know it
-  const char* label;  // as menus show it
-  ModelClass kind;
-  const char* doc;       // the formula and where it comes from, in two or three sentences
-  const char* sampling;  // how directions are drawn
+  const char* name = "";   // identifier in commands and files, e.g. "ward"
+  const char* label = "";  // shown in menus
+  ModelClass model_class = ModelClass::phenomenological;
+  const char* summary = "";      // one or two sentences
+  const char* formula = "";      // lines are separated by \n
+  const char* properties = "";   // reciprocity and energy conservation
+  const char* sampling = "";     // how directions are sampled
+  const char* limitations = "";  // known deviations from physics or from the source
+  const char* source = "";       // keys of docs/references.md
 };
 
-// Values for several parameters at once that have a name of their own.
+// A named set of parameter values, such as the optical constants of a metal.
 struct ModelPreset {
   std::string name, label, source;
   std::vector<std::pair<std::string, Value>> values;
 };
 
-inline Rgb rgb_of(const Triple& knob) { return {knob.value.x, knob.value.y, knob.value.z}; }
+inline Rgb rgb_of(const Triple& parameter) { return {parameter.value.x, parameter.value.y, parameter.value.z}; }
 
 }  // namespace etendue
 

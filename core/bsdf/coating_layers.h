@@ -1,9 +1,10 @@
-// Layers over lobes: what is left of the light that passes them twice, on its way in and on its way out.
+// Layers over lobes: the light that a layer leaves to the lobes below it, on the way in and on the way out.
 //
-//   f = f_below (1 - max(a(o), a(i))) + f_layer
+//   f = f_below (1 - max(a(wo), a(wi))) + f_layer
 //
-// where a is what the layer itself keeps or sends back of the light of one direction: as KHR_materials_sheen has it,
-// and for KHR_materials_clearcoat in place of the viewer's angle alone, so that f stays reciprocal.
+// a(w) is the directional albedo of the layer: the part of light from w that it reflects or absorbs.
+// KHR_materials_sheen defines this formula. KHR_materials_clearcoat uses a(wo) alone; the maximum of both keeps f
+// reciprocal.
 #pragma once
 #include <array>
 #include <variant>
@@ -14,40 +15,44 @@
 
 namespace etendue {
 
+// A dielectric layer with a normal of its own, given in the shading frame.
 struct DielectricCoating {
   Vec3 normal{0, 0, 1};
   float strength = 0;
-  float f0 = 0, f90 = 0;  // what it keeps under a right angle and at grazing ones, by Schlick's weight
+  float f0 = 0, f90 = 0;  // reflectance at normal and at grazing incidence [Schlick 1994]
 
-  float kept(const Vec3& w) const {
+  float albedo(const Vec3& w) const {
     return strength * (f0 + (f90 - f0) * schlick_weight(std::abs(glm::dot(normal, w))));
   }
 };
 
+// At most two layers, each over the lobes that were added before it.
 class CoatingLayers {
  public:
   static constexpr bool kAny = true;
   using Layer = std::variant<DielectricCoating, SheenCoating>;
 
-  // A layer over the first so many lobes.
-  void add(int lobes, const Layer& layer) {
+  // Puts a layer over lobes 0 .. lobe_count - 1.
+  void add(int lobe_count, const Layer& layer) {
     const auto slot = static_cast<size_t>(count_++);
-    layers_[slot] = layer, covered_[slot] = lobes;
+    layers_[slot] = layer;
+    covered_lobes_[slot] = lobe_count;
   }
 
-  float passed(int lobe, const Vec3& o, const Vec3& i) const {
+  // The part of the light of this lobe that the layers above it let through, from 0 to 1.
+  float transmittance(int lobe, const Vec3& wo, const Vec3& wi) const {
     float part = 1;
     for (size_t k = 0; k < static_cast<size_t>(count_); ++k)
-      if (lobe < covered_[k])
-        part *= std::visit([&](const auto& l) { return 1 - std::max(l.kept(o), l.kept(i)); }, layers_[k]);
+      if (lobe < covered_lobes_[k])
+        part *= std::visit([&](const auto& l) { return 1 - std::max(l.albedo(wo), l.albedo(wi)); }, layers_[k]);
     return part;
   }
 
  private:
-  static constexpr int kMost = 2;
+  static constexpr int kMaxLayers = 2;
 
-  std::array<Layer, kMost> layers_;
-  std::array<int, kMost> covered_{};
+  std::array<Layer, kMaxLayers> layers_;
+  std::array<int, kMaxLayers> covered_lobes_{};
   int count_ = 0;
 };
 

@@ -1,4 +1,10 @@
-// Mixes of lobes: the sum of a few, of which one is sampled at a time.
+// A BSDF as a sum of lobes, stored by value.
+//
+//   f = sum of T_k f_k
+//
+// f_k is lobe k. T_k is the part of its light that the coating layers above it transmit, 1 without layers. Sampling
+// selects one lobe with probability p_k, in proportion to its sampling_weight, and draws a direction from it. The
+// density of a direction that is not a delta is the mixture sum of p_k pdf_k, whichever lobe generated it.
 #pragma once
 #include <array>
 #include <variant>
@@ -6,7 +12,7 @@
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric.h"
 #include "bsdf/lobes/lambert.h"
-#include "bsdf/lobes/layered.h"
+#include "bsdf/lobes/metallic_roughness.h"
 #include "bsdf/lobes/thin_transmission.h"
 
 namespace etendue {
@@ -19,7 +25,8 @@ decltype(auto) visit_from(F&& f, const Variant& lobe) {
     return lobe.index() == first ? f(*std::get_if<first>(&lobe)) : visit_from<first + 1>(f, lobe);
 }
 
-// Calls f with the lobe that the variant holds: a switch, however many types there are.
+// Calls f with the lobe that the variant holds. libstdc++ inlines std::visit as a switch for up to 11 alternatives;
+// beyond that it calls through a table, and a chain of comparisons is faster.
 template <class F, class... L>
 decltype(auto) visit_lobe(F&& f, const std::variant<L...>& lobe) {
   if constexpr (sizeof...(L) <= 11)
@@ -28,96 +35,112 @@ decltype(auto) visit_lobe(F&& f, const std::variant<L...>& lobe) {
     return visit_from<0>(f, lobe);
 }
 
-// How wide the glossy part of a lobe is: the slope of its facets, or what looks alike. 1 for a lobe without any.
+// The width of the glossy part of a lobe as an equivalent microfacet roughness alpha; 1 for a lobe without a glossy
+// part, 0 for deltas.
 template <class Lobe>
-float slope_of(const Lobe& lobe) {
-  if constexpr (requires { lobe.slope(); })
-    return lobe.slope();
+float alpha_of(const Lobe& lobe) {
+  if constexpr (requires { lobe.alpha(); })
+    return lobe.alpha();
   else if constexpr (requires { lobe.facets; })
     return std::max(lobe.facets.alpha_x, lobe.facets.alpha_y);
   else
     return 1.0f;
 }
 
-// Of a mix in which nothing lies over anything else.
+template <class Variant, class Color>
+inline constexpr bool kAreLobes = false;
+template <class... L, class Color>
+inline constexpr bool kAreLobes<std::variant<L...>, Color> = (LobeFor<L, Color> && ...);
+
+// For sets without coating layers (coating_layers.h).
 struct NoCoatingLayers {
   static constexpr bool kAny = false;
 };
 
-// At most kMost lobes; Lobe is a variant of their types. Covers are layers over some of the lobes, of whose light they
-// take a part: `passed(i, wo, wi)` is what they leave of that of lobe i.
-template <class ColorType, class Lobe, int kMost, class CoatingLayers = NoCoatingLayers>
+// At most `max_lobes` lobes. Lobe is a std::variant of their types; CoatingLayers attenuates lobes that lie below
+// others.
+template <class ColorType, class Lobe, int max_lobes, class CoatingLayers = NoCoatingLayers>
 class LobeSet {
+  static_assert(kAreLobes<Lobe, ColorType>);
+
  public:
   using Color = ColorType;
-  static constexpr int kMaxLobes = kMost;
 
+  // The set must hold fewer than `max_lobes` lobes.
   void add(const Lobe& lobe) { lobes_[static_cast<size_t>(count_++)] = lobe; }
-  void clear() { count_ = 0, covers_ = {}; }
+  void clear() {
+    count_ = 0;
+    coatings_ = {};
+  }
   bool empty() const { return count_ == 0; }
   int size() const { return count_; }
-  // The lobe, if there is but one and it is of this type.
+  // The lobe of a set that holds exactly one, if it is of this type; else null.
   template <class Type>
-  const Type* only() const {
+  const Type* single_lobe_as() const {
     return count_ == 1 ? std::get_if<Type>(&lobes_[0]) : nullptr;
   }
 
-  // Puts a layer over all lobes that are there.
+  // Puts a layer over all lobes added so far. Lobes that are added later lie above it.
   template <class Layer>
-  void cover(const Layer& layer) {
-    covers_.add(count_, layer);
+  void add_coating(const Layer& layer) {
+    coatings_.add(count_, layer);
   }
 
-  // True if there is a lobe that a light sample can be combined with.
-  bool has_non_delta() const {
+  // Whether light sampling can contribute: some lobe is not a delta.
+  bool has_non_delta_lobe() const {
     for (int i = 0; i < count_; ++i)
       if (!visit(i, [](const auto& l) { return l.is_delta(); })) return true;
     return false;
   }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+  // f, without deltas.
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     return sum(wo, wi, [&](const auto& l) { return l.eval(wo, wi, mode); });
   }
 
-  // What tells narrow lobes from wide ones: the least slope of those that are glossy.
-  float alpha() const {
+  // The smallest equivalent roughness of all lobes, which tells nearly specular surfaces from rough ones.
+  float min_alpha() const {
     float least = 1;
-    for (int i = 0; i < count_; ++i) least = std::min(least, visit(i, [](const auto& l) { return slope_of(l); }));
+    for (int i = 0; i < count_; ++i) least = std::min(least, visit(i, [](const auto& l) { return alpha_of(l); }));
     return least;
   }
 
-  bool scatters(Scatter letter) const {
+  // Whether `eval_component` can differ from 0 for this type.
+  bool has_component(ScatterType type) const {
     for (int i = 0; i < count_; ++i)
-      if (visit(i, [&](const auto& l) { return l.scatters(letter); })) return true;
+      if (visit(i, [&](const auto& l) { return l.has_component(type); })) return true;
     return false;
   }
 
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return sum(wo, wi, [&](const auto& l) { return l.eval_part(letter, wo, wi, mode); });
+  // The part of `eval` of one scattering type.
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return sum(wo, wi, [&](const auto& l) { return l.eval_component(type, wo, wi, mode); });
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const {
-    const Shares shares = lobe_shares(wo);
+  // Density of the mixture per solid angle of wi, without deltas.
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    const Probabilities selection = selection_probabilities(wo);
     float p = 0;
     for (int i = 0; i < count_; ++i)
-      p += shares[static_cast<size_t>(i)] * visit(i, [&](const auto& l) { return l.pdf(wo, wi, mode); });
+      p += selection[static_cast<size_t>(i)] * visit(i, [&](const auto& l) { return l.pdf(wo, wi, mode); });
     return p;
   }
 
-  bool sample(const Vec3& wo, LobeDraw draw, Transport mode, LobeSample<Color>& s) const {
+  // False if the sample is absorbed. s must be default-initialised.
+  bool sample(const Vec3& wo, LobeRandom random, TransportMode mode, LobeSample<Color>& s) const {
     if (count_ == 0) return false;
-    const Shares shares = lobe_shares(wo);
+    const Probabilities selection = selection_probabilities(wo);
     int chosen = 0;
     float below = 0;
-    while (chosen + 1 < count_ && draw.choice >= below + shares[static_cast<size_t>(chosen)])
-      below += shares[static_cast<size_t>(chosen++)];
-    const float share = shares[static_cast<size_t>(chosen)];
-    if (count_ > 1) draw.choice = std::min((draw.choice - below) / share, kOneMinusEpsilon);
-    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, draw, mode, s); })) return false;
+    while (chosen + 1 < count_ && random.choice >= below + selection[static_cast<size_t>(chosen)])
+      below += selection[static_cast<size_t>(chosen++)];
+    const float probability = selection[static_cast<size_t>(chosen)];
+    if (count_ > 1) random.choice = std::min((random.choice - below) / probability, kOneMinusEpsilon);
+    if (!visit(chosen, [&](const auto& l) { return l.sample(wo, random, mode, s); })) return false;
     if (count_ == 1) return true;
     if (s.delta) {
-      s.weight /= share;
-      if constexpr (CoatingLayers::kAny) s.weight *= covers_.passed(chosen, wo, s.wi);
+      s.weight /= probability;
+      if constexpr (CoatingLayers::kAny) s.weight *= coatings_.transmittance(chosen, wo, s.wi);
       return true;
     }
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
@@ -125,20 +148,21 @@ class LobeSet {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
-    const Shares shares = lobe_shares(wo);
+  // Appends the deltas of all lobes.
+  void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Color>& deltas) const {
+    const Probabilities selection = selection_probabilities(wo);
     for (int i = 0; i < count_; ++i) {
       const int first = deltas.count;
       visit(i, [&](const auto& l) { l.add_deltas(wo, mode, deltas); });
       for (auto k = static_cast<size_t>(first); k < static_cast<size_t>(deltas.count); ++k) {
-        deltas.probabilities[k] *= shares[static_cast<size_t>(i)];
-        if constexpr (CoatingLayers::kAny) deltas.lobes[k].weight *= covers_.passed(i, wo, deltas.lobes[k].wi);
+        deltas.probabilities[k] *= selection[static_cast<size_t>(i)];
+        if constexpr (CoatingLayers::kAny) deltas.lobes[k].weight *= coatings_.transmittance(i, wo, deltas.lobes[k].wi);
       }
     }
   }
 
  private:
-  using Shares = std::array<float, kMaxLobes>;
+  using Probabilities = std::array<float, max_lobes>;
 
   template <class F>
   auto visit(int i, F&& f) const {
@@ -150,59 +174,61 @@ class LobeSet {
     Color f(0);
     for (int i = 0; i < count_; ++i) {
       if constexpr (CoatingLayers::kAny)
-        f += visit(i, of_lobe) * covers_.passed(i, wo, wi);
+        f += visit(i, of_lobe) * coatings_.transmittance(i, wo, wi);
       else
         f += visit(i, of_lobe);
     }
     return f;
   }
 
-  Shares lobe_shares(const Vec3& wo) const {
-    Shares shares{1};
-    if (count_ < 2) return shares;
+  // They sum to 1; equal for all lobes if every sampling weight is 0.
+  Probabilities selection_probabilities(const Vec3& wo) const {
+    Probabilities selection{1};
+    if (count_ < 2) return selection;
     float total = 0;
     for (int i = 0; i < count_; ++i)
-      total += shares[static_cast<size_t>(i)] = visit(i, [&](const auto& l) { return l.weight(wo); });
+      total += selection[static_cast<size_t>(i)] = visit(i, [&](const auto& l) { return l.sampling_weight(wo); });
     float rest = 1;
     for (int i = 0; i + 1 < count_; ++i) {
-      float& share = shares[static_cast<size_t>(i)];
-      share = total > 0 ? share / total : 1 / static_cast<float>(count_);
-      rest -= share;
+      float& probability = selection[static_cast<size_t>(i)];
+      probability = total > 0 ? probability / total : 1 / static_cast<float>(count_);
+      rest -= probability;
     }
-    shares[static_cast<size_t>(count_ - 1)] = std::max(rest, 0.0f);
-    return shares;
+    selection[static_cast<size_t>(count_ - 1)] = std::max(rest, 0.0f);
+    return selection;
   }
 
-  std::array<Lobe, kMaxLobes> lobes_;
+  std::array<Lobe, max_lobes> lobes_;
   int count_ = 0;
-  [[no_unique_address]] CoatingLayers covers_;
+  [[no_unique_address]] CoatingLayers coatings_;
 };
 
-// The lobes of glTF's core and of what is as common in its files.
+// The lobes of glTF's core material and of the extensions that are as common: ior, specular, transmission, volume,
+// anisotropy.
 template <class Color>
-using StandardLobe = std::variant<Lambert<Color>, Layered<Color>, Dielectric<Color>, ThinTransmission<Color>>;
+using StandardLobe = std::variant<Lambert<Color>, MetallicRoughness<Color>, Dielectric<Color>, ThinTransmission<Color>>;
 
 template <class Color>
 using StandardLobes = LobeSet<Color, StandardLobe<Color>, 2>;
 
-// A model whose surfaces are all Lambertian pays for nothing else.
+// The lobe set of scenes whose surfaces are all Lambertian: the functions of LobeSet without any selection.
 template <class Color>
 class DiffuseOnly {
  public:
   void add(const Lambert<Color>& lobe) { lobe_ = lobe; }
   void clear() { lobe_.albedo = Color(0); }
   bool empty() const { return is_black(lobe_.albedo); }
-  bool has_non_delta() const { return !empty(); }
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.eval(wo, wi, mode); }
-  bool scatters(Scatter letter) const { return lobe_.scatters(letter); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return lobe_.eval_part(letter, wo, wi, mode);
+  bool has_non_delta_lobe() const { return !empty(); }
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.eval(wo, wi, mode); }
+  bool has_component(ScatterType type) const { return lobe_.has_component(type); }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return lobe_.eval_component(type, wo, wi, mode);
   }
-  float pdf(const Vec3& wo, const Vec3& wi, Transport mode) const { return lobe_.pdf(wo, wi, mode); }
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
-    return lobe_.sample(wo, draw, mode, s);
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode) const { return lobe_.pdf(wo, wi, mode); }
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
+    return lobe_.sample(wo, random, mode, s);
   }
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 
  private:
   Lambert<Color> lobe_;

@@ -1,7 +1,7 @@
-// Every reflection model, in the order of the thesis; one line each.
+// The registry of BSDF models, in the order of [Lang, ch. 4]: one include and one line each.
 //
-// Of those that it names, He and Torrance's is missing: its wave-optical terms could be checked here against neither
-// the paper nor a limit that would tell a wrong factor from a right one.
+// The model of He and Torrance [He et al. 1991], which the thesis also names, is not implemented: its wave-optical
+// terms cannot be verified without the paper or a known limit.
 #pragma once
 #include "bsdf/models/ashikhmin_shirley_model.h"
 #include "bsdf/models/blinn_phong_model.h"

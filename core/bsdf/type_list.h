@@ -1,4 +1,4 @@
-// Lists of types, for the closed sets that variants are made of.
+// Lists of types, from which the closed sets of lobes and models are built.
 #pragma once
 #include <tuple>
 #include <type_traits>
@@ -9,16 +9,16 @@ namespace etendue {
 template <class... T>
 struct TypeList {};
 
-// A variant of all types of some tuples, each once, in the order in which they first appear.
+// `type` is the variant with the types of all tuples appended, each once, in the order of their first appearance.
 template <class Variant, class... Tuples>
 struct UniqueVariant {
   using type = Variant;
 };
 template <class... V, class First, class... Rest, class... Tuples>
 struct UniqueVariant<std::variant<V...>, std::tuple<First, Rest...>, Tuples...> {
-  static constexpr bool kKnown = (std::is_same_v<First, V> || ...);
-  using Grown = std::conditional_t<kKnown, std::variant<V...>, std::variant<V..., First>>;
-  using type = typename UniqueVariant<Grown, std::tuple<Rest...>, Tuples...>::type;
+  static constexpr bool kContained = (std::is_same_v<First, V> || ...);
+  using Extended = std::conditional_t<kContained, std::variant<V...>, std::variant<V..., First>>;
+  using type = typename UniqueVariant<Extended, std::tuple<Rest...>, Tuples...>::type;
 };
 template <class... V, class... Tuples>
 struct UniqueVariant<std::variant<V...>, std::tuple<>, Tuples...> {

@@ -1,7 +1,8 @@
-// How a camera moves while the shutter is open.                                            thesis 8.3.4, (8.61)
+// Motion of a camera while the shutter is open                                          [Lang, sec. 8.3.4, eq. 8.61]
 //
-// Places at moments evenly spaced from the opening (time 0) to the closing (time 1). In between it turns at an even
-// rate and goes straight on: a mixture of two matrices would shrink the picture.
+// A CameraMotion stores poses at times evenly spaced from the opening (time 0) to the closing of the shutter (time 1).
+// Between two poses, the position is interpolated linearly and the rotation with constant angular velocity. Linear
+// interpolation of the matrices would scale the image.
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <span>
@@ -13,18 +14,18 @@ namespace etendue {
 
 class CameraMotion {
  public:
-  // Camera::to_world at these moments, two or more.
-  explicit CameraMotion(std::span<const Mat4> places);
+  // Camera::to_world at two or more times.
+  explicit CameraMotion(std::span<const Mat4> to_world);
 
   // Camera::to_world at a time in [0, 1].
   Mat4 at(float time) const;
 
  private:
-  struct Place {
+  struct Pose {
     glm::quat rotation;
     Vec3 position;
   };
-  std::vector<Place> places_;
+  std::vector<Pose> poses_;
 };
 
 }  // namespace etendue

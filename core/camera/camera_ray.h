@@ -1,10 +1,15 @@
-// From a point of the picture to a ray.                              thesis 8.3.3-8.3.4, (8.55)-(8.62); radiance
-//                                                                    convention; errata E10, E11
+// Camera rays, and the view of points, directions and rays by the camera
+//                                           [Lang, sec. 8.3.3-8.3.4 and 9.2, eq. 8.55-8.62, corrected, eq. 9.33-9.35]
 //
-// The estimate of a pixel is a mean of radiance: the cosine of the thesis's flux convention is left out. The importance
-// that light paths are weighted by is that of the same convention: for radiance L from direction w, the mean over a
-// pixel is the integral of L times d(raster)/d(w), averaged over the lens.
-// The virtual picture stands at the focus distance and rays start on the lens, so that what lies there is sharp.
+// Thin lens without refraction: the image plane is placed in the plane in focus, and rays start on the lens, so that
+// points at the focus distance are sharp.
+//
+// Convention: the value of a pixel is the mean of the incident radiance L over the pixel and the lens, without the
+// cosine of the flux convention in [Lang]. The importance of light paths follows the same convention: the mean over a
+// pixel is the integral of L(w) d(raster)/d(w) over directions w, averaged over the lens.
+//
+// Raster coordinates are in pixels, with (0, 0) in the upper left corner of the image. Points of the lens are given as
+// points of the unit square. Times are in [0, 1], from the opening to the closing of the shutter.
 #pragma once
 #include <memory>
 #include <optional>
@@ -12,83 +17,73 @@
 #include "base/warp.h"
 #include "camera/camera.h"
 #include "camera/camera_motion.h"
+#include "camera/projection.h"
 #include "geometry/ray.h"
 
 namespace etendue {
 
 class CameraRays {
  public:
-  // A camera without motion stays where it is.
+  // For an image of this resolution. `motion` is null for a static camera.
   CameraRays(const Camera& camera, int width, int height, std::shared_ptr<const CameraMotion> motion = nullptr);
 
-  // Whether rays depend on a point of the lens.
+  // Whether rays depend on the lens point.
   bool has_lens() const { return camera_.lens_radius > 0; }
-
-  // `raster` is in pixels, (0, 0) the upper left corner of the picture; `lens` in the unit square; `time` from 0 at the
-  // shutter's opening to 1 at its closing.
-  Ray ray(Vec2 raster, Vec2 lens, float time = 0) const;
-
-  // How densely the rays of a picture lie that go in this direction, so far from the camera: pixels to a square metre
-  // across them. And the cosine of the direction to the axis.
-  float pixels_per_area(const Vec3& direction, float distance, float time = 0) const;
-  float cosine(const Vec3& direction, float time = 0) const { return -glm::dot(Vec3(to_world(time)[2]), direction); }
-
-  // How a point of the scene is seen through a point of the lens: the inverse of `ray`.
-  struct View {
-    Vec2 raster;       // it may lie outside of the picture
-    Vec3 wi;           // from the point to the camera, unit
-    float distance;    // up to where the camera begins to see: the near plane, or the lens
-    float importance;  // pixels to a square metre across `wi`, at the point
-  };
-  // Nothing if it lies behind the camera or beyond its clipping planes.
-  std::optional<View> view(const Vec3& point, Vec2 lens, float time = 0) const;
-
-  // The same of a direction, where the scene is infinitely far away: the ray to it starts on the lens, and importance
-  // is in pixels per solid angle. Nothing if the camera looks elsewhere, or sees one direction alone.
-  struct FarView {
-    Vec2 raster;
-    Ray ray;
-    float importance;
-  };
-  bool can_see_infinity() const { return !parallel() && !std::isfinite(camera_.far_clip); }
-  std::optional<FarView> view_of_infinity(const Vec3& direction, Vec2 lens, float time = 0) const;
-
-  // Whether light can come to the lens by chance. Not through a point, not where each point of the picture takes one
-  // direction alone, and not where the camera begins to see beyond its lens only.
-  bool can_be_hit() const { return has_lens() && !parallel() && camera_.near_clip == 0; }
-  // A ray that falls onto the lens from the front before it is `length` long, and what it sees; nothing if it misses,
-  // or if it cannot hit.
-  struct Arrival {
-    Vec2 raster;
-    float distance;    // of the lens along the ray
-    float importance;  // pixels per m^2 sr: what the ray's watts are multiplied by
-    float cosine;      // to the axis
-    float density;     // pixels per solid angle at the lens: that of `ray`'s directions
-  };
-  std::optional<Arrival> arrival(const Ray& ray, float length, float time = 0) const;
   float lens_area() const { return kPi * sqr(camera_.lens_radius); }
 
-  // `ray` for many; the arrays have room for whole registers. `times` is only read if the camera moves.
+  Ray ray(Vec2 raster, Vec2 lens, float time = 0) const;
+
+  // `count` rays at once. The arrays hold padded_lanes(count) elements. `times` is read only if the camera moves.
   struct Pairs {
     const float *x, *y;
   };
   void rays(const Pairs& raster, const Pairs& lens, const float* times, size_t count, Ray* rays) const;
 
- private:
-  Ray ray_of(Vec2 raster, Vec2 lens) const;
-  void rays_in_place(const Pairs& raster, const Pairs& lens, size_t count, Ray* rays) const;
-  void place(float time, Ray& ray) const;
-  Mat4 to_world(float time) const { return motion_ ? motion_->at(time) : camera_.to_world; }
-  bool parallel() const { return camera_.projection == Projection::orthographic; }
-  Vec2 point_of_lens(Vec2 u) const { return has_lens() ? square_to_disk(u) * camera_.lens_radius : Vec2(0); }
-  Vec2 raster_of(const Vec3& direction, Vec2 on_lens) const;
-  float pixels_per_solid_angle(float cosine) const;
-  float pixels_across(float cosine) const;
+  // The density of camera rays in this direction at this distance, in pixels per square metre perpendicular to them.
+  float pixels_per_area(const Vec3& direction, float distance, float time = 0) const;
+  // The cosine of the angle between a direction and the optical axis.
+  float cosine(const Vec3& direction, float time = 0) const { return -glm::dot(Vec3(to_world(time)[2]), direction); }
 
-  Camera camera_;                               // one that moves stands at the origin until its rays are placed
-  std::shared_ptr<const CameraMotion> motion_;  // null: it stands still
-  Vec2 to_unit_;  // pixel to [-1, 1] times half the size of the picture at distance one (or in metres, orthographic)
-  Vec2 half_size_;
+  // The view of a point; nothing if it is behind the camera or outside of the clipping planes.
+  using View = CameraView;
+  std::optional<View> view(const Vec3& point, Vec2 lens, float time = 0) const;
+
+  // The view of a direction, for points at infinite distance: the ray in this direction, which starts on the lens, and
+  // the importance in pixels per solid angle. Nothing if the direction points backwards or sees_environment() is false.
+  struct DirectionView {
+    Vec2 raster;
+    Ray ray;
+    float importance;
+  };
+  bool sees_environment() const { return !parallel_ && !std::isfinite(camera_.far_clip); }
+  std::optional<DirectionView> view_direction(const Vec3& direction, Vec2 lens, float time = 0) const;
+
+  // The intersection of the first `length` metres of a ray with the front of the lens. Nothing if it misses the lens or
+  // if can_be_hit() is false.
+  struct LensHit {
+    Vec2 raster;
+    float distance;    // along the ray
+    float importance;  // pixels per m^2 sr, by which the power of the ray is multiplied
+    float cosine;      // of the angle to the optical axis
+    float density;     // of camera rays at the lens, in pixels per solid angle
+  };
+  // Whether light can hit the lens at random. It cannot hit a pinhole, a camera with parallel rays (which sees a single
+  // direction per lens point), or a camera that sees only what is behind a near plane.
+  bool can_be_hit() const { return has_lens() && !parallel_ && camera_.near_clip == 0; }
+  std::optional<LensHit> intersect_lens(const Ray& ray, float length, float time = 0) const;
+
+ private:
+  template <class P>
+  Ray static_ray(Vec2 raster, Vec2 lens) const;
+  void static_rays(const Pairs& raster, const Pairs& lens, size_t count, Ray* rays) const;
+  void move(float time, Ray& ray) const;
+  Mat4 to_world(float time) const { return motion_ ? motion_->at(time) : camera_.to_world; }
+  Vec2 lens_point(Vec2 u) const { return has_lens() ? square_to_disk(u) * camera_.lens_radius : Vec2(0); }
+
+  Camera camera_;  // a moving camera has the identity as to_world; `move` transforms its rays
+  std::shared_ptr<const CameraMotion> motion_;
+  ImagePlane plane_;
+  bool parallel_;
 };
 
 }  // namespace etendue

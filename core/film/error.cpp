@@ -5,51 +5,55 @@
 namespace etendue::film {
 namespace {
 
-// Of the normal distribution, both sides together.
-constexpr double kNinetyFivePercent = 1.96;
+// Quantile of the normal distribution for a two-sided interval of 95 %.
+constexpr double kNormalQuantile95 = 1.96;
 
 struct Estimate {
   double mean = 0;
   Interval interval;
 };
 
-// Symmetric in the logarithm: a mean square is positive, and its distribution leans to the right.
-Estimate estimate(const RowError::Sum& sum, double numbers) {
+// The interval is symmetric in the logarithm, because a mean square is positive and its distribution is right-skewed.
+Estimate estimate(const RowError::Sum& sum, double values) {
   if (!(sum.squares > 0)) return {};
-  const double factor = std::exp(kNinetyFivePercent * 2 * std::sqrt(sum.spread) / sum.squares),
-               mean = sum.squares / numbers;
-  return {mean, {mean / factor, mean * factor}};
-}
-
-void add(RowError::Sum& sum, const RowError::Sum& row) {
-  sum.squares += row.squares, sum.spread += row.spread, sum.fourth += row.fourth;
+  const double factor = std::exp(kNormalQuantile95 * 2 * std::sqrt(sum.variance) / sum.squares);
+  const double mean = sum.squares / values;
+  return {.mean = mean, .interval = {mean / factor, mean * factor}};
 }
 
 }  // namespace
 
 void RowSum::add(double squared_error) {
-  sum_.squares += squared_error, sum_.fourth += squared_error * squared_error;
+  sum_.squares += squared_error;
+  sum_.fourth += squared_error * squared_error;
   ++pixels_;
-  if (pixels_ > 1) products_ += squared_error * before_;
-  before_ = squared_error;
-  // There is a product less than there are pixels. A pixel alone: a normal number's fourth moment is three times the
-  // square of its second.
-  sum_.spread = pixels_ > 1 ? products_ * pixels_ / (pixels_ - 1) : squared_error * squared_error / 3;
+  if (pixels_ > 1) products_ += squared_error * previous_;
+  previous_ = squared_error;
+  // There is one product less than there are pixels. For a single pixel, a normal distribution is assumed, whose fourth
+  // moment is three times the square of the second.
+  sum_.variance = pixels_ > 1 ? products_ * pixels_ / (pixels_ - 1) : squared_error * squared_error / 3;
 }
 
-ErrorEstimate error_of(std::span<const RowError> rows, double numbers) {
+ErrorEstimate error_of(std::span<const RowError> rows, double values) {
   RowError::Sum absolute;
   double relative = 0;
   for (const RowError& row : rows) {
     if (!row.known) return {};
-    add(absolute, row.absolute), relative += row.relative;
+    absolute.squares += row.absolute.squares;
+    absolute.variance += row.absolute.variance;
+    absolute.fourth += row.absolute.fourth;
+    relative += row.relative;
   }
-  if (!(numbers > 0)) return {};
-  const Estimate a = estimate(absolute, numbers);
-  // A normal number's square has twice its squared variance as variance, and three times as mean square.
-  const double scatter = absolute.squares > 0 ? 0.5 * std::sqrt(2.0 / 3 * absolute.fourth) / absolute.squares : 0;
-  return {
-      std::sqrt(a.mean), {std::sqrt(a.interval.low), std::sqrt(a.interval.high)}, relative / numbers, scatter, true};
+  if (!(values > 0)) return {};
+  const Estimate mse = estimate(absolute, values);
+  // The square of a normal variable of variance v has the variance 2 v^2 and the second moment 3 v^2. The relative
+  // deviation of a root is half that of its square.
+  const double variation = absolute.squares > 0 ? 0.5 * std::sqrt(2.0 / 3 * absolute.fourth) / absolute.squares : 0;
+  return {.rmse = std::sqrt(mse.mean),
+          .rmse_interval = {std::sqrt(mse.interval.low), std::sqrt(mse.interval.high)},
+          .approximate_relmse = relative / values,
+          .rmse_variation = variation,
+          .known = true};
 }
 
 }  // namespace etendue::film

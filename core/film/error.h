@@ -1,60 +1,66 @@
-// How wrong a picture is, told from its two halves alone.
+// Estimation of the error of an image from its two half-buffers
 //
-// With a half's errors a and b in a pixel, the picture is off by (a + b) / 2 there, and the halves differ by a - b. As
-// ((a + b) / 2)^2 - ((a - b) / 2)^2 = a b, which is zero in expectation, the mean of ((a - b) / 2)^2 over pixels is an
-// estimate of the mean squared error; and what it misses is the mean of a b, whose variance is that of a times that of
-// b however long the tails of either are. From there comes the interval: for the error of this very picture, not for
-// that of all pictures made in the same way.
+// Let a and b be the errors of the two half-buffers in a pixel. The error of the image is (a + b) / 2, and the difference
+// of the half-buffers is a - b. Since
+//
+//   ((a + b) / 2)^2 - ((a - b) / 2)^2 = a b,
+//
+// and a b has the expected value zero, the mean of ((a - b) / 2)^2 over the pixels is an unbiased estimate of the mean
+// squared error. The deviation of the estimate from the realised error is the mean of a b. Its variance is the product of
+// the variances of a and b, however heavy-tailed they are. The confidence interval follows from this variance. It is an
+// interval for the error of this image, not for the expected error of images made in the same way.
 #pragma once
 #include <span>
 
 namespace etendue::film {
 
-// Within its ends lies, in 95 of 100 cases, what was estimated.
+// A 95 % confidence interval.
 struct Interval {
   double low = 0, high = 0;
 };
 
 struct ErrorEstimate {
-  double rmse = 0;  // of the mean image, over pixels and channels
+  double rmse = 0;  // root mean squared error of the mean image, over pixels and channels
   Interval rmse_interval;
-  // A rough one without an interval: it divides by the picture where relMSE divides by the truth, and is up to a third
-  // too low. To state one, see relative_error.h, which takes longer.
-  double rough_relmse = 0;
-  // By how much the RMSE of another picture, made in the same way with other random numbers, differs from this one's: a
-  // standard deviation in parts of it. About 1/2 where a few pixels make all of the error.
-  double scatter = 0;
-  bool known = false;  // false until every pixel has a sample in both halves
+  // Without confidence interval. Divides by the squared pixel value of the image instead of the true one, and is up to a
+  // third too low. relative_error.h has a better estimate, which takes longer.
+  double approximate_relmse = 0;
+  // The standard deviation of the RMSE over images made in the same way with other random numbers, divided by the RMSE.
+  // About 1/2 if few pixels dominate the error.
+  double rmse_variation = 0;
+  bool known = false;  // false until every pixel has a sample in both half-buffers
 };
 
-// The sums of one row of pixels: made in parallel, added in the order of the rows.
+// Sums over one row of pixels. Rows can be computed in parallel and are added in order.
 struct RowError {
-  // Estimated squared errors of the pixels, summed over channels, their share of the interval, and their squares.
   struct Sum {
-    double squares = 0, spread = 0, fourth = 0;
+    double squares = 0;   // estimated squared errors of the pixels, summed over channels
+    double variance = 0;  // of the deviation of `squares` from the realised squared errors, divided by 4
+    double fourth = 0;    // squares of the squared errors
   };
   Sum absolute;
-  double relative = 0;  // squares, over the picture's own
+  double relative = 0;  // squared errors divided by the squared pixel values
   bool known = true;
 };
 
-// `numbers` is pixels times channels.
-ErrorEstimate error_of(std::span<const RowError> rows, double numbers);
+// `values` is the number of pixels times the number of channels.
+ErrorEstimate error_of(std::span<const RowError> rows, double values);
 
-// Adds up one kind of squared error along a row.
+// Accumulates the squared errors along a row.
 //
-// The spread of a b over a pixel is the square of that pixel's squared error in expectation. One pixel alone has two
-// numbers to tell it from, and its own square would count long tails as well; neighbours are alike and independent, so
-// their product stands for both.
+// The variance of a b in a pixel has the expected value of the square of the squared error. A single pixel provides only
+// two numbers for it, and the square of its estimate would overrate heavy tails. Neighbouring pixels are similar and
+// independent, so that the product of their squared errors is used for both.
 class RowSum {
  public:
   explicit RowSum(RowError::Sum& sum) : sum_(sum) {}
-  // The next pixel's estimated squared error, channels added up: they err together at worst, and are taken to.
+  // Adds the estimated squared error of the next pixel, summed over channels. The errors of channels are assumed to be
+  // fully correlated, which is the worst case.
   void add(double squared_error);
 
  private:
   RowError::Sum& sum_;
-  double pixels_ = 0, products_ = 0, before_ = 0;
+  double pixels_ = 0, products_ = 0, previous_ = 0;
 };
 
 }  // namespace etendue::film

@@ -20,7 +20,7 @@ Rgb Film::mean(int x, int y) const {
   return {channel(0), channel(1), channel(2)};
 }
 
-Rgb Film::mean_of_half(int x, int y, uint32_t half_buffer) const {
+Rgb Film::half_buffer_mean(int x, int y, uint32_t half_buffer) const {
   const Pixel& p = at(x, y);
   const double scale = 1.0 / p.count[half_buffer];
   const auto channel = [&](size_t c) { return static_cast<float>(p.sum[half_buffer][c] * scale); };

@@ -1,10 +1,13 @@
-// Where samples are gathered: sums in double, in two independent halves.
+// The film: accumulation of samples in double precision, in two independent half-buffers
 //
-// Samples alternate between the halves, and each half has its own random numbers. The mean of both is the image; their
-// difference is its error, also for quasi-Monte Carlo points, whose spread inside one sequence says nothing:
-// Var(mean) = (A - B)^2 / 4 per pixel, in expectation. Halves weigh by their numbers of samples, unless these numbers
-// were chosen by what samples are: then both weigh the same. What is not a finite, non-negative radiance is counted and
-// left out.
+// The samples of a pixel alternate between the half-buffers, which use different random numbers. The mean of both is the
+// image. Their difference measures the error, also for quasi-Monte Carlo points, where the variance within a sequence
+// does not: Var(mean) = (A - B)^2 / 4 per pixel in expectation, for the means A and B of the half-buffers.
+//
+// The half-buffers are weighted by their numbers of samples. With adaptive sampling, where these numbers depend on the
+// samples, both have the weight 1/2, because other weights would bias the mean.
+//
+// Invalid samples (not a finite, non-negative radiance) are counted and contribute the value zero.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -20,7 +23,7 @@
 
 namespace etendue::film {
 
-inline constexpr uint32_t kHalves = 2;
+inline constexpr uint32_t kHalfBuffers = 2;
 
 class Film {
  public:
@@ -30,51 +33,56 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // Adds one sample to a pixel; false if it was rejected. Different pixels may be added to from different threads.
+  // Adds one sample to a half-buffer of a pixel; returns false if it is invalid. Different pixels may be updated from
+  // different threads.
   bool add(int x, int y, uint32_t half_buffer, const Rgb& radiance) {
     Pixel& pixel = at(x, y);
     if (!is_radiance(radiance)) [[unlikely]] {
-      rejected_.count(x, y, pixel.count[half_buffer] * kHalves + half_buffer, radiance);
-      // It counts as a sample of value zero: leaving it out would favour what cannot be computed.
+      invalid_.count(x, y, pixel.count[half_buffer] * kHalfBuffers + half_buffer, radiance);
+      // Counts as a sample of value zero. Leaving it out would bias the mean towards the valid samples.
       ++pixel.count[half_buffer];
       return false;
     }
     ++pixel.count[half_buffer];
     auto& sum = pixel.sum[half_buffer];
-    sum[0] += radiance.r, sum[1] += radiance.g, sum[2] += radiance.b;
+    sum[0] += radiance.r;
+    sum[1] += radiance.g;
+    sum[2] += radiance.b;
     return true;
   }
 
   uint32_t samples(int x, int y) const;
-  uint32_t samples_of_half(int x, int y, uint32_t half_buffer) const { return at(x, y).count[half_buffer]; }
+  uint32_t half_buffer_samples(int x, int y, uint32_t half_buffer) const { return at(x, y).count[half_buffer]; }
   Rgb mean(int x, int y) const;
-  // Of one half; it must have a sample there.
-  Rgb mean_of_half(int x, int y, uint32_t half_buffer) const;
-  // The standard error of `mean`, squared, per channel; zero while a half is empty.
+  // The mean of one half-buffer, which must have a sample in this pixel.
+  Rgb half_buffer_mean(int x, int y, uint32_t half_buffer) const;
+  // The squared standard error of `mean` per channel; zero if a half-buffer has no sample in this pixel.
   Rgb variance_of_mean(int x, int y) const;
 
+  // The estimated error of the image (film/error.h).
   ErrorEstimate error() const;
-  // The same in pieces.
+  // The same computed by rows, which may be done in parallel.
   RowError error_of_row(int y) const;
   ErrorEstimate error(std::span<const RowError> rows) const;
-  InvalidSamples rejected() const { return rejected_.get(); }
+  InvalidSamples invalid_samples() const { return invalid_.get(); }
 
-  // Everything the film knows, for checkpoints.
+  // The complete state, for checkpoints.
   struct Pixel {
-    std::array<std::array<double, 3>, kHalves> sum{};
-    std::array<uint32_t, kHalves> count{};
+    std::array<std::array<double, 3>, kHalfBuffers> sum{};
+    std::array<uint32_t, kHalfBuffers> count{};
   };
   std::span<const Pixel> pixels() const { return pixels_; }
   std::span<Pixel> pixels() { return pixels_; }
-  void set_invalid_samples(const InvalidSamples& rejected) { rejected_.set(rejected); }
+  void set_invalid_samples(const InvalidSamples& samples) { invalid_.set(samples); }
 
-  // For adaptive sampling in blocks of pixels. Without it, nothing is kept of how samples scatter.
-  void begin_tile_variance(size_t blocks) { spread_.emplace(blocks); }
-  std::optional<TileVariance>& tile_variance() { return spread_; }
-  const std::optional<TileVariance>& tile_variance() const { return spread_; }
+  // The sample variance of tiles, for adaptive sampling; not present until `begin_tile_variance` is called.
+  void begin_tile_variance(size_t tiles) { tile_variance_.emplace(tiles); }
+  std::optional<TileVariance>& tile_variance() { return tile_variance_; }
+  const std::optional<TileVariance>& tile_variance() const { return tile_variance_; }
 
-  // Empties the pixels of some rows.
+  // Resets the pixels of the rows [first, end).
   void clear_rows(int first, int end);
+  // In bytes, of the pixels.
   size_t memory() const { return pixels_.size() * sizeof(Pixel); }
 
  private:
@@ -85,12 +93,12 @@ class Film {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }
 
-  bool halves_weigh_the_same(const Pixel& p) const { return spread_ && p.count[0] > 0 && p.count[1] > 0; }
+  bool has_equal_weights(const Pixel& p) const { return tile_variance_ && p.count[0] > 0 && p.count[1] > 0; }
 
   int width_ = 0, height_ = 0;
   std::vector<Pixel> pixels_;
-  std::optional<TileVariance> spread_;
-  RejectionCounter rejected_;
+  std::optional<TileVariance> tile_variance_;
+  InvalidSampleCounter invalid_;
 };
 
 }  // namespace etendue::film

@@ -4,7 +4,7 @@ namespace etendue::film {
 namespace {
 
 template <class F>
-std::vector<float> each_pixel(const Film& film, F&& color_of) {
+std::vector<float> collect_pixels(const Film& film, F&& color_of) {
   std::vector<float> rgb;
   rgb.reserve(film.pixels().size() * 3);
   for (int y = 0; y < film.height(); ++y)
@@ -18,16 +18,15 @@ std::vector<float> each_pixel(const Film& film, F&& color_of) {
 }  // namespace
 
 std::vector<float> radiance_of(const Film& film) {
-  return each_pixel(film, [&](int x, int y) { return film.mean(x, y); });
+  return collect_pixels(film, [&](int x, int y) { return film.mean(x, y); });
 }
 
-image::LayeredImage picture_of(const Film& film) {
-  image::LayeredImage picture;
-  picture.width = film.width(), picture.height = film.height();
-  picture.layers.push_back({"", {"R", "G", "B"}, radiance_of(film)});
-  picture.layers.push_back(
-      {"variance", {"R", "G", "B"}, each_pixel(film, [&](int x, int y) { return film.variance_of_mean(x, y); })});
-  return picture;
+image::LayeredImage layered_image_of(const Film& film) {
+  image::LayeredImage image{.width = film.width(), .height = film.height()};
+  image.layers.push_back({"", {"R", "G", "B"}, radiance_of(film)});
+  image.layers.push_back(
+      {"variance", {"R", "G", "B"}, collect_pixels(film, [&](int x, int y) { return film.variance_of_mean(x, y); })});
+  return image;
 }
 
 }  // namespace etendue::film

@@ -8,7 +8,8 @@ Mean mean_of(const Film& film) {
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) {
       const double v = average(film.mean(x, y));
-      sum += v, squares += v * v;
+      sum += v;
+      squares += v * v;
     }
   Mean mean;
   mean.value = sum / n;

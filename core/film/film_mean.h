@@ -1,13 +1,13 @@
-// The mean of a picture, as a number.
+// The mean radiance of an image with its standard error
 #pragma once
 #include "film/film.h"
 
 namespace etendue::film {
 
-// Of the mean over channels, over pixels, and how far it may be off if pixels are independent: from their spread.
 struct Mean {
-  double value = 0, standard_error = 0;
-  double variance = 0;  // of a pixel
+  double value = 0;           // mean over pixels and channels
+  double standard_error = 0;  // estimated from the variance over pixels, which are assumed to be independent
+  double variance = 0;        // over pixels, of the mean of the channels
 };
 Mean mean_of(const Film& film);
 

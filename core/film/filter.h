@@ -1,8 +1,12 @@
-// Reconstruction filters, by importance sampling: a sample's place under the pixel is drawn from the filter itself,
-// every sample weighs one and belongs to one pixel.                        thesis (8.47)-(8.54); Ernst et al. 2006
+// Pixel reconstruction filters, by importance sampling                    [Lang, eq. 8.47-8.54; Ernst et al. 2006]
 //
-// All are separable and positive, so that every sample weighs the same. Offsets are in pixels from the centre. One is
-// no filter at all: the centre alone, as ray casting began (thesis 8.2), which aliases however many samples are taken.
+// The position of a sample is drawn from the filter of its pixel. Each sample therefore has weight 1 and contributes to
+// one pixel. All filters are separable and positive. Offsets are in pixels from the pixel centre.
+//
+// `centre` is no filter: all samples are at the pixel centre, as in the first ray tracers [Lang, sec. 8.2], which
+// aliases for any number of samples.
+//
+// To add a filter, add an enumerator, its option and its kernel in filter.cpp.
 #pragma once
 #include <array>
 
@@ -18,22 +22,23 @@ class Filter {
   explicit Filter(FilterKind kind = FilterKind::blackman_harris);
 
   FilterKind kind() const { return kind_; }
-  // Half the width of the support in pixels.
+  // Half the width of the support, in pixels.
   float radius() const { return radius(kind_); }
-  // The offset for a point of the unit square.
+  // The offset for a uniform point of the unit square.
   Vec2 sample(Vec2 u) const { return Vec2(inverse(u.x), inverse(u.y)); }
-  // One coordinate of it for many points, in place; the array has room for whole registers.
+  // Replaces `count` uniform numbers by one coordinate of the offset each. The array holds padded_lanes(count)
+  // elements.
   void sample_all(float* u, size_t count) const;
-  // The density of one coordinate of the offset; the filter's own value where that is normalised. The centre has none.
+  // The density of one coordinate of the offset, which is the normalised filter; 0 for `centre`.
   float value(float x) const { return value(kind_, x); }
 
-  // The four pixel centres around a place on an axis, from the second to its left: sums of the filter's values there,
-  // up to each of them, for the place at `t` between the two next ones, 0 <= t <= 1. From a table: off by 1e-5 at most.
+  // For a position between two neighbouring pixel centres, at `t` in [0, 1]: the cumulative sums of the filter values
+  // at the four nearest pixel centres, from left to right. Interpolated from a table, with an error of at most 1e-5.
   using Sums = std::array<float, 4>;
   Sums sums_around(float t) const {
-    const float at = std::min(t * kSteps, static_cast<float>(kSteps));
-    const auto i = static_cast<size_t>(std::min(at, kSteps - 1.0f));
-    const float part = at - static_cast<float>(i);
+    const float position = std::min(t * kSumCells, static_cast<float>(kSumCells));
+    const auto i = static_cast<size_t>(std::min(position, kSumCells - 1.0f));
+    const float part = position - static_cast<float>(i);
     Sums sums;
     for (size_t k = 0; k < sums.size(); ++k) sums[k] = sums_[i][k] + (sums_[i + 1][k] - sums_[i][k]) * part;
     return sums;
@@ -42,28 +47,30 @@ class Filter {
  private:
   static float radius(FilterKind kind);
   static float value(FilterKind kind, float x);
-  static constexpr int kTable = 1024;
+  static constexpr int kPositionCells = 1024;
 
-  // The filter's mass beyond |x| on both sides is q^4: its position is a smooth function of q up to the very end of the
-  // tails, which a table of the mass itself would cut off.
+  // The inverse of the cumulative distribution. The table is indexed by q, where q^4 is the integral of the filter
+  // beyond |x|: x is a smooth function of q up to the end of the tails, which a table over the integral would not
+  // resolve.
   [[gnu::always_inline]] float inverse(float u) const {
     const float side = u - 0.5f;
-    const float at = kTable * std::sqrt(std::sqrt(1 - 2 * std::abs(side)));
-    // Clamped from below too: what stands beyond the last point of a whole register may be no number.
-    const int cell = std::max(0, std::min(static_cast<int>(at), kTable - 1));
+    const float position = kPositionCells * std::sqrt(std::sqrt(1 - 2 * std::abs(side)));
+    // Clamped from below as well, because the unused elements of the last register may be NaN.
+    const int cell = std::max(0, std::min(static_cast<int>(position), kPositionCells - 1));
     const auto i = static_cast<size_t>(cell);
-    const float x = positions_[i] + (positions_[i + 1] - positions_[i]) * (at - static_cast<float>(cell));
+    const float x = positions_[i] + (positions_[i + 1] - positions_[i]) * (position - static_cast<float>(cell));
     return std::copysign(x, side);
   }
 
-  using Table = std::array<float, kTable + 1>;
-  static Table positions(FilterKind kind);
-  static constexpr int kSteps = 512;
-  using SumsTable = std::array<Sums, kSteps + 1>;
-  static SumsTable sums(FilterKind kind);
+  using PositionTable = std::array<float, kPositionCells + 1>;
+  static PositionTable tabulate_positions(FilterKind kind);
+  static constexpr int kSumCells = 512;
+  using SumTable = std::array<Sums, kSumCells + 1>;
+  static SumTable tabulate_sums(FilterKind kind);
+  struct Tables;
 
   FilterKind kind_;
-  // A table for each kind is made once: filters are made anew with every edit.
+  // The tables of all kinds are computed once and shared.
   const float* positions_;
   const Sums* sums_;
 };

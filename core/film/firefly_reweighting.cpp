@@ -11,12 +11,12 @@ constexpr uint32_t kFewestSamples = 3;
 
 }  // namespace
 
-FireflyCascades::FireflyCascades(int width, int height)
+FireflyReweighting::FireflyReweighting(int width, int height)
     : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
-float FireflyCascades::scale(int layer) { return std::ldexp(1.0f, kBaseExponent * (kFirst + layer)); }
+float FireflyReweighting::scale(int layer) { return std::ldexp(1.0f, kBaseExponent * (kFirst + layer)); }
 
-void FireflyCascades::add(int x, int y, const Rgb& radiance, uint32_t samples) {
+void FireflyReweighting::add(int x, int y, const Rgb& radiance, uint32_t samples) {
   Pixel& pixel = pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   const Rgb sum = radiance * static_cast<float>(samples);
   const float bright = luminance(radiance);
@@ -33,14 +33,14 @@ void FireflyCascades::add(int x, int y, const Rgb& radiance, uint32_t samples) {
   }
 }
 
-float FireflyCascades::seen(const Pixel& pixel, int layer) {
+float FireflyReweighting::seen(const Pixel& pixel, int layer) {
   float count = 0;
   for (int i = std::max(0, layer - 1); i <= std::min(kLayers - 1, layer + 1); ++i)
     count += luminance(pixel[static_cast<size_t>(i)]) / scale(i);
   return count;
 }
 
-float FireflyCascades::seen_around(int x, int y, int layer) const {
+float FireflyReweighting::seen_around(int x, int y, int layer) const {
   float count = 0;
   int pixels = 0;
   for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v)
@@ -48,7 +48,7 @@ float FireflyCascades::seen_around(int x, int y, int layer) const {
   return count / static_cast<float>(pixels);
 }
 
-float FireflyCascades::belief(int x, int y, int layer, float shown) const {
+float FireflyReweighting::belief(int x, int y, int layer, float shown) const {
   const float unsurprising = shown / scale(layer);
   // Believed whatever was seen: the neighbours need not be asked.
   if (unsurprising >= 3) return 1;
@@ -57,7 +57,7 @@ float FireflyCascades::belief(int x, int y, int layer, float shown) const {
   return std::clamp(0.5f * (count - 1 + unsurprising), 0.0f, 1.0f);
 }
 
-Rgb FireflyCascades::shown(int x, int y, uint32_t samples) const {
+Rgb FireflyReweighting::shown(int x, int y, uint32_t samples) const {
   const Pixel& pixel = at(x, y);
   Rgb sum = pixel[0];
   for (int layer = 1; layer < kLayers; ++layer) {
@@ -68,7 +68,7 @@ Rgb FireflyCascades::shown(int x, int y, uint32_t samples) const {
   return sum * (1 / std::max(1.0f, static_cast<float>(samples)));
 }
 
-void FireflyCascades::clear_rows(int first, int end) {
+void FireflyReweighting::clear_rows(int first, int end) {
   const auto row = [&](int y) { return pixels_.begin() + static_cast<std::ptrdiff_t>(y) * width_; };
   std::fill(row(first), row(end), Pixel{});
 }

@@ -22,13 +22,13 @@ namespace etendue::film {
 // What is shown of samples that stand out: all of them, or as much as can be believed.
 enum class Fireflies { keep, reweight };
 
-class FireflyCascades {
+class FireflyReweighting {
  public:
   // Scales from 8^-3 to 8^5: what is darker or brighter than all of them belongs to the first or the last.
   static constexpr int kLayers = 9;
   static constexpr size_t kBytesPerPixel = kLayers * sizeof(Rgb);
 
-  FireflyCascades(int width, int height);
+  FireflyReweighting(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }

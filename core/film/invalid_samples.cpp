@@ -5,43 +5,55 @@
 namespace etendue::film {
 namespace {
 
-uint64_t place(const Rejection& r) {
-  return uint64_t{r.sample} << 32 | static_cast<uint64_t>(r.y) << 16 | static_cast<uint64_t>(r.x);
+uint64_t sort_key(const InvalidSample& s) {
+  return uint64_t{s.sample} << 32 | static_cast<uint64_t>(s.y) << 16 | static_cast<uint64_t>(s.x);
 }
 
-Flaw flaw_of(const Rgb& c) {
-  if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return Flaw::nan;
-  return is_finite(c) ? Flaw::negative : Flaw::infinite;
+InvalidReason reason_of(const Rgb& c) {
+  if (std::isnan(c.r) || std::isnan(c.g) || std::isnan(c.b)) return InvalidReason::nan;
+  return is_finite(c) ? InvalidReason::negative : InvalidReason::infinite;
 }
 
 }  // namespace
 
-std::string_view flaw_name(Flaw flaw) {
-  return flaw == Flaw::nan ? "nan" : flaw == Flaw::infinite ? "infinite" : "negative";
+std::string_view reason_name(InvalidReason reason) {
+  switch (reason) {
+    case InvalidReason::nan:
+      return "nan";
+    case InvalidReason::infinite:
+      return "infinite";
+    case InvalidReason::negative:
+      return "negative";
+  }
+  return "";
 }
 
-void RejectionCounter::count(int x, int y, uint32_t sample, const Rgb& radiance) {
-  const Rejection rejection{x, y, sample, flaw_of(radiance)};
-  auto& counter = rejection.flaw == Flaw::nan ? nan_ : rejection.flaw == Flaw::infinite ? infinite_ : negative_;
+void InvalidSampleCounter::count(int x, int y, uint32_t sample, const Rgb& radiance) {
+  const InvalidSample invalid{.x = x, .y = y, .sample = sample, .reason = reason_of(radiance)};
+  auto& counter = invalid.reason == InvalidReason::nan        ? nan_
+                  : invalid.reason == InvalidReason::infinite ? infinite_
+                                                              : negative_;
   counter.fetch_add(1, std::memory_order_relaxed);
-  // Where every sample is refused, nobody waits for the list.
-  if (place(rejection) >= last_.load(std::memory_order_relaxed)) return;
+  // This test avoids the lock for all samples but the first ones, which matters if every sample is invalid.
+  if (sort_key(invalid) >= last_listed_.load(std::memory_order_relaxed)) return;
   const std::scoped_lock lock(mutex_);
-  first_.insert(std::ranges::upper_bound(first_, place(rejection), {}, place), rejection);
-  if (first_.size() > kFirstRejections) first_.pop_back();
-  if (first_.size() == kFirstRejections) last_ = place(first_.back());
+  first_.insert(std::ranges::upper_bound(first_, sort_key(invalid), {}, sort_key), invalid);
+  if (first_.size() > kListedInvalidSamples) first_.pop_back();
+  if (first_.size() == kListedInvalidSamples) last_listed_ = sort_key(first_.back());
 }
 
-InvalidSamples RejectionCounter::get() const {
+InvalidSamples InvalidSampleCounter::get() const {
   const std::scoped_lock lock(mutex_);
-  return {nan_.load(), infinite_.load(), negative_.load(), first_};
+  return {.nan = nan_.load(), .infinite = infinite_.load(), .negative = negative_.load(), .first = first_};
 }
 
-void RejectionCounter::set(const InvalidSamples& rejected) {
+void InvalidSampleCounter::set(const InvalidSamples& samples) {
   const std::scoped_lock lock(mutex_);
-  nan_ = rejected.nan, infinite_ = rejected.infinite, negative_ = rejected.negative;
-  first_ = rejected.first;
-  last_ = first_.size() < kFirstRejections ? kNone : place(first_.back());
+  nan_ = samples.nan;
+  infinite_ = samples.infinite;
+  negative_ = samples.negative;
+  first_ = samples.first;
+  last_listed_ = first_.size() < kListedInvalidSamples ? kListNotFull : sort_key(first_.back());
 }
 
 }  // namespace etendue::film

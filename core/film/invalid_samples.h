@@ -1,4 +1,6 @@
-// Samples that were no radiance: how many, why, and where the first of them were.
+// Invalid samples: values that are not a finite, non-negative radiance
+//
+// The film counts them by reason and records where the first ones occurred.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -11,53 +13,55 @@
 
 namespace etendue::film {
 
-// Finite and not negative: each comparison is false for NaN.
+// Whether all components are finite and not negative. Each comparison is false for NaN.
 constexpr bool is_radiance(const Rgb& c) {
-  constexpr float kMost = std::numeric_limits<float>::max();
-  return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMost && c.g <= kMost && c.b <= kMost;
+  constexpr float kMax = std::numeric_limits<float>::max();
+  return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= kMax && c.g <= kMax && c.b <= kMax;
 }
 
-enum class Flaw { nan, infinite, negative };
-std::string_view flaw_name(Flaw flaw);
+enum class InvalidReason { nan, infinite, negative };
+std::string_view reason_name(InvalidReason reason);
 
-struct Rejection {
+struct InvalidSample {
   int x = 0, y = 0;
-  uint32_t sample = 0;  // counted from zero in its pixel
-  Flaw flaw = Flaw::nan;
+  uint32_t sample = 0;  // index in its pixel, from 0
+  InvalidReason reason = InvalidReason::nan;
 
-  friend bool operator==(const Rejection&, const Rejection&) = default;
+  friend bool operator==(const InvalidSample&, const InvalidSample&) = default;
 };
 
+inline constexpr size_t kListedInvalidSamples = 8;
+
 struct InvalidSamples {
-  uint64_t nan = 0, infinite = 0, negative = 0;
-  std::vector<Rejection> first;  // kFirstRejections of them at most, by sample, row and column
+  uint64_t nan = 0, infinite = 0, negative = 0;  // numbers of samples
+  std::vector<InvalidSample> first;              // at most kListedInvalidSamples, ordered by sample, row and column
 
   uint64_t total() const { return nan + infinite + negative; }
 };
-inline constexpr size_t kFirstRejections = 8;
 
-// Counts them from many threads. Which are the first does not depend on who comes first.
-class RejectionCounter {
+// Counts invalid samples. `count` may be called from several threads concurrently; the result does not depend on the
+// order of the calls.
+class InvalidSampleCounter {
  public:
-  RejectionCounter() = default;
-  RejectionCounter(const RejectionCounter& other) { set(other.get()); }
-  RejectionCounter& operator=(const RejectionCounter& other) {
+  InvalidSampleCounter() = default;
+  InvalidSampleCounter(const InvalidSampleCounter& other) { set(other.get()); }
+  InvalidSampleCounter& operator=(const InvalidSampleCounter& other) {
     if (this != &other) set(other.get());
     return *this;
   }
 
-  // `radiance` is not finite, or negative; coordinates are below 65536.
+  // `radiance` must be invalid, coordinates below 65536.
   void count(int x, int y, uint32_t sample, const Rgb& radiance);
   InvalidSamples get() const;
-  void set(const InvalidSamples& rejected);
+  void set(const InvalidSamples& samples);
 
  private:
-  static constexpr uint64_t kNone = std::numeric_limits<uint64_t>::max();
+  static constexpr uint64_t kListNotFull = std::numeric_limits<uint64_t>::max();
 
   std::atomic<uint64_t> nan_{0}, infinite_{0}, negative_{0};
-  std::atomic<uint64_t> last_{kNone};  // place of the last one listed, once the list is full
+  std::atomic<uint64_t> last_listed_{kListNotFull};  // sort key of the last list entry, once the list is full
   mutable std::mutex mutex_;
-  std::vector<Rejection> first_;
+  std::vector<InvalidSample> first_;
 };
 
 }  // namespace etendue::film

@@ -157,7 +157,7 @@ std::optional<RelativeError> relative_error(const Film& film) {
   std::vector<float> rgb, variance;
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) {
-      if (film.samples_of_half(x, y, 0) == 0 || film.samples_of_half(x, y, 1) == 0) return {};
+      if (film.half_buffer_samples(x, y, 0) == 0 || film.half_buffer_samples(x, y, 1) == 0) return {};
       const Rgb m = film.mean(x, y), v = film.variance_of_mean(x, y);
       rgb.insert(rgb.end(), {m.r, m.g, m.b}), variance.insert(variance.end(), {v.r, v.g, v.b});
     }

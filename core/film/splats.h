@@ -1,8 +1,8 @@
-// What is found for pixels anywhere in a picture, and adding it up.
+// Contributions of light paths to arbitrary pixels, and their accumulation
 //
-// A light path does not choose its pixel. Tasks that run side by side each fill a list; lists are added up in the order
-// of the tasks, band by band of the picture, so that the sums have the same bits whatever the number of threads, and no
-// task ever waits for another.
+// A light path does not select its pixel in advance. Each task fills a list of contributions. The lists are added in
+// the order of the tasks, in parallel for different rows of the image. The sums therefore have the same bits for any
+// number of threads, and no task waits for another.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -22,10 +22,10 @@ struct Splat {
 
 using Splats = std::vector<Splat>;
 
-// Which pixel a point of the picture goes to. Filters reach over several pixels; each point belongs to one of them,
-// chosen with the probability of its filter's value there, as samples under a filter belong to one pixel each. Means
-// over many points are the same as of points that belong to all. No light path falls on the centre of a pixel: where
-// only centres count, the pixel as a whole does.
+// Selects the pixel to which an image point contributes. The filters of several pixels overlap at a point; one pixel is
+// selected with a probability proportional to its filter value at the point. The expected value is the same as if the
+// point contributed to all of these pixels. With the filters `box` and `centre`, a point contributes to its own pixel,
+// since no light path hits the exact centre of a pixel.
 class SplatFilter {
  public:
   SplatFilter(const Filter& filter, int width, int height)
@@ -33,21 +33,22 @@ class SplatFilter {
         width_(width),
         height_(height),
         radius_(filter.radius()),
-        whole_(filter.kind() == FilterKind::box || filter.kind() == FilterKind::centre) {}
+        own_pixel_only_(filter.kind() == FilterKind::box || filter.kind() == FilterKind::centre) {}
 
   struct Choice {
     uint32_t pixel;
-    float weight;  // the sum of all filters at this point: about one
+    float weight;  // the sum of the filters of all pixels at this point, approximately 1
   };
-  // `raster` is in pixels, (0, 0) the upper left corner; `u` in the unit square. Nothing if the pixel lies outside.
+  // `raster` is in pixels from the upper left corner, `u` a uniform point of the unit square. Nothing if the selected
+  // pixel is outside of the image.
   std::optional<Choice> choose(Vec2 raster, Vec2 u) const {
     if (!reaches(raster)) return {};
-    const Column x = choose(raster.x, u.x), y = choose(raster.y, u.y);
+    const Cell x = choose(raster.x, u.x), y = choose(raster.y, u.y);
     if (x.index < 0 || y.index < 0 || x.index >= width_ || y.index >= height_) return {};
     return Choice{static_cast<uint32_t>(y.index * width_ + x.index), x.weight * y.weight};
   }
 
-  // The part of the plane whose points may belong to a pixel.
+  // Whether a point can contribute to a pixel of the image.
   bool reaches(Vec2 raster) const {
     const float r = radius_;
     return raster.x > -r && raster.y > -r && raster.x < static_cast<float>(width_) + r &&
@@ -55,27 +56,27 @@ class SplatFilter {
   }
 
  private:
-  struct Column {
+  // The column or the row that was selected.
+  struct Cell {
     int index;
     float weight;
   };
-  Column choose(float x, float u) const {
-    // Without values in between: each point has its own pixel.
-    if (whole_) return {static_cast<int>(std::floor(x)), 1};
+  Cell choose(float x, float u) const {
+    if (own_pixel_only_) return {static_cast<int>(std::floor(x)), 1};
     const float base = std::floor(x - 0.5f);
     const Filter::Sums sums = filter_->sums_around(x - 0.5f - base);
-    const float at = u * sums[3];
-    const int chosen = (at >= sums[0]) + (at >= sums[1]) + (at >= sums[2]);
+    const float target = u * sums[3];
+    const int chosen = (target >= sums[0]) + (target >= sums[1]) + (target >= sums[2]);
     return {static_cast<int>(base) - 1 + chosen, sums[3]};
   }
 
   const Filter* filter_;
   int width_, height_;
   float radius_;
-  bool whole_;
+  bool own_pixel_only_;
 };
 
-// Adds what lists hold for the pixels of rows [first, end) of a picture of this width, list by list.
-void add_rows(std::span<const Splats> lists, int width, int first, int end, std::span<Rgb> picture);
+// Adds the contributions to the rows [first, end) of an image of this width, list by list.
+void add_rows(std::span<const Splats> lists, int width, int first, int end, std::span<Rgb> image);
 
 }  // namespace etendue::film

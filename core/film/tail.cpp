@@ -121,7 +121,7 @@ double fit_pareto(std::span<const double> x) {
   return (products_of(mean, x).log(0) + 0.5 * kPrior) / (n + kPrior);
 }
 
-double Tail::chance() const {
+double Tail::p_value() const {
   if (!khat || khat_error <= 0) return 1;
   // Under k = 1/2 the error is the one that belongs there, not that of the khat found.
   const double error = khat_error * 1.5 / (1 + *khat);
@@ -193,9 +193,9 @@ Tail TailAccumulator::report() const {
 
   const auto brightest = static_cast<size_t>(std::ceil(kBrightest * static_cast<double>(samples_)));
   const auto end = descending.begin() + static_cast<std::ptrdiff_t>(std::min(brightest, descending.size()));
-  if (sum_ > 0) tail.brightest = std::accumulate(descending.begin(), end, 0.0) / sum_;
+  if (sum_ > 0) tail.brightest_share = std::accumulate(descending.begin(), end, 0.0) / sum_;
   // With nothing thrown away, what is missing is no brighter than expected.
-  tail.brightest_is_bound = threshold_ > 0 && brightest > descending.size();
+  tail.brightest_share_is_lower_bound = threshold_ > 0 && brightest > descending.size();
 
   if (tail_length(samples_) < kFewestExceedances) return tail;
   const size_t length = std::min(tail_length(samples_), descending.size());

@@ -31,12 +31,12 @@ struct Tail {
   std::optional<double> khat;
   double khat_error = 0;  // its standard error, about
   double vov = 0;
-  double brightest = 0;
-  bool brightest_is_bound = false;  // not all of the brightest were kept: the share is larger
+  double brightest_share = 0;
+  bool brightest_share_is_lower_bound = false;  // not all of the brightest were kept: the share is larger
 
   bool heavy() const { return khat && *khat > khat_limit(samples); }
   // The probability of a khat this large by chance where the variance is only just infinite, k = 1/2; 1 if unknown.
-  double chance() const;
+  double p_value() const;
 };
 
 // The shape k of the generalised Pareto distribution for exceedances over a threshold, in ascending order, at least 5,
@@ -62,7 +62,7 @@ class TailAccumulator {
   uint64_t samples() const { return samples_; }
   double sum() const { return sum_; }
   // The largest deviations, in no order.
-  std::span<const float> kept() const { return kept_; }
+  std::span<const float> largest() const { return kept_; }
   Tail report() const;
 
  private:

@@ -1,7 +1,8 @@
-// How much the samples of each block of pixels scatter: what adaptive sampling goes by.
+// Sample variance of each tile, for adaptive sampling
 //
-// Kept for each half of the film, as seen when the half had 4, 8, 16 ... samples in every pixel: a decision that looks
-// at so many first samples does not depend on how many more were taken, which another decision may have made of them.
+// The mean and the variance of the samples of a tile are recorded for each half-buffer when it has 4, 8, 16, ...
+// samples in every pixel. A decision based on a record depends on a fixed number of samples only, not on how many
+// samples were taken afterwards, which other decisions may have determined.
 #pragma once
 #include <array>
 #include <bit>
@@ -14,51 +15,53 @@ namespace etendue::film {
 
 class TileVariance {
  public:
-  static constexpr int kFirstPower = 2, kPowers = 20;  // from the first up to, not with, kPowers
+  // Records are made at 2^power samples for powers in [kFirstPower, kEndPower).
+  static constexpr int kFirstPower = 2, kEndPower = 20;
 
-  // Means over the pixels of a block, of one half.
-  struct Seen {
-    float variance = 0, mean = 0;  // of one sample's luminance
+  // Means over the pixels of a tile in one half-buffer.
+  struct Moments {
+    float variance = 0, mean = 0;  // of the luminance of one sample
     bool known = false;
   };
 
   TileVariance() = default;
-  explicit TileVariance(size_t blocks) : blocks_(blocks) {}
+  explicit TileVariance(size_t tiles) : tiles_(tiles) {}
 
-  size_t blocks() const { return blocks_.size(); }
-  // Another sample in every pixel of a block. Different blocks may be added to from different threads.
-  void add(size_t block, uint32_t half, double sum_of_squares) { of(block, half).squares += sum_of_squares; }
-  double squares(size_t block, uint32_t half) const { return of(block, half).squares; }
+  size_t blocks() const { return tiles_.size(); }
 
-  static bool is_kept(uint32_t samples) {
-    return std::has_single_bit(samples) && samples >= 1U << kFirstPower && std::countr_zero(samples) < kPowers;
+  // Adds one sample in every pixel of a tile: the sum of the squared luminances. Different tiles may be updated from
+  // different threads.
+  void add(size_t tile, uint32_t half_buffer, double sum_of_squares) {
+    tiles_[tile][half_buffer].squares += sum_of_squares;
   }
-  // What was seen when the half had 2^power samples in every pixel of the block.
-  void keep(size_t block, uint32_t half, int power, const Seen& seen) { at(block, half, power) = seen; }
-  const Seen& seen(size_t block, uint32_t half, int power) const {
-    return of(block, half).seen[static_cast<size_t>(power - kFirstPower)];
+  double squares(size_t tile, uint32_t half_buffer) const { return tiles_[tile][half_buffer].squares; }
+
+  // Whether a record is made after this number of samples.
+  static bool is_recorded(uint32_t samples) {
+    return std::has_single_bit(samples) && samples >= 1U << kFirstPower && std::countr_zero(samples) < kEndPower;
+  }
+  // The record at 2^power samples in every pixel of the tile.
+  void record(size_t tile, uint32_t half_buffer, int power, const Moments& moments) {
+    tiles_[tile][half_buffer].records[static_cast<size_t>(power - kFirstPower)] = moments;
+  }
+  const Moments& recorded(size_t tile, uint32_t half_buffer, int power) const {
+    return tiles_[tile][half_buffer].records[static_cast<size_t>(power - kFirstPower)];
   }
 
-  // All that it knows, for checkpoints.
-  std::span<std::byte> bytes() { return std::as_writable_bytes(std::span(blocks_)); }
-  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(blocks_)); }
-  static constexpr size_t kBytesOfBlock = 2 * (sizeof(double) + sizeof(Seen) * (kPowers - kFirstPower));
+  // The complete state, for checkpoints.
+  std::span<std::byte> bytes() { return std::as_writable_bytes(std::span(tiles_)); }
+  std::span<const std::byte> bytes() const { return std::as_bytes(std::span(tiles_)); }
+  static constexpr size_t kBytesOfBlock = 2 * (sizeof(double) + sizeof(Moments) * (kEndPower - kFirstPower));
 
  private:
-  struct Half {
+  struct HalfBuffer {
     double squares = 0;
-    std::array<Seen, kPowers - kFirstPower> seen;
+    std::array<Moments, kEndPower - kFirstPower> records;
   };
-  using Block = std::array<Half, 2>;
-  static_assert(sizeof(Block) == kBytesOfBlock);
+  using Tile = std::array<HalfBuffer, 2>;
+  static_assert(sizeof(Tile) == kBytesOfBlock);
 
-  Half& of(size_t block, uint32_t half) { return blocks_[block][half]; }
-  const Half& of(size_t block, uint32_t half) const { return blocks_[block][half]; }
-  Seen& at(size_t block, uint32_t half, int power) {
-    return of(block, half).seen[static_cast<size_t>(power - kFirstPower)];
-  }
-
-  std::vector<Block> blocks_;
+  std::vector<Tile> tiles_;
 };
 
 }  // namespace etendue::film

@@ -1,9 +1,9 @@
-// Ray intersection: Embree behind a plain interface.
+// Ray intersection with Embree
 //
-// A MeshAccel is built once for a mesh and kept for as long as the mesh lives. An Accel is the top level over the
-// instances of one scene: building it anew after a transform costs what the instances cost, never what the meshes cost.
-// Small meshes that are used once stand in the top level itself, in world space, because an instance costs every ray
-// that meets it.
+// MeshAccel is the acceleration structure of one mesh and is built once. Accel is the top-level structure over the
+// instances of a scene; rebuilding it after a change of transforms costs time proportional to the number of instances.
+// Small meshes that occur once are stored in the top level itself, in world space, because entering an instance costs
+// time for every ray that hits its bounds.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -20,22 +20,23 @@ namespace etendue {
 struct Hit {
   static constexpr uint32_t kNone = 0xffffffffU;
   uint32_t instance = kNone, triangle = 0;
-  float u = 0, v = 0;  // barycentric weights of vertices 1 and 2; of a round shape its own (round_shape.h)
+  float u = 0, v = 0;  // barycentric weights of vertices 1 and 2, or the coordinates on an AnalyticShape
   float t = kInfinity;
 
   explicit operator bool() const { return instance != kNone; }
 };
 
-// Decides whether a hit stops the ray; only scenes with transparency have one. Called from many threads.
+// Stochastic opacity. Only scenes with transparency have one. Called from several threads concurrently.
 class OpacityTest {
  public:
   virtual ~OpacityTest() = default;
-  virtual bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const = 0;
+  // Whether this hit blocks a ray with this seed.
+  virtual bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const = 0;
 };
 
-// Sixteen rays and what they hit, as Embree takes them: number by number. Tracing them together is faster than one by
-// one, several times so if they are coherent. Write rays well before they are traced: numbers that were just written
-// stall the processor when they are read back sixteen at once.
+// Sixteen rays and their hits in structure-of-arrays layout. Tracing a packet is faster than tracing single rays, and
+// several times faster if the rays are coherent. Rays should be written some time before they are traced: reading
+// values as a vector directly after they were stored one by one causes store-forwarding stalls.
 class RayPacket {
  public:
   static constexpr int kSize = 16;
@@ -44,27 +45,33 @@ class RayPacket {
 
   void set(int lane, const Ray& ray) {
     RTCRay16& r = query_.ray;
-    r.org_x[lane] = ray.origin.x, r.org_y[lane] = ray.origin.y, r.org_z[lane] = ray.origin.z;
-    r.dir_x[lane] = ray.direction.x, r.dir_y[lane] = ray.direction.y, r.dir_z[lane] = ray.direction.z;
-    r.tnear[lane] = ray.tnear, r.tfar[lane] = ray.tfar;
+    r.org_x[lane] = ray.origin.x;
+    r.org_y[lane] = ray.origin.y;
+    r.org_z[lane] = ray.origin.z;
+    r.dir_x[lane] = ray.direction.x;
+    r.dir_y[lane] = ray.direction.y;
+    r.dir_z[lane] = ray.direction.z;
+    r.tnear[lane] = ray.tnear;
+    r.tfar[lane] = ray.tfar;
   }
 
-  // When the ray is, from 0 at the shutter's opening to 1 at its closing; what stands still is the same at all times.
+  // The time of the ray, from 0 at the opening to 1 at the closing of the shutter; 0 by default.
   void set_time(int lane, float time) { query_.ray.time[lane] = time; }
 
   Vec3 direction(int lane) const { return {query_.ray.dir_x[lane], query_.ray.dir_y[lane], query_.ray.dir_z[lane]}; }
 
-  // After Accel::intersect.
-  bool met(int lane) const { return query_.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
+  // The hit of a ray after Accel::intersect.
+  bool has_hit(int lane) const { return query_.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID; }
   [[gnu::always_inline]] void get(int lane, Hit& hit) const {
-    // Top-level geometry ids are instance numbers, whether the hit lies in an instance or in the top level itself.
-    const uint32_t in_instance = query_.hit.instID[0][lane];
-    hit.instance = in_instance != RTC_INVALID_GEOMETRY_ID ? in_instance : query_.hit.geomID[lane];
+    const uint32_t instance = query_.hit.instID[0][lane];
+    hit.instance = instance != RTC_INVALID_GEOMETRY_ID ? instance : query_.hit.geomID[lane];
     hit.triangle = query_.hit.primID[lane];
-    hit.u = query_.hit.u[lane], hit.v = query_.hit.v[lane], hit.t = query_.ray.tfar[lane];
+    hit.u = query_.hit.u[lane];
+    hit.v = query_.hit.v[lane];
+    hit.t = query_.ray.tfar[lane];
   }
-  // After Accel::occluded.
-  bool blocked(int lane) const { return query_.ray.tfar[lane] < 0; }
+  // The result for a ray after Accel::occluded.
+  bool is_occluded(int lane) const { return query_.ray.tfar[lane] < 0; }
 
  private:
   friend class Accel;
@@ -86,17 +93,18 @@ class MeshAccel {
   RTCScene scene_;
 };
 
+// An instance of a mesh, a mesh in world space, or an analytic shape.
 struct AccelInstance {
   std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const MeshAccel> accel;          // null: the mesh stands in the top level, and is in world space
-  Mat4 to_world{1};                                // of an instanced mesh
-  std::shared_ptr<const Motion> motion = nullptr;  // null: it stands still; a mesh that deforms stands in the top level
-  std::shared_ptr<const RoundShape> round = nullptr;  // instead of the mesh; placed where it stands still
+  std::shared_ptr<const MeshAccel> accel;                // null: the mesh is part of the top level and in world space
+  Mat4 to_world{1};                                      // of a mesh with `accel`
+  std::shared_ptr<const Motion> motion = nullptr;        // null: static. Deforming meshes have no `accel`
+  std::shared_ptr<const AnalyticShape> shape = nullptr;  // instead of a mesh; in world space if static
 };
 
 class Accel {
  public:
-  // Instance i of `instances` is Hit::instance i. What moves is where it is at the time of each ray.
+  // Hits on instances[i] have Hit::instance == i. The meshes and shapes must not change afterwards.
   explicit Accel(std::span<const AccelInstance> instances);
   ~Accel();
   Accel(const Accel&) = delete;
@@ -105,30 +113,30 @@ class Accel {
   // The nearest hit in [tnear, tfar]. `ray_seed` drives stochastic opacity.
   void intersect(const Ray& ray, const OpacityTest* opacity, uint32_t ray_seed, Hit& hit, float time = 0) const;
 
-  // The same for the first `count` rays of a packet; ray i has seeds[i]. `coherent`: they start close together and go
-  // about the same way.
+  // Intersects the first `count` rays of a packet; ray i has the seed seeds[i]. `coherent` states that the rays start
+  // close together in similar directions.
   void intersect(RayPacket& packet, int count, bool coherent, const OpacityTest* opacity, const uint32_t* seeds) const;
-  // Whether anything is hit in [tnear, tfar].
+  // Tests whether the first `count` rays of a packet hit anything in [tnear, tfar].
   void occluded(RayPacket& packet, int count, const OpacityTest* opacity, const uint32_t* seeds) const;
 
   Bounds bounds() const;
 
  private:
-  // Of a hit on a round shape, whose place Embree does not tell: its u and v.
-  Vec2 place_on_round(uint32_t instance, const Vec3& point, float time) const;
-  bool is_round(uint32_t in_instance, uint32_t geometry) const {
-    return in_instance == 0xffffffffU && geometry < kept_.size() && kept_[geometry].round;
+  // The coordinates (u, v) of a hit on an analytic shape, which Embree does not compute.
+  Vec2 shape_coordinates(uint32_t instance, const Vec3& point, float time) const;
+  bool is_shape(uint32_t instance, uint32_t geometry) const {
+    return instance == RTC_INVALID_GEOMETRY_ID && geometry < instances_.size() && instances_[geometry].shape;
   }
 
   RTCScene scene_;
-  std::vector<AccelInstance> kept_;  // what Embree points to
-  bool any_round_ = false;
+  std::vector<AccelInstance> instances_;  // owns the buffers that Embree uses
+  bool has_shapes_ = false;
 };
 
-// Bytes that Embree holds at the moment, all scenes together.
+// The memory that Embree uses for all scenes together, in bytes.
 size_t embree_memory();
 
-// Rays on this thread run with denormals flushed to zero, as Embree wants it.
+// Enables flush-to-zero for denormals on this thread, as Embree recommends. Call it on every thread that traces rays.
 void prepare_thread_for_rays();
 
 }  // namespace etendue

@@ -1,68 +1,70 @@
-// A sphere or a disk: what rays meet without triangles.
+// Spheres and disks, which are intersected analytically
 //
-// A hit on one has two numbers u and v, as a hit on a triangle has: on a disk the place along its two axes, from -1 to
-// 1; on a sphere the direction from the centre, folded onto a square (octahedral map; Meyer et al. 2010). Whatever
-// shades triangles is given a facet that touches the shape there.
+// The surface coordinates (u, v) of a hit are in [-1, 1]^2. On a disk they are the position along its two axes; on a
+// sphere they are the octahedral encoding of the direction from the centre [Meyer et al. 2010]. For shading, the shape
+// is replaced by a tangent triangle at the hit.
 #pragma once
 #include "base/frame.h"
 #include "geometry/motion.h"
 
 namespace etendue {
 
-// A direction as two numbers from -1 to 1.
-inline Vec2 fold_direction(const Vec3& n) {
+// Maps unit vectors to [-1, 1]^2 and back [Meyer et al. 2010].
+inline Vec2 octahedral_encode(const Vec3& n) {
   const float sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
   const Vec2 p = Vec2(n.x, n.y) / sum;
   if (n.z >= 0) return p;
   return {std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y)};
 }
 
-inline Vec3 unfold_direction(Vec2 p) {
+inline Vec3 octahedral_decode(Vec2 p) {
   Vec3 n(p.x, p.y, 1 - std::abs(p.x) - std::abs(p.y));
   const float over = std::max(-n.z, 0.0f);
-  n.x -= std::copysign(over, n.x), n.y -= std::copysign(over, n.y);
+  n.x -= std::copysign(over, n.x);
+  n.y -= std::copysign(over, n.y);
   return glm::normalize(n);
 }
 
-// A node's matrix with axes of unit length.
+// The matrix with its axes scaled to unit length.
 inline Mat4 without_scale(const Mat4& node) {
   Mat4 m = node;
   for (int axis = 0; axis < 3; ++axis) m[axis] = Vec4(normalize_or(Vec3(node[axis]), Vec3(0)), 0);
   return m;
 }
 
-struct RoundShape {
+struct AnalyticShape {
   enum class Kind : uint8_t { sphere, disk };
 
   Kind kind = Kind::sphere;
   Vec3 centre{0};
-  Frame frame;  // of a disk; z is its normal
+  Frame frame;  // of a disk: x and y span it, z is its normal
   float radius = 1;
 
-  // Where a node puts it: its origin, and the disk across its z, facing -z. Its scale does not count.
-  RoundShape placed(const Mat4& node) const {
-    RoundShape s = *this;
+  // The shape at the origin of a node. A disk is perpendicular to the z axis of the node and faces -z. The scale of the
+  // node is ignored.
+  AnalyticShape placed(const Mat4& node) const {
+    AnalyticShape s = *this;
     s.centre = Vec3(node[3]);
     s.frame.build(normalize_or(-Vec3(node[2]), Vec3(0, 0, -1)), Vec3(node[0]), 1);
     return s;
   }
 
   float area() const { return (kind == Kind::sphere ? 4 : 1) * kPi * radius * radius; }
-  Vec3 normal_at(Vec2 uv) const { return kind == Kind::sphere ? unfold_direction(uv) : frame.z; }
+  Vec3 normal_at(Vec2 uv) const { return kind == Kind::sphere ? octahedral_decode(uv) : frame.z; }
   Vec3 point_at(Vec2 uv) const {
-    return kind == Kind::sphere ? centre + radius * unfold_direction(uv)
+    return kind == Kind::sphere ? centre + radius * octahedral_decode(uv)
                                 : centre + radius * (uv.x * frame.x + uv.y * frame.y);
   }
-  // Its corner is that point, its sides go along the surface.
+  // The tangent triangle whose first corner is the point at `uv`.
   Facet facet_at(Vec2 uv) const {
     const Vec3 p = point_at(uv);
-    const Frame at = kind == Kind::sphere ? Frame(unfold_direction(uv)) : frame;
-    return {p, p + radius * at.x, p + radius * at.y, 1};
+    const Frame tangent = kind == Kind::sphere ? Frame(octahedral_decode(uv)) : frame;
+    return {p, p + radius * tangent.x, p + radius * tangent.y, 1};
   }
-  // Of a point on it, more or less.
+  // The coordinates of a point on the shape, up to rounding.
   Vec2 uv_of(const Vec3& point) const {
     const Vec3 v = (point - centre) / radius;
-    return kind == Kind::sphere ? fold_direction(v) : Vec2(glm::dot(v, frame.x), glm::dot(v, frame.y));
+    return kind == Kind::sphere ? octahedral_encode(v) : Vec2(glm::dot(v, frame.x), glm::dot(v, frame.y));
   }
 };
 

@@ -1,4 +1,4 @@
-// Putting raw triangles in order before they are traced: what has no area, stands there twice or is no number.
+// Validation and repair of triangle meshes: non-finite, degenerate and duplicate triangles, normals.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,29 +7,30 @@
 
 namespace etendue {
 
-// Removes triangles with a corner that is not finite and moves such vertices onto one that is. Returns how many were
+// Removes triangles with a non-finite vertex and moves such vertices to a finite one. Returns the number of triangles
 // removed.
 size_t drop_non_finite(Mesh& mesh);
 
-// Removes triangles whose normal is lost in rounding: two corners in one place, all three on a line, or areas beyond
-// what a float holds. Returns how many.
+// Removes triangles whose normal cannot be computed: two equal vertices, collinear vertices up to rounding, or an area
+// that overflows. Returns the number of triangles removed.
 size_t drop_degenerate(Mesh& mesh);
 
-// Removes triangles that lie exactly on an earlier one with the same front: they would emit and absorb twice. Returns
-// how many.
+// Removes triangles with the vertices and the orientation of an earlier one, because coincident triangles would emit
+// and absorb twice. Returns the number of triangles removed.
 size_t drop_duplicates(Mesh& mesh);
 
-// Makes all normals unit vectors. One that has no direction becomes the mean of the faces around it. Returns how many
-// had none.
+// Normalises all normals. A normal without direction is replaced by the area-weighted mean of the adjacent faces.
+// Returns the number of normals replaced.
 size_t repair_normals(Mesh& mesh);
 
-// Three vertices for every triangle, with its geometric normal. Returns of which vertex each is a copy.
-std::vector<uint32_t> flatten(Mesh& mesh);
+// Replaces shared vertices by three vertices per triangle with its geometric normal, for flat shading. Returns for each
+// new vertex the index of the vertex that it copies.
+std::vector<uint32_t> split_into_flat_triangles(Mesh& mesh);
 
-// Appends copies of these vertices, in all arrays that the mesh has.
+// Appends copies of these vertices to all arrays of the mesh.
 void append_copies(Mesh& mesh, const std::vector<uint32_t>& vertices);
 
-// Equal positions have equal hashes; zero has no sign here.
+// Equal positions have equal hashes; 0 and -0 are equal.
 uint64_t hash_position(const Vec3& p);
 
 }  // namespace etendue

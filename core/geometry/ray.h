@@ -1,4 +1,4 @@
-// A ray: origin, unit direction and the part of it that counts.
+// A ray with unit direction; intersections are searched in [tnear, tfar].
 #pragma once
 #include "base/vec.h"
 

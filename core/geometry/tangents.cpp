@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint32_t kNone = 0xffffffffU;
 
-// The triangle's direction of growing u, and on which side the texture is seen.
+// The direction of increasing u on a triangle, and whether the texture is mirrored on it.
 struct Gradient {
   Vec3 direction{0};
   bool mirrored = false, valid = false;
@@ -23,7 +23,7 @@ class TangentBuilder {
   TangentBuilder(Mesh& mesh, size_t set, const glm::mat2& to_texture)
       : mesh_(mesh), set_(set), to_texture_(to_texture) {}
 
-  std::vector<uint32_t> run() {
+  std::vector<uint32_t> build() {
     weld();
     for (const Triangle& t : mesh_.triangles) gradients_.push_back(gradient_of(t));
     collect_corners();
@@ -35,7 +35,7 @@ class TangentBuilder {
  private:
   Vec2 uv(uint32_t vertex) const { return to_texture_ * mesh_.uvs[set_][vertex]; }
 
-  // Vertices that agree in everything that matters are one.
+  // Maps vertices with equal position, normal and texture coordinates to one representative.
   void weld() {
     const size_t n = mesh_.positions.size();
     const size_t slots = std::bit_ceil(2 * n + 2);
@@ -72,7 +72,7 @@ class TangentBuilder {
     return welded_[mesh_.triangles[corner / 3][(corner % 3 + step) % 3]];
   }
 
-  // Corners by welded vertex, counted and sorted in.
+  // Sorts corners by their welded vertex (counting sort).
   void collect_corners() {
     first_corner_.assign(mesh_.positions.size() + 1, 0);
     const size_t corners = mesh_.triangles.size() * 3;
@@ -83,7 +83,7 @@ class TangentBuilder {
     for (size_t c = 0; c < corners; ++c) corners_[next[welded_[vertex_at(c)]]++] = c;
   }
 
-  // Splits the corners around a vertex into runs that edges connect and that have one handedness.
+  // Partitions the corners around a vertex into groups that are connected by edges and have the same handedness.
   void group_corners(size_t id) {
     const std::span<const size_t> corners(corners_.data() + first_corner_[id],
                                           first_corner_[id + 1] - first_corner_[id]);
@@ -94,7 +94,7 @@ class TangentBuilder {
       while (parent[i] != i) i = parent[i] = parent[parent[i]];
       return i;
     };
-    // An edge is left by one triangle and entered by its neighbour.
+    // An edge that leaves the vertex in one triangle enters it in the adjacent triangle.
     std::vector<std::pair<uint32_t, size_t>> leaving, entering;
     for (size_t i = 0; i < corners.size(); ++i) {
       leaving.emplace_back(neighbour_at(corners[i], 1), i);
@@ -104,17 +104,19 @@ class TangentBuilder {
     std::sort(entering.begin(), entering.end());
     for (size_t l = 0, e = 0; l < leaving.size() && e < entering.size();) {
       if (leaving[l].first != entering[e].first) {
-        leaving[l].first < entering[e].first ? ++l : ++e;
+        ++(leaving[l].first < entering[e].first ? l : e);
         continue;
       }
       const Gradient &a = gradients_[corners[leaving[l].second] / 3], &b = gradients_[corners[entering[e].second] / 3];
       if (a.valid && b.valid && a.mirrored == b.mirrored) parent[root(leaving[l].second)] = root(entering[e].second);
-      ++l, ++e;
+      ++l;
+      ++e;
     }
     average(corners, [&](size_t i) { return root(i); });
   }
 
   template <class Root>
+  // Adds the mean tangent of each group and assigns it to its corners.
   void average(std::span<const size_t> corners, Root&& root) {
     std::vector<Vec3> sums(corners.size(), Vec3(0));
     const Vec3& normal = mesh_.normals[vertex_at(corners[0])];
@@ -129,7 +131,7 @@ class TangentBuilder {
       if (g == kNone) g = any = add_tangent(sums[root(i)], normal, gradient.mirrored);
       groups_[corners[i]] = g;
     }
-    // Triangles without texture follow whoever is there.
+    // Corners of triangles without texture gradient join another group of the vertex.
     for (const size_t c : corners) {
       if (groups_[c] != kNone) continue;
       if (any == kNone) any = add_tangent(Vec3(0), normal, true);
@@ -137,6 +139,7 @@ class TangentBuilder {
     }
   }
 
+  // The tangent of a triangle, weighted by the angle at the corner.
   Vec3 contribution(size_t corner, const Vec3& normal) const {
     const auto flat = [&](const Vec3& v) { return normalize_or(v - normal * glm::dot(normal, v), Vec3(0)); };
     const Triangle& t = mesh_.triangles[corner / 3];
@@ -148,12 +151,13 @@ class TangentBuilder {
   uint32_t add_tangent(const Vec3& sum, const Vec3& normal, bool mirrored) {
     const Vec3 axis = std::abs(normal.x) < 0.9f ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 tangent = normalize_or(sum, normalize_or(axis - normal * glm::dot(normal, axis), axis));
-    // glTF's v grows downwards in the picture while the y of a normal map points up, so that coordinates which look
-    // mirrored have the positive sign.
+    // In glTF, v increases downwards, but the y axis of a normal map points up. Coordinates that appear mirrored
+    // therefore have the sign +1.
     tangents_.emplace_back(tangent, mirrored ? 1.0f : -1.0f);
     return static_cast<uint32_t>(tangents_.size() - 1);
   }
 
+  // Sets the tangents of all vertices and splits vertices with several groups; returns the originals of the copies.
   std::vector<uint32_t> assign() {
     std::vector<uint32_t> owner(mesh_.positions.size(), kNone), copies;
     std::unordered_map<uint64_t, uint32_t> split;
@@ -188,7 +192,7 @@ class TangentBuilder {
 }  // namespace
 
 std::vector<uint32_t> generate_tangents(Mesh& mesh, size_t set, const glm::mat2& to_texture) {
-  return TangentBuilder(mesh, set, to_texture).run();
+  return TangentBuilder(mesh, set, to_texture).build();
 }
 
 }  // namespace etendue

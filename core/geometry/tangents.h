@@ -1,9 +1,8 @@
-// Tangents for normal maps where a file has none.                  M. Mikkelsen, "MikkTSpace", 2008; glTF 2.0,
-// section 3.7.2.1
+// Tangents for normal maps, for meshes without tangents                      [Mikkelsen 2008; glTF 2.0, sec. 3.7.2.1]
 //
-// As glTF asks for: corners of triangles that agree in position, normal and texture coordinates, are joined by edges
-// and have the same handedness share a tangent, which is the mean of theirs weighted by angle. A vertex on the seam of
-// a mirrored texture gets two tangents, so it is split.
+// As glTF requires, triangle corners share a tangent if they agree in position, normal and texture coordinates, are
+// connected by edges and have the same handedness. The tangent is the mean of the tangents of their triangles, weighted
+// by angle. A vertex on the seam of a mirrored texture needs two tangents and is split.
 #pragma once
 #include <vector>
 
@@ -11,9 +10,9 @@
 
 namespace etendue {
 
-// Fills mesh.tangents from normals and texture coordinates of the given set, which the mesh must have. `to_texture` is
-// what the texture does to the coordinates. Appends the vertices that have to be split and says of which vertex each is
-// a copy.
+// Computes mesh.tangents from the normals and the texture coordinates of this set, which the mesh must have.
+// `to_texture` is the linear part of the texture transform. Appends copies of the vertices that must be split, and
+// returns the index of the original of each copy.
 std::vector<uint32_t> generate_tangents(Mesh& mesh, size_t set, const glm::mat2& to_texture = glm::mat2(1));
 
 }  // namespace etendue

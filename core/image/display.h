@@ -1,4 +1,6 @@
-// From radiance to what a screen shows: exposure, a tone curve, the sRGB encoding. shaders/display.frag does the same.
+// Conversion of radiance to display values: exposure, tone mapping and sRGB encoding
+//
+// shaders/display.frag computes the same on the GPU.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -12,14 +14,14 @@ namespace etendue::image {
 
 enum class ToneCurve { none, neutral, aces, agx };
 
-// Linear Rec. 709 in, display-linear out in [0, 1].
-//   none     clipped
-//   neutral  Khronos PBR Neutral, 2024: base colours come out as they are
-//   aces     S. Hill's fit of the ACES reference rendering and output transforms, brightened by 1 / 0.6
-//   agx      B. Wrensch's fit of T. Sobotka's AgX
+// Maps scene-referred linear Rec. 709 values to display-linear values in [0, 1].
+//   none     clamps
+//   neutral  Khronos PBR Neutral [Khronos 2024], which preserves base colours below 0.8
+//   aces     fit of the ACES reference rendering and output transforms [Hill 2017], scaled by 1 / 0.6
+//   agx      fit of AgX [Sobotka 2022] by [Wrensch 2023]
 Rgb tone_mapped(const Rgb& radiance, ToneCurve curve);
 
-// Three bytes a pixel, sRGB-encoded and rounded; `exposure` in EV.
+// 8-bit sRGB values of linear RGB pixels. `exposure` is in stops: values are multiplied by 2^exposure.
 std::vector<uint8_t> display_pixels(std::span<const float> rgb, float exposure, ToneCurve curve);
 
 }  // namespace etendue::image
@@ -27,5 +29,5 @@ std::vector<uint8_t> display_pixels(std::span<const float> rgb, float exposure, 
 template <>
 struct etendue::Options<etendue::image::ToneCurve> {
   static constexpr std::array<etendue::Option, 4> kOptions{
-      {{"none", "None"}, {"neutral", "PBR Neutral"}, {"aces", "ACES"}, {"agx", "AgX"}}};
+      {{"none", "Linear (sRGB)"}, {"neutral", "PBR Neutral"}, {"aces", "ACES"}, {"agx", "AgX"}}};
 };

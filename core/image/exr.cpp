@@ -1,53 +1,66 @@
-// Reading OpenEXR: flat pictures of one or several parts, scanlines or tiles, any compression.
+// OpenEXR, through the OpenEXR library
 //
-// The result is the display window. Pixels of it outside the data window are zero; what lies in the data window beyond
-// it (overscan) is cut off. Channels "albedo.R", "albedo.G", ... form the layer "albedo"; a channel without a dot
-// belongs to the layer "". Integers above 2^24 are rounded, as every channel is read as float.
+// Read: flat images with one or several parts, scanlines or tiles, any compression. The result has the size of the
+// display window. Its pixels outside of the data window are zero; pixels of the data window outside of the display
+// window (overscan) are dropped. The channels "albedo.R", "albedo.G", ... form the layer "albedo"; a channel without a
+// dot belongs to the layer "". All channels are read as float, so integers above 2^24 are rounded.
+//
+// Written: float channels, ZIP compression, text attributes.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
+#include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
+#include <set>
 #include <stdexcept>
 
 #include "base/file.h"
-#include "image/codecs.h"
+#include "image/format.h"
 
 namespace etendue::image {
 namespace {
 
-constexpr uint64_t kMaxValues = uint64_t{1} << 30;  // in all channels together: 4 GiB
+constexpr uint64_t kMaxValues = uint64_t{1} << 30;  // of all channels together: 4 GiB
+
+std::string full_name(const Layer& layer, const std::string& channel) {
+  return layer.name.empty() ? channel : layer.name + "." + channel;
+}
+
+// ---- Reading
 
 class MemoryStream : public Imf::IStream {
  public:
   MemoryStream(Bytes bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
 
   bool read(char target[], int size) override {
-    const size_t wanted = static_cast<size_t>(size);
-    if (at_ > bytes_.size() || wanted > bytes_.size() - at_) throw std::runtime_error("the file is cut off");
-    std::memcpy(target, bytes_.data() + at_, wanted);
-    at_ += wanted;
-    return at_ < bytes_.size();
+    const size_t count = static_cast<size_t>(size);
+    if (position_ > bytes_.size() || count > bytes_.size() - position_)
+      throw std::runtime_error("the file is truncated");
+    std::memcpy(target, bytes_.data() + position_, count);
+    position_ += count;
+    return position_ < bytes_.size();
   }
-  uint64_t tellg() override { return at_; }
-  void seekg(uint64_t position) override { at_ = position; }
+  uint64_t tellg() override { return position_; }
+  void seekg(uint64_t position) override { position_ = position; }
 
  private:
   Bytes bytes_;
-  uint64_t at_ = 0;
+  uint64_t position_ = 0;
 };
 
 uint64_t extent(int min, int max) { return max < min ? 0 : static_cast<uint64_t>(int64_t{max} - min + 1); }
 uint64_t width_of(const Imath::Box2i& box) { return extent(box.min.x, box.max.x); }
 uint64_t height_of(const Imath::Box2i& box) { return extent(box.min.y, box.max.y); }
 
-// R, G, B, A and X, Y, Z stand in this order, whatever the file's; other channels follow by name.
+// Sort key of a channel: R, G, B, A, X, Y, Z come first in this order, then all others in the order of their names.
 size_t channel_rank(const std::string& channel) {
   static const std::string order = "RGBAXYZ";
   const size_t rank = channel.size() == 1 ? order.find(channel[0]) : std::string::npos;
@@ -84,15 +97,15 @@ void read_lines(Imf::InputPart& part, std::vector<Layer>& layers, const Imath::B
     const size_t channels = layer.channels.size(), stride = channels * sizeof(float);
     layer.pixels.assign(channels * width_of(window) * height_of(window), 0.0f);
     for (size_t c = 0; c < channels; ++c) {
-      const std::string full = layer.name.empty() ? layer.channels[c] : layer.name + "." + layer.channels[c];
-      target.insert(full, Imf::Slice::Make(Imf::FLOAT, &layer.pixels[c], window, stride, stride * width_of(window)));
+      target.insert(full_name(layer, layer.channels[c]),
+                    Imf::Slice::Make(Imf::FLOAT, &layer.pixels[c], window, stride, stride * width_of(window)));
     }
   }
   part.setFrameBuffer(target);
   part.readPixels(window.min.y, window.max.y);
 }
 
-// The pixels that both windows share, in a picture as large as the display window.
+// Converts pixels of the data window to pixels of the display window.
 void crop_to_display(Layer& layer, const Imath::Box2i& data, const Imath::Box2i& display) {
   const size_t channels = layer.channels.size();
   std::vector<float> cropped(channels * width_of(display) * height_of(display), 0.0f);
@@ -112,7 +125,7 @@ std::vector<Layer> read_part(Imf::MultiPartInputFile& file, int index) {
   const Imath::Box2i data = header.dataWindow();
   Imf::InputPart part(file, index);
   std::vector<Layer> layers = list_layers(header.channels());
-  // A file that is cut off lacks its last line: found out before memory is taken for all of them.
+  // The last line is read first, so that a truncated file is detected before memory is allocated for all lines.
   read_lines(part, layers, Imath::Box2i({data.min.x, data.max.y}, data.max));
   read_lines(part, layers, data);
   if (data != header.displayWindow())
@@ -120,7 +133,7 @@ std::vector<Layer> read_part(Imf::MultiPartInputFile& file, int index) {
   return layers;
 }
 
-// What the format keeps for itself in the header of a part.
+// Attributes with a meaning in the file format.
 bool is_reserved(const std::string& attribute) {
   return attribute == "name" || attribute == "type" || attribute == "view";
 }
@@ -136,17 +149,18 @@ std::map<std::string, std::string> text_attributes(const Imf::Header& header) {
 
 Result<void> check_part(const Imf::Header& header, const std::string& name, uint64_t& values) {
   if (header.hasType() && !Imf::isImage(header.type()))
-    return input_error(name + ": deep EXR cannot be read; flatten it");
+    return input_error(name + ": deep OpenEXR images are not supported; flatten the image");
   for (const Imath::Box2i& window : {header.dataWindow(), header.displayWindow()}) {
-    if (auto size = check_size(width_of(window), height_of(window), name); !size) return size;
+    if (auto size = check_image_size(width_of(window), height_of(window), name); !size) return size;
     for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
       values += width_of(window) * height_of(window);
   }
   if (values <= 2 * kMaxValues) return {};
-  return input_error(name + ": the EXR holds more than 2^30 values in its channels; give fewer layers");
+  return input_error(name +
+                     ": the OpenEXR file has more than 2^30 values in all channels; reduce the number of layers");
 }
 
-// Later parts keep their own name where a layer of that name is there already.
+// A layer of a later part whose name is taken is prefixed with the name of the part.
 void add_layers(std::vector<Layer> layers, const Imf::Header& header, LayeredImage& image) {
   for (Layer& layer : layers) {
     if (image.find(layer.name)) {
@@ -163,31 +177,95 @@ Result<LayeredImage> decode(Imf::MultiPartInputFile& file, const std::string& na
     if (auto checked = check_part(file.header(i), name, values); !checked) return checked.error();
   LayeredImage image;
   const Imath::Box2i display = file.header(0).displayWindow();
-  image.width = static_cast<int>(width_of(display)), image.height = static_cast<int>(height_of(display));
+  image.width = static_cast<int>(width_of(display));
+  image.height = static_cast<int>(height_of(display));
   image.attributes = text_attributes(file.header(0));
   for (int i = 0; i < file.parts(); ++i) add_layers(read_part(file, i), file.header(i), image);
   return image;
 }
 
-}  // namespace
+// ---- Writing
 
-bool is_exr(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
+Result<void> check_layers(const std::string& name, const LayeredImage& image) {
+  if (image.width <= 0 || image.height <= 0 || image.layers.empty()) return output_error(name + ": the image is empty");
+  const size_t count = static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+  std::set<std::string> names;
+  for (const Layer& layer : image.layers) {
+    if (layer.channels.empty() || layer.pixels.size() != count * layer.channels.size())
+      return output_error(name + ": layer '" + layer.name + "' has the wrong number of pixels");
+    for (const std::string& channel : layer.channels)
+      if (channel.empty() || !names.insert(full_name(layer, channel)).second)
+        return output_error(name + ": channel '" + full_name(layer, channel) + "' occurs twice or has no name");
+  }
+  return {};
+}
 
-Result<LayeredImage> decode_exr(Bytes bytes, const std::string& name) {
-  if (!is_exr(bytes)) return input_error(name + ": this is no OpenEXR file");
+Imf::Header make_header(const LayeredImage& image) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  for (const auto& [key, text] : image.attributes) header.insert(key, Imf::StringAttribute(text));
+  for (const Layer& layer : image.layers)
+    for (const std::string& channel : layer.channels)
+      header.channels().insert(full_name(layer, channel), Imf::Channel(Imf::FLOAT));
+  return header;
+}
+
+Imf::FrameBuffer make_source(const LayeredImage& image) {
+  Imf::FrameBuffer source;
+  for (const Layer& layer : image.layers) {
+    const size_t stride = layer.channels.size() * sizeof(float);
+    for (size_t c = 0; c < layer.channels.size(); ++c) {
+      char* first = reinterpret_cast<char*>(const_cast<float*>(&layer.pixels[c]));  // only read from
+      source.insert(full_name(layer, layer.channels[c]),
+                    Imf::Slice(Imf::FLOAT, first, stride, stride * static_cast<size_t>(image.width)));
+    }
+  }
+  return source;
+}
+
+bool recognises(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
+
+Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
+  if (!recognises(bytes)) return input_error(name + ": this is not an OpenEXR file");
   try {
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream, 0, false);
     return decode(file, name);
   } catch (const std::exception& e) {
-    return input_error(name + ": damaged or unsupported EXR: " + e.what());
+    return input_error(name + ": damaged or unsupported OpenEXR: " + e.what());
   }
 }
+
+}  // namespace
 
 Result<LayeredImage> read_exr(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  return decode_exr(*bytes, path.string());
+  return decode_bytes(*bytes, path.string());
 }
+
+Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {
+  if (auto checked = check_layers(path.string(), image); !checked) return checked;
+  return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
+    try {
+      Imf::OutputFile file(temporary.c_str(), make_header(image));
+      file.setFrameBuffer(make_source(image));
+      file.writePixels(image.height);
+      return {};
+    } catch (const std::exception& e) {
+      return output_error(path.string() + ": cannot be written as OpenEXR: " + e.what());
+    }
+  });
+}
+
+extern const ImageFormat kExrFormat{
+    .name = "exr",
+    .label = "OpenEXR",
+    .extensions = {".exr"},
+    .doc = "Read and written: layers of linear values with text attributes.",
+    .recognises = recognises,
+    .decode_layers = decode_bytes,
+    .write_layers = write_exr,
+};
 
 }  // namespace etendue::image

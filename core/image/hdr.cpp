@@ -1,9 +1,10 @@
-// Radiance pictures (.hdr): four bytes a pixel, three mantissas and a shared exponent (G. Ward, "Real Pixels", Graphics
-// Gems II, 1991), scanlines stored flat or run-length encoded in the old or the new way (Radiance file formats,
-// "Picture").
+// Radiance HDR (.hdr): RGBE, four bytes per pixel, which are three mantissas and a shared exponent [Ward 1991]
 //
-// A mantissa is read as byte * 2^(exponent - 136), without Ward's half step, as image libraries do; the writer rounds
-// to the nearest such value. EXPOSURE is not undone: renderers agree on the stored numbers.
+// Read: scanlines stored flat, or with the old or the new run-length encoding of the format [Radiance file formats].
+// A component is byte * 2^(exponent - 136), without the offset of half a step in [Ward 1991], as in other image
+// libraries. EXPOSURE is ignored, as in other renderers.
+//
+// Written: the new run-length encoding; components are rounded to the nearest representable value.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,7 +12,7 @@
 #include <memory>
 
 #include "base/file.h"
-#include "image/codecs.h"
+#include "image/format.h"
 
 namespace etendue::image {
 namespace {
@@ -19,25 +20,26 @@ namespace {
 using Rgbe = std::array<uint8_t, 4>;
 using Row = std::span<Rgbe>;
 
-// Widths that the new run-length encoding can express.
+// The widths that the new run-length encoding can represent.
 constexpr size_t kMinRunWidth = 8, kMaxRunWidth = 32767;
 
-// The shortest row, whatever its encoding.
+// The length of the shortest row in any encoding.
 constexpr uint64_t kMinRowBytes = 4;
 
 class Input {
  public:
   explicit Input(Bytes bytes) : bytes_(bytes) {}
 
-  bool take(uint8_t& byte) {
-    if (at_ == bytes_.size()) return false;
-    byte = static_cast<uint8_t>(bytes_[at_++]);
+  // Each function returns false at the end of the file.
+  bool read(uint8_t& byte) {
+    if (position_ == bytes_.size()) return false;
+    byte = static_cast<uint8_t>(bytes_[position_++]);
     return true;
   }
-  bool take(Rgbe& pixel) { return take(pixel[0]) && take(pixel[1]) && take(pixel[2]) && take(pixel[3]); }
-  bool take_line(std::string& line) {
+  bool read(Rgbe& pixel) { return read(pixel[0]) && read(pixel[1]) && read(pixel[2]) && read(pixel[3]); }
+  bool read_line(std::string& line) {
     line.clear();
-    for (uint8_t c; take(c);) {
+    for (uint8_t c; read(c);) {
       if (c == '\n') return true;
       line.push_back(static_cast<char>(c));
     }
@@ -46,7 +48,7 @@ class Input {
 
  private:
   Bytes bytes_;
-  size_t at_ = 0;
+  size_t position_ = 0;
 };
 
 // "-Y height +X width": rows from the top, pixels from the left.
@@ -62,32 +64,32 @@ bool parse_resolution(const std::string& line, uint64_t& width, uint64_t& height
 Result<void> read_header(Input& input, const std::string& name, uint64_t& width, uint64_t& height) {
   std::string line;
   do {
-    if (!input.take_line(line)) return input_error(name + ": the Radiance header is cut off");
+    if (!input.read_line(line)) return input_error(name + ": the Radiance header is truncated");
     if (line.starts_with("FORMAT=") && !line.starts_with("FORMAT=32-bit_rle_rgbe"))
-      return input_error(name + ": '" + line + "' cannot be read; give FORMAT=32-bit_rle_rgbe");
+      return input_error(name + ": '" + line + "' is not supported; expected FORMAT=32-bit_rle_rgbe");
   } while (!line.empty() && line != "\r");
-  if (!input.take_line(line) || !parse_resolution(line, width, height))
-    return input_error(name + ": the Radiance resolution line is not of the form '-Y height +X width'");
+  if (!input.read_line(line) || !parse_resolution(line, width, height))
+    return input_error(name + ": invalid Radiance resolution line; expected '-Y height +X width'");
   return {};
 }
 
 bool read_component(Input& input, Row row, size_t component) {
   for (size_t x = 0; x < row.size();) {
     uint8_t count = 0, value = 0;
-    if (!input.take(count) || count == 0) return false;
+    if (!input.read(count) || count == 0) return false;
     const bool run = count > 128;
     const size_t length = run ? count - 128u : count;
-    if (length > row.size() - x || (run && !input.take(value))) return false;
+    if (length > row.size() - x || (run && !input.read(value))) return false;
     for (const size_t end = x + length; x < end; ++x) {
-      if (!run && !input.take(value)) return false;
+      if (!run && !input.read(value)) return false;
       row[x][component] = value;
     }
   }
   return true;
 }
 
-// Flat pixels, of which 1,1,1,n repeats the one before n times; a second such pixel in turn counts 256 n times, and so
-// on.
+// Flat pixels with the old run-length encoding: the pixel (1, 1, 1, n) repeats the previous pixel n times; the k-th
+// such pixel in a row repeats it 256^(k-1) n times. `pixel` is the first pixel of the row.
 bool read_old_row(Input& input, Row row, Rgbe pixel) {
   unsigned shift = 0;
   for (size_t x = 0;;) {
@@ -102,13 +104,13 @@ bool read_old_row(Input& input, Row row, Rgbe pixel) {
       shift = 0;
     }
     if (x == row.size()) return true;
-    if (!input.take(pixel)) return false;
+    if (!input.read(pixel)) return false;
   }
 }
 
 bool read_row(Input& input, Row row) {
   Rgbe first;
-  if (!input.take(first)) return false;
+  if (!input.read(first)) return false;
   const bool width_allows = row.size() >= kMinRunWidth && row.size() <= kMaxRunWidth;
   if (!width_allows || first[0] != 2 || first[1] != 2 || first[2] >= 128) return read_old_row(input, row, first);
   if (size_t{first[2]} * 256 + first[3] != row.size()) return false;
@@ -122,8 +124,7 @@ void append_decoded(const Rgbe& pixel, std::vector<float>& rgb) {
   for (size_t c = 0; c < 3; ++c) rgb.push_back(static_cast<float>(pixel[c]) * scale);
 }
 
-// What the format cannot hold becomes what is nearest: zero for negative values and NaN, the largest number for
-// infinity.
+// The nearest representable value: zero for negative values and NaN, the largest value for infinity.
 Rgbe encode(const float* rgb) {
   constexpr float kLargest = 0x1.fep+126f;
   float v[3], largest = 0;
@@ -132,7 +133,7 @@ Rgbe encode(const float* rgb) {
     largest = std::max(largest, v[c]);
   }
   int exponent = 0;
-  // A largest mantissa that would round up to 256 takes the next exponent.
+  // If the largest mantissa would round up to 256, the next exponent is used.
   if (std::frexp(largest, &exponent) * 256.0f >= 255.5f) ++exponent;
   if (largest <= 0 || exponent < -127) return {};
   Rgbe pixel{0, 0, 0, static_cast<uint8_t>(exponent + 128)};
@@ -146,19 +147,19 @@ size_t run_length(Row row, size_t x, size_t component) {
   return end - x;
 }
 
-// Runs of fewer than four bytes do not pay and stay among the literal ones.
+// Runs of fewer than four bytes are stored as literals, which is shorter.
 void append_component(Row row, size_t component, std::string& out) {
-  constexpr size_t kWorthwhile = 4, kMostLiterals = 128;
+  constexpr size_t kMinRun = 4, kMaxLiterals = 128;
   for (size_t x = 0; x < row.size();) {
     const size_t run = run_length(row, x, component);
-    if (run >= kWorthwhile) {
+    if (run >= kMinRun) {
       out.push_back(static_cast<char>(128 + run));
       out.push_back(static_cast<char>(row[x][component]));
       x += run;
       continue;
     }
     size_t end = x + 1;
-    while (end < row.size() && end - x < kMostLiterals && run_length(row, end, component) < kWorthwhile) ++end;
+    while (end < row.size() && end - x < kMaxLiterals && run_length(row, end, component) < kMinRun) ++end;
     out.push_back(static_cast<char>(end - x));
     for (; x < end; ++x) out.push_back(static_cast<char>(row[x][component]));
   }
@@ -173,37 +174,34 @@ void append_row(Row row, std::string& out) {
   for (size_t c = 0; c < 4; ++c) append_component(row, c, out);
 }
 
-}  // namespace
+bool recognises(Bytes bytes) { return starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE"); }
 
-bool is_hdr(Bytes bytes) { return starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE"); }
-
-Result<Image> decode_hdr(Bytes bytes, const std::string& name) {
+Result<Image> decode(Bytes bytes, const std::string& name) {
   Input input(bytes);
   uint64_t width = 0, height = 0;
   if (auto header = read_header(input, name, width, height); !header) return header.error();
-  if (auto size = check_size(width, height, name); !size) return size.error();
-  if (auto length = check_length(height * kMinRowBytes, bytes, name); !length) return length.error();
+  if (auto size = check_image_size(width, height, name); !size) return size.error();
+  if (auto length = check_file_length(height * kMinRowBytes, bytes, name); !length) return length.error();
 
-  Image image;
-  image.width = static_cast<int>(width), image.height = static_cast<int>(height), image.channels = 3;
-  image.type = PixelType::float32;
-  // Neither memory is touched before there are data for it, so that a lying header costs nothing.
+  Image image{
+      .width = static_cast<int>(width), .height = static_cast<int>(height), .channels = 3, .type = PixelType::float32};
+  // Memory is reserved but not touched before data were read for it, so that a wrong header costs nothing.
   image.floats.reserve(width * height * 3);
   const auto storage = std::make_unique_for_overwrite<Rgbe[]>(width);
   const Row row(storage.get(), width);
   for (uint64_t y = 0; y < height; ++y) {
     if (!read_row(input, row))
-      return input_error(name + ": the Radiance data are damaged or cut off in row " + std::to_string(y));
+      return input_error(name + ": the Radiance data are damaged or truncated in row " + std::to_string(y));
     for (const Rgbe& pixel : row) append_decoded(pixel, image.floats);
   }
   return image;
 }
 
+}  // namespace
+
 Result<void> write_hdr(const std::filesystem::path& path, int width, int height, std::span<const float> rgb) {
-  const size_t w = static_cast<size_t>(std::max(width, 0)), h = static_cast<size_t>(std::max(height, 0));
-  if (rgb.empty() || rgb.size() != w * h * 3)
-    return output_error(path.string() + ": the pixels do not fill " + std::to_string(width) + " x " +
-                        std::to_string(height) + " RGB");
+  if (auto size = check_rgb_size(width, height, rgb.size(), path.string()); !size) return size;
+  const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
   std::string out = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(h) + " +X " + std::to_string(w) + "\n";
   std::vector<Rgbe> row(w);
   for (size_t y = 0; y < h; ++y) {
@@ -212,5 +210,15 @@ Result<void> write_hdr(const std::filesystem::path& path, int width, int height,
   }
   return write_file(path, out.data(), out.size());
 }
+
+extern const ImageFormat kHdrFormat{
+    .name = "hdr",
+    .label = "Radiance HDR",
+    .extensions = {".hdr"},
+    .doc = "Read and written: linear RGB with 8-bit mantissas and a shared exponent.",
+    .recognises = recognises,
+    .decode = decode,
+    .write_linear = write_hdr,
+};
 
 }  // namespace etendue::image

@@ -1,8 +1,7 @@
-// Pictures in memory and in files.
+// Images in memory and in files
 //
-// An Image keeps its pixels as they were stored (8-bit, or linear float); row 0 is the top. Files are recognised by
-// their content when read and by their extension when written: .exr, .hdr, .png, .jpg, .webp (the last two are only
-// read).
+// Row 0 is the top of an image. Files are recognised by their content when read and by their extension when written;
+// image/format.h lists the formats.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -20,50 +19,62 @@ namespace etendue::image {
 
 enum class PixelType : uint8_t { byte8, float32 };
 
+// An image with the pixels of its file: 8-bit values, whose encoding the file does not determine, or linear floats.
 struct Image {
-  int width = 0, height = 0, channels = 0;  // 1 grey, 2 grey + alpha, 3 RGB, 4 RGBA
+  int width = 0, height = 0;
+  int channels = 0;  // 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
   PixelType type = PixelType::byte8;
-  std::vector<uint8_t> bytes;  // width * height * channels, if type is byte8
-  std::vector<float> floats;   // the same, if type is float32
+  std::vector<uint8_t> bytes = {};  // width * height * channels values, if type is byte8
+  std::vector<float> floats = {};   // the same number, if type is float32
 
   bool empty() const { return width == 0 || height == 0; }
+  // In bytes, of the pixels.
   size_t memory() const { return bytes.size() + floats.size() * sizeof(float); }
 };
 
-// Named layers of float pixels, as an EXR file holds them. "" is the beauty layer with channels R, G, B.
 struct Layer {
   std::string name;                   // "", "albedo", "depth", ...
-  std::vector<std::string> channels;  // "R","G","B" or "X","Y","Z" or "Z" ...
-  std::vector<float> pixels;          // interleaved, channels.size() per pixel
+  std::vector<std::string> channels;  // {"R", "G", "B"}, {"X", "Y", "Z"}, {"Z"}, ...
+  std::vector<float> pixels;          // interleaved, channels.size() values per pixel
 };
 
+// Named layers of linear float pixels, as in an OpenEXR file. The beauty layer has the name "" and channels R, G, B.
 struct LayeredImage {
   int width = 0, height = 0;
-  std::vector<Layer> layers;
-  std::map<std::string, std::string> attributes;  // text metadata, kept in the file
+  std::vector<Layer> layers = {};
+  std::map<std::string, std::string> attributes = {};  // text metadata of the file
 
-  const Layer* find(const std::string& name) const;
+  // The layer of this name, or null.
+  const Layer* find(const std::string& name) const {
+    for (const Layer& layer : layers)
+      if (layer.name == name) return &layer;
+    return nullptr;
+  }
 };
 
-// Decodes PNG, JPEG, WebP or Radiance HDR bytes. `name` is used in messages. An image of more than 2^28 pixels is an
-// error, and is found to be one before memory is taken for it.
+// Decodes PNG, JPEG, WebP or Radiance HDR; `name` is used in messages. Images of more than 2^28 pixels are an error,
+// which is detected before memory is allocated for them.
 Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& name);
 
-// Any readable format as linear RGB floats in Rec. 709: sRGB files are linearised, grey is spread, alpha is dropped.
+// Reads any format as linear RGB with Rec. 709 primaries in the first layer. 8-bit values are decoded from sRGB, grey
+// is copied to all channels, alpha is dropped. An OpenEXR file keeps its other layers.
 Result<LayeredImage> read_linear(const std::filesystem::path& path);
 
-// Reads an EXR with all its layers and text attributes. Channels may be half, float or uint.
+// Reads an OpenEXR file with all layers and text attributes. Channels may be half, float or uint.
 Result<LayeredImage> read_exr(const std::filesystem::path& path);
 
-// Writers replace the file in one step (base/file.h). Float EXR, ZIP compression.
+// Writers replace an existing file atomically (base/file.h).
+//
+// OpenEXR: all layers as float, ZIP compression, and the attributes.
 Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image);
+// Radiance HDR: linear RGB, three values per pixel.
 Result<void> write_hdr(const std::filesystem::path& path, int width, int height, std::span<const float> rgb);
-// 8-bit RGB, already display-encoded; the attributes become PNG text chunks.
+// PNG: 8-bit RGB, already display-encoded. The attributes become text chunks.
 Result<void> write_png(const std::filesystem::path& path, int width, int height, std::span<const uint8_t> rgb,
                        const std::map<std::string, std::string>& attributes = {});
-// The same into memory, without text.
+
+// PNG in memory. An Image keeps its channels; bytes are stored unchanged, floats in [0, 1] with 16 bits.
 Result<std::vector<std::byte>> encode_png(int width, int height, std::span<const uint8_t> rgb);
-// A picture with the channels it has: bytes as they are, floats between 0 and 1 in 16 bits.
 Result<std::vector<std::byte>> encode_png(const Image& image);
 
 }  // namespace etendue::image

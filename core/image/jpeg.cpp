@@ -1,30 +1,30 @@
-// JPEG, baseline and progressive, through TurboJPEG. Grey stays grey; everything else becomes RGB.
+// JPEG, baseline and progressive, through libjpeg-turbo. Grey images keep one channel, others are decoded to RGB.
 #include <turbojpeg.h>
 
 #include <memory>
 #include <type_traits>
 
-#include "image/codecs.h"
+#include "image/format.h"
 
 namespace etendue::image {
 namespace {
 
 using Decoder = std::unique_ptr<std::remove_pointer_t<tjhandle>, int (*)(tjhandle)>;
 
-// A Huffman-coded block of 64 samples takes at least a bit: a file that claims more than twice that is not whole.
+// A Huffman-coded block of 64 samples takes at least one bit, which is at most 512 pixels per byte. The limit is twice
+// that; a file with more pixels per byte is truncated.
 constexpr uint64_t kMaxPixelsPerByte = 1024;
 
-// Stray bytes between segments lose no pixels and are common in files from old cameras; every other complaint does.
+// Extraneous bytes between segments are common in files from old cameras and lose no pixels. All other warnings of the
+// library mean lost pixels.
 bool is_harmless(tjhandle decoder) {
   return tjGetErrorCode(decoder) == TJERR_WARNING &&
          std::string_view(tjGetErrorStr2(decoder)).find("extraneous bytes") != std::string_view::npos;
 }
 
-}  // namespace
+bool recognises(Bytes bytes) { return starts_with(bytes, "\xff\xd8\xff"); }
 
-bool is_jpeg(Bytes bytes) { return starts_with(bytes, "\xff\xd8\xff"); }
-
-Result<Image> decode_jpeg(Bytes bytes, const std::string& name) {
+Result<Image> decode(Bytes bytes, const std::string& name) {
   const Decoder decoder(tjInitDecompress(), tjDestroy);
   const auto failed = [&] { return input_error(name + ": damaged JPEG: " + tjGetErrorStr2(decoder.get())); };
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -32,14 +32,15 @@ Result<Image> decode_jpeg(Bytes bytes, const std::string& name) {
   if (tjDecompressHeader3(decoder.get(), data, bytes.size(), &width, &height, &subsampling, &colours) != 0 &&
       !is_harmless(decoder.get()))
     return failed();
-  if (colours == TJCS_CMYK || colours == TJCS_YCCK) return input_error(name + ": this JPEG is CMYK; save it as RGB");
+  if (colours == TJCS_CMYK || colours == TJCS_YCCK)
+    return input_error(name + ": CMYK JPEG is not supported; save the image as RGB");
   const uint64_t w = static_cast<uint64_t>(width), h = static_cast<uint64_t>(height);
-  if (auto size = check_size(w, h, name); !size) return size.error();
-  if (auto length = check_length(w * h / kMaxPixelsPerByte, bytes, name); !length) return length.error();
+  if (auto size = check_image_size(w, h, name); !size) return size.error();
+  if (auto length = check_file_length(w * h / kMaxPixelsPerByte, bytes, name); !length) return length.error();
 
   const bool grey = colours == TJCS_GRAY;
   Image image = make_byte_image(width, height, grey ? 1 : 3);
-  // The limit on scans stops small progressive files that take minutes to decode.
+  // The limit on scans rejects small progressive files that would take minutes to decode.
   constexpr int kFlags = TJFLAG_ACCURATEDCT | TJFLAG_LIMITSCANS;
   if (tjDecompress2(decoder.get(), data, bytes.size(), image.bytes.data(), width, 0, height,
                     grey ? TJPF_GRAY : TJPF_RGB, kFlags) != 0 &&
@@ -47,5 +48,16 @@ Result<Image> decode_jpeg(Bytes bytes, const std::string& name) {
     return failed();
   return image;
 }
+
+}  // namespace
+
+extern const ImageFormat kJpegFormat{
+    .name = "jpeg",
+    .label = "JPEG",
+    .extensions = {".jpg", ".jpeg"},
+    .doc = "Read: baseline and progressive, grey and RGB.",
+    .recognises = recognises,
+    .decode = decode,
+};
 
 }  // namespace etendue::image

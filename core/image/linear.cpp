@@ -1,9 +1,9 @@
-// Any picture as linear RGB: what metrics, environments and comparisons work on.
+// Reading any format as linear RGB, for metrics, environment maps and comparisons.
 #include <algorithm>
 #include <array>
 
 #include "base/file.h"
-#include "image/codecs.h"
+#include "image/format.h"
 
 namespace etendue::image {
 namespace {
@@ -22,7 +22,8 @@ bool has_rgb(const Layer& layer) {
   return has_channel(layer, "R") && has_channel(layer, "G") && has_channel(layer, "B");
 }
 
-// The picture among the layers: the nameless one, else Blender's "*.Combined", else the first that has R, G and B.
+// The beauty layer: the one without a name, else "*.Combined" as written by Blender, else the first with R, G and B.
+// Null if there is none.
 Layer* find_beauty(LayeredImage& image) {
   Layer* best = nullptr;
   for (Layer& layer : image.layers) {
@@ -39,6 +40,7 @@ std::array<size_t, 3> rgb_indices(const Layer& layer) {
   return {grey, grey, grey};
 }
 
+// R, G and B of a layer, or the luminance Y copied to all three.
 Layer as_rgb(const Layer& layer) {
   const auto source = rgb_indices(layer);
   const size_t stride = layer.channels.size(), count = layer.pixels.size() / stride;
@@ -48,11 +50,11 @@ Layer as_rgb(const Layer& layer) {
   return rgb;
 }
 
-Result<LayeredImage> linear_exr(Bytes bytes, const std::string& name) {
-  auto image = decode_exr(bytes, name);
+// Moves the beauty layer to the front and reduces it to RGB.
+Result<LayeredImage> with_rgb_first(Result<LayeredImage> image, const std::string& name) {
   if (!image) return image;
   Layer* beauty = find_beauty(*image);
-  if (!beauty) return input_error(name + ": there is no layer with the channels R, G and B, nor one of luminance Y");
+  if (!beauty) return input_error(name + ": no layer has the channels R, G and B, or the luminance Y");
   *beauty = as_rgb(*beauty);
   std::iter_swap(beauty, image->layers.begin());
   return image;
@@ -64,6 +66,7 @@ std::array<float, 256> make_srgb_table() {
   return table;
 }
 
+// The RGB values, decoded from sRGB if the image has 8 bits.
 Layer linearise(const Image& image) {
   static const std::array<float, 256> to_linear = make_srgb_table();
   const size_t stride = static_cast<size_t>(image.channels), step = image.channels >= 3 ? 1 : 0;
@@ -80,20 +83,15 @@ Layer linearise(const Image& image) {
 
 }  // namespace
 
-const Layer* LayeredImage::find(const std::string& name) const {
-  for (const Layer& layer : layers)
-    if (layer.name == name) return &layer;
-  return nullptr;
-}
-
 Result<LayeredImage> read_linear(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  if (is_exr(*bytes)) return linear_exr(*bytes, path.string());
-  const auto image = decode_image(*bytes, path.string());
+  const std::string name = path.string();
+  if (const ImageFormat* format = recognise_format(*bytes); format && format->decode_layers)
+    return with_rgb_first(format->decode_layers(*bytes, name), name);
+  const auto image = decode_image(*bytes, name);
   if (!image) return image.error();
-  LayeredImage linear;
-  linear.width = image->width, linear.height = image->height;
+  LayeredImage linear{.width = image->width, .height = image->height};
   linear.layers.push_back(linearise(*image));
   return linear;
 }

@@ -83,8 +83,8 @@ std::unique_ptr<Integrator> make_integrator(std::string_view name, const std::ve
 
 RenderContext at_shared_time(RenderContext context, uint32_t sample) {
   if (!context.model->moving) return context;
-  const uint32_t half = sample % film::kHalves, step = sample / film::kHalves;
-  const auto shift = static_cast<uint32_t>(mix_bits(context.seed * film::kHalves + half));
+  const uint32_t half = sample % film::kHalfBuffers, step = sample / film::kHalfBuffers;
+  const auto shift = static_cast<uint32_t>(mix_bits(context.seed * film::kHalfBuffers + half));
   context.shared_time = to_unit_float(reverse_bits(step) + shift);
   return context;
 }

@@ -1,73 +1,92 @@
-// Lights: what a user edits.                        KHR_lights_punctual; thesis 4.3, (4.366), errata E30, E31
+// Lights: what a user edits.
 #pragma once
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "base/parameter.h"
 #include "base/vec.h"
-#include "image/image.h"
+#include "light/environment.h"
+#include "light/light_type.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
 
-// Quad, disk and sphere are surfaces that shine: black, met by rays, exactly of their shape.
-// Ambient light is no physical one: the same radiance from everywhere at every place, and nothing casts a shadow in it.
-// It stands in for indirect light.
-enum class LightType : uint8_t { point, spot, directional, quad, disk, sphere, ambient };
+struct AreaLight;
+struct Motion;
+struct PlacedLight;
 
-// How a spot falls off from its inner cone (t = 1) to its outer one (t = 0), t being linear in the cosine; the last one
-// knows no inner cone, but a power of the cosine to the axis.
-enum class SpotProfile : uint8_t { squared, smoothstep, quartic, cosine };
+struct LightTypeInfo {
+  LightTypeDescription description;
+  std::vector<ParameterInfo> parameters;  // with their defaults
+};
 
-// What `intensity` says of a surface.
-enum class SurfaceQuantity : uint8_t { radiance, power };
+// All light types, in the order of types/registry.h.
+const std::vector<LightTypeInfo>& light_type_infos();
+// The type of this name, or null.
+const LightTypeInfo* find_light_type(std::string_view name);
 
-// Placed by a node: it shines along the node's -z, from its origin; a quad's width goes along x. The node's scale does
-// not count.
+// A light type with values of its parameters. Immutable: an edit makes another one.
+class LightModel {
+ public:
+  virtual ~LightModel() = default;
+
+  virtual const LightTypeInfo& info() const = 0;
+  // The descriptions of `info` with the current values as defaults.
+  virtual std::vector<ParameterInfo> parameters() const = 0;
+  // A copy with one parameter changed. The parameter must exist and the value have its type.
+  virtual std::shared_ptr<const LightModel> with(std::string_view name, const Value& value) const = 0;
+  virtual bool equals(const LightModel& other) const = 0;
+  virtual float intensity() const = 0;
+
+  // The quantities below are those of a light of this colour.
+
+  // Emitted power, W; zero where it depends on the scene (light from infinity, ambient light).
+  virtual Rgb flux(const Rgb& color) const = 0;
+  // The surface of an area light; none of a light without extent.
+  virtual std::optional<AreaLight> area_light(const Rgb& color) const = 0;
+  // Appends the lights without extent at a node: the light itself, or the point samples of an area light. `motion` is
+  // that of the node, or null.
+  virtual void place(const std::string& name, const Rgb& color, const Mat4& node,
+                     const std::shared_ptr<const Motion>& motion, std::vector<PlacedLight>& lights) const = 0;
+
+ protected:
+  LightModel() = default;
+  LightModel(const LightModel&) = default;
+  LightModel& operator=(const LightModel&) = default;
+};
+
+// A light at a node: it emits from the node's origin along its -z axis; a quad's width lies along x. The node's scale
+// has no effect.
 struct Light {
   std::string name;
-  LightType type = LightType::point;
-  Rgb color{1};
-  // Point, spot: W/sr; directional: W/m^2 (irradiance on a surface that faces it); surfaces: W/(m^2 sr), or W;
-  // ambient: W/(m^2 sr).
-  float intensity = 1;
-  float inner_cone = 0, outer_cone = kPi / 4;  // spot: half angles in radians, falling off between them
-  SpotProfile profile = SpotProfile::squared;
-  float exponent = 1;           // of the cosine profile
-  float range = kInfinity;      // metres; glTF's recommended window, infinite where the file gives none
-  float width = 1, height = 1;  // quad, metres
-  float radius = 0.5f;          // disk, sphere, metres
-  bool two_sided = false;       // quad, disk
-  SurfaceQuantity quantity = SurfaceQuantity::radiance;
-  float focus = 0;  // a surface's radiance is `intensity` times this power of the cosine to its normal
-  int points = 0;   // a surface stands for so many lamps without extent; 0 is the surface itself
+  Rgb color{1};  // multiplies the intensity
+  std::shared_ptr<const LightModel> model;
 
-  bool is_surface() const { return type == LightType::quad || type == LightType::disk || type == LightType::sphere; }
-  // One side of it, square metres.
-  float area() const {
-    return type == LightType::quad ? width * height : (type == LightType::sphere ? 4 : 1) * kPi * radius * radius;
-  }
-  int sides() const { return two_sided && type != LightType::sphere ? 2 : 1; }
-  // Of a surface, along its normal.
-  Rgb radiance() const {
-    const float per_area = 2 * kPi / (focus + 2) * static_cast<float>(sides());
-    const float all = quantity == SurfaceQuantity::power ? per_area * area() : 1;
-    return all > 0 ? color * (intensity / all) : Rgb(0);
-  }
+  // A point light with default parameters.
+  Light();
 
-  friend bool operator==(const Light&, const Light&) = default;
+  const LightTypeInfo& info() const { return model->info(); }
+  bool is_area_light() const { return info().description.light_class == LightClass::area; }
+  float intensity() const { return model->intensity(); }
+  Rgb flux() const { return model->flux(color); }
+
+  // color.r, color.g, color.b and the parameters of the type, with the current values as defaults.
+  std::vector<ParameterInfo> parameters() const;
+  // The value of a parameter, if the type has it.
+  std::optional<Value> parameter(std::string_view key) const;
+  // Changes a parameter of `parameters()`; the value must have its type. False if there is no such parameter.
+  bool set(std::string_view key, const Value& value);
+
+  friend bool operator==(const Light& a, const Light& b);
 };
 
-// Radiance from infinity: an equirectangular map times `tint`, or `tint` alone. u = 0.5 looks along +x, v = 0 is +y:
-// phi = (u - 0.5) 2 pi, d = (cos phi sin(pi v), cos(pi v), sin phi sin(pi v)), then turned by `rotation` about +y.
-struct Environment {
-  std::shared_ptr<const image::Image> map;  // float RGB
-  std::string file;
-  Rgb tint{0};
-  float rotation = 0;   // radians
-  bool visible = true;  // seen by camera rays
-
-  bool black() const { return is_black(tint); }
-  friend bool operator==(const Environment&, const Environment&) = default;
-};
+// A light of a registered type; parameters that are not given have their defaults. An unknown type or parameter is a
+// programming error.
+Light make_light(std::string_view type, std::initializer_list<std::pair<std::string_view, Value>> parameters = {});
 
 }  // namespace etendue

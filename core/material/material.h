@@ -1,8 +1,10 @@
-// What a user edits: the parameters of a surface, as glTF 2.0 and its extensions name them.
+// A material as a user edits it: the parameters of a surface, named as in glTF 2.0 and its extensions.
 //
-// The meaning is that of the Khronos specification, appendix B: mix(dielectric, metal, metallic), with
-// dielectric = fresnel_mix(ior, diffuse or transmitted base, specular layer). `compile` of the scene turns it into what
-// shading reads; at a hit it becomes a Bsdf.
+// The meaning is that of [glTF 2.0, appendix B]: mix(dielectric, metal, metallic), where dielectric is a specular layer
+// over a diffuse or transmitting base. The scene compiler turns a Material into a SurfaceMaterial (surface_material.h),
+// from which a BSDF is built at each hit.
+//
+// Texture values multiply the factors. Comments on textures give the encoding and the channel that is read.
 #pragma once
 #include <string>
 
@@ -18,38 +20,38 @@ enum class AlphaMode : uint8_t { opaque, mask, blend };
 struct Material {
   std::string name;
 
-  // Instead of the surface that the numbers below describe; base colour, opacity, normal map, emission and the inside
-  // of a solid count for it too.
+  // A BSDF model in place of the glTF surface. Base colour, opacity, normal map, emission and attenuation apply to it
+  // as well; the other parameters below do not.
   BsdfModelRef model;
 
   Rgb base_color{1};
   float alpha = 1;
   TextureUse base_color_texture;  // sRGB, alpha in A
   float metallic = 1, roughness = 1;
-  TextureUse metallic_roughness_texture;  // linear: G roughness, B metallic
+  TextureUse metallic_roughness_texture;  // linear, G roughness, B metallic
   TextureUse normal_texture;              // linear, tangent space
   float normal_scale = 1;
 
-  Rgb emission{0};              // emissiveFactor * emissiveStrength: radiance W/(m^2 sr)
+  Rgb emission{0};              // emissiveFactor * emissiveStrength: radiance, W/(m^2 sr)
   TextureUse emission_texture;  // sRGB
 
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
-  bool unlit = false;  // KHR_materials_unlit: shows base colour, whatever the light
+  bool unlit = false;  // KHR_materials_unlit: shows the base colour independent of the light
 
-  float ior = 1.5f;    // KHR_materials_ior; 0 means a Fresnel term of one
+  float ior = 1.5f;    // KHR_materials_ior; 0 means a Fresnel term of 1
   float specular = 1;  // KHR_materials_specular
   Rgb specular_color{1};
   TextureUse specular_texture;        // linear, A
   TextureUse specular_color_texture;  // sRGB
   float transmission = 0;             // KHR_materials_transmission
   TextureUse transmission_texture;    // linear, R
-  float thickness = 0;                // KHR_materials_volume: 0 is a thin wall, anything else a solid
+  float thickness = 0;                // KHR_materials_volume; 0 is a thin wall, other values mean a solid
   Rgb attenuation_color{1};
-  float attenuation_distance = kInfinity;         // metres of world space
-  float anisotropy = 0, anisotropy_rotation = 0;  // [0, 1]; radians from the tangent, counter-clockwise
-  TextureUse anisotropy_texture;                  // linear: RG direction, B strength
+  float attenuation_distance = kInfinity;         // m, in world space
+  float anisotropy = 0, anisotropy_rotation = 0;  // KHR_materials_anisotropy; [0, 1]; radians from the tangent, ccw
+  TextureUse anisotropy_texture;                  // linear, RG direction, B strength
 
   float clearcoat = 0, clearcoat_roughness = 0;  // KHR_materials_clearcoat
   TextureUse clearcoat_texture;                  // linear, R
@@ -61,8 +63,8 @@ struct Material {
   TextureUse sheen_color_texture;                 // sRGB
   TextureUse sheen_roughness_texture;             // linear, A
   float iridescence = 0, iridescence_ior = 1.3f;  // KHR_materials_iridescence
-  float iridescence_thickness_min = 100;          // nanometres, where the texture is 0
-  float iridescence_thickness_max = 400;          // nanometres, where it is 1 or missing
+  float iridescence_thickness_min = 100;          // nm, where the texture is 0
+  float iridescence_thickness_max = 400;          // nm, where the texture is 1 or missing
   TextureUse iridescence_texture;                 // linear, R
   TextureUse iridescence_thickness_texture;       // linear, G
   float diffuse_transmission = 0;                 // KHR_materials_diffuse_transmission
@@ -71,14 +73,15 @@ struct Material {
   TextureUse diffuse_transmission_color_texture;  // sRGB
 
   // KHR_materials_pbrSpecularGlossiness: base_color is the diffuse colour, specular_color the reflectance at normal
-  // incidence, roughness one minus glossiness; specular_color_texture (RGB, sRGB) and metallic_roughness_texture (A,
-  // linear: glossiness) are the same picture.
+  // incidence, roughness one minus the glossiness. specular_color_texture (sRGB, RGB) and metallic_roughness_texture
+  // (linear, A: glossiness) are the same image.
   bool specular_glossiness = false;
 
-  bool solid() const {
-    return model ? model->solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
+  // Whether light enters a solid body, whose inside attenuates it.
+  bool is_solid() const {
+    return model ? model->is_solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
   }
-  bool emits() const { return !is_black(emission); }
+  bool is_emissive() const { return !is_black(emission); }
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -6,7 +6,8 @@
 namespace etendue {
 namespace {
 
-SurfaceMaterial::Map resolved(const TextureUse& use, const std::vector<Texture>& textures) {
+// The map of a use; empty if the texture does not exist or has no image.
+SurfaceMaterial::Map resolve(const TextureUse& use, const std::vector<Texture>& textures) {
   SurfaceMaterial::Map map;
   if (use.texture < 0 || static_cast<size_t>(use.texture) >= textures.size()) return map;
   const Texture& texture = textures[static_cast<size_t>(use.texture)];
@@ -19,6 +20,7 @@ SurfaceMaterial::Map resolved(const TextureUse& use, const std::vector<Texture>&
 
 float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
 
+// The normal that a normal map encodes; `scale` multiplies its tangential part.
 Vec3 mapped_normal(const SurfaceMaterial::Map& map, float scale, const TexturePoint& point) {
   if (!map) return Vec3(0, 0, 1);
   const Vec4 t = map.at(point, Encoding::linear);
@@ -30,22 +32,22 @@ Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
 }  // namespace
 
 SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& textures) : description(m) {
-  resolve(textures);
-  normal_mapped = normal || (clearcoat_normal && m.clearcoat > 0);
-  coat_normal_mapped = normal_mapped && m.clearcoat > 0;
-  plain = !base_color && !m.unlit;
-  factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
-  emissive = m.emits() || m.unlit;
-  transparent = m.alpha_mode != AlphaMode::opaque;
-  absorbs = m.solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
+  resolve_textures(textures);
+  has_normal_map = normal || (clearcoat_normal && m.clearcoat > 0);
+  has_coat_normal = has_normal_map && m.clearcoat > 0;
+  has_constant_base_color = !base_color && !m.unlit;
+  base_factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
+  is_emissive = m.is_emissive() || m.unlit;
+  has_alpha = m.alpha_mode != AlphaMode::opaque;
+  absorbs_inside = m.is_solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
   if (m.model && !m.unlit)
-    prepare_model();
+    classify_model();
   else
-    look_at_gltf();
-  needs_tangent = normal_mapped || anisotropic;
+    classify_gltf_surface();
+  needs_tangent_frame = has_normal_map || is_anisotropic;
 }
 
-void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
+void SurfaceMaterial::resolve_textures(const std::vector<Texture>& textures) {
   const Material& m = description;
   for (const auto& [map, use] : std::initializer_list<std::pair<Map&, const TextureUse&>>{
            {base_color, m.base_color_texture},
@@ -65,43 +67,45 @@ void SurfaceMaterial::resolve(const std::vector<Texture>& textures) {
            {iridescence_thickness, m.iridescence_thickness_texture},
            {diffuse_transmission, m.diffuse_transmission_texture},
            {diffuse_transmission_color, m.diffuse_transmission_color_texture}}) {
-    map = resolved(use, textures);
-    textured = textured || map;
+    map = resolve(use, textures);
+    has_textures = has_textures || map;
   }
 }
 
-// What the lobes of the model are, as its base colour makes no others of them.
-void SurfaceMaterial::prepare_model() {
+// The types of the lobes do not depend on the base colour, so one set of lobes represents all points.
+void SurfaceMaterial::classify_model() {
   if (auto prepared = description.model->prepared()) description.model.model = std::move(prepared);
   AllLobes<Rgb> lobes;
-  description.model->add_lobes(reflectance(factor), lobes);
-  if (const auto* lambert = lobe_set(lobes).only<Lambert<Rgb>>()) {
-    diffuse = standard = true;
-    // Base colour and model are one factor.
-    const Rgb share = ratio(lambert->albedo, reflectance(factor));
-    factor *= Vec4(share.r, share.g, share.b, 1);
+  description.model->add_lobes(reflectance(base_factor), lobes);
+  if (const auto* lambert = lobe_set(lobes).single_lobe_as<Lambert<Rgb>>()) {
+    is_lambertian = true;
+    uses_standard_lobes = true;
+    const Rgb model_albedo = ratio(lambert->albedo, reflectance(base_factor));
+    base_factor *= Vec4(model_albedo.r, model_albedo.g, model_albedo.b, 1);
   }
-  Deltas<Rgb> deltas;
-  lobes.add_deltas(Vec3(0, 0, 1), Transport::radiance, deltas);
-  specular_deltas = deltas.count > 0;
-  anisotropic = is_directed(lobes);
-  if (plain) ready = std::make_shared<AllLobes<Rgb>>(lobes);
+  DeltaSet<Rgb> deltas;
+  lobes.add_deltas(Vec3(0, 0, 1), TransportMode::radiance, deltas);
+  has_delta_lobes = deltas.count > 0;
+  is_anisotropic = depends_on_azimuth(lobes);
+  if (has_constant_base_color) constant_lobes = std::make_shared<AllLobes<Rgb>>(lobes);
 }
 
-void SurfaceMaterial::look_at_gltf() {
+void SurfaceMaterial::classify_gltf_surface() {
   const Material& m = description;
   const bool tinted_glass = m.transmission > 0 && m.thickness > 0 && (m.specular != 1 || !(m.specular_color == Rgb(1)));
-  standard = m.unlit || !(m.clearcoat > 0 || !is_black(m.sheen_color) || m.iridescence > 0 ||
-                          m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
-  diffuse = m.unlit || (standard && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
-  specular_deltas = !diffuse && (facets_of(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
-                                 (m.clearcoat > 0 && facets_of(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
-  anisotropic = !diffuse && m.anisotropy > 0;
+  uses_standard_lobes = m.unlit || !(m.clearcoat > 0 || !is_black(m.sheen_color) || m.iridescence > 0 ||
+                                     m.diffuse_transmission > 0 || m.specular_glossiness || tinted_glass);
+  is_lambertian =
+      m.unlit || (uses_standard_lobes && m.metallic == 0 && m.transmission == 0 && (m.specular == 0 || m.ior == 1.0f));
+  has_delta_lobes =
+      !is_lambertian && (gltf_microfacets(m.roughness, m.anisotropy).alpha_x < kSmoothAlpha ||
+                         (m.clearcoat > 0 && gltf_microfacets(m.clearcoat_roughness, 0).alpha_x < kSmoothAlpha));
+  is_anisotropic = !is_lambertian && m.anisotropy > 0;
 }
 
-Vec4 SurfaceMaterial::base_at(const TexturePoint& point) const {
+Vec4 SurfaceMaterial::base_color_at(const TexturePoint& point) const {
   if (description.unlit) return Vec4(0, 0, 0, 1);
-  Vec4 base = factor * point.color;
+  Vec4 base = base_factor * point.color;
   if (base_color) base *= base_color.at(point, Encoding::srgb);
   return clamped(base);
 }
@@ -118,9 +122,9 @@ float SurfaceMaterial::opacity_at(const TexturePoint& point) const {
 Rgb SurfaceMaterial::emission_at(const TexturePoint& point) const {
   const Material& m = description;
   if (m.unlit) {
-    Vec4 shown = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, 1) * point.color;
-    if (base_color) shown *= base_color.at(point, Encoding::srgb);
-    return {shown.x, shown.y, shown.z};
+    Vec4 color = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, 1) * point.color;
+    if (base_color) color *= base_color.at(point, Encoding::srgb);
+    return {color.x, color.y, color.z};
   }
   if (!emission) return m.emission;
   const Vec4 e = emission.at(point, Encoding::srgb);

@@ -1,4 +1,4 @@
-// From a Material to what shading reads: textures looked up at a hit, numbers brought into their ranges, lobes chosen.
+// A material in the form that rendering reads: textures resolved to pointers, constant properties found in advance.
 #pragma once
 #include <memory>
 #include <vector>
@@ -12,15 +12,14 @@ class AllLobes;
 
 inline Vec4 clamped(const Vec4& c) { return glm::min(glm::max(c, Vec4(0)), Vec4(1)); }
 
-// Where on a mesh the material is looked at.
+// The mesh attributes at a surface point that a material reads.
 struct TexturePoint {
-  Vec2 uv[2]{};
-  Vec4 color{1};  // the vertex colour
+  Vec2 uv[2]{};   // texture coordinates, by set
+  Vec4 color{1};  // vertex colour, linear
 };
 
-// A material as the sampling loop sees it: textures resolved to pointers, what is constant known to be so.
 struct SurfaceMaterial {
-  Material description;
+  // A texture with its use by this material. Converts to false if there is no texture.
   struct Map {
     const Texture* texture = nullptr;
     TextureUse use;
@@ -31,43 +30,56 @@ struct SurfaceMaterial {
       return lookup(*texture, encoding, identity ? uv : transformed(use, uv));
     }
   };
+
+  Material description;
   Map base_color, metallic_roughness, normal, emission, specular, specular_color, transmission, anisotropy;
-  bool normal_mapped = false;    // has a normal map, of its own or of its coat
-  bool anisotropic = false;      // looks different when it is turned about its normal
-  bool needs_tangent = false;    // any of the two: not just any frame about the geometric normal will do
-  bool diffuse = false;          // never anything but a Lambertian lobe
-  bool standard = false;         // never anything but the lobes of StandardLobes
-  bool specular_deltas = false;  // it can be smooth: a mirror, or clear glass
-  bool absorbs = false;          // a solid whose inside takes light away
-  bool plain = false;            // its base colour is `factor` but for vertex colours
-  Vec4 factor{0};
-  // The lobes of a reflection model where its base colour is the same everywhere.
-  std::shared_ptr<const AllLobes<Rgb>> ready = nullptr;
-  bool emissive = false;            // emits, or is unlit
-  bool transparent = false;         // its opacity is not one everywhere
-  bool textured = false;            // looks at texture coordinates or vertex colours
-  bool coat_normal_mapped = false;  // a clear coat whose normal is not the shading normal
-  // Of what needs AllLobes.
+
+  // Which lobes the surface can have, at any point.
+  bool is_lambertian = false;        // at most a Lambertian lobe
+  bool uses_standard_lobes = false;  // only lobes of StandardLobes (lobe_set.h)
+  bool has_delta_lobes = false;      // a mirror, clear glass, or a smooth layer
+  bool is_anisotropic = false;       // f depends on the azimuth
+
+  // Which inputs shading needs.
+  bool has_normal_map = false;       // a normal map of the surface or of its clear coat
+  bool has_coat_normal = false;      // a clear coat, on a surface with a normal map: the two normals can differ
+  bool needs_tangent_frame = false;  // has_normal_map or is_anisotropic
+  bool has_textures = false;
+  bool has_alpha = false;  // the alpha mode is mask or blend
+
+  bool is_emissive = false;     // emits, or is unlit
+  bool absorbs_inside = false;  // a solid whose inside attenuates light
+
+  // Base colour and alpha without texture and vertex colour. If the BSDF model is Lambert's, its albedo is multiplied
+  // in.
+  Vec4 base_factor{0};
+  bool has_constant_base_color = false;  // base_factor times the vertex colour everywhere
+  // The lobes of a BSDF model with a constant base colour, for points without vertex colour; else null.
+  std::shared_ptr<const AllLobes<Rgb>> constant_lobes = nullptr;
+
+  // The textures of lobes beyond StandardLobes. They stand last to keep the members of common materials together.
   Map clearcoat, clearcoat_roughness, clearcoat_normal, sheen_color, sheen_roughness, iridescence,
       iridescence_thickness, diffuse_transmission, diffuse_transmission_color;
 
   SurfaceMaterial() = default;
+  // References the textures, which must outlive the material. A use of a missing or empty texture counts as none.
   SurfaceMaterial(const Material& material, const std::vector<Texture>& textures);
 
-  // Base colour and opacity, vertex colour included.
-  Vec4 base_at(const TexturePoint& point) const;
-  // The probability that a ray stops here: 0 or 1 for a mask, alpha for blending.
+  // Base colour (RGB) and alpha, including texture and vertex colour, clamped to [0, 1]; black for an unlit material.
+  Vec4 base_color_at(const TexturePoint& point) const;
+  // The probability that a ray hits the surface here: 0 or 1 for alpha mode mask, alpha for blend.
   float opacity_at(const TexturePoint& point) const;
+  // Emitted radiance, W/(m^2 sr).
   Rgb emission_at(const TexturePoint& point) const;
   // The shading normal in the tangent frame of the mesh; (0, 0, 1) without a normal map.
   Vec3 normal_at(const TexturePoint& point) const;
-  // The same of the clear coat, which the base's normal map does not bend.
+  // The normal of the clear coat in the same frame. The normal map of the surface does not affect it.
   Vec3 coat_normal_at(const TexturePoint& point) const;
 
  private:
-  void resolve(const std::vector<Texture>& textures);
-  void prepare_model();
-  void look_at_gltf();
+  void resolve_textures(const std::vector<Texture>& textures);
+  void classify_model();
+  void classify_gltf_surface();
 };
 
 }  // namespace etendue

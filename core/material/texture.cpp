@@ -7,6 +7,7 @@
 namespace etendue {
 namespace {
 
+// sRGB bytes as linear values.
 const std::array<float, 256>& srgb_table() {
   static const auto table = [] {
     std::array<float, 256> t{};
@@ -16,6 +17,7 @@ const std::array<float, 256>& srgb_table() {
   return table;
 }
 
+// The texel index i of a row of n texels, wrapped into [0, n).
 int wrapped(int i, int n, Wrap wrap) {
   if (static_cast<unsigned>(i) < static_cast<unsigned>(n)) return i;
   if (wrap == Wrap::clamp) return i < 0 ? 0 : n - 1;
@@ -25,7 +27,8 @@ int wrapped(int i, int n, Wrap wrap) {
   return m < n ? m : period - 1 - m;
 }
 
-Vec4 spread(const float* v, int channels) {
+// RGBA from one to four channels.
+Vec4 to_rgba(const float* v, int channels) {
   switch (channels) {
     case 1:
       return Vec4(v[0], v[0], v[0], 1);
@@ -41,7 +44,7 @@ Vec4 spread(const float* v, int channels) {
 Vec4 texel(const image::Image& image, Encoding encoding, int x, int y) {
   const size_t at = (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) *
                     static_cast<size_t>(image.channels);
-  if (image.type == image::PixelType::float32) return spread(&image.floats[at], image.channels);
+  if (image.type == image::PixelType::float32) return to_rgba(&image.floats[at], image.channels);
   std::array<float, 4> v{};
   const int colors = image.channels < 3 ? 1 : 3;
   for (int c = 0; c < image.channels; ++c) {
@@ -49,18 +52,18 @@ Vec4 texel(const image::Image& image, Encoding encoding, int x, int y) {
     v[static_cast<size_t>(c)] =
         encoding == Encoding::srgb && c < colors ? srgb_table()[byte] : static_cast<float>(byte) * (1 / 255.0f);
   }
-  return spread(v.data(), image.channels);
+  return to_rgba(v.data(), image.channels);
 }
 
-// Texture coordinates so large that a texel index would overflow are as good as none.
-float tame(float x) { return std::abs(x) < 1e6f ? x : 0; }
+// Replaces coordinates whose texel index would overflow by 0.
+float bounded(float x) { return std::abs(x) < 1e6f ? x : 0; }
 
 }  // namespace
 
 Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv) {
   if (!texture.image || texture.image->empty()) return Vec4(1);
   const image::Image& image = *texture.image;
-  const float x = tame(uv.x) * static_cast<float>(image.width), y = tame(uv.y) * static_cast<float>(image.height);
+  const float x = bounded(uv.x) * static_cast<float>(image.width), y = bounded(uv.y) * static_cast<float>(image.height);
   if (texture.nearest)
     return texel(image, encoding, wrapped(static_cast<int>(std::floor(x)), image.width, texture.wrap_u),
                  wrapped(static_cast<int>(std::floor(y)), image.height, texture.wrap_v));

@@ -1,4 +1,4 @@
-// Textures: an image, how it is wrapped and filtered, and how texture coordinates reach it.   glTF 2.0, section 3.8
+// Textures: an image with wrapping, filtering and the transform of its texture coordinates.    [glTF 2.0, section 3.8]
 #pragma once
 #include <memory>
 #include <string>
@@ -10,7 +10,7 @@ namespace etendue {
 
 enum class Wrap : uint8_t { repeat, mirror, clamp };
 
-// sRGB pictures are decoded when looked up. Float pictures are linear.
+// How byte images are decoded at look-up. Float images are always linear.
 enum class Encoding : uint8_t { srgb, linear };
 
 struct Texture {
@@ -22,20 +22,21 @@ struct Texture {
   friend bool operator==(const Texture&, const Texture&) = default;
 };
 
-// A use of a texture by a material. No texture reads as white.
+// A use of a texture by a material. Without a texture, the value is white.
 struct TextureUse {
-  int texture = -1;  // index into scene::Scene::textures
+  int texture = -1;  // index into scene::Scene::textures; -1 for none
   int uv_set = 0;    // 0 or 1
-  // KHR_texture_transform: uv' = offset + R(rotation) * (scale * uv). Identity unless the file says otherwise.
+  // KHR_texture_transform: uv' = offset + R(rotation) (scale * uv).
   Vec2 offset{0}, scale{1};
   float rotation = 0;  // radians, counter-clockwise
 
   friend bool operator==(const TextureUse&, const TextureUse&) = default;
 };
 
-// RGBA at uv; grey images spread to RGB, a missing alpha is one.
+// RGBA at uv. Grey images give equal RGB, images without alpha an alpha of 1. White if the texture has no image.
 Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv);
 
+// The texture coordinates after the transform of the use.
 Vec2 transformed(const TextureUse& use, Vec2 uv);
 
 }  // namespace etendue

@@ -1,16 +1,17 @@
-// Who gets the next samples: adaptive sampling that stays unbiased.
+// Adaptive sampling without bias: how many samples each block of pixels receives.
 //
-// A picture is sampled in rounds. In round p every pixel gets 2^p samples in each half of the film, and as many again,
-// on average, go to blocks of pixels by what they bring: numbers of samples proportional to the standard deviations
-// make the mean squared error least for the sum of samples (Neyman 1934). At the worst, where the deviations misled, a
-// block has half of what an even hand would have given it.
+// Sampling proceeds in rounds. In round p every pixel first receives 2^p samples in each half-buffer. The same number
+// of samples, on average, is then distributed over blocks of pixels in proportion to their standard deviations, which
+// minimises the mean squared error for a given number of samples [Neyman 1934]. If the estimated deviations are
+// misleading, a block still has at least half of the samples that uniform sampling would have given it.
 //
-// A sampler that looks at its samples to decide whether to take more of them is biased (Kirk & Arvo, "Unbiased Sampling
-// Techniques for Image Synthesis", 1991). Here each half is allotted samples by what the first 2^p samples of the
-// *other* half say, and their number depends on nothing. Given the allotment, a half is as random as without one, its
-// mean unbiased; the mean of both halves is the picture, each with the weight 1/2, as weights by number would know of
-// the samples too.
+// Choosing the sample count from the same samples biases the estimate [Kirk and Arvo 1991]. Here the number of samples
+// of one half-buffer depends only on the first 2^p samples of the *other* half-buffer, and the number of these is
+// fixed. Given the allocation, a half-buffer is as random as without one, so its mean is unbiased. The image is the
+// mean of both half-buffers with weight 1/2 each: weights proportional to the sample counts would depend on the
+// samples.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "film/tile_variance.h"
@@ -18,36 +19,39 @@
 
 namespace etendue::render {
 
+// Sample numbers [first, end), counted within a half-buffer.
+struct SampleRange {
+  uint32_t first = 0, end = 0;
+};
+
 class SampleAllocation {
  public:
-  // `pixels` are the sizes of the blocks.
+  // `pixels` holds the number of pixels of each block.
   SampleAllocation(Adaptive goal, std::vector<int> pixels);
 
-  // A piece of work: each half of each block gets its samples from number `first` on, up to `end` and to its target.
-  struct Piece {
-    uint32_t first = 0, end = 0;
-  };
-  const Piece& piece() const { return piece_; }
+  // The samples that every block takes next, in each half-buffer, as far as the block's target allows.
+  const SampleRange& range() const { return range_; }
+  // The number of samples per pixel that a half-buffer of a block receives in the current round.
   uint32_t target(size_t block, uint32_t half) const { return targets_[block][half]; }
 
-  // The piece is done everywhere: on to the next.
-  void advance(const film::TileVariance& spread);
+  // Moves on to the next range after all blocks have completed the current one.
+  void advance(const film::TileVariance& variance);
 
  private:
-  void begin_even();
-  void begin_uneven(const film::TileVariance& spread);
-  void share_out(const film::TileVariance& spread, uint32_t half);
-  double worth(const film::TileVariance::Seen& seen) const;
-  void set_piece(uint32_t first);
+  void begin_uniform();
+  void begin_adaptive(const film::TileVariance& variance);
+  void allocate(const film::TileVariance& variance, uint32_t half);
+  double deviation(const film::TileVariance::Moments& tile) const;
+  void set_range(uint32_t first);
 
   Adaptive goal_;
   std::vector<int> pixels_;
-  double all_pixels_ = 0;
+  double pixel_count_ = 0;
   std::vector<std::array<uint32_t, 2>> targets_;
-  uint32_t most_ = 0;  // of the targets
-  int power_ = film::TileVariance::kFirstPower;
-  bool even_ = true;  // the part of the round that all pixels get
-  Piece piece_;
+  uint32_t largest_target_ = 0;
+  int power_ = film::TileVariance::kFirstPower;  // p of the current round
+  bool uniform_ = true;                          // the uniform part of the round
+  SampleRange range_;
 };
 
 }  // namespace etendue::render

@@ -1,5 +1,4 @@
-// What lies under each pixel, beside its radiance: averages over the first samples of the pixel, from the same camera
-// rays.
+// Arbitrary output variables: properties of the first hit of each pixel, from the camera rays of its first samples.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,11 +9,12 @@
 
 namespace etendue::render {
 
-// albedo, shading-normal, geometric-normal, depth, position, material-id, object-id.
+// The names of all AOVs: albedo, shading-normal, geometric-normal, depth, position, material-id, object-id.
 const std::vector<std::string>& aov_names();
 
-// One layer per name; `samples` camera rays per pixel (ids come from the first). Depth is the distance along the ray, 0
-// where nothing was hit. Uses all threads of the caller's machine; `cancel` may stop it early.
+// One layer per known name; unknown names are ignored. Values are means over `samples` camera rays per pixel, except
+// for ids, which come from the first ray. Normals face the camera. Depth is the distance along the ray in metres. Ids
+// start at 1. All values are 0 where a ray hits nothing. With 0 threads: one per hardware thread.
 std::vector<image::Layer> render_aovs(const scene::CompiledScene& scene, const Document& document,
                                       const std::vector<std::string>& names, uint32_t samples, int threads);
 

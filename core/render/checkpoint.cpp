@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "base/file.h"
@@ -11,19 +12,24 @@ namespace etendue::render {
 namespace {
 
 constexpr char kMagic[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '3'};
-constexpr char kMagicBefore[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '2'};
+constexpr char kMagicVersion2[8] = {'E', 'T', 'D', 'C', 'K', 'P', 'T', '2'};
 
-// The fixed part at the front. Everything after it is: the state text, the pixels, what adaptive sampling knows of
-// blocks, the state of the method, and the first rejections, as they stand in memory.
+// The head of the file. It is followed by the state text, the pixels, the tile variances of adaptive sampling, the
+// state of the integrator, and the records of the first invalid samples, all as they are in memory.
 struct Header {
   char magic[8];
   uint64_t state_size;
   int32_t width, height;
-  uint64_t nan, infinite, negative;
+  uint64_t nan, infinite, negative;  // numbers of invalid samples
   double seconds;
-  uint64_t spread_blocks;
-  uint64_t hash;       // of all bytes behind the header
-  uint64_t work_size;  // not in the version before
+  uint64_t variance_blocks;
+  uint64_t hash;                   // of all bytes after the header
+  uint64_t integrator_state_size;  // not in version 2
+};
+
+// The sizes in bytes of the parts after the header.
+struct PartSizes {
+  uint64_t state, pixels, variance, integrator_state, invalid_samples;
 };
 
 Error damaged(const std::filesystem::path& path, const char* what) {
@@ -35,25 +41,48 @@ void append(std::vector<char>& bytes, std::span<const std::byte> part) {
   bytes.insert(bytes.end(), begin, begin + part.size());
 }
 
+// Splits `body`, the number of bytes after the header. The error says why the numbers cannot be right.
+Result<PartSizes> part_sizes(const std::filesystem::path& path, const Header& header, uint64_t body) {
+  if (header.width < 1 || header.height < 1 || header.width > 1 << 16 || header.height > 1 << 16 ||
+      header.state_size > body || header.integrator_state_size > body ||
+      header.variance_blocks > body / film::TileVariance::kBytesOfBlock)
+    return damaged(path, "the sizes in its header are impossible");
+  PartSizes sizes{};
+  sizes.state = header.state_size;
+  sizes.pixels = static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
+  sizes.variance = header.variance_blocks * film::TileVariance::kBytesOfBlock;
+  sizes.integrator_state = header.integrator_state_size;
+  const uint64_t known = sizes.state + sizes.pixels + sizes.variance + sizes.integrator_state;
+  if (body < known) return damaged(path, "it is truncated");
+  sizes.invalid_samples = body - known;
+  if (sizes.invalid_samples % sizeof(film::InvalidSample) != 0 ||
+      sizes.invalid_samples > film::kListedInvalidSamples * sizeof(film::InvalidSample))
+    return damaged(path, "it is truncated");
+  return sizes;
+}
+
 }  // namespace
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-  const film::InvalidSamples rejected = checkpoint.film.rejected();
-  const auto& spread = checkpoint.film.tile_variance();
-  const std::span<const std::byte> parts[] = {std::as_bytes(std::span(checkpoint.state)),
-                                              std::as_bytes(checkpoint.film.pixels()),
-                                              spread ? spread->bytes() : std::span<const std::byte>(),
-                                              std::span(checkpoint.work), std::as_bytes(std::span(rejected.first))};
+  const film::InvalidSamples invalid = checkpoint.film.invalid_samples();
+  const auto& variance = checkpoint.film.tile_variance();
+  const std::span<const std::byte> parts[] = {
+      std::as_bytes(std::span(checkpoint.state)), std::as_bytes(checkpoint.film.pixels()),
+      variance ? variance->bytes() : std::span<const std::byte>(), std::span(checkpoint.integrator_state),
+      std::as_bytes(std::span(invalid.first))};
   std::vector<char> bytes(sizeof(Header));
   for (const auto& part : parts) append(bytes, part);
   Header header{};
   std::memcpy(header.magic, kMagic, sizeof kMagic);
   header.state_size = checkpoint.state.size();
-  header.width = checkpoint.film.width(), header.height = checkpoint.film.height();
-  header.nan = rejected.nan, header.infinite = rejected.infinite, header.negative = rejected.negative;
+  header.width = checkpoint.film.width();
+  header.height = checkpoint.film.height();
+  header.nan = invalid.nan;
+  header.infinite = invalid.infinite;
+  header.negative = invalid.negative;
   header.seconds = checkpoint.seconds;
-  header.spread_blocks = spread ? spread->blocks() : 0;
-  header.work_size = checkpoint.work.size();
+  header.variance_blocks = variance ? variance->blocks() : 0;
+  header.integrator_state_size = checkpoint.integrator_state.size();
   header.hash = hash_bytes(bytes.data() + sizeof(Header), bytes.size() - sizeof(Header));
   std::memcpy(bytes.data(), &header, sizeof header);
   return write_file(path, bytes.data(), bytes.size());
@@ -65,44 +94,37 @@ Result<Checkpoint> read_checkpoint(const std::filesystem::path& path) {
   const auto& bytes = *read;
   Header header{};
   if (bytes.size() < sizeof header) return damaged(path, "it is too short to be a checkpoint");
-  const bool before = std::memcmp(bytes.data(), kMagicBefore, sizeof kMagicBefore) == 0;
-  const size_t header_size = before ? offsetof(Header, work_size) : sizeof header;
+  const bool is_version_2 = std::memcmp(bytes.data(), kMagicVersion2, sizeof kMagicVersion2) == 0;
+  const size_t header_size = is_version_2 ? offsetof(Header, integrator_state_size) : sizeof header;
   std::memcpy(&header, bytes.data(), header_size);
-  if (!before && std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) return damaged(path, "this is no checkpoint");
+  if (!is_version_2 && std::memcmp(header.magic, kMagic, sizeof kMagic) != 0)
+    return damaged(path, "it is not a checkpoint");
   const uint64_t body = bytes.size() - header_size;
-  constexpr int32_t kMost = 1 << 16;
-  if (header.width <= 0 || header.height <= 0 || header.width > kMost || header.height > kMost ||
-      header.state_size > body || header.work_size > body ||
-      header.spread_blocks > body / film::TileVariance::kBytesOfBlock)
-    return damaged(path, "its size makes no sense");
-  const uint64_t pixels =
-      static_cast<uint64_t>(header.width) * static_cast<uint64_t>(header.height) * sizeof(film::Film::Pixel);
-  const uint64_t spread = header.spread_blocks * film::TileVariance::kBytesOfBlock;
-  if (body < header.state_size + pixels + spread + header.work_size) return damaged(path, "it is truncated");
-  const uint64_t first = body - header.state_size - pixels - spread - header.work_size;
-  if (first % sizeof(film::Rejection) != 0 || first > film::kFirstRejections * sizeof(film::Rejection))
-    return damaged(path, "it is truncated");
+  const auto sizes = part_sizes(path, header, body);
+  if (!sizes) return sizes.error();
   const char* data = reinterpret_cast<const char*>(bytes.data()) + header_size;
   if (hash_bytes(data, body) != header.hash) return damaged(path, "it is damaged");
 
+  const auto read_part = [&](void* to, uint64_t size) {
+    if (size > 0) std::memcpy(to, data, size);
+    data += size;
+  };
   Checkpoint checkpoint;
-  checkpoint.state.assign(data, header.state_size);
   checkpoint.seconds = header.seconds;
+  checkpoint.state.resize(sizes->state);
+  read_part(checkpoint.state.data(), sizes->state);
   checkpoint.film = film::Film(header.width, header.height);
-  std::memcpy(checkpoint.film.pixels().data(), data + header.state_size, pixels);
-  data += header.state_size + pixels;
-  if (spread > 0) {
-    checkpoint.film.begin_tile_variance(header.spread_blocks);
-    std::memcpy(checkpoint.film.tile_variance()->bytes().data(), data, spread);
-    data += spread;
+  read_part(checkpoint.film.pixels().data(), sizes->pixels);
+  if (sizes->variance > 0) {
+    checkpoint.film.begin_tile_variance(header.variance_blocks);
+    read_part(checkpoint.film.tile_variance()->bytes().data(), sizes->variance);
   }
-  checkpoint.work.resize(header.work_size);
-  if (header.work_size > 0) std::memcpy(checkpoint.work.data(), data, header.work_size);
-  data += header.work_size;
-  film::InvalidSamples rejected{header.nan, header.infinite, header.negative, {}};
-  rejected.first.resize(first / sizeof(film::Rejection));
-  if (first > 0) std::memcpy(rejected.first.data(), data, first);
-  checkpoint.film.set_invalid_samples(rejected);
+  checkpoint.integrator_state.resize(sizes->integrator_state);
+  read_part(checkpoint.integrator_state.data(), sizes->integrator_state);
+  film::InvalidSamples invalid{header.nan, header.infinite, header.negative, {}};
+  invalid.first.resize(sizes->invalid_samples / sizeof(film::InvalidSample));
+  read_part(invalid.first.data(), sizes->invalid_samples);
+  checkpoint.film.set_invalid_samples(invalid);
   return checkpoint;
 }
 

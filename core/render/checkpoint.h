@@ -1,4 +1,4 @@
-// A rendering that goes on after kill -9: the film's exact sums, the state they belong to, and that of the method.
+// Checkpoints: files from which a rendering continues to the same image bit for bit.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -12,13 +12,14 @@ namespace etendue::render {
 struct Checkpoint {
   std::string state;  // state_json of the document
   film::Film film;
-  double seconds = 0;                // spent so far
-  std::vector<std::byte> work = {};  // the state of the method's work (integrator::Work::state)
+  double seconds = 0;                            // of rendering so far
+  std::vector<std::byte> integrator_state = {};  // integrator::RenderState::state
 };
 
 Result<void> write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
-// Files of the version before, which knew no state of the method, are read too. A truncated, foreign or damaged file is
-// an input error.
+
+// Reads files of this version and of the one before, which has no integrator state. A truncated, foreign or damaged
+// file is an input error.
 Result<Checkpoint> read_checkpoint(const std::filesystem::path& path);
 
 }  // namespace etendue::render

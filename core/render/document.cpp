@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "integrator/integrator.h"
-#include "render/document_parameters.h"
 #include "scene/builtin/builtin.h"
 #include "scene/environment.h"
 #include "transport/model.h"
@@ -11,28 +10,34 @@
 namespace etendue::render {
 namespace {
 
-// Edit distance, for "did you mean".
-size_t distance(std::string_view a, std::string_view b) {
+// The Levenshtein distance of two words.
+size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<size_t> row(b.size() + 1);
   for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (size_t i = 1; i <= a.size(); ++i) {
     size_t diagonal = std::exchange(row[0], i);
-    for (size_t j = 1; j <= b.size(); ++j)
-      diagonal =
-          std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1] ? 1 : 0)}));
+    for (size_t j = 1; j <= b.size(); ++j) {
+      const size_t substitution = diagonal + (a[i - 1] != b[j - 1] ? 1 : 0);
+      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, substitution}));
+    }
   }
   return row.back();
 }
 
+// The known parameter name that is most similar to `name`.
 std::string nearest_name(const Document& document, std::string_view name) {
-  std::string best;
+  std::string nearest;
   size_t least = SIZE_MAX;
   for (const auto& section : sections(document))
-    for (const auto& b : bindings(document, section))
-      if (const size_t d = distance(name, b.info.name); d < least) least = d, best = b.info.name;
-  return best;
+    for (const auto& parameter : section_parameters(document, section))
+      if (const size_t d = edit_distance(name, parameter.info.name); d < least) {
+        least = d;
+        nearest = parameter.info.name;
+      }
+  return nearest;
 }
 
+// "material.3.roughness" -> "material.3", "film.width" -> "film"; empty for an unqualified name.
 std::string_view section_of(std::string_view name) {
   const size_t dot = name.find('.');
   if (dot == std::string_view::npos) return {};
@@ -42,65 +47,61 @@ std::string_view section_of(std::string_view name) {
   return second == std::string_view::npos ? first : name.substr(0, second);
 }
 
-Result<DocumentParameter> find_binding(const Document& document, std::string_view name) {
-  // A bare name belongs to the integrator, else to the sampler, else to the rendering as a whole.
+Result<DocumentParameter> find_document_parameter(const Document& document, std::string_view name) {
   if (name.find('.') == std::string_view::npos)
     for (const std::string& owner : {document.method.integrator, document.method.sampler, std::string("render")})
-      for (auto& b : bindings(document, owner))
-        if (b.info.name == owner + "." + std::string(name)) return b;
-  for (auto& b : bindings(document, section_of(name)))
-    if (b.info.name == name) return b;
-  return usage_error("there is no setting '" + std::string(name) + "'; the nearest is '" +
+      for (auto& parameter : section_parameters(document, owner))
+        if (parameter.info.name == owner + "." + std::string(name)) return parameter;
+  for (auto& parameter : section_parameters(document, section_of(name)))
+    if (parameter.info.name == name) return parameter;
+  return usage_error("there is no parameter '" + std::string(name) + "'; the nearest name is '" +
                      nearest_name(document, name) + "'");
+}
+
+// Whether the author of a scene provided light. An emission of at most one, which is all that glTF can state without
+// KHR_materials_emissive_strength, does not count: it usually marks glowing parts (the headlights of a toy car) that
+// are not meant to illuminate the scene.
+bool is_lit(const scene::Scene& s) {
+  constexpr float kStrongestGlow = 1;
+  return !s.environment.black() || std::ranges::any_of(s.nodes, [](const auto& n) { return n.light >= 0; }) ||
+         std::ranges::any_of(s.materials, [](const auto& m) { return max_component(m.emission) > kStrongestGlow; });
 }
 
 }  // namespace
 
 std::vector<Setting> MethodSettings::settings_of(std::string_view owner) const {
-  std::vector<Setting> own;
+  std::vector<Setting> list;
   for (const auto& [name, value] : settings)
     if (name.size() > owner.size() && name.starts_with(owner) && name[owner.size()] == '.')
-      own.push_back({name.substr(owner.size() + 1), value});
-  return own;
+      list.push_back({name.substr(owner.size() + 1), value});
+  return list;
 }
 
 Result<Value> get(const Document& document, std::string_view name) {
-  auto binding = find_binding(document, name);
-  if (!binding) return binding.error();
-  return binding->info.default_value;
+  auto parameter = find_document_parameter(document, name);
+  if (!parameter) return parameter.error();
+  return parameter->info.default_value;
 }
 
 Result<Document> with(const Document& document, std::string_view name, const Value& value) {
-  auto binding = find_binding(document, name);
-  if (!binding) return binding.error();
-  auto checked = checked_value(binding->info, value);
+  auto parameter = find_document_parameter(document, name);
+  if (!parameter) return parameter.error();
+  auto checked = checked_value(parameter->info, value);
   if (!checked) return checked.error();
   Document changed = document;
-  binding->assign(changed, *checked);
+  parameter->assign(changed, *checked);
   return changed;
 }
 
 Result<Document> with_text(const Document& document, std::string_view name, std::string_view text) {
-  auto binding = find_binding(document, name);
-  if (!binding) return binding.error();
-  auto value = parse_value(binding->info, text);
+  auto parameter = find_document_parameter(document, name);
+  if (!parameter) return parameter.error();
+  auto value = parse_value(parameter->info, text);
   if (!value) return value.error();
   Document changed = document;
-  binding->assign(changed, *value);
+  parameter->assign(changed, *value);
   return changed;
 }
-
-namespace {
-
-// Whether an author lit the scene. Emission of one at most, all that glTF has without KHR_materials_emissive_strength,
-// is a glow to be seen (the headlights of a toy car), not a light to see by.
-bool is_lit(const scene::Scene& s) {
-  constexpr float kGlow = 1;
-  return !s.environment.black() || std::ranges::any_of(s.nodes, [](const auto& n) { return n.light >= 0; }) ||
-         std::ranges::any_of(s.materials, [](const auto& m) { return max_component(m.emission) > kGlow; });
-}
-
-}  // namespace
 
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera) {
   auto loaded = scene::load(scene_file_or_name);
@@ -113,7 +114,7 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   if (!is_lit(s)) {
     document.lit_by_default = true;
     s.environment.tint = Rgb(1);
-    s.warnings.push_back("the scene has no light to be seen by; a neutral environment of radiance 1 was added");
+    s.warnings.push_back("the scene has no lights; a neutral environment of radiance 1 was added");
   }
   document.scene_name = scene_file_or_name;
   document.camera_name = camera;
@@ -130,8 +131,9 @@ Result<Document> with_environment(const Document& document, const std::string& f
   if (!map) return map.error();
   Document changed = document;
   auto scene = std::make_shared<scene::Scene>(*document.scene);
-  const float rotation = scene->environment.rotation;
-  scene->environment = Environment{*map, file, Rgb(1), rotation, scene->environment.visible};
+  const Environment& old = document.scene->environment;
+  scene->environment =
+      Environment{.map = *map, .file = file, .tint = Rgb(1), .rotation = old.rotation, .visible = old.visible};
   changed.scene = std::move(scene);
   return changed;
 }

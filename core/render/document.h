@@ -1,10 +1,9 @@
-// Everything a user can set, under one name each.
+// Everything a user can set, each parameter under one name.
 //
-// A Document is a plain value: the scene, the camera, the method, the film, the display. Every setting has a qualified
-// name
-// ("render.integrator", "material.3.roughness", "path.roulette-start") with a description; widgets, `--set`, scripts,
-// snapshots and undo all go through `get` and `set`. A Document is copied for an edit and kept for undo; the heavy
-// parts are shared.
+// A Document is a plain value: scene, camera, rendering method, film and display settings. Every parameter has a
+// qualified name ("render.integrator", "material.3.roughness", "path.roulette-start") and a description. Widgets,
+// `--set`, scripts, snapshots and undo all use the same access by name. A Document is copied for each edit and kept for
+// undo; copies share the large parts, such as the scene.
 #pragma once
 #include <functional>
 #include <memory>
@@ -22,31 +21,33 @@
 
 namespace etendue::render {
 
+// When a rendering stops: at the first limit that it reaches. 0 is no limit.
 struct Limits {
-  uint32_t samples = 0;  // per pixel; 0 is no limit
+  uint32_t samples = 0;  // per pixel
   double seconds = 0;
-  double rmse = 0;
+  double rmse = 0;  // estimated
 
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
-// Whether samples go where the error is, and which error that is (render/allocation.h).
+// Whether sampling is adaptive, and the error that it minimises (adaptive_sampling.h).
 enum class Adaptive { off, rmse, relmse };
 
+// The rendering method: an integrator and a sampler with the values of their parameters.
 struct MethodSettings {
   std::string integrator = "path", sampler = "sobol";
   Adaptive adaptive = Adaptive::off;
-  std::string paths;  // the expression of the paths that count (transport/path_expression.h); empty if all do
-  // Parameters by qualified name ("path.max-depth"), only those that differ from their defaults.
+  std::string paths;  // path expression of the light paths that count (transport/path_expression); empty: all
+  // Values of parameters by qualified name ("path.max-depth"), only those that differ from their defaults.
   std::vector<std::pair<std::string, Value>> settings;
 
-  // The settings of one integrator or sampler, without its name in front.
+  // The values that belong to one integrator or sampler, by unqualified name.
   std::vector<Setting> settings_of(std::string_view owner) const;
   friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
 };
 
 struct Display {
-  float exposure = 0;  // EV: the picture is multiplied by 2^exposure
+  float exposure = 0;  // EV: displayed radiance is multiplied by 2^exposure
   image::ToneCurve curve = image::ToneCurve::none;
 
   friend bool operator==(const Display&, const Display&) = default;
@@ -54,53 +55,56 @@ struct Display {
 
 struct Document {
   std::shared_ptr<const scene::Scene> scene;
-  std::string scene_name;  // what --like opens again: a file or the name of a built-in scene
+  std::string scene_name;  // the file, or the name of a built-in scene, from which the document can be opened again
   std::string camera_name;
   Camera camera;
   int width = 1280, height = 720;
   film::FilterKind filter = film::FilterKind::blackman_harris;
   film::Fireflies fireflies = film::Fireflies::keep;
   MethodSettings method;
-  std::vector<std::string> forced_flags;  // model.FLAG=on
+  std::vector<std::string> forced_flags;  // flags of the transport model that are set to "on" (model.FLAG)
   uint64_t seed = 0;
   Limits limits;
   Display display;
-  bool lit_by_default = false;  // the scene had no light: its environment is the neutral one that new_document added
-  std::shared_ptr<const Document> origin;  // as it was when the scene was opened: what a state is told apart from
+  bool lit_by_default = false;             // the scene has no light, so new_document added a neutral environment
+  std::shared_ptr<const Document> origin;  // the document as it was opened; states record the differences from it
 };
 
-// One setting of a document: its description and how to read and write it.
+// One parameter of a document: its description, and a function that changes it.
 struct DocumentParameter {
-  ParameterInfo info;   // info.name is the qualified name; default_value is the value now
-  std::string section;  // "render", "camera", "material.3", ...
-  std::string idle;     // why it changes nothing now, and what to do; empty if it does
+  ParameterInfo info;           // `name` is the qualified name, `default_value` the current value
+  std::string section;          // "render", "camera", "material.3", ...
+  std::string inactive_reason;  // why the parameter has no effect at present, and a remedy; empty if it has one
   std::function<void(Document&, const Value&)> assign;
 };
 
-// All settings of one section. Sections are "render", "film", "camera", "display", "scene", "environment", "model",
-// "material.N", "light.N", "node.N", and the names of the integrators and samplers.
-std::vector<DocumentParameter> bindings(const Document& document, std::string_view section);
+// All sections of a document: "render", "film", "camera", "display", "scene", "environment", "model", the names of the
+// integrators and samplers, "material.N", "light.N" and "node.N".
 std::vector<std::string> sections(const Document& document);
+// All parameters of a section; none if there is no such section.
+std::vector<DocumentParameter> section_parameters(const Document& document, std::string_view section);
 
-// The current value of a setting; an unknown name is a usage error that names the nearest known one.
+// The value of a parameter. An unknown name is a usage error that states the nearest known name.
 Result<Value> get(const Document& document, std::string_view name);
 
-// The document with a setting changed. A bare name ("max-depth") belongs to the current integrator or sampler, or
-// to "render".
+// The document with one parameter changed. An unqualified name ("max-depth") belongs to the integrator, the sampler or
+// the section "render", in this order.
 Result<Document> with(const Document& document, std::string_view name, const Value& value);
-// The same with the value as a user writes it.
+// The same with the value as text.
 Result<Document> with_text(const Document& document, std::string_view name, std::string_view text);
 
-// A new document for a scene: its first camera (or `camera`), default settings.
+// A new document for a scene with the given camera, or with the scene's first one, and default settings.
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera = "");
 
-// What differs from the document's origin: the JSON text that a snapshot carries, and its way back.
+// The state of a document as JSON text, for snapshots and checkpoints: the scene's name and all parameters that differ
+// from the document's origin.
 std::string state_json(const Document& document, uint32_t samples);
+// Opens the document of a state again. `source` is the file name for error messages.
 Result<Document> document_from_state(const std::string& json, const std::string& source, uint32_t* samples = nullptr);
-// How a snapshot was shown, without opening its scene; what its text does not say is as a new document has it.
+// The display settings of a state, without opening its scene. Missing settings have their default values.
 Display display_from_state(const std::string& json);
 
-// Sets the environment from a .hdr or .exr file.
+// The document with an environment map from an .hdr or .exr file.
 Result<Document> with_environment(const Document& document, const std::string& file);
 
 }  // namespace etendue::render
@@ -108,5 +112,5 @@ Result<Document> with_environment(const Document& document, const std::string& f
 template <>
 struct etendue::Options<etendue::render::Adaptive> {
   static constexpr std::array<etendue::Option, 3> kOptions{
-      {{"off", "Off"}, {"rmse", "For the least RMSE"}, {"relmse", "For the least relative error"}}};
+      {{"off", "Off"}, {"rmse", "Minimise RMSE"}, {"relmse", "Minimise relative error (relMSE)"}}};
 };

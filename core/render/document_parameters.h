@@ -1,41 +1,72 @@
-// How the settings of each section of a document are described, read and written; document.h puts them to use.
+// How the parameters of each section of a document are described, read and written. document.h gives access to them by
+// name.
 #pragma once
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "render/document.h"
 
 namespace etendue::render {
 
-// Makes one binding: the knob describes it (a Number, Toggle or Choice whose value is the value now), `store` puts the
-// value of a knob back into a document.
-template <class Knob, class Store>
-DocumentParameter binding(const std::string& section, const Knob& knob, Store store) {
-  DocumentParameter b;
-  b.info = describe(knob);
-  b.info.name = section + "." + b.info.name;
-  b.section = section;
-  b.assign = [knob, store](Document& document, const Value& value) {
-    Knob changed = knob;
+using DocumentParameters = std::vector<DocumentParameter>;
+
+inline constexpr float kLargestLength = 1e9f;  // metres
+
+// A parameter that is described by a Number, a Toggle or a Choice with the current value. `store(document, value)`
+// writes another value into a document.
+template <class Description, class Store>
+DocumentParameter make_parameter(const std::string& section, const Description& description, Store store) {
+  DocumentParameter parameter;
+  parameter.info = describe(description);
+  parameter.info.name = section + "." + parameter.info.name;
+  parameter.section = section;
+  parameter.assign = [description, store](Document& document, const Value& value) {
+    Description changed = description;
     etendue::assign(changed, value);
     store(document, changed.value);
   };
-  return b;
+  return parameter;
 }
 
-// The scene is shared: an edit copies it (its heavy arrays stay shared) and changes the copy.
+// Changes the scene of a document. Scenes are shared between documents, so the change is made to a copy; its large
+// arrays stay shared.
 template <class F>
-void edit_scene(Document& document, F&& f) {
+void edit_scene(Document& document, F&& edit) {
   auto scene = std::make_shared<scene::Scene>(*document.scene);
-  f(*scene);
+  edit(*scene);
   document.scene = std::move(scene);
 }
 
-std::vector<DocumentParameter> material_bindings(const Document& document, size_t index, const std::string& section);
-std::vector<DocumentParameter> light_bindings(const Document& document, size_t index, const std::string& section);
-std::vector<DocumentParameter> node_bindings(const Document& document, size_t index, const std::string& section);
-std::vector<DocumentParameter> environment_bindings(const Document& document, const std::string& section);
-std::vector<DocumentParameter> camera_bindings(const Document& document, const std::string& section);
+// Three numbers with a common label. `store(document, component, value)` writes one of them.
+struct TripleDescription {
+  const char* names[3];
+  const char* label;
+  Vec3 value;
+  Range<float> range;
+  const char* doc;
+  const char* unit = "";
+};
+
+template <class Store>
+void add_triple(DocumentParameters& list, const std::string& section, const TripleDescription& triple, Store store) {
+  for (int c = 0; c < 3; ++c)
+    list.push_back(make_parameter(
+        section, Number<float>{triple.names[c], triple.label, triple.value[c], triple.range, triple.doc, triple.unit},
+        [store, c](Document& document, float v) { store(document, c, v); }));
+}
+
+// One function per section, in the file of its name.
+DocumentParameters render_parameters(const Document& document);
+DocumentParameters film_parameters(const Document& document);
+DocumentParameters display_parameters(const Document& document);
+DocumentParameters scene_parameters(const Document& document);
+DocumentParameters model_parameters(const Document& document);
+DocumentParameters camera_parameters(const Document& document);
+DocumentParameters environment_parameters(const Document& document);
+DocumentParameters material_parameters(const Document& document, size_t index, const std::string& section);
+DocumentParameters light_parameters(const Document& document, size_t index, const std::string& section);
+DocumentParameters node_parameters(const Document& document, size_t index, const std::string& section);
 
 }  // namespace etendue::render

@@ -1,4 +1,4 @@
-// Pictures as they are shown, and how they are made of films.
+// Frames: images for display, and how they are made from films.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -12,31 +12,32 @@ namespace etendue::render {
 
 struct Frame {
   int width = 0, height = 0;
-  // Linear radiance, row 0 on top. Frames that differ only in what they say of it share it.
+  // Linear radiance, row by row from the top. Frames that differ only in version or sample count share their pixels.
   std::shared_ptr<const std::vector<Rgb>> pixels;
   uint64_t version = 0;
-  uint32_t samples = 0;  // complete samples of every pixel; 0 while coarse parts show
-  int coarseness = 1;    // pixels are blocks of this size; 1 is full resolution
+  uint32_t samples = 0;   // complete samples of every pixel; 0 while a preview is visible
+  int preview_scale = 1;  // size in pixels of the blocks of a preview; 1 is full resolution
 };
 
-// Makes frames on all workers. Pixels of frames that nobody holds any more are used again: fresh memory costs more time
-// than what is written into it.
+// Makes frames on all workers. The pixel arrays of released frames are reused, because allocating fresh memory takes
+// longer than filling it.
 class FrameMaker {
  public:
   explicit FrameMaker(ThreadPool& workers);
 
-  // The means of a film of one sample, pixel by pixel, of a picture that is `coarseness` times as large.
-  std::shared_ptr<const Frame> coarse(const film::Film& film, int coarseness);
-  // The coarse frame as blocks.
-  std::shared_ptr<Frame> enlarged(const Frame& coarse, int width, int height);
-  // The means of the film where it has samples, the coarse frame's blocks (or black without one) where it has none yet.
-  // With cascades the means are re-weighted.
-  std::shared_ptr<Frame> full(const film::Film& film, const Frame* coarse, const film::FireflyCascades* cascades);
+  // The preview in a film of 1 / preview_scale of the image's size, with one pixel per block.
+  std::shared_ptr<const Frame> preview(const film::Film& film, int preview_scale);
+  // A preview enlarged to the size of the image.
+  std::shared_ptr<Frame> enlarged(const Frame& preview, int width, int height);
+  // The means of a film. Pixels without samples show the preview, or are black if it is null. The means are re-weighted
+  // if there are firefly reweighting.
+  std::shared_ptr<Frame> full(const film::Film& film, const Frame* preview,
+                              const film::FireflyReweighting* reweighting);
 
  private:
   struct Pool;
   struct Canvas;
-  Canvas blank(int width, int height);
+  Canvas new_canvas(int width, int height);
 
   ThreadPool& workers_;
   std::shared_ptr<Pool> pool_;

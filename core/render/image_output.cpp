@@ -14,7 +14,7 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-image::Layer count_layer(const film::Film& film) {
+image::Layer sample_count_layer(const film::Film& film) {
   image::Layer layer{"sample-count", {"V"}, {}};
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x) layer.pixels.push_back(static_cast<float>(film.samples(x, y)));
@@ -26,11 +26,11 @@ image::Layer count_layer(const film::Film& film) {
 Result<void> check_output_name(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension != ".exr" && extension != ".hdr" && extension != ".png")
-    return usage_error(path + ": '" + extension + "' is no format that can be written; give .exr, .hdr or .png");
+    return usage_error(path + ": '" + extension + "' is not a supported output format; use .exr, .hdr or .png");
   const auto folder = std::filesystem::path(path).parent_path();
   std::error_code code;
   if (!folder.empty() && !std::filesystem::is_directory(folder, code))
-    return output_error(path + ": the folder " + folder.string() + " does not exist");
+    return output_error(path + ": the folder " + folder.string() + " does not exist; create it first");
   return {};
 }
 
@@ -41,18 +41,18 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   const std::string state = state_json(r.document, r.samples);
   if (extension == ".png") {
     const Display& display = r.document.display;
-    const auto shown =
+    const auto displayed =
         image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure, display.curve);
-    return image::write_png(path, film.width(), film.height(), shown, {{kStateAttribute, state}});
+    return image::write_png(path, film.width(), film.height(), displayed, {{kStateAttribute, state}});
   }
-  image::LayeredImage picture = film::picture_of(film);
-  picture.attributes[kStateAttribute] = state;
-  picture.attributes["software"] = "etendue";
-  if (!r.certificate.empty()) picture.attributes[kCertificateAttribute] = r.certificate;
-  if (r.reweighted) picture.layers.push_back({"reweighted", {"R", "G", "B"}, *r.reweighted});
-  if (r.sample_counts) picture.layers.push_back(count_layer(film));
-  for (const auto& layer : r.layers) picture.layers.push_back(layer);
-  return image::write_exr(path, picture);
+  image::LayeredImage image = film::layered_image_of(film);
+  image.attributes[kStateAttribute] = state;
+  image.attributes["software"] = "etendue";
+  if (!r.certificate.empty()) image.attributes[kCertificateAttribute] = r.certificate;
+  if (r.reweighted) image.layers.push_back({"reweighted", {"R", "G", "B"}, *r.reweighted});
+  if (r.sample_counts) image.layers.push_back(sample_count_layer(film));
+  for (const auto& layer : r.layers) image.layers.push_back(layer);
+  return image::write_exr(path, image);
 }
 
 }  // namespace etendue::render

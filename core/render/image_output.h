@@ -1,4 +1,4 @@
-// From a film to a picture file of the format that the name asks for.
+// Writing a rendered film to an image file.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,24 +10,25 @@
 
 namespace etendue::render {
 
-// The attributes of a picture file that hold a document's state, which --like reads, and what the picture is worth.
+// Attributes of image files: the state of the document (state_json), and the certificate of the image's error.
 inline constexpr const char *kStateAttribute = "etendue:state", *kCertificateAttribute = "etendue:certificate";
 
-// Whether the program can write a file of this name: the format and the folder.
+// Whether a file of this name can be written: its extension must be known and its folder must exist.
 Result<void> check_output_name(const std::string& path);
 
-// What a rendering leaves behind.
+// The contents of an image file.
 struct Rendering {
   const Document& document;
   const film::Film& film;
   uint32_t samples = 0;
-  std::string certificate;                       // empty: none
-  std::optional<std::vector<float>> reweighted;  // what the screen shows, if it is not the film
-  bool sample_counts = false;                    // as a layer
+  std::string certificate;                       // JSON; empty: none
+  std::optional<std::vector<float>> reweighted;  // the displayed image, if fireflies are re-weighted
+  bool sample_counts = false;                    // whether to write them as a layer
   std::vector<image::Layer> layers = {};
 };
 
-// .exr takes everything (layers, state, certificate, per-pixel variance); .hdr the radiance; .png what a screen shows.
+// An .exr file holds everything: radiance, variance per pixel, layers, state and certificate. An .hdr file holds the
+// radiance, a .png file the displayed image and the state.
 Result<void> write_image(const std::string& path, const Rendering& rendering);
 
 }  // namespace etendue::render

@@ -1,6 +1,6 @@
 #include "render/incompatibility.h"
 
-#include "integrator/integrator.h"
+#include "render/prepared_document.h"
 
 namespace etendue::render {
 
@@ -9,14 +9,11 @@ std::string incompatibility(const Document& document, const scene::CompiledScene
   const auto& info = *integrator::find_integrator(method.integrator);
   if (!integrator::finds_any(info, method.paths))
     return "film.paths: " + info.name + " finds " + info.paths + ", none of " + method.paths +
-           ": the picture will be black; take another integrator";
-  const auto integrator = integrator::make_integrator(method.integrator, method.settings_of(method.integrator));
-  const auto model = transport::model_for(scene, document.forced_flags, method.paths);
-  const auto sampler = make_sampler(method.sampler, method.settings_of(method.sampler));
-  const CameraRays camera(document.camera, document.width, document.height);
-  const film::Filter filter(document.filter);
-  const std::string reason = integrator->incompatibility(
-      {&scene, &model, sampler.get(), &camera, &filter, document.seed, document.width, document.height});
+           ": the image will be black; choose another integrator";
+  // The scene outlives this call, so the pointer need not own it.
+  const std::shared_ptr<const scene::CompiledScene> unowned(std::shared_ptr<const void>(), &scene);
+  const PreparedDocument prepared(document, unowned);
+  const std::string reason = prepared.integrator().incompatibility(prepared.context());
   return reason.empty() ? "" : info.name + ": " + reason;
 }
 
@@ -24,8 +21,8 @@ std::string adaptive_incompatibility(const std::string& integrator) {
   const auto& info = *integrator::find_integrator(integrator);
   if (info.accumulation == integrator::Accumulation::per_pixel) return {};
   return info.name +
-         " does not work pixel by pixel, so that all have the same number of samples: leave it off, or take "
-         "another integrator";
+         " does not sample pixel by pixel, so all pixels receive the same number of samples: turn adaptive sampling "
+         "off or choose another integrator";
 }
 
 }  // namespace etendue::render

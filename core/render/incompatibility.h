@@ -1,4 +1,4 @@
-// What stands in the way of a method, in words that say what to do about it.
+// Reasons why an integrator cannot render a document, with a remedy.
 #pragma once
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace etendue::render {
 
-// Why the document's method finds no light at all in this scene; empty if nothing stands in its way.
+// Why the integrator of a document finds no light at all in this scene; empty if it may find some.
 std::string incompatibility(const Document& document, const scene::CompiledScene& scene);
 
-// Why render.adaptive does nothing with an integrator (it must be of the registry); empty if it does.
+// Why adaptive sampling (render.adaptive) has no effect with an integrator of the registry; empty if it has one.
 std::string adaptive_incompatibility(const std::string& integrator);
 
 }  // namespace etendue::render

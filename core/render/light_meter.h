@@ -1,44 +1,47 @@
-// Light meters: what arrives at a point of a surface, what leaves it towards the eye, and what an object sends out.
-//                                                                              thesis 3.3, 3.4; table 3.1 and 3.2
+// A virtual light meter: irradiance at a surface point, radiance from it to the camera, and flux of the object there.
+//                                                                       [Lang, sec. 3.3, 3.4; tables 3.1 and 3.2]
 //
-// The irradiance is read as a photographer does, off a small white card: a disk of albedo one, some ten-thousandths of
-// the scene wide, lies on the surface and is looked at from close by. It is measured by path tracing, whatever method
-// makes the picture.
+// Irradiance is measured as a photographer does, with a white card: a disk of albedo one, with a radius of about 1e-4
+// of the scene's, lies on the surface, and a camera views it from close by. All quantities are measured by path
+// tracing, independently of the integrator of the document.
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "render/session.h"
 
 namespace etendue::render {
 
-// What is looked at: a point that the camera sees.
-struct Spot {
-  Vec3 position{0}, normal{0, 1, 0};  // the geometric normal on the eye's side
-  Vec3 eye{0};                        // where it is seen from
-  uint32_t instance = 0;              // of the compiled scene
+// The measured point: a surface point that the camera sees.
+struct MeterPoint {
+  Vec3 position{0};
+  Vec3 normal{0, 1, 0};   // geometric normal on the side of the camera
+  Vec3 eye{0};            // position from which the point is seen
+  uint32_t instance = 0;  // of the compiled scene
 };
 
-// The spot under a place of the picture, in pixels; nothing if the ray meets nothing.
-std::optional<Spot> spot_at(const Document& document, const scene::CompiledScene& scene, Vec2 raster);
+// The surface point at a position of the image, in pixels; nothing if the camera ray hits nothing.
+std::optional<MeterPoint> meter_point_at(const Document& document, const scene::CompiledScene& scene, Vec2 raster);
 
-// Of the mean, per band, with one standard error of the mean over bands.
-struct Reading {
+// A mean per colour channel with its standard error, that of the noisiest channel.
+struct MeterReading {
   Rgb value{0};
   double standard_error = 0;
 };
 
 struct MeterReadings {
-  Spot spot;
-  Reading radiance;    // W/(m^2 sr), from the spot to the eye
-  Reading irradiance;  // W/m^2, onto the spot from the eye's side
-  // W, what the object under the spot emits, by its material; of textured emission the mean.
+  MeterPoint point;
+  MeterReading radiance;    // W/(m^2 sr), from the point to the camera
+  MeterReading irradiance;  // W/m^2, at the point, on the side of the camera
+  // W, emitted by the object at the point. For textured emission this uses the mean radiance.
   Rgb emitted_flux{0};
-  uint32_t samples = 0;  // of each of 64 pixels
+  uint32_t samples = 0;  // per pixel, of 64 pixels
 };
 
-// Goes on with more samples, and publishes each time, until there are `samples` or `publish` says no.
-void measure_spot(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const Spot& spot,
-                  uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish);
+// Measures with a growing number of samples and calls `publish` after each step, until the number reaches `samples` or
+// `publish` returns false.
+void measure_light(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, const MeterPoint& point,
+                   uint32_t samples, int threads, const std::function<bool(const MeterReadings&)>& publish);
 
 }  // namespace etendue::render

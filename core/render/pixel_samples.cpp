@@ -1,57 +1,34 @@
 #include "render/pixel_samples.h"
 
+#include "base/hash.h"
+#include "film/film.h"
 #include "integrator/shared/camera_path_integrator.h"
-#include "render/renderer.h"
 
 namespace etendue::render {
 namespace {
 
-// What a film does to a sample before it adds it.
-Rgb accepted(const Rgb& radiance) {
-  const bool rejected = !is_finite(radiance) || radiance.r < 0 || radiance.g < 0 || radiance.b < 0;
-  return rejected ? Rgb(0) : radiance;
-}
-
-uint64_t seed_of(uint64_t seed, uint32_t half_buffer) {
-  return half_buffer == 0 ? seed : mix_bits(seed ^ uint64_t{half_buffer} << 32);
+uint64_t seed_of(uint64_t seed, uint32_t replication) {
+  return replication == 0 ? seed : mix_bits(seed ^ uint64_t{replication} << 32);
 }
 
 }  // namespace
 
-bool PixelSamples::possible(const Document& document) {
+bool PixelSamples::supports(const Document& document) {
   return integrator::find_integrator(document.method.integrator)->accumulation == integrator::Accumulation::per_pixel;
 }
 
 PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel)
-    : scene_(std::move(scene)),
-      model_(transport::model_for(*scene_, document.forced_flags, document.method.paths)),
-      sampler_(make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler))),
-      integrator_(integrator::make_integrator(document.method.integrator,
-                                              document.method.settings_of(document.method.integrator))),
-      camera_(document.camera, document.width, document.height, scene_->camera_motion()),
-      filter_(document.filter),
-      seed_(document.seed),
-      width_(document.width),
-      height_(document.height),
-      pixel_(pixel) {}
+    : prepared_(document, std::move(scene)), pixel_(pixel) {}
 
-void PixelSamples::prepare(uint32_t sample) {
-  const uint32_t window = sample / film::kHalves / kTableSamples;
-  if (window + 1 == prepared_) return;
-  sampler_->prepare(window * kTableSamples, kTableSamples);
-  prepared_ = window + 1;
-}
-
-bool PixelSamples::draw(uint32_t first, uint32_t half_buffer, std::span<Rgb> samples,
+bool PixelSamples::draw(uint32_t first, uint32_t replication, std::span<Rgb> samples,
                         const std::function<bool()>& keep_going) {
-  const integrator::RenderContext pass{
-      scene_.get(), &model_, sampler_.get(), &camera_, &filter_, seed_of(seed_, half_buffer), width_, height_};
-  const auto work = integrator_->begin(pass, nullptr);
+  const auto state = prepared_.integrator().begin(prepared_.context(seed_of(prepared_.seed(), replication)), nullptr);
   for (size_t i = 0; i < samples.size(); ++i) {
     const uint32_t sample = first + static_cast<uint32_t>(i);
-    prepare(sample);
-    if (!work->sample({pixel_.x, pixel_.y, 1, 1, sample}, samples.subspan(i, 1), {&keep_going})) return false;
-    samples[i] = accepted(samples[i]);
+    prepared_.prepare_sampler(sample / film::kHalfBuffers);
+    const integrator::PixelBlock block{.x = pixel_.x, .y = pixel_.y, .width = 1, .height = 1, .sample = sample};
+    if (!state->sample(block, samples.subspan(i, 1), {&keep_going})) return false;
+    if (!film::is_radiance(samples[i])) samples[i] = Rgb(0);
   }
   return true;
 }
@@ -67,25 +44,25 @@ std::vector<Dimension> path_dimensions(uint32_t vertices) {
       const std::string number = std::to_string(k);
       list.push_back({"vertex-" + number + "." + name, "Vertex " + number + ": " + label, k, index});
     };
-    add("direction-x", "direction x", vertex_dimension::kBsdfDirection);
-    add("direction-y", "direction y", vertex_dimension::kBsdfDirection + 1);
+    add("direction-x", "BSDF direction x", vertex_dimension::kBsdfDirection);
+    add("direction-y", "BSDF direction y", vertex_dimension::kBsdfDirection + 1);
     add("light-x", "light point x", vertex_dimension::kLightPoint);
     add("light-y", "light point y", vertex_dimension::kLightPoint + 1);
-    add("light-choice", "light choice", vertex_dimension::kLightChoice);
-    add("lobe", "lobe", vertex_dimension::kBsdfLobe);
-    add("roulette", "roulette", vertex_dimension::kRoulette);
+    add("light-choice", "light selection", vertex_dimension::kLightChoice);
+    add("lobe", "lobe selection", vertex_dimension::kBsdfLobe);
+    add("roulette", "Russian roulette", vertex_dimension::kRoulette);
   }
   return list;
 }
 
 std::vector<Vec2> sample_points(const Document& document, Vec2i pixel, const Dimension& x, const Dimension& y,
                                 uint32_t count) {
-  const auto sampler = make_sampler(document.method.sampler, document.method.settings_of(document.method.sampler));
+  const auto sampler = sampler_of(document);
   std::vector<Vec2> points(count);
   SampleBlock block_x, block_y;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kHalves);
-    const uint32_t sample = i / film::kHalves;
+    const uint32_t seed = integrator::pixel_seed(document.seed, pixel.x, pixel.y, i % film::kHalfBuffers);
+    const uint32_t sample = i / film::kHalfBuffers;
     if (sample % kTableSamples == 0) sampler->prepare(sample, kTableSamples);
     sampler->block(seed, sample, x.block, block_x);
     sampler->block(seed, sample, y.block, block_y);

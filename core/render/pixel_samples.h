@@ -1,62 +1,53 @@
-// The samples of one pixel, one by one, and the random numbers that they are made of.
+// The samples of a single pixel, one by one, and the random numbers that they are computed from.
 //
-// Order and numbers are those of a rendering: sample n goes into half n % 2 of the film, with that half's own numbers.
-// The mean of the first n samples is the film's pixel after n up to rounding: the pixel's paths travel alone here, and
-// in packets with their neighbours there.
+// Order and random numbers are those of a rendering: sample n belongs to half-buffer n % 2 and uses that half-buffer's
+// own numbers. The mean of the first n samples equals the pixel of a film with n samples up to rounding, because the
+// paths of the pixel are traced alone here, and in packets with those of neighbouring pixels there.
 #pragma once
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "integrator/integrator.h"
-#include "render/document.h"
+#include "render/prepared_document.h"
 
 namespace etendue::render {
 
 class PixelSamples {
  public:
-  // Whether the method's samples are made pixel by pixel. Where paths end on pixels that they did not choose, or wait
-  // for what all pixels share, no sample is one pixel's own.
-  static bool possible(const Document& document);
+  // Whether the integrator of the document computes samples per pixel. Integrators that splat, or that first compute
+  // data for all pixels, do not.
+  static bool supports(const Document& document);
 
-  // The pixel lies in the document's picture, and samples of one are possible.
+  // The pixel must lie within the image, and the document be supported.
   PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel);
 
-  // Samples first, first + 1, ... as radiance in W/(m^2 sr); what a film would reject is zero, as it is there.
-  // Replicate 0 is the rendering, the others are as good and independent of it. False if it was given up, because
-  // `wanted` said that nobody will look at it.
+  // Computes the radiance of samples first, first + 1, ... in W/(m^2 sr). Invalid samples are zero, as in a film.
+  // Replication 0 is that of the rendering; the others are independent repetitions with other seeds. False if it was
+  // cancelled because `keep_going` returned false.
   bool draw(
-      uint32_t first, uint32_t half_buffer, std::span<Rgb> samples,
+      uint32_t first, uint32_t replication, std::span<Rgb> samples,
       const std::function<bool()>& keep_going = [] { return true; });
 
  private:
-  void prepare(uint32_t sample);
-
-  std::shared_ptr<const scene::CompiledScene> scene_;
-  transport::Model model_;
-  std::unique_ptr<Sampler> sampler_;
-  std::unique_ptr<integrator::Integrator> integrator_;
-  CameraRays camera_;
-  film::Filter filter_;
-  uint64_t seed_;
-  int width_, height_;
+  PreparedDocument prepared_;
   Vec2i pixel_;
-  uint32_t prepared_ = 0;  // one more than the window of samples that the sampler has tables for
 };
 
-// One of the random numbers of a path: what it decides, and where a sampler has it.
+// One random number of a path: its use, and its place among the sampler's dimensions.
 struct Dimension {
-  std::string name, label;  // "vertex-1.light-choice", "Vertex 1: light choice"; vertex 1 is the first hit
+  // "vertex-1.light-choice" and "Vertex 1: light choice". Vertex 1 is the first hit.
+  std::string name, label;
   uint32_t block = 0;
-  int index = 0;  // in the block
+  int index = 0;  // within the block
 };
 
-// Those of the camera and of the first `vertices` vertices.
+// The dimensions of the camera and of the first `vertices` path vertices.
 std::vector<Dimension> path_dimensions(uint32_t vertices);
 
-// Two numbers of each of the first `count` samples of a pixel, in [0, 1); those with an even index belong to one half
-// of the film, the others to the other.
+// Two dimensions of the first `count` samples of a pixel, in [0, 1). Even and odd samples belong to the two
+// half-buffers.
 std::vector<Vec2> sample_points(const Document& document, Vec2i pixel, const Dimension& x, const Dimension& y,
                                 uint32_t count);
 

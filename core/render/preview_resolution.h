@@ -1,7 +1,7 @@
-// How coarse the first frames after an edit are: as fine as can be done in time.
+// The resolution of the preview frames after an edit: as fine as the time allows.
 //
-// Scale n makes one pixel stand for n x n; 1 is the picture itself. Each frame that is done is followed by one two
-// steps finer, one that had to be given up by one two steps coarser.
+// At scale n one preview pixel covers n x n pixels of the image; scale 1 is the image itself. After a completed preview
+// the next frame has a quarter of the scale; after a cancelled one, four times the scale.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -14,17 +14,18 @@ class PreviewResolution {
   int scale() const { return scale_; }
   bool is_coarsest() const { return scale_ == kCoarsest; }
 
-  // The finest scale at which a frame of so many pixels is expected within these seconds.
+  // Selects the finest scale at which a frame of an image with this many pixels is expected within `seconds`.
   void begin(size_t pixels, double seconds) {
+    const double affordable = rate_ * seconds;  // paths
     scale_ = rate_ > 0 ? 1 : kCoarsest;
-    while (scale_<kCoarsest&& static_cast<double>(pixels) / (scale_ * scale_)> rate_ * seconds) scale_ *= 2;
+    while (static_cast<double>(pixels) / (scale_ * scale_) > affordable && !is_coarsest()) scale_ *= 2;
   }
-  void begin_with_the_picture() { scale_ = 1; }
-  void done() { scale_ = scale_ > 4 ? scale_ / 4 : 1; }
-  void cancelled() { scale_ = std::min(4 * scale_, kCoarsest); }
+  void begin_at_full_resolution() { scale_ = 1; }
+  void frame_completed() { scale_ = scale_ > 4 ? scale_ / 4 : 1; }
+  void frame_cancelled() { scale_ = std::min(4 * scale_, kCoarsest); }
 
-  // What first frames can count on: bad news is believed at once, good news by and by.
-  void note(uint64_t paths, double seconds) {
+  // Updates the expected speed. A lower measured speed applies at once, a higher one gradually.
+  void add_measurement(uint64_t paths, double seconds) {
     if (seconds < 0.001) return;
     const double rate = static_cast<double>(paths) / seconds;
     rate_ = rate < rate_ || rate_ <= 0 ? rate : rate_ + 0.25 * (rate - rate_);

@@ -3,92 +3,93 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdio>
+
+#include "base/number_text.h"
 
 namespace etendue::render {
 namespace {
 
 constexpr uint64_t kFewestPerPixel = 8;
 constexpr double kVovLimit = 0.1;
-constexpr double kFalseAmongFound = 0.1;
-constexpr double kSomeOfThePicture = 0.002, kMuchOfThePicture = 0.05;
-constexpr double kBrightestLimit = 0.1;
-constexpr double kManyRejected = 1e-3;
+constexpr double kFalseDiscoveryRate = 0.1;
+constexpr double kDoubtfulShare = 0.002, kUnreliableShare = 0.05;  // of the image
+constexpr double kBrightestSamples = 1e-4, kBrightestLimit = 0.1;
+constexpr double kInvalidLimit = 1e-3;
 
-bool looks_heavy(const film::Tail& tail) { return tail.heavy() && tail.vov > kVovLimit; }
+bool seems_heavy(const film::Tail& tail) { return tail.heavy() && tail.vov > kVovLimit; }
 
-// The largest probability that still counts among so many looks (Benjamini & Hochberg 1995).
+// The largest probability of chance at which a tail counts as heavy, by the procedure of [Benjamini and Hochberg 1995].
 double chance_limit(const std::vector<film::Tail>& reports) {
   std::vector<double> chances;
-  size_t looks = 0;
+  size_t tests = 0;
   for (const auto& r : reports) {
-    if (r.khat) ++looks;
-    if (looks_heavy(r)) chances.push_back(r.chance());
+    if (r.khat) ++tests;
+    if (seems_heavy(r)) chances.push_back(r.p_value());
   }
   std::ranges::sort(chances);
   for (size_t i = chances.size(); i-- > 0;) {
-    const double limit = kFalseAmongFound * static_cast<double>(i + 1) / static_cast<double>(looks);
+    const double limit = kFalseDiscoveryRate * static_cast<double>(i + 1) / static_cast<double>(tests);
     if (chances[i] <= limit) return limit;
   }
   return -1;
 }
 
-std::string percent(double share) {
-  char text[32];
-  std::snprintf(text, sizeof text, share < 0.0995 ? "%.2g %%" : "%.0f %%", 100 * share);
-  return text;
-}
-
-struct Finding {
+struct Criterion {
   bool holds;
   Verdict verdict;
   std::string reason;
 };
 
-// The first that holds is the verdict.
-std::vector<Finding> findings(const Reliability& h, uint64_t rejected, uint64_t samples, uint64_t pixels) {
-  const double refused = static_cast<double>(rejected) / std::max(1.0, static_cast<double>(samples));
-  const std::string heavy = percent(h.heavy_share) + " of the picture has samples so rare and so bright that ";
+// The criteria in the order in which they are applied. The first one that holds decides.
+std::vector<Criterion> criteria(const Reliability& r, uint64_t invalid, uint64_t samples, uint64_t pixels) {
+  const double invalid_share = static_cast<double>(invalid) / std::max(1.0, static_cast<double>(samples));
+  const std::string heavy = format_percent(r.heavy_share) + " of the image has heavy-tailed noise: ";
   return {
-      {refused > kManyRejected, Verdict::unreliable,
-       percent(refused) + " of the samples were no radiance and were left out: the picture is too dark there"},
-      {h.watched < kFewestPerPixel * pixels, Verdict::unknown, "there are too few samples to tell"},
-      {h.heavy_share >= kMuchOfThePicture, Verdict::unreliable, heavy + "its stated error cannot be trusted"},
-      {looks_heavy(h.tail), Verdict::unreliable,
-       "so few samples carry the noise of the picture that its stated error cannot be trusted"},
-      {h.heavy_share >= kSomeOfThePicture, Verdict::doubtful, heavy + "the error there is larger than it seems"},
-      {h.tail.vov > kVovLimit, Verdict::doubtful,
-       "a few samples carry most of the noise: the stated error will still change with more samples"},
-      {h.tail.brightest > kBrightestLimit, Verdict::doubtful,
-       "one sample in ten thousand carries " + percent(h.tail.brightest) + " of the light"},
-      {rejected > 0, Verdict::doubtful, std::to_string(rejected) + " samples were no radiance and were left out"},
-      {true, Verdict::healthy, "no sample weighs so much that the stated error could not be trusted"},
+      {invalid_share > kInvalidLimit, Verdict::unreliable,
+       format_percent(invalid_share) +
+           " of the samples are invalid (NaN, infinite or negative) and were discarded: the image is too dark there"},
+      {r.samples < kFewestPerPixel * pixels, Verdict::unknown, "too few samples to assess the error estimate"},
+      {r.heavy_share >= kUnreliableShare, Verdict::unreliable, heavy + "its error estimate cannot be trusted"},
+      {seems_heavy(r.tail), Verdict::unreliable,
+       "a few rare samples dominate the noise of the image: its error estimate cannot be trusted"},
+      {r.heavy_share >= kDoubtfulShare, Verdict::doubtful, heavy + "the error there is larger than estimated"},
+      {r.tail.vov > kVovLimit, Verdict::doubtful,
+       "a few samples carry most of the variance: the error estimate will change with more samples"},
+      {r.tail.brightest_share > kBrightestLimit, Verdict::doubtful,
+       "the brightest " + format_percent(kBrightestSamples) + " of the samples carry " +
+           format_percent(r.tail.brightest_share) + " of the light"},
+      {invalid > 0, Verdict::doubtful,
+       std::to_string(invalid) + " invalid samples (NaN, infinite or negative) were discarded"},
+      {true, Verdict::healthy, "the error estimate is reliable, no outliers detected"},
   };
 }
 
-// What the largest deviations of all tiles carry: their sum, up to a bin where only a part of it counts.
-class Brightest {
+// A histogram of the largest deviations of all tiles, to find the sum of the largest ones.
+class DeviationHistogram {
  public:
   void add(std::span<const float> deviations) {
     for (const float x : deviations) {
       Bin& bin = bins_[std::bit_cast<uint32_t>(x) >> kShift];
-      ++bin.count, bin.sum += static_cast<double>(x);
+      ++bin.count;
+      bin.sum += static_cast<double>(x);
     }
   }
 
-  double sum(double count) const {
+  // The sum of the `count` largest deviations. The bin that is not needed as a whole contributes in proportion.
+  double sum_of_largest(double count) const {
     double total = 0;
     for (size_t i = bins_.size(); i-- > 0 && count > 0;) {
       const Bin& bin = bins_[i];
       if (bin.count == 0) continue;
-      const double part = std::min(1.0, count / bin.count);
-      total += part * bin.sum, count -= bin.count;
+      total += std::min(1.0, count / bin.count) * bin.sum;
+      count -= bin.count;
     }
     return total;
   }
 
  private:
-  // Sixteen bins to a power of two; deviations that are kept are above zero.
+  // The index is the leading bits of a positive float: its exponent and four bits of its mantissa, that is sixteen bins
+  // per octave.
   static constexpr int kShift = 19;
   struct Bin {
     double count = 0, sum = 0;
@@ -104,34 +105,40 @@ std::string_view verdict_name(Verdict verdict) {
 }
 
 std::shared_ptr<const Reliability> reliability_of(const TailStatistics& tails, const std::vector<film::Tail>& reports,
-                                                  const film::InvalidSamples& rejected, uint64_t samples,
+                                                  const film::InvalidSamples& invalid, uint64_t samples,
                                                   const std::function<bool()>& keep_going) {
-  auto health = std::make_shared<Reliability>();
-  health->across = tails.across(), health->down = tails.down();
+  auto result = std::make_shared<Reliability>();
+  result->columns = tails.columns();
+  result->rows = tails.rows();
   const double limit = chance_limit(reports);
   film::TailAccumulator all;
-  Brightest brightest;
-  int heavy = 0, tile = 0;
+  DeviationHistogram histogram;
+  int heavy_pixels = 0, tile = 0;
   for (const auto& tail : tails.tails()) {
     if (!keep_going()) return nullptr;
     all.merge(tail);
-    brightest.add(tail.kept());
+    histogram.add(tail.largest());
     const film::Tail& report = reports[static_cast<size_t>(tile)];
-    health->tiles.push_back({report, looks_heavy(report) && report.chance() <= limit});
-    if (health->tiles.back().heavy) heavy += tails.pixels_of(tile);
+    const bool heavy = seems_heavy(report) && report.p_value() <= limit;
+    result->tiles.push_back({.tail = report, .heavy = heavy});
+    if (heavy) heavy_pixels += tails.pixels_of(tile);
     ++tile;
   }
-  health->tail = all.report();
-  health->watched = all.samples();
-  if (all.sum() > 0) health->tail.brightest = brightest.sum(1e-4 * static_cast<double>(all.samples())) / all.sum();
+  result->tail = all.report();
+  result->samples = all.samples();
+  if (all.sum() > 0) {
+    const double brightest = kBrightestSamples * static_cast<double>(all.samples());
+    result->tail.brightest_share = histogram.sum_of_largest(brightest) / all.sum();
+  }
   const auto pixels = static_cast<uint64_t>(tails.width()) * static_cast<uint64_t>(tails.height());
-  health->heavy_share = static_cast<double>(heavy) / static_cast<double>(pixels);
-  for (auto& finding : findings(*health, rejected.total(), samples, pixels))
-    if (finding.holds) {
-      health->verdict = finding.verdict, health->reason = std::move(finding.reason);
+  result->heavy_share = static_cast<double>(heavy_pixels) / static_cast<double>(pixels);
+  for (auto& criterion : criteria(*result, invalid.total(), samples, pixels))
+    if (criterion.holds) {
+      result->verdict = criterion.verdict;
+      result->reason = std::move(criterion.reason);
       break;
     }
-  return health;
+  return result;
 }
 
 }  // namespace etendue::render

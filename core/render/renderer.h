@@ -1,25 +1,26 @@
-// One document made ready for sampling, and the loops over its pixels.
+// Renders a prepared document sample by sample: schedules the tasks of each sample on a thread pool and records the
+// results in a film.
 //
-// A step has stages: the phases that the method has before it looks at pixels, the blocks of pixels themselves, and,
-// where what is found may belong to pixels anywhere, bringing all of it into the film at once. The film never sees a
-// part of a sample. Each stage is a number of tasks, handed out a group at a time: what a group has splatted is added
-// up before the next one begins, so that lists stay short.
+// One step takes one sample of every pixel. It consists of stages: the integrator's phases (tracing photons, light
+// subpaths), the pixel blocks, and, for integrators that splat, the transfer of the splatted image to the film. The
+// film therefore never holds a part of a sample. The tasks of a stage that may splat are handed out in batches, because
+// their splats have to be merged in the order of the tasks.
 #pragma once
+#include <atomic>
 #include <memory>
 
-#include "film/film.h"
-#include "film/firefly_reweighting.h"
-#include "integrator/integrator.h"
 #include "render/adaptive_sampling.h"
-#include "render/document.h"
-#include "render/tail_statistics.h"
+#include "render/film_recording.h"
+#include "render/prepared_document.h"
+#include "render/splat_image.h"
 #include "render/thread_pool.h"
 
 namespace etendue::render {
 
 class Renderer {
  public:
-  // `previous` is what rendered before, if anything did: its method may have left something to go on with.
+  // `previous` is the renderer of the previous image, or null. The integrator may reuse what that one computed for the
+  // same scene.
   Renderer(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, int width, int height,
            const Renderer* previous = nullptr);
   Renderer(const Renderer&) = delete;
@@ -28,105 +29,89 @@ class Renderer {
   struct Counters {
     std::atomic<uint64_t> rays{0}, paths{0};
   };
-  // What samples are added to: the film, and what watches them, if anything does.
-  struct Sinks {
-    film::Film& film;
-    TailStatistics* tails = nullptr;
-    film::FireflyCascades* cascades = nullptr;
-  };
-  // Takes up a film: an empty one, or one that an equal runner left, with the state of the method's work that belongs
-  // to it.
-  void begin(film::Film& film, std::span<const std::byte> work = {});
-  // The next step, as far as `keep_going` lets it; true if it is complete: another sample of every pixel, or, in
-  // adaptive sampling, a piece of the allocation. Calling again goes on where it stopped: a pixel knows its samples by
-  // their number. What was begun is finished, unless `still_needed` says that nobody will look at it.
+
+  // Starts with a film: an empty one, or one that an equal renderer left, together with the saved state of its
+  // integrator. An integrator that refuses the state continues without it.
+  void begin(film::Film& film, std::span<const std::byte> integrator_state = {});
+
+  // Performs the current step until it is complete or `keep_going` returns false between two tasks. True if the step is
+  // complete: one more sample of every pixel, or, with adaptive sampling, one range of samples of the allocation. The
+  // next call continues where this one stopped. Tasks that were begun are finished, unless `still_needed` returns
+  // false.
   bool advance(
-      ThreadPool& workers, const Sinks& sinks, const std::function<bool()>& keep_going, Counters& counters,
+      ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going, Counters& counters,
       const std::function<bool()>& still_needed = [] { return true; });
-  // Samples of a pixel after the last complete step; in adaptive sampling on average.
+
+  // Samples per pixel after the last complete step; with adaptive sampling the average over the pixels.
   uint32_t samples() const { return samples_; }
 
-  const transport::Model& model() const { return model_; }
-  size_t memory() const;  // bytes, beyond the film
-  // What the method keeps in space; null if nothing. Not while tasks run.
-  std::shared_ptr<const std::vector<integrator::StoredPoint>> points() const { return work_->points(); }
-  std::vector<integrator::Statistic> statistics() const { return work_->statistics(); }
-  // What the method's work has to be given to go on after the last complete step.
-  std::vector<std::byte> work_state() const { return work_->state(samples_); }
+  const transport::Model& model() const { return prepared_.model(); }
+  size_t memory() const;  // bytes, without the film
+  // Photons or virtual lights that the integrator stores; null if none. Not while tasks run.
+  std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points() const { return state_->points(); }
+  std::vector<integrator::Statistic> statistics() const { return state_->statistics(); }
+  // The state of the integrator after the last complete step, for `begin`.
+  std::vector<std::byte> integrator_state() const { return state_->state(samples_); }
 
-  // What the running step is at.
+  // The phase that is running.
   struct Progress {
     const char* phase = nullptr;  // null while pixels are sampled
-    double done = 0;              // of the phase, 0 to 1
+    double done = 0;              // fraction of the phase, 0 to 1
   };
   Progress progress() const;
 
  private:
   using PixelBlock = integrator::PixelBlock;
-  // What all tasks of a step hear of.
-  struct Task {
-    const Sinks& sinks;
+  // What all tasks of a step share.
+  struct StepContext {
+    const FilmTargets& targets;
     const std::function<bool()>& still_needed;
     Counters& counters;
   };
   struct Stage {
     enum class Kind { phase, blocks, deposit } kind;
-    size_t phase = 0;
+    size_t phase = 0;  // number of the integrator's phase
     size_t tasks = 0;
     const char* name = nullptr;
   };
 
-  SampleAllocation::Piece piece() const;
-  void prepare(uint32_t first_of_half);
-  void finish_step(const film::Film& film);
-  uint32_t average(const film::Film& film) const;
+  bool samples_blocks() const { return prepared_.accumulation() != integrator::Accumulation::splats_only; }
+  bool splats() const { return prepared_.accumulation() >= integrator::Accumulation::with_splats; }
+  bool writes_splats(const Stage& stage) const { return splats() && stage.kind != Stage::Kind::deposit; }
+
+  SampleRange range() const;
+  uint32_t samples_of(const film::Film& film) const;
   PixelBlock block_at(size_t tile) const;
-  bool has_blocks() const { return sampling_ != integrator::Accumulation::splats_only; }
-  bool splats() const { return sampling_ >= integrator::Accumulation::with_splats; }
-  void plan();
-  bool run_stage(ThreadPool& workers, const Task& task, const std::function<bool()>& keep_going);
-  void open_group();
-  void add_splats(ThreadPool& workers);
-  // All of these are false if the task was given up.
-  bool run(const Task& task, size_t index);
-  bool run_phase(const Task& task, size_t index);
-  bool visit(const Task& task, size_t tile);
-  bool sample(const Task& task, size_t tile, const PixelBlock& block);
-  bool deposit(const Task& task, size_t tile);
-  void add_to_picture(const PixelBlock& block, std::span<const Rgb> radiance);
-  Rgb& pixel(int x, int y);  // of the picture
+
+  // Scheduling of stages.
+  void plan_step();
+  bool run_stage(ThreadPool& workers, const StepContext& step, const std::function<bool()>& keep_going);
+  void begin_batch();
+  void finish_step(const film::Film& film);
+
+  // Tasks; false if the task was cancelled.
+  bool run_task(const StepContext& step, size_t index);
+  bool run_phase(const StepContext& step, size_t index);
+  bool sample_tile(const StepContext& step, size_t tile);
+  bool sample_block(const StepContext& step, size_t tile, const PixelBlock& block);
+  bool deposit_tile(const StepContext& step, size_t tile);
   film::Splats* splat_list(size_t index);
-  static bool give_up(film::Splats* splats);
-  void add(const Task& task, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) const;
-  static void record_tile_variance(film::Film& film, size_t tile, const PixelBlock& block,
-                                   std::span<const Rgb> radiance);
+  void record(const StepContext& step, size_t tile, const PixelBlock& block, std::span<const Rgb> radiance) const;
 
-  std::shared_ptr<const scene::CompiledScene> scene_;
-  transport::Model model_;
-  std::unique_ptr<Sampler> sampler_;
-  std::unique_ptr<integrator::Integrator> integrator_;
-  CameraRays camera_;
-  film::Filter filter_;
-  uint64_t seed_;
+  PreparedDocument prepared_;
   int width_, height_;
-  integrator::Accumulation sampling_;
   Adaptive adaptive_;
-  std::unique_ptr<integrator::RenderState> work_;
+  std::unique_ptr<integrator::RenderState> state_;
   size_t tiles_ = 0;
-  std::optional<SampleAllocation> allocation_;  // in adaptive sampling
+  std::optional<SampleAllocation> allocation_;  // with adaptive sampling
   uint32_t samples_ = 0;
-  uint32_t prepared_ = 0;  // samples the sampler has tables for, per half
 
-  // The running step; no stages between steps.
+  // The current step; no stages between steps.
   std::vector<Stage> stages_;
   size_t stage_ = 0;
-  size_t group_ = 0, group_end_ = 0;    // tasks of the stage that are being handed out
-  std::vector<size_t> open_;            // those of them that still have to be done
-  std::vector<film::Splats> splatted_;  // by task of the group
-  std::vector<Rgb> picture_;            // this sample of all pixels, where splats belong to it
+  size_t batch_begin_ = 0, batch_end_ = 0;  // tasks of the stage that are being handed out
+  std::vector<size_t> open_tasks_;          // tasks of the batch that are not done
+  SplatImage splat_image_;                  // the current sample of all pixels, for integrators that splat
 };
-
-// Samples for which the samplers make tables at a time.
-inline constexpr uint32_t kTableSamples = 64;
 
 }  // namespace etendue::render

@@ -5,31 +5,34 @@
 namespace etendue::render {
 namespace {
 
-constexpr const char* kView = "view";
+constexpr const char* kViewName = "view";
 
+// Whether it is the environment that new_document adds to unlit scenes.
 bool is_neutral(const Environment& environment) {
   Environment neutral;
   neutral.tint = Rgb(1);
   return environment == neutral;
 }
 
-// The node of an earlier view, or a new one before all others.
-scene::Node& node_of_view(scene::Scene& scene) {
+// The node of the camera "view" of an earlier save, or a new one before all other roots.
+scene::Node& view_node(scene::Scene& scene) {
   for (scene::Node& node : scene.nodes)
-    if (node.camera >= 0 && node.name == kView && node.parent < 0 && node.transform.matrix) return node;
+    if (node.camera >= 0 && node.name == kViewName && node.parent < 0 && node.transform.matrix) return node;
   scene.roots.insert(scene.roots.begin(), static_cast<int>(scene.nodes.size()));
   scene::Node& node = scene.nodes.emplace_back();
-  node.name = kView;
+  node.name = kViewName;
   node.camera = static_cast<int>(scene.cameras.size());
-  scene.cameras.emplace_back().name = kView;
+  scene.cameras.emplace_back().name = kViewName;
   return node;
 }
 
-void put_camera(scene::Scene& scene, const scene::Node& node, const Camera& camera) {
-  Camera& kept = scene.cameras[static_cast<size_t>(node.camera)];
-  const std::string name = kept.name;
-  kept = camera;
-  kept.name = name, kept.to_world = Mat4(1);
+// Replaces the camera of a node. The name stays, and the transform is that of the node.
+void replace_camera(scene::Scene& scene, const scene::Node& node, const Camera& camera) {
+  Camera& replaced = scene.cameras[static_cast<size_t>(node.camera)];
+  const std::string name = replaced.name;
+  replaced = camera;
+  replaced.name = name;
+  replaced.to_world = Mat4(1);
 }
 
 }  // namespace
@@ -39,14 +42,14 @@ scene::Scene scene_to_save(const Document& document) {
   if (document.lit_by_default && is_neutral(scene.environment)) scene.environment = Environment{};
   const int node = scene::node_of_camera(scene, document.camera);
   if (node >= 0) {
-    put_camera(scene, scene.nodes[static_cast<size_t>(node)], document.camera);
+    replace_camera(scene, scene.nodes[static_cast<size_t>(node)], document.camera);
     return scene;
   }
-  // A camera that only frames what there is would be made again.
+  // A camera that was placed automatically to frame the scene will be placed again when the file is opened.
   if (document.origin && document.camera == document.origin->camera) return scene;
-  scene::Node& view = node_of_view(scene);
+  scene::Node& view = view_node(scene);
   view.transform.matrix = document.camera.to_world;
-  put_camera(scene, view, document.camera);
+  replace_camera(scene, view, document.camera);
   return scene;
 }
 

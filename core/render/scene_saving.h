@@ -1,11 +1,12 @@
-// A document's scene as a file is to have it.
+// The scene of a document as it is written to a file.
 #pragma once
 #include "render/document.h"
 
 namespace etendue::render {
 
-// With the camera that was looked through: where it still stands at its node, its lens and projection go there; where
-// it was moved, it comes along as the first camera, "view". Without the neutral light that new_document added.
+// The document's scene with its camera, without the neutral environment that new_document added to an unlit scene. If
+// the camera is still at the position of its node, its lens and projection are stored there. If it was moved, it
+// becomes the first camera of the scene, with the name "view".
 scene::Scene scene_to_save(const Document& document);
 
 }  // namespace etendue::render

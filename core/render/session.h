@@ -1,13 +1,12 @@
-// A progressive rendering: edits in, frames out.
+// Progressive rendering in the background: documents go in, frames come out.
 //
-// A session owns its threads. `submit` hands it a new version of the document and returns at once; whatever is being
-// rendered stops within a fraction of a millisecond, what the edit touched is compiled anew, and rendering restarts:
-// coarse first, then at full resolution, sample by sample. Frames are immutable and say which version they show.
-// Nothing here waits for the caller, and the caller never waits for anything here, except in `finish` and the
-// destructor.
+// A session owns its threads. `submit` passes it a new version of the document and returns at once. The work in
+// progress stops within a fraction of a millisecond, the parts of the scene that the edit affects are compiled again,
+// and rendering restarts: previews first, then the full resolution, sample by sample. Frames are immutable and carry
+// the version that they show. Only `finish`, the copies of the film and the destructor wait for the session's thread.
 //
 // The same document, seed and sample count give the same film bit for bit, whatever the number of threads: a sample
-// depends on its pixel and its number alone.
+// depends on its pixel and its number only.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -21,6 +20,7 @@
 #include "render/document.h"
 #include "render/frame.h"
 #include "render/reliability.h"
+#include "render/resume_point.h"
 #include "render/time_estimate.h"
 #include "scene/build_report.h"
 #include "scene/forward.h"
@@ -31,38 +31,30 @@ namespace etendue::render {
 struct Status {
   uint64_t version = 0;  // of the document that is being rendered
   uint32_t samples = 0;  // complete samples of every pixel
-  double seconds = 0;    // spent sampling this version
+  double seconds = 0;    // of sampling this version
   uint64_t rays = 0, paths = 0;
   double rays_per_second = 0, paths_per_second = 0;
   film::ErrorEstimate error;
   film::InvalidSamples rejected;
-  std::shared_ptr<const Reliability> health;      // as it was at some sample before; null until it was first looked at
-  std::vector<integrator::Statistic> statistics;  // what the method knows of its own work
-  size_t memory = 0;  // bytes of scene arrays, Embree, the film and what watches its samples
+  std::shared_ptr<const Reliability> reliability;  // of the error, at its last measurement; null before the first
+  std::vector<integrator::Statistic> statistics;   // reported by the integrator
+  size_t memory = 0;  // bytes of scene arrays, Embree, the film with its statistics, and the integrator
   scene::BuildReport build;
-  // "compiling", "rendering", "paused", "done", or what a method does first ("tracing photons"), where that takes long.
+  // "compiling", "rendering", "paused", "done", or the phase of the integrator ("tracing photons") if it takes long.
   std::string phase;
-  double phase_progress = 0;       // of what a method does first, 0 to 1
-  std::string incompatibility;     // why the method finds no light at all here (render/obstacle.h); empty if it may
-  bool finished = false;           // a limit was reached
-  double progress = 0;             // towards the nearest limit, 0 to 1
-  std::optional<Prediction> left;  // seconds to the nearest limit, if there is one and it can be told
-};
-
-// What a rendering goes on from.
-struct ResumePoint {
-  film::Film film;
-  std::vector<std::byte> work;  // the state of the method's work, where it has one
-
-  ResumePoint(film::Film film_, std::vector<std::byte> work_ = {})  // NOLINT(google-explicit-constructor)
-      : film(std::move(film_)), work(std::move(work_)) {}
+  double phase_progress = 0;            // of the integrator's phase, 0 to 1
+  std::string incompatibility;          // why the integrator finds no light in this scene (incompatibility.h), or empty
+  bool finished = false;                // a limit was reached
+  double progress = 0;                  // towards the nearest limit, 0 to 1
+  std::optional<Prediction> time_left;  // until the nearest limit, if there is one and the time can be predicted
 };
 
 struct SessionOptions {
   int threads = 0;                // 0: one per hardware thread
-  bool interactive = false;       // coarse frames first, and frames at all; without, frames come from `film` at the end
-  double publish_interval = 0.1;  // seconds between frames; longer when many samples make them alike
-  // Of a session beside this one, or null: what the first document has in common with it is not compiled again.
+  bool interactive = false;       // produce frames, previews first; otherwise only the film
+  double publish_interval = 0.1;  // seconds between frames; longer when many samples make consecutive frames similar
+  // The compiled scene of another session, or null. Parts that the first document shares with it are not compiled
+  // again.
   std::shared_ptr<const scene::CompiledScene> scene = nullptr;
 };
 
@@ -73,8 +65,11 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // Returns the version that the document got. What does not change the light (limits, display) does not restart.
+  // Returns the version that the document receives. A document that differs only in limits or display settings does not
+  // restart the rendering.
   uint64_t submit(const Document& document);
+  // The same, continuing from a checkpoint or from the film of another session.
+  uint64_t submit(const Document& document, ResumePoint start);
   void restart();
   void pause(bool paused);
   bool paused() const;
@@ -83,36 +78,33 @@ class Session {
   Status status() const;
   std::shared_ptr<const scene::CompiledScene> scene() const;
   transport::Model model() const;
-  // Milliseconds from `submit` to the first frame of that version, oldest first; clears the list.
+  // Milliseconds from `submit` to the first frame of each version, oldest first. Clears the list.
   std::vector<double> take_latencies();
-  // Milliseconds from `submit` until the workers had stopped and taken up the edit, oldest first; clears the list.
+  // Milliseconds from `submit` until the workers had stopped and the edit was taken up, oldest first. Clears the list.
   std::vector<double> take_restart_latencies();
 
-  // Called on the session's thread when a new frame or status is there: to wake up an event loop. Set before `submit`.
+  // `wake` is called on the session's thread for each new frame, to wake up an event loop. Set it before `submit`.
   void on_update(std::function<void()> wake);
 
-  // Waits until the version that was last submitted has reached a limit, or `stop` is called from another thread.
+  // Waits until the last submitted version has reached a limit, or another thread calls `stop`.
   void finish();
   void stop();
 
-  // The film as it is, taken between two slices of work.
+  // The film as it is now, copied between two slices of work.
   film::Film film_copy();
-  // The same with what belongs to it, for checkpoints.
-  ResumePoint start_copy();
-  // The same as it is shown, three numbers a pixel, where film.fireflies re-weights it; nothing where it does not.
+  // The film and the state of the integrator that belongs to it, for checkpoints.
+  ResumePoint resume_point();
+  // The image with fireflies re-weighted (film.fireflies), three numbers per pixel; nothing if they are kept.
   std::optional<std::vector<float>> reweighted_copy();
-  // What the method keeps in space (photons, virtual lights), taken likewise; null if nothing.
-  std::shared_ptr<const std::vector<integrator::StoredPoint>> points();
-  // Continues from a checkpoint. Call after `submit`, before anything was rendered: rendering starts from
-  // there.
-  uint64_t submit(const Document& document, ResumePoint start);
+  // Photons or virtual lights that the integrator stores; null if none.
+  std::shared_ptr<const std::vector<integrator::StoredPoint>> stored_points();
 
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-// A document rendered to this many samples of every pixel, without frames in between; threads as in SessionOptions.
+// Renders a document to this many samples per pixel, without frames. Threads as in SessionOptions.
 film::Film rendered(const Document& document, uint32_t samples, int threads = 0);
 
 }  // namespace etendue::render

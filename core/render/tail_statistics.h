@@ -1,9 +1,9 @@
-// The tails of what the pixels of each tile have gathered: where the samples of a rendering are watched.
+// The tails of the samples' distribution in each tile of an image, collected while a film is sampled.
 //
-// A sample's luminance is compared with the mean of its pixel before it, so that what is bright but certain (a sun in
-// the sky, seen directly) is no tail. The first two samples of a pixel have nothing to be compared with, and are left
-// out. One thread at a time fills a tile, sample by sample: the tails have the same bits whatever the number of
-// threads.
+// The luminance of a sample is compared with the mean of the earlier samples of its pixel, so that bright pixels
+// without variance (a sun that is seen directly) are not tails. The first two samples of a pixel are not used, because
+// there is no mean to compare them with. A tile is filled by one thread at a time, sample by sample, so the statistics
+// have the same bits for any number of threads.
 #pragma once
 #include <span>
 #include <vector>
@@ -23,16 +23,18 @@ class TailStatistics {
 
   int width() const { return width_; }
   int height() const { return height_; }
-  int across() const { return (width_ + kWidth - 1) / kWidth; }
-  int down() const { return (height_ + kHeight - 1) / kHeight; }
+  int columns() const { return (width_ + kWidth - 1) / kWidth; }  // of tiles
+  int rows() const { return (height_ + kHeight - 1) / kHeight; }
   int pixels_of(int tile) const;
 
-  // Adds a block to the film and what is unexpected about it to the tail of its tile.
+  // Adds a block to the film, and the deviations of its samples to the statistics of its tile.
   void add(const integrator::PixelBlock& block, std::span<const Rgb> radiance, film::Film& film);
 
+  // One per tile, row by row from the top.
   const std::vector<film::TailAccumulator>& tails() const { return tails_; }
   void clear();
-  // Bytes that the tails of a picture take at most.
+
+  // The largest number of bytes that the statistics of an image take.
   static size_t memory(int width, int height);
 
  private:

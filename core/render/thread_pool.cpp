@@ -4,6 +4,7 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
+#include <atomic>
 #include <thread>
 
 #include "base/tsan_handoff.h"
@@ -20,7 +21,7 @@ struct ThreadPool::Arena {
   explicit Arena(int n)
       : threads(n), control(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(n)), arena(n, 1) {}
   int threads;
-  tbb::global_control control;  // allows more threads than the machine has, where a user asks for them
+  tbb::global_control control;  // permits more threads than the machine has
   tbb::task_arena arena;
 };
 
@@ -46,12 +47,12 @@ int ThreadPool::run(int first, int count, const std::function<void(int)>& task,
   arena_->arena.execute([&] {
     tbb::task_group group;
     for (int i = 1; i < arena_->threads; ++i) {
-      auto task_of_worker = group.defer([&work] {
-        g_handoff.take();
+      auto worker_task = group.defer([&work] {
+        g_handoff.acquire();
         work();
       });
-      g_handoff.give();
-      group.run(std::move(task_of_worker));
+      g_handoff.release();
+      group.run(std::move(worker_task));
     }
     work();
     group.wait();
@@ -59,17 +60,17 @@ int ThreadPool::run(int first, int count, const std::function<void(int)>& task,
   return std::min(next.load(), count);
 }
 
-bool ThreadPool::for_bands(int rows, const std::function<void(int, int)>& task,
-                           const std::function<bool()>& keep_going) {
-  constexpr int kBand = 16;
-  const int bands = (rows + kBand - 1) / kBand;
+bool ThreadPool::run_ranges(int count, const std::function<void(int, int)>& task,
+                            const std::function<bool()>& keep_going) {
+  constexpr int kRangeSize = 16;
+  const int ranges = (count + kRangeSize - 1) / kRangeSize;
   std::atomic<int> done{0};
-  const auto band = [&](int i) {
-    task(i * kBand, std::min((i + 1) * kBand, rows));
+  const auto run_range = [&](int i) {
+    task(i * kRangeSize, std::min((i + 1) * kRangeSize, count));
     done.fetch_add(1, std::memory_order_relaxed);
   };
-  run(0, bands, band, keep_going);
-  return done.load() == bands;
+  run(0, ranges, run_range, keep_going);
+  return done.load() == ranges;
 }
 
 }  // namespace etendue::render

@@ -8,62 +8,78 @@
 namespace etendue::render {
 namespace {
 
-// What is known of the exponent beforehand. Of points: from random numbers, where nothing is smooth, to nets.
-constexpr TimeEstimator::Exponent kIndependent{0.5, 0.02}, kPoints{0.6, 0.15};
-// Slower than 1/4 or faster than 1 it will not stay.
-constexpr double kSlowest = 0.25, kFastest = 1;
-// How straight the curve is taken to be: by so much an error may lie beside it, in parts of itself.
-constexpr double kBend = 0.05;
-// Of the normal distribution: 95 and 80 % within.
+// Prior knowledge of the exponent. For point sequences it covers the range from integrands without any smoothness,
+// where they are no better than random numbers, to the rate of digital nets.
+constexpr TimeEstimator::Exponent kIndependentPrior{0.5, 0.02}, kSequencePrior{0.6, 0.15};
+// The exponent is not expected to stay outside these bounds.
+constexpr double kLeastExponent = 0.25, kLargestExponent = 1;
+// Relative deviation of errors from the straight line.
+constexpr double kLineDeviation = 0.05;
+// Two-sided quantiles of the normal distribution for 95 % and 80 %.
 constexpr double k95 = 1.96, k80 = 1.28;
 
 }  // namespace
 
 void TimeEstimator::add(uint32_t samples, double seconds, const film::ErrorEstimate& error) {
   if (!error.known || !(error.rmse_interval.low > 0)) return;
-  // How little is known of this picture's error, or how little it says of others': few bright pixels are well known.
-  const double spread =
-      std::max(std::log(error.rmse_interval.high / error.rmse_interval.low) / (2 * k95), error.scatter);
-  // Errors of nearly the same samples are nearly the same number: they would count twice.
+  // The interval states how uncertain the error of this image is, `scatter` how much the errors of other images of the
+  // same kind differ. With few bright pixels the first is small and the second large.
+  const double log_error =
+      std::max(std::log(error.rmse_interval.high / error.rmse_interval.low) / (2 * k95), error.rmse_variation);
+  // Errors of nearly the same samples are strongly correlated, so only one of them is kept.
   const size_t n = history_.size();
   if (n >= 2 && samples < 2 * history_[n - 2].samples) history_.pop_back();
-  history_.push_back({static_cast<double>(samples), seconds, std::log(error.rmse), spread});
+  history_.push_back({.samples = static_cast<double>(samples),
+                      .seconds = seconds,
+                      .log_rmse = std::log(error.rmse),
+                      .error = log_error});
 }
 
-TimeEstimator::Line TimeEstimator::line() const {
+TimeEstimator::Exponent TimeEstimator::prior() const { return independent_ ? kIndependentPrior : kSequencePrior; }
+
+TimeEstimator::Line TimeEstimator::fit_line() const {
   double weights = 0, x = 0, y = 0, xx = 0, xy = 0;
   for (const Point& p : history_) {
-    const double weight = 1 / (sqr(p.error) + sqr(kBend));
-    weights += weight, x += weight * std::log(p.samples), y += weight * p.log_rmse;
+    const double weight = 1 / (sqr(p.error) + sqr(kLineDeviation));
+    weights += weight;
+    x += weight * std::log(p.samples);
+    y += weight * p.log_rmse;
   }
-  x /= weights, y /= weights;
+  x /= weights;
+  y /= weights;
   for (const Point& p : history_) {
-    const double weight = 1 / (sqr(p.error) + sqr(kBend)), along = std::log(p.samples) - x;
-    xx += weight * along * along, xy += weight * along * (p.log_rmse - y);
+    const double weight = 1 / (sqr(p.error) + sqr(kLineDeviation));
+    const double dx = std::log(p.samples) - x;
+    xx += weight * dx * dx;
+    xy += weight * dx * (p.log_rmse - y);
   }
-  const Exponent prior = independent_ ? kIndependent : kPoints;
-  const double known = 1 / sqr(prior.error);
-  const double s = (prior.value * known - xy) / (xx + known);
-  return {x, y, 1 / std::sqrt(weights), {std::clamp(s, kSlowest, kFastest), 1 / std::sqrt(xx + known)}};
+  const double prior_weight = 1 / sqr(prior().error);
+  const double s = (prior().value * prior_weight - xy) / (xx + prior_weight);
+  return {.middle = x,
+          .height = y,
+          .height_error = 1 / std::sqrt(weights),
+          .exponent = {std::clamp(s, kLeastExponent, kLargestExponent), 1 / std::sqrt(xx + prior_weight)}};
 }
 
-TimeEstimator::Exponent TimeEstimator::exponent() const {
-  return history_.empty() ? (independent_ ? kIndependent : kPoints) : line().exponent;
-}
+TimeEstimator::Exponent TimeEstimator::exponent() const { return history_.empty() ? prior() : fit_line().exponent; }
 
-std::optional<Prediction> TimeEstimator::until(double target, double now) const {
+std::optional<Prediction> TimeEstimator::time_to(double target, double seconds) const {
   if (history_.empty()) return {};
   const Point& last = history_.back();
   if (last.log_rmse <= std::log(target)) return Prediction{};
-  const Line l = line();
-  const double s = l.exponent.value;
-  const double from_middle = (l.height - std::log(target)) / s;           // of the logarithm of samples
-  const double growth = from_middle + l.middle - std::log(last.samples);  // from now on
-  // The error to come will lie beside the line as much as the last one may.
-  const double error =
-      std::sqrt(sqr(l.height_error) + sqr(from_middle * l.exponent.error) + sqr(last.error) + sqr(kBend)) / s;
-  const auto left = [&](double log_growth) { return std::max(0.0, last.seconds * std::exp(log_growth) - now); };
-  return Prediction{left(growth), {left(growth - k80 * error), left(growth + k80 * error)}};
+  const Line line = fit_line();
+  const double s = line.exponent.value;
+  // Logarithms of the sample count at the target: relative to the middle of the line, and to the last measurement.
+  const double from_middle = (line.height - std::log(target)) / s;
+  const double growth = from_middle + line.middle - std::log(last.samples);
+  // The future error is assumed to deviate from the line as much as the last one.
+  const double error = std::sqrt(sqr(line.height_error) + sqr(from_middle * line.exponent.error) + sqr(last.error) +
+                                 sqr(kLineDeviation)) /
+                       s;
+  const auto remaining = [&](double log_growth) {
+    return std::max(0.0, last.seconds * std::exp(log_growth) - seconds);
+  };
+  return Prediction{remaining(growth), {remaining(growth - k80 * error), remaining(growth + k80 * error)}};
 }
 
 }  // namespace etendue::render

@@ -1,10 +1,9 @@
-// When will a rendering have the error that is asked for?
+// Prediction of the time at which a rendering reaches a target error.
 //
-// RMSE falls as samples^-s. For independent random numbers s is 1/2, and what a rendering shows of it is chance; for
-// quasi-Monte Carlo points it lies between 1/2 and 1, depending on how smooth the picture's integrals are. A straight
-// line through the errors so far, over logarithms and weighted by their certainties, is drawn towards what is known of
-// s beforehand (Bayesian linear regression). The uncertainties of the line, of the error now and of that to come make
-// the interval.
+// The RMSE falls as samples^-s. For independent random numbers s is 1/2, and deviations from it are chance. For
+// quasi-Monte Carlo points s lies between 1/2 and 1, depending on the smoothness of the image's integrands. A straight
+// line is fitted to the measured errors over logarithms, weighted by their certainty, with a prior for s (Bayesian
+// linear regression). The interval combines the uncertainties of the line, of the present error and of the future one.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -16,21 +15,24 @@ namespace etendue::render {
 
 struct Prediction {
   double seconds = 0;
-  film::Interval interval;  // of 80 %
+  film::Interval interval;  // 80 % confidence
 };
 
 class TimeEstimator {
  public:
-  // Whether samples are independent of each other, or points that know of each other.
+  // `independent`: the samples are independent random numbers. Otherwise they are the points of a quasi-Monte Carlo
+  // sequence.
   explicit TimeEstimator(bool independent = false) : independent_(independent) {}
 
-  // The error at so many samples of every pixel, more than the last time. `seconds` are those spent on them.
+  // Adds the error after `samples` per pixel, which took `seconds` in all. The number of samples must exceed that of
+  // the call before.
   void add(uint32_t samples, double seconds, const film::ErrorEstimate& error);
 
-  // Until the RMSE is `target`, above zero, from `now` on, in seconds spent; nothing while that cannot be told.
-  std::optional<Prediction> until(double target, double now) const;
+  // The remaining time until the RMSE is `target`, which must be positive, for a rendering that has taken `seconds` so
+  // far. Nothing while there is no known error.
+  std::optional<Prediction> time_to(double target, double seconds) const;
 
-  // The exponent s, and its standard error.
+  // The exponent s and its standard error.
   struct Exponent {
     double value, error;
   };
@@ -39,17 +41,18 @@ class TimeEstimator {
  private:
   struct Point {
     double samples, seconds;
-    double log_rmse, error;  // the standard error of the logarithm
+    double log_rmse, error;  // `error`: standard error of the logarithm
   };
-  // log rmse = height - exponent (log samples - middle); the errors of height and exponent are independent.
+  // log rmse = height - exponent (log samples - middle). The errors of height and exponent are independent.
   struct Line {
     double middle, height, height_error;
     Exponent exponent;
   };
-  Line line() const;
+  Exponent prior() const;
+  Line fit_line() const;
 
   bool independent_;
-  std::vector<Point> history_;  // in steps of about two, but for the last
+  std::vector<Point> history_;  // sample counts grow by about a factor of two, except for the last
 };
 
 }  // namespace etendue::render

@@ -17,14 +17,15 @@ struct Resolution {
   uint64_t cells;
 };
 
-// As many digits as a float can tell apart.
+// The number of digits in this base that a float resolves (at least 2^24 cells).
 constexpr Resolution resolution(uint32_t base) {
   Resolution r{0, 1};
   for (; r.cells < uint64_t{1} << 24; ++r.digits) r.cells *= base;
   return r;
 }
 
-// The zeros behind the last digit are scrambled too. The base is known to the compiler: it divides by multiplying.
+// The scrambled radical inverse. The zeros after the last digit are scrambled as well. The base is a template parameter
+// so that the compiler replaces divisions by multiplications.
 template <uint32_t kBase>
 float scrambled_inverse(uint32_t sample, uint32_t seed) {
   constexpr Resolution kResolution = resolution(kBase);
@@ -42,12 +43,13 @@ float scrambled_inverse(uint32_t sample, uint32_t seed) {
   return std::min(static_cast<float>(x), kOneMinusEpsilon);
 }
 
-// The radical inverse is the sample's number with its bits reversed, which is the form that the scrambling wants.
+// In base 2 the radical inverse is the index with its bits reversed, which is the argument that the scrambling takes.
 template <>
 float scrambled_inverse<2>(uint32_t sample, uint32_t seed) {
   return to_unit_float(reverse_bits(owen_scramble_reversed(sample, seed)));
 }
 
+// Computes one block.
 using Fill = void (*)(uint32_t sample, uint32_t seed, SampleBlock& out);
 
 template <size_t kFirst, size_t... kIndex>
@@ -69,9 +71,13 @@ constexpr std::array<Fill, kBlocks> kFills = fills(std::make_index_sequence<kBlo
 }  // namespace
 
 double HaltonSampler::radical_inverse(uint32_t sample, uint32_t base) {
-  // Whole numbers and one division: the result is the closest double.
+  // Integers and a single division, so that the result is the nearest double.
   uint64_t reversed = 0, cells = 1;
-  for (; sample > 0; sample /= base, cells *= base) reversed = reversed * base + sample % base;
+  while (sample > 0) {
+    reversed = reversed * base + sample % base;
+    sample /= base;
+    cells *= base;
+  }
   return static_cast<double>(reversed) / static_cast<double>(cells);
 }
 
@@ -81,7 +87,7 @@ void HaltonSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, 
     kFills[block](sample, seed, out);
     return;
   }
-  // A shuffle that keeps powers of two together: any such stretch is still a stretch of the sequence.
+  // The order of samples is shuffled by a nested permutation, which maps aligned groups of 2^k samples to such groups.
   kFills[0](owen_scramble(sample, mix_bits(seed)), seed, out);
 }
 

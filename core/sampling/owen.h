@@ -1,13 +1,13 @@
-// Nested uniform (Owen) scrambling by hashing.                               thesis 7.3; Owen 1995
+// Nested uniform (Owen) scrambling by hashing                  [Lang, sec. 7.3; Owen 1995; Laine and Karras 2011]
 //
-// Laine and Karras 2011: on the bits in reversed order, an operation that lets each bit depend only on lower ones is a
-// nested permutation of elementary intervals. Constants: N. Vegdahl's search, 2021.
+// An operation on the reversed bits in which each bit depends only on lower bits is a nested permutation of elementary
+// intervals [Laine and Karras 2011]. The constants are those of [Vegdahl 2021].
 #pragma once
 #include "base/hash.h"
 
 namespace etendue {
 
-// Takes and gives bits in reversed order.
+// Argument and result have their bits in reversed order.
 constexpr uint32_t owen_scramble_reversed(uint32_t x, uint32_t seed) {
   x ^= x * 0x3d20adeaU;
   x += seed;

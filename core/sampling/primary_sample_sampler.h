@@ -1,12 +1,12 @@
-// The random numbers of Markov chains: points of the unit cube of all numbers that a path may ask for.
-//                                                     Kelemen, Szirmay-Kalos, Antal, Csonka 2002
+// Random numbers of Markov chains in primary sample space                                  [Kelemen et al. 2002]
 //
-// A proposal is a point that is either drawn anew (a large step) or moved a little in every number. A number's move has
-// either sign and a size between `least` and `most`, whose logarithm is uniform; the cube is closed to a torus. Numbers
-// that nobody asks for cost nothing: each block knows when it was last looked at, and catches up on the steps in
-// between.
+// A point of primary sample space is the sequence of all random numbers of a path. A proposal is either a new,
+// independent point (large step), or the current point with every coordinate moved by a small step. A step has a random
+// sign and a size between `min` and `max` whose logarithm is uniform. Coordinates wrap around at 0 and 1.
 //
-// What is drawn follows from the proposal's key and the number's place, in whatever order numbers are asked for.
+// Coordinates are computed on demand. Each block of coordinates stores the time of its last update, and when it is used
+// again, the accepted small steps since then are applied to it. A coordinate depends on the key of the proposal and on
+// its own index only, never on the order in which coordinates are requested.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,34 +19,36 @@
 namespace etendue {
 
 struct StepSize {
-  float least = 1.0f / 1024, most = 1.0f / 64;
+  float min = 1.0f / 1024, max = 1.0f / 64;
 };
 
-// The same as moves take it: sizes are most * 2^(log_ratio u).
+// A step has the size max * 2^(log_ratio u) for uniform u; log_ratio is log2(min / max).
 struct StepRange {
-  float most = 0, log_ratio = 0;
+  float max = 0, log_ratio = 0;
 };
 
-// Where chains are, side by side.
+// The current points of up to kLanes chains.
 class PrimarySamplePoints {
  public:
   static constexpr size_t kLanes = 256;
-  // Sequences of blocks that each chain has: one for each end of a path, and one for what belongs to both.
+  // Sequences of blocks of each chain: the camera subpath, the light subpath, and decisions that concern both.
   static constexpr size_t kStreams = 3;
 
-  // A block of all chains.
+  // One block of all chains.
   struct Block {
     std::array<SampleBlock, kLanes> values;
-    std::array<uint32_t, kLanes> times{};  // when each was last looked at; zero: never
+    std::array<uint32_t, kLanes> updated{};  // the time of the last update; 0 if there was none
   };
 
-  // In steps that were taken. A block that is older than `renewed` is not defined any more.
+  // The time of a chain counts its accepted proposals.
   struct Clock {
-    uint32_t now = 0, renewed = 1;
+    uint32_t now = 0;
+    uint32_t last_large_step = 1;  // blocks that were updated before this time are undefined
   };
   std::array<Clock, kLanes> clocks;
   std::array<std::vector<Block>, kStreams> streams;
 
+  // In bytes, of the blocks.
   size_t memory() const {
     size_t bytes = 0;
     for (const auto& blocks : streams) bytes += blocks.capacity() * sizeof(Block);
@@ -54,38 +56,38 @@ class PrimarySamplePoints {
   }
 };
 
-// Proposals of all chains: what they ask for is drawn as they ask. Seeds that walks are given tell the chain in their
-// lower bits.
+// Proposals for all chains. The lower bits of a pixel seed (kLaneMask) are the lane of the chain.
 class PrimarySampleProposals {
  public:
-  static constexpr uint32_t kLaneBits = PrimarySamplePoints::kLanes - 1;
+  static constexpr uint32_t kLaneMask = PrimarySamplePoints::kLanes - 1;
 
   PrimarySampleProposals();
 
-  // From now on proposals are made from these points, which have to stay where they are; the watch runs while numbers
-  // are drawn.
-  void begin(const PrimarySamplePoints& from, const StepSize& size, Stopwatch* watch = nullptr);
-  // The next proposal of a chain.
+  // Following proposals start from these points, which must outlive them. `stopwatch` (may be null) measures the time
+  // spent on coordinates.
+  void begin(const PrimarySamplePoints& points, const StepSize& size, Stopwatch* stopwatch = nullptr);
+  // Starts the next proposal of a chain.
   void propose(size_t lane, uint64_t key, bool large);
-  // The chain goes there.
+  // Makes the proposal of a chain its current point in `to`.
   void accept(size_t lane, PrimarySamplePoints& to);
 
   struct Block {
     std::array<SampleBlock, PrimarySamplePoints::kLanes> values;
-    std::array<uint32_t, PrimarySamplePoints::kLanes> numbers{};  // of the proposals that they belong to
+    std::array<uint32_t, PrimarySamplePoints::kLanes> numbers{};  // of the proposals to which the values belong
   };
-  // One block of the chains that the seeds tell: at most as many as there are lanes, each once.
+  // A block of the proposals of the chains in `seeds`, each at most once.
   const Block& blocks(std::span<const uint32_t> seeds, size_t stream, uint32_t block);
-  const Sampler& sampler(size_t stream) const { return views_[stream]; }
+  // The proposals as a sampler.
+  const Sampler& sampler(size_t stream) const { return samplers_[stream]; }
 
  private:
-  class View final : public Sampler {
+  class StreamSampler final : public Sampler {
    public:
-    View(PrimarySampleProposals& proposals, size_t stream) : proposals_(&proposals), stream_(stream) {}
+    StreamSampler(PrimarySampleProposals& proposals, size_t stream) : proposals_(&proposals), stream_(stream) {}
     void block(uint32_t seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
-    DimensionSet blocks(std::span<const uint32_t> seeds, uint32_t sample, uint32_t block, DimensionSet wanted,
+    DimensionSet blocks(std::span<const uint32_t> seeds, uint32_t sample, uint32_t block, DimensionSet requested,
                         SampleTable& out) const override;
-    uint32_t lane_bits() const override { return kLaneBits; }
+    uint32_t lane_mask() const override { return kLaneMask; }
 
    private:
     PrimarySampleProposals* proposals_;
@@ -93,20 +95,20 @@ class PrimarySampleProposals {
   };
   struct Proposal {
     uint64_t key = 0;
-    uint32_t number = 0;  // counts the proposals of the lane
+    uint32_t number = 0;  // counts the proposals of the chain
     bool large = false;
-    std::array<uint32_t, PrimarySamplePoints::kStreams> asked{};  // one more than the last block that was asked for
+    std::array<uint32_t, PrimarySamplePoints::kStreams> used_blocks{};  // upper bound of the indices, exclusive
   };
-  struct Draw;
+  struct BlockUpdate;
 
-  void find_past(size_t lane, const PrimarySamplePoints::Block* before, Draw& draw) const;
+  void set_source(size_t lane, const PrimarySamplePoints::Block* current, BlockUpdate& update) const;
 
-  const PrimarySamplePoints* from_ = nullptr;
+  const PrimarySamplePoints* points_ = nullptr;
   StepRange range_;
-  Stopwatch* watch_ = nullptr;
+  Stopwatch* stopwatch_ = nullptr;
   std::array<Proposal, PrimarySamplePoints::kLanes> proposals_;
   std::array<std::vector<std::unique_ptr<Block>>, PrimarySamplePoints::kStreams> streams_;
-  std::vector<View> views_;
+  std::vector<StreamSampler> samplers_;
 };
 
 }  // namespace etendue

@@ -5,13 +5,13 @@
 namespace etendue {
 namespace {
 
-constexpr uint64_t kStep = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+constexpr uint64_t kStep = 0x9e3779b97f4a7c15;  // 2^64 / golden ratio
 
 }  // namespace
 
 void RandomSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
-  // A stream of splitmix64 for every pixel and sample. The name of the stream is hashed: one that advanced in the
-  // stream's own steps would hand the numbers of a sample to the next one.
+  // One SplitMix64 stream per pixel and sample [Steele et al. 2014]. The initial state is a hash of both: states that
+  // differ by multiples of kStep would give the next sample the same numbers, shifted.
   uint64_t state = mix_bits((uint64_t{pixel_seed} << 32 | sample) + kStep) + kStep * (kBlockSize / 2) * block;
   for (size_t i = 0; i < out.size(); i += 2) {
     state += kStep;

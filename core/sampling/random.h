@@ -1,8 +1,9 @@
-// Independent uniform numbers.
+// Independent uniform random numbers
 //
-// Counter-based: a hash of pixel, sample and dimension, so that a number depends on its name and not on when it is
-// asked for. The yardstick that the others are measured against: error falls as N^(-1/2), in any dimension, for any
-// integrand.
+// Counter-based: a number is a hash of pixel, sample and dimension.
+//
+//   Properties    The error decreases as N^(-1/2) for N samples, for any integrand in any dimension. The reference to
+//                 which other samplers are compared.
 #pragma once
 #include "sampling/sampler.h"
 
@@ -10,11 +11,13 @@ namespace etendue {
 
 class RandomSampler final : public Sampler {
  public:
-  static constexpr const char* kName = "random";
-  static constexpr const char* kLabel = "Random";
-  static constexpr const char* kDoc =
-      "Independent numbers; the yardstick, error falls as one over the root of the samples";
-  auto knobs() { return std::tie(); }
+  static constexpr SamplerDescription kDescription{
+      .name = "random",
+      .label = "Random",
+      .doc = "Independent numbers. The error decreases with the square root of the number of samples.",
+      .independent = true,
+  };
+  auto parameters() { return std::tie(); }
 
   void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const override;
 };

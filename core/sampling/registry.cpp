@@ -1,6 +1,5 @@
-// Every sampler, one line each; the first is the default.
+// The registry of samplers.
 #include <functional>
-#include <type_traits>
 
 #include "sampling/halton.h"
 #include "sampling/random.h"
@@ -17,15 +16,24 @@ struct Entry {
 
 template <class T>
 Entry entry() {
-  T usual;
-  return {{T::kName, T::kLabel, T::kDoc, describe_all(usual.knobs()), std::is_same_v<T, RandomSampler>},
+  constexpr const SamplerDescription& description = T::kDescription;
+  T defaults;
+  return {
+      .info = {.name = description.name,
+               .label = description.label,
+               .doc = description.doc,
+               .parameters = describe_all(defaults.parameters()),
+               .independent = description.independent},
+      .make =
           [](const std::vector<Setting>& settings) {
             auto sampler = std::make_unique<T>();
-            for (const auto& s : settings) assign_by_name(sampler->knobs(), s.name, s.value);
+            for (const auto& s : settings) assign_by_name(sampler->parameters(), s.name, s.value);
             return sampler;
-          }};
+          },
+  };
 }
 
+// One line per sampler; the first one is the default.
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       entry<SobolSampler>(),
@@ -51,16 +59,6 @@ const SamplerInfo* find_sampler(std::string_view name) {
   for (const auto& info : sampler_infos())
     if (info.name == name) return &info;
   return nullptr;
-}
-
-DimensionSet Sampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block, DimensionSet,
-                             SampleTable& out) const {
-  SampleBlock one;
-  for (size_t i = 0; i < pixel_seeds.size(); ++i) {
-    this->block(pixel_seeds[i], sample, block, one);
-    for (size_t k = 0; k < one.size(); ++k) out.values[k][i] = one[k];
-  }
-  return dimensions(0, kBlockSize);
 }
 
 std::unique_ptr<Sampler> make_sampler(std::string_view name, const std::vector<Setting>& settings) {

@@ -1,8 +1,11 @@
-// Where the random numbers of a path come from.
+// Samplers: sources of the uniform numbers that a path consists of
 //
-// A sampler is a function of (pixel, sample index, dimension). Dimensions come in blocks of eight with a fixed layout,
-// one block for the camera and one for each path vertex, so that dimension k means the same decision in every path and
-// the structure of a low-discrepancy sequence survives. A Markov chain in primary sample space fits the same interface.
+// A sampler is a function of (pixel, sample index, dimension). Dimensions form blocks of eight with a fixed layout: one
+// block for the camera and one for each path vertex. Dimension k is therefore the same decision in every path, which
+// preserves the structure of low-discrepancy sequences. Markov chains in primary sample space use the same interface
+// (primary_sample_sampler.h).
+//
+// To add a sampler, write a class like those in sobol.h or stratified.h and add it to the list in registry.cpp.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -20,82 +23,87 @@ namespace etendue {
 inline constexpr int kBlockSize = 8;
 using SampleBlock = std::array<float, kBlockSize>;
 
-// Some dimensions of a block.
+// A set of dimensions of a block: bit k stands for dimension k.
 using DimensionSet = uint32_t;
 constexpr DimensionSet dimensions(int first, int count) { return ((1U << count) - 1) << first; }
 
-// The layout of block 0.
+// Layout of block 0 of a camera path. The comments give the number of dimensions.
 namespace camera_dimension {
-inline constexpr int kPixel = 0;  // 2: position under the pixel filter
+inline constexpr int kPixel = 0;  // 2: position in the pixel filter
 inline constexpr int kLens = 2;   // 2
 inline constexpr int kTime = 4;   // 1
 }  // namespace camera_dimension
 
-// The layout of block 0 of a path that starts on a light.
+// Layout of block 0 of a path that starts on a light.
 namespace emission_dimension {
-inline constexpr int kPoint = 0;      // 2: on the light
+inline constexpr int kPoint = 0;      // 2: position on the light
 inline constexpr int kDirection = 2;  // 2
 inline constexpr int kTime = 4;       // 1
-inline constexpr int kChoice = 5;     // 1
-inline constexpr int kLens = 6;       // 2: the point of the lens that sees the light itself
+inline constexpr int kChoice = 5;     // 1: selection of the light
+inline constexpr int kLens = 6;       // 2: lens point for the connection of the light to the camera
 }  // namespace emission_dimension
 
-// The layout of block 1 + k, path vertex k (0 is the first hit). One number is spare.
+// Layout of block 1 + k, which belongs to path vertex k (0 is the first hit). One dimension is unused.
 namespace vertex_dimension {
 inline constexpr int kBsdfDirection = 0;  // 2
-inline constexpr int kLightPoint = 2;     // 2; of a path that starts on a light, the point of the lens that sees it
+inline constexpr int kLightPoint = 2;     // 2; in light paths the lens point for the connection to the camera
 inline constexpr int kLightChoice = 4;    // 1
 inline constexpr int kBsdfLobe = 5;       // 1
 inline constexpr int kRoulette = 6;       // 1
 }  // namespace vertex_dimension
 
-// One block of many paths, number by number: values[k] holds the k-th number of each.
+// One block of many paths: values[k][i] is dimension k of path i.
 struct SampleTable {
   static constexpr size_t kPaths = 512;
   alignas(64) std::array<std::array<float, kPaths>, kBlockSize> values;
 };
 
-// What a sampler is and what it is bad at; shown by `list samplers`, the viewer and the documentation.
+// What a sampler class states about itself.
+struct SamplerDescription {
+  const char* name;
+  const char* label;
+  const char* doc;           // its properties and limitations
+  bool independent = false;  // its samples are statistically independent
+};
+
+// A registered sampler, as shown by `list samplers`, the viewer and the manual.
 struct SamplerInfo {
   std::string name, label, doc;
   std::vector<ParameterInfo> parameters;
-  bool independent = false;  // its samples know nothing of each other
+  bool independent = false;
 };
 
 class Sampler {
  public:
   virtual ~Sampler() = default;
 
-  // Called from one thread before samples [first, first + count) of every pixel are drawn: the place for tables that
-  // all pixels share. Blocks of these samples may then be asked for from any thread.
-  virtual void prepare(uint32_t first, uint32_t count) { (void)first, (void)count; }
+  // Prepares tables for the samples [first, first + count) of all pixels. Called from one thread; afterwards, the
+  // blocks of these samples may be computed from any thread.
+  virtual void prepare([[maybe_unused]] uint32_t first, [[maybe_unused]] uint32_t count) {}
 
-  // Eight values in [0, 1) for `sample` of the pixel with this seed. The seed is a hash of pixel, replicate and the
-  // user's seed: pixels with different seeds are independent replicates of each other.
+  // Eight values in [0, 1) of `sample` of the pixel with this seed. The seed is a hash of pixel, half-buffer and the
+  // seed of the user; different seeds give statistically independent sequences.
   virtual void block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const = 0;
 
-  // The same for up to SampleTable::kPaths pixels at once, which are all at the same sample and block. Returns the
-  // dimensions that it wrote: those that are wanted, or more where they come together.
+  // The same block of the same sample of up to SampleTable::kPaths pixels. Computes at least the `requested` dimensions
+  // and returns those that were computed.
   virtual DimensionSet blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
-                              DimensionSet wanted, SampleTable& out) const;
+                              DimensionSet requested, SampleTable& out) const;
 
-  // The bits of a seed that are not random but tell the sampler which of its own sequences is meant.
-  virtual uint32_t lane_bits() const { return 0; }
+  // The bits of a seed that are not random but select one of several sequences of the sampler.
+  virtual uint32_t lane_mask() const { return 0; }
 };
 
-struct Setting {
-  std::string name;
-  Value value;
-};
-
-// The registry: every sampler there is, in the order they are listed; sobol is the default.
+// All samplers in the order of the registry; the first one is the default.
 const std::vector<SamplerInfo>& sampler_infos();
+// The sampler of this name, or null.
 const SamplerInfo* find_sampler(std::string_view name);
 
-// `settings` must have been checked against the parameters of the sampler; names it does not have are ignored.
+// A sampler with these settings, or null if the name is unknown. The values must have been checked against the
+// parameters of the sampler; settings for other parameters are ignored.
 std::unique_ptr<Sampler> make_sampler(std::string_view name, const std::vector<Setting>& settings = {});
 
-// A seed for decisions that are no dimension of the integral's layout (stochastic opacity along a ray).
+// A seed for decisions that have no dimension in the layout, like stochastic opacity along a ray.
 constexpr uint32_t path_seed(uint32_t pixel_seed, uint32_t sample) { return pixel_seed ^ (sample * 0x9e3779b9U); }
 
 }  // namespace etendue

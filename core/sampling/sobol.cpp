@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t kBits = 32;
 using Matrix = std::array<uint32_t, kBits>;  // columns
 
-// Bratley and Fox 1988: the recurrence of the polynomial continues the initial numbers.
+// The generator matrix of a dimension, from the recurrence of its polynomial [Bratley and Fox 1988].
 constexpr Matrix direction_numbers(uint32_t dimension) {
   Matrix v{};
   if (dimension == 0) {
@@ -34,7 +34,8 @@ constexpr Matrix direction_numbers(uint32_t dimension) {
   return v;
 }
 
-// Bit by bit, what it adds to every dimension, in reversed order: a point is then a sum of rows.
+// Row k is what bit k of the sample index contributes to the coordinates, with reversed bits. A point is the xor of the
+// rows of its set bits.
 using Rows = std::array<std::array<uint32_t, SobolSampler::kDimensions>, kBits>;
 
 constexpr Rows reversed_rows() {
@@ -59,8 +60,8 @@ Reversed reversed_point(uint32_t sample, uint32_t first_dimension) {
   return x;
 }
 
-// A reversed coordinate, scrambled. Each dimension has a seed of its own, hashed: seeds in an arithmetic progression
-// tie the dimensions together, which shows as 4 % errors in parts of a Cornell box at 256 samples.
+// Scrambles a coordinate with reversed bits. The seed of each dimension is hashed, because seeds in an arithmetic
+// progression correlate the dimensions: in a Cornell box with 256 samples this gave local errors of 4 %.
 [[gnu::always_inline]] inline float scrambled(uint32_t reversed, uint32_t block_seed, uint32_t dimension) {
   const uint32_t x = owen_scramble_reversed(reversed, mix_bits(block_seed + dimension * 0x9e3779b9U));
   return static_cast<float>(static_cast<int32_t>(reverse_bits(x) >> 8)) * 0x1p-24f;
@@ -70,16 +71,16 @@ void scramble(const Reversed& reversed, uint32_t block_seed, SampleBlock& out) {
   for (uint32_t k = 0; k < kBlockSize; ++k) out[k] = scrambled(reversed[k], block_seed, k);
 }
 
-// The same point for many pixels.
+// Scrambles one point for many pixels.
 ETENDUE_VECTORIZE void scramble_all(const uint32_t* reversed, const uint32_t* pixel_seeds, size_t count, uint32_t block,
-                                    DimensionSet wanted, SampleTable& out) {
+                                    DimensionSet requested, SampleTable& out) {
   std::array<uint32_t, SampleTable::kPaths> seeds{};
   for (size_t i = 0; i < count; ++i) seeds[i] = hash_combine(pixel_seeds[i], block);
   for (uint32_t k = 0; k < kBlockSize; ++k) {
-    if ((wanted >> k & 1U) == 0) continue;
+    if ((requested >> k & 1U) == 0) continue;
     const uint32_t coordinate = reversed[k];
     float* values = out.values[k].data();
-    for (size_t i = 0; i < whole_registers(count); ++i) values[i] = scrambled(coordinate, seeds[i], k);
+    for (size_t i = 0; i < padded_lanes(count); ++i) values[i] = scrambled(coordinate, seeds[i], k);
   }
 }
 
@@ -109,15 +110,15 @@ Reversed SobolSampler::reversed(uint32_t sample, uint32_t block) const {
 void SobolSampler::block(uint32_t pixel_seed, uint32_t sample, uint32_t block, SampleBlock& out) const {
   const uint32_t seed = hash_combine(pixel_seed, block);
   if (block < kBlocks) return scramble(reversed(sample, block), seed, out);
-  // The order of samples must not share the seed of a dimension.
+  // The order of samples is shuffled with a seed that no dimension uses.
   scramble(reversed_point(owen_scramble(sample, mix_bits(~seed)), 0), seed, out);
 }
 
 DimensionSet SobolSampler::blocks(std::span<const uint32_t> pixel_seeds, uint32_t sample, uint32_t block,
-                                  DimensionSet wanted, SampleTable& out) const {
-  if (block >= kBlocks) return Sampler::blocks(pixel_seeds, sample, block, wanted, out);
-  scramble_all(reversed(sample, block).data(), pixel_seeds.data(), pixel_seeds.size(), block, wanted, out);
-  return wanted;
+                                  DimensionSet requested, SampleTable& out) const {
+  if (block >= kBlocks) return Sampler::blocks(pixel_seeds, sample, block, requested, out);
+  scramble_all(reversed(sample, block).data(), pixel_seeds.data(), pixel_seeds.size(), block, requested, out);
+  return requested;
 }
 
 }  // namespace etendue

@@ -1,7 +1,6 @@
-// Primitive polynomials and initial direction numbers of the Sobol' sequence, dimensions 2 to 64.
+// Primitive polynomials and initial direction numbers of dimensions 2 to 64 of the Sobol' sequence [Joe and Kuo 2008]
 //
-// S. Joe and F. Y. Kuo, "Constructing Sobol sequences with better two-dimensional projections", 2008. A polynomial is
-// written with its coefficients as bits, the highest first; dimension 1 is the van der Corput sequence and needs none.
+// The bits of `polynomial` are its coefficients, the highest power first. Dimension 1 is the van der Corput sequence.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,7 +9,7 @@ namespace etendue {
 
 struct SobolNumbers {
   uint32_t polynomial;
-  std::array<uint32_t, 9> initial;  // as many as the polynomial has degrees
+  std::array<uint32_t, 9> initial;  // as many as the degree of the polynomial
 };
 
 // clang-format off

@@ -5,7 +5,10 @@ namespace {
 
 Vec4 slerp(const Vec4& a, Vec4 b, float t) {
   float cosine = glm::dot(a, b);
-  if (cosine < 0) b = -b, cosine = -cosine;
+  if (cosine < 0) {
+    b = -b;
+    cosine = -cosine;
+  }
   if (cosine > 0.9995f) return glm::normalize(glm::mix(a, b, t));
   const float angle = std::acos(cosine);
   return (a * std::sin((1 - t) * angle) + b * std::sin(t * angle)) / std::sin(angle);
@@ -31,7 +34,7 @@ void sample_channel(const AnimationChannel& channel, float time, std::span<float
   if (channel.interpolation == Interpolation::step) {
     std::copy_n(key(k), n, out.begin());
   } else if (cubic) {
-    // Hermite: value, out-tangent of this key, value, in-tangent of the next.
+    // Cubic Hermite spline with the out-tangent of this keyframe and the in-tangent of the next.
     const float t2 = t * t, t3 = t2 * t;
     const float* out_tangent = &channel.values[(3 * k + 2) * n];
     const float* in_tangent = &channel.values[(3 * (k + 1)) * n];

@@ -1,4 +1,4 @@
-// The value of an animated property at a moment.                              glTF 2.0, appendix C
+// Interpolates the keyframes of an animation channel.                         glTF 2.0, appendix C
 #pragma once
 #include <span>
 
@@ -6,8 +6,8 @@
 
 namespace etendue::scene {
 
-// Writes `channel.components` numbers. Before the first key and after the last the nearest one holds. Rotations are
-// interpolated on the sphere and come out as unit quaternions (x y z w).
+// Writes `channel.components` numbers for `time` in seconds. Before the first and after the last keyframe the value is
+// constant. Rotations use spherical linear interpolation and are unit quaternions (x y z w).
 void sample_channel(const AnimationChannel& channel, float time, std::span<float> out);
 
 }  // namespace etendue::scene

@@ -1,4 +1,4 @@
-// What compiling a scene had to build again.
+// What compiling a scene rebuilt and what it reused.
 #pragma once
 
 namespace etendue::scene {

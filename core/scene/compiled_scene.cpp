@@ -13,7 +13,7 @@ Vec3 barycentric(const std::vector<Vec3>& values, const Triangle& t, float u, fl
   return values[t[0]] * (1 - u - v) + values[t[1]] * u + values[t[2]] * v;
 }
 
-// Flat triangles that rays have met, many at once.
+// The triangles of many hits as a structure of arrays, for vectorised computation.
 struct Facets {
   static constexpr size_t kSize = 64;
   template <class T>
@@ -22,13 +22,15 @@ struct Facets {
   Vec3Lanes<kSize> p0, p1, p2, wo;
   alignas(64) Array<float> u, v, winding;
   Vec3Lanes<kSize> position, ng, x, y;
-  alignas(64) Array<float> offset, facing;  // facing: the cosine between wo and the front
+  alignas(64) Array<float> offset, facing;  // facing: cosine between wo and the front normal
 
   void set(size_t i, const InstanceData& instance, const Hit& hit, const Vec3& back) {
     const Mesh& mesh = *instance.mesh;
     const Triangle& t = mesh.triangles[hit.triangle];
     if (instance.identity) {
-      p0.set(i, mesh.positions[t[0]]), p1.set(i, mesh.positions[t[1]]), p2.set(i, mesh.positions[t[2]]);
+      p0.set(i, mesh.positions[t[0]]);
+      p1.set(i, mesh.positions[t[1]]);
+      p2.set(i, mesh.positions[t[2]]);
     } else if (instance.round) {
       set_round(i, *instance.round, hit);
       wo.set(i, back);
@@ -39,77 +41,92 @@ struct Facets {
       p1.set(i, Vec3(m * Vec4(mesh.positions[t[1]], 1)));
       p2.set(i, Vec3(m * Vec4(mesh.positions[t[2]], 1)));
     }
-    u[i] = hit.u, v[i] = hit.v;
-    // World-space triangles of a mirrored instance are turned; glTF wants the winding as it was.
+    u[i] = hit.u;
+    v[i] = hit.v;
+    // A mirrored transform reverses the winding of triangles; the front side of the mesh remains the front.
     winding[i] = instance.mirrored ? -1.0f : 1.0f;
     wo.set(i, back);
   }
 
-  // The corner of a facet that touches the shape.
-  void set_round(size_t i, const RoundShape& shape, const Hit& hit) {
+  // A tangent facet of the shape whose first corner is the hit point.
+  void set_round(size_t i, const AnalyticShape& shape, const Hit& hit) {
     const Facet f = shape.facet_at({hit.u, hit.v});
-    p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
-    u[i] = v[i] = 0, winding[i] = 1;
+    p0.set(i, f.p0);
+    p1.set(i, f.p1);
+    p2.set(i, f.p2);
+    u[i] = v[i] = 0;
+    winding[i] = 1;
   }
 
-  // Where an instance that moves is at that time.
+  // The triangle of a moving instance at the given time.
   void move(size_t i, const InstanceData& instance, const Hit& hit, float time) {
     if (instance.round) return set_round(i, instance.round->placed(instance.motion->matrix_at(time)), hit);
     const Facet f = instance.motion->facet_at(*instance.mesh, instance.mesh->triangles[hit.triangle], time);
-    p0.set(i, f.p0), p1.set(i, f.p1), p2.set(i, f.p2);
+    p0.set(i, f.p0);
+    p1.set(i, f.p1);
+    p2.set(i, f.p2);
     winding[i] = f.winding;
   }
 
   void get(size_t i, SurfacePoint& point) const {
     point.position = position[i];
     point.ng = ng[i];
-    point.shading.x = x[i], point.shading.y = y[i], point.shading.z = ng[i];
+    point.shading.x = x[i];
+    point.shading.y = y[i];
+    point.shading.z = ng[i];
     point.offset = offset[i];
     point.front = facing[i] > 0;
   }
 };
 
-// How far float arithmetic may move a point off its triangle: intersection works with coordinates relative to the
-// vertices, so the error grows with where the triangle is and with how large it is.
+// A bound of the rounding error of a point on a triangle. Intersection uses coordinates relative to the vertices, so
+// the error grows with the distance of the triangle from the origin and with its size.
 [[gnu::always_inline]] inline float offset_bound(const Vec3& position, const Vec3& e1, const Vec3& e2) {
   const float far = max_component(glm::abs(position));
   const float size = max_component(glm::abs(e1)) + max_component(glm::abs(e2));
   return 16 * 0x1p-24f * (far + 2 * size);
 }
 
+// Computes positions, normals and frames.
 ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
 #pragma GCC ivdep
-  for (size_t i = 0; i < whole_registers(count); ++i) {
+  for (size_t i = 0; i < padded_lanes(count); ++i) {
     const Vec3 p0 = f.p0[i], e1 = f.p1[i] - p0, e2 = f.p2[i] - p0;
     const Vec3 position = p0 + e1 * f.u[i] + e2 * f.v[i];
     const Vec3 cross = glm::cross(e1, e2);
     const Vec3 ng = cross * (f.winding[i] / std::sqrt(length_squared(cross)));
     Frame frame;
     frame.build(ng);
-    f.position.set(i, position), f.ng.set(i, ng), f.x.set(i, frame.x), f.y.set(i, frame.y);
+    f.position.set(i, position);
+    f.ng.set(i, ng);
+    f.x.set(i, frame.x);
+    f.y.set(i, frame.y);
     f.offset[i] = offset_bound(position, e1, e2);
     f.facing[i] = glm::dot(ng, f.wo[i]);
   }
 }
 
-// Whether the shading normal is another than the geometric one.
-bool is_bent(const SurfacePoint& point) { return point.instance->smooth || point.material->needs_tangent; }
-
-// A shading normal that looks away from the viewer would make the surface black: it is bent until it is barely seen.
-constexpr float kBarely = 1e-3f;
-float seen(const Vec3& normal, const Vec3& wo, float side) { return glm::dot(normal, wo) * side; }
-Vec3 barely_seen(const Vec3& normal, const Vec3& wo, float side) {
-  return glm::normalize(normal + wo * (side * (kBarely - seen(normal, wo, side))));
+// Whether the shading frame differs from the geometric one.
+bool has_own_shading_frame(const SurfacePoint& point) {
+  return point.instance->smooth || point.material->needs_tangent_frame;
 }
 
-void make_seen(const Vec3& wo, SurfacePoint& point) {
+// A shading normal that faces away from the viewer would make the surface black. It is rotated towards the viewer until
+// the cosine between them is kMinCosine.
+constexpr float kMinCosine = 1e-3f;
+float viewing_cosine(const Vec3& normal, const Vec3& wo, float side) { return glm::dot(normal, wo) * side; }
+Vec3 towards_viewer(const Vec3& normal, const Vec3& wo, float side) {
+  return glm::normalize(normal + wo * (side * (kMinCosine - viewing_cosine(normal, wo, side))));
+}
+
+void turn_towards_viewer(const Vec3& wo, SurfacePoint& point) {
   const float side = point.front ? 1.0f : -1.0f;
-  if (seen(point.shading.z, wo, side) < kBarely)
-    point.shading = Frame(barely_seen(point.shading.z, wo, side), point.shading.x, 1);
+  if (viewing_cosine(point.shading.z, wo, side) < kMinCosine)
+    point.shading = Frame(towards_viewer(point.shading.z, wo, side), point.shading.x, 1);
 }
 
-// Where a material asks for a direction and the mesh has no tangents: along its texture coordinates, or else around the
-// object's upright axis. Any length; none where there is no such direction.
+// The tangent direction of an anisotropic material on a mesh without tangents: along its texture coordinates if there
+// are any, otherwise around the y axis of the object. Not normalised; zero where it is undefined.
 Vec3 direction_along(const InstanceData& instance, const Triangle& t, const Vec3& normal) {
   const Mesh& mesh = *instance.mesh;
   const auto& uv = mesh.uvs[0];
@@ -122,19 +139,19 @@ Vec3 direction_along(const InstanceData& instance, const Triangle& t, const Vec3
   return glm::cross(instance.identity ? Vec3(0, 1, 0) : Vec3(instance.to_world[1]), normal);
 }
 
-// The normal maps of the base and of its coat.
-void bend_by_maps(const Vec3& wo, SurfacePoint& point) {
+// Applies the normal maps of the base and of the clear coat.
+void apply_normal_maps(const Vec3& wo, SurfacePoint& point) {
   const SurfaceMaterial& material = *point.material;
-  const Frame unbent = point.shading;
+  const Frame unmapped = point.shading;
   if (material.normal) {
-    const Vec3 bent = normalize_or(unbent.to_world(material.normal_at(point.texture)), unbent.z);
-    point.shading = Frame(bent, unbent.x, glm::dot(glm::cross(unbent.z, unbent.x), unbent.y));
+    const Vec3 mapped = normalize_or(unmapped.to_world(material.normal_at(point.texture)), unmapped.z);
+    point.shading = Frame(mapped, unmapped.x, glm::dot(glm::cross(unmapped.z, unmapped.x), unmapped.y));
   }
-  make_seen(wo, point);
-  if (!material.coat_normal_mapped) return;
+  turn_towards_viewer(wo, point);
+  if (!material.has_coat_normal) return;
   const float side = point.front ? 1.0f : -1.0f;
-  Vec3 coat = normalize_or(unbent.to_world(material.coat_normal_at(point.texture)), unbent.z);
-  if (seen(coat, wo, side) < kBarely) coat = barely_seen(coat, wo, side);
+  Vec3 coat = normalize_or(unmapped.to_world(material.coat_normal_at(point.texture)), unmapped.z);
+  if (viewing_cosine(coat, wo, side) < kMinCosine) coat = towards_viewer(coat, wo, side);
   point.coat = point.shading.to_local(coat);
 }
 
@@ -155,14 +172,14 @@ void CompiledScene::surfaces(std::span<const Vec3> wo, std::span<const Hit> hits
       facets.get(i, points[first + i]);
       finish(wo[first + i], hits[first + i], points[first + i]);
     }
-    // Normals of what moves, once more: of what stands still nobody asks for a time.
+    // The loop above uses the normals at shutter opening; those of moving instances are computed again at their times.
     for (size_t i = 0; times && i < count; ++i)
-      if (SurfacePoint& point = points[first + i]; point.instance->motion && is_bent(point))
+      if (SurfacePoint& point = points[first + i]; point.instance->motion && has_own_shading_frame(point))
         bend(wo[first + i], hits[first + i], times + first + i, point);
   }
 }
 
-// What is not the same for every flat triangle: textures, interpolated normals, normal maps.
+// The properties that depend on the instance: textures, interpolated normals, normal maps.
 void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const {
   const InstanceData& instance = (*instances_)[hit.instance];
   point.instance = &instance;
@@ -172,7 +189,7 @@ void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) 
     point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
   else
     point.texture.color = Vec4(1);
-  if (is_bent(point)) bend(wo, hit, nullptr, point);
+  if (has_own_shading_frame(point)) bend(wo, hit, nullptr, point);
 }
 
 void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {
@@ -190,37 +207,37 @@ void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, Surf
     const Vec4 tangent =
         motion ? motion->tangent_at(mesh, t, hit.u, hit.v, *time)
                : mesh.tangents[t[0]] * (1 - hit.u - hit.v) + mesh.tangents[t[1]] * hit.u + mesh.tangents[t[2]] * hit.v;
-    const bool placed = motion || instance.identity;
-    const Vec3 tangent_in_world = placed ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
+    const bool in_world_space = motion || instance.identity;
+    const Vec3 tangent_in_world = in_world_space ? Vec3(tangent) : Mat3(instance.to_world) * Vec3(tangent);
     point.shading.build(ns, tangent_in_world, (tangent.w < 0 ? -1.0f : 1.0f) * (instance.mirrored ? -1.0f : 1.0f));
-  } else if (point.material->anisotropic) {
+  } else if (point.material->is_anisotropic) {
     point.shading.build(ns, direction_along(instance, t, ns), 1);
   } else {
     point.shading.build(ns);
   }
-  if (point.material->normal_mapped)
-    bend_by_maps(wo, point);
+  if (point.material->has_normal_map)
+    apply_normal_maps(wo, point);
   else
-    make_seen(wo, point);
+    turn_towards_viewer(wo, point);
 }
 
 Rgb CompiledScene::emitted(const SurfacePoint& point, const Vec3& direction) const {
-  if (!point.material->emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
+  if (!point.material->is_emissive || (!point.front && !point.material->description.double_sided)) return Rgb(0);
   const Rgb along_normal = point.material->emission_at(point.texture);
-  return point.instance->focus == 0 ? along_normal : along_normal * point.beam(direction);
+  return point.instance->cosine_exponent == 0 ? along_normal : along_normal * point.beam(direction);
 }
 
 Rgb CompiledScene::textured_radiance_of(const LightSample& sample) const {
-  const EmissiveTriangle& t = lights_->triangles()[sample.light];
+  const AreaLightTriangle& t = lights_->triangles()[sample.light];
   const InstanceData& instance = (*instances_)[t.instance];
   const SurfaceMaterial& material = (*materials_)[instance.material];
   return material.emission_at(texture_point(*instance.mesh, t.triangle, sample.barycentric.x, sample.barycentric.y));
 }
 
-bool CompiledScene::stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
+bool CompiledScene::blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const {
   const InstanceData& data = (*instances_)[instance];
   const SurfaceMaterial& material = (*materials_)[data.material];
-  if (!material.transparent) return true;
+  if (!material.has_alpha) return true;
   const float opacity = material.opacity_at(texture_point(*data.mesh, triangle, u, v));
   if (opacity >= 1) return true;
   return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
@@ -235,21 +252,23 @@ std::string CompiledScene::moving() const {
 }
 
 void CompiledScene::locate(const Emission& emission, Hit& hit, Vec3& side) const {
-  const EmissiveTriangle& t = lights_->triangles()[emission.light];
+  const AreaLightTriangle& t = lights_->triangles()[emission.light];
   const Vec3 normal = lights_->normal_at(emission.light, emission.barycentric, emission.time);
   side = emission.back ? -normal : normal;
-  hit.instance = t.instance, hit.triangle = t.triangle;
-  hit.u = emission.barycentric.x, hit.v = emission.barycentric.y;
+  hit.instance = t.instance;
+  hit.triangle = t.triangle;
+  hit.u = emission.barycentric.x;
+  hit.v = emission.barycentric.y;
 }
 
 size_t CompiledScene::memory() const {
   size_t bytes = instances_->size() * sizeof(InstanceData) + materials_->size() * sizeof(SurfaceMaterial) +
-                 lights_->triangles().size() * (sizeof(EmissiveTriangle) + 16);
-  std::unordered_map<const void*, size_t> seen;
-  for (const auto& instance : *instances_) seen[instance.mesh.get()] = instance.mesh->memory();
+                 lights_->triangles().size() * (sizeof(AreaLightTriangle) + 16);
+  std::unordered_map<const void*, size_t> shared;  // each shared array counts once
+  for (const auto& instance : *instances_) shared[instance.mesh.get()] = instance.mesh->memory();
   for (const auto& texture : *textures_)
-    if (texture.image) seen[texture.image.get()] = texture.image->memory();
-  for (const auto& [_, size] : seen) bytes += size;
+    if (texture.image) shared[texture.image.get()] = texture.image->memory();
+  for (const auto& [_, size] : shared) bytes += size;
   return bytes;
 }
 

@@ -1,11 +1,9 @@
-// The scene that threads read: immutable, shared, compiled from a scene::Scene.
+// The scene that rendering threads read: immutable, shared, compiled from a scene::Scene.
 //
-// Compiling reuses everything of the previous CompiledScene that an edit did not touch; `BuildReport` says what was
-// built, and tests hold it to that: a camera or a material rebuilds no acceleration structure, a transform only the top
-// level.
+// Compilation reuses all parts of the previous CompiledScene that an edit did not change, and BuildReport lists what
+// was rebuilt. A camera or material edit rebuilds no acceleration structure; a transform rebuilds the top level only.
 //
-// Where the camera's shutter is open and something moves meanwhile, times say when: from 0 at the opening to 1 at the
-// closing. They are only read of what moves.
+// With motion blur, times run from 0 when the shutter opens to 1 when it closes. They affect moving instances only.
 #pragma once
 #include <memory>
 #include <vector>
@@ -14,7 +12,7 @@
 #include "base/vectorize.h"
 #include "camera/camera_ray.h"
 #include "geometry/accel.h"
-#include "light/light_table.h"
+#include "light/sampling/light_table.h"
 #include "material/surface_material.h"
 #include "scene/build_report.h"
 #include "scene/scene.h"
@@ -22,21 +20,21 @@
 namespace etendue::scene {
 
 struct InstanceData {
-  std::shared_ptr<const Mesh> mesh;  // positions in world space where `to_world` is the identity
+  std::shared_ptr<const Mesh> mesh;  // in world space if `to_world` is the identity
   Mat4 to_world{1};
   Mat3 normal_to_world{1};  // inverse transpose
   bool identity = true;
   bool smooth = false;    // has vertex normals
   bool textured = false;  // has texture coordinates or vertex colours
-  bool mirrored = false;  // negative determinant: winding is turned, glTF 2.0, 3.7.4
+  bool mirrored = false;  // negative determinant, which reverses the winding [glTF 2.0, sec. 3.7.4]
   uint32_t material = 0;
-  uint32_t node = 0;                  // the object that a user picks
-  float focus = 0;                    // of what it emits, see Light
-  uint32_t first_light = kNotALight;  // light number of its first triangle
-  // How it moves, or null; all the rest is as it is at the opening. One that deforms is in world space then.
+  uint32_t node = 0;                  // the object that picking selects
+  float cosine_exponent = 0;          // cosine exponent of its emission, see Light
+  uint32_t first_light = kNotALight;  // light index of its first triangle
+  // The motion, or null. All other members hold at shutter opening. A mesh that deforms is in world space.
   std::shared_ptr<const Motion> motion = nullptr;
-  // A light that is a sphere or a disk; the mesh is only as large as it then.
-  std::shared_ptr<const RoundShape> round = nullptr;
+  // The analytic shape of a sphere or disk light; the mesh only has its extent then.
+  std::shared_ptr<const AnalyticShape> round = nullptr;
   static constexpr uint32_t kNotALight = 0xffffffffU;
 };
 
@@ -49,16 +47,16 @@ struct SurfacePoint {
   const InstanceData* instance = nullptr;
   const SurfaceMaterial* material = nullptr;
   uint32_t triangle = 0;
-  float offset = 0;    // how far rounding may have put `position` off the surface, metres
-  bool front = true;   // the side the ray came from
-  Vec3 coat{0, 0, 1};  // normal of the clear coat in the shading frame, where it is another one
+  float offset = 0;    // bound of the rounding error of `position`, metres
+  bool front = true;   // the ray arrived at the front side
+  Vec3 coat{0, 0, 1};  // normal of the clear coat in the shading frame
 
-  // What a direction gets of the radiance that is emitted along the normal.
+  // Emitted radiance towards `direction`, relative to the radiance along the normal.
   float beam(const Vec3& direction) const {
-    return instance->focus == 0 ? 1 : std::pow(std::abs(glm::dot(ng, direction)), instance->focus);
+    return instance->cosine_exponent == 0 ? 1 : std::pow(std::abs(glm::dot(ng, direction)), instance->cosine_exponent);
   }
 
-  // A ray that leaves towards `direction` and does not hit the surface it starts on.
+  // A ray from this point towards `direction`, offset so that it does not hit the surface it starts on.
   void spawn(const Vec3& direction, Ray& ray) const {
     ray.origin = position + off_surface(direction);
     ray.tnear = 0;
@@ -66,8 +64,8 @@ struct SurfacePoint {
     ray.tfar = kInfinity;
   }
 
-  // The segment towards what lies at `distance` along `direction`, short of it by more than rounding can have moved
-  // either end; its direction is as long as it is.
+  // The segment to a point at `distance` along `direction`. It ends before that point by more than the rounding error
+  // of both ends. The length of ray.direction is that of the segment.
   void spawn_segment(const Vec3& direction, float distance, Ray& ray) const {
     if (std::isinf(distance)) return spawn(direction, ray);
     const Vec3 off = off_surface(direction);
@@ -95,32 +93,33 @@ class CompiledScene final : public OpacityTest {
     accel_->occluded(packet, count, opacity(), seeds);
   }
 
-  // Where rays hit, one point for each; wo[i] points back along the ray of hits[i], which was at times[i]. Without
-  // times all is as it was at the opening.
+  // The surface points of hits. wo[i] is the reverse direction of the ray of hits[i], and times[i] its time; without
+  // `times` all are at shutter opening.
   void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
                 const float* times = nullptr) const;
 
-  // Radiance that the surface sends there, on the side the ray came from; single-sided materials shine from their front
-  // only.
+  // Radiance that the surface emits towards `direction` on the side where the ray arrived. Single-sided materials emit
+  // from their front only.
   Rgb emitted(const SurfacePoint& point, const Vec3& direction) const;
-  // What a sampled light sends to its receiver, textures included.
+  // Radiance from a sampled light towards its receiver, including emission textures.
   Rgb radiance_of(const LightSample& sample) const {
     return sample.textured ? textured_radiance_of(sample) : sample.radiance;
   }
-  // Where a ray leaves a triangle, for `surfaces`; `side` is the normal of the side that it leaves.
+  // The hit that corresponds to an emitted ray's origin on a triangle. `side` is the normal of the emitting side.
   void locate(const Emission& emission, Hit& hit, Vec3& side) const;
-  // What leaves the light along the ray, before SurfacePoint::beam: radiance, and the other quantities where
-  // Emission::radiance names them. `point` is that of a triangle.
+  // Emission along the ray, without the factor SurfacePoint::beam: radiance, or the quantity that Emission::radiance
+  // documents. `point` is the origin on a triangle; it is read only if the emission is textured.
   Rgb emitted(const Emission& emission, const SurfacePoint* point) const {
     return emission.textured ? point->material->emission_at(point->texture) : emission.radiance;
   }
-  // The number of the light that this point lies on, or InstanceData::kNotALight.
+  // The index of the light that this point lies on, or InstanceData::kNotALight.
   uint32_t light_at(const SurfacePoint& point) const {
     const uint32_t first = point.instance->first_light;
-    return first == InstanceData::kNotALight ? first : first + point.triangle;  // a round shape is its number 0
+    return first == InstanceData::kNotALight ? first
+                                             : first + point.triangle;  // a sphere or disk counts as one triangle
   }
 
-  // Whether light travels here as it does there: nothing but the camera differs.
+  // Whether the scenes differ at most in the camera.
   bool same_light(const CompiledScene& other) const {
     return accel_ == other.accel_ && instances_ == other.instances_ && materials_ == other.materials_ &&
            textures_ == other.textures_ && lights_ == other.lights_;
@@ -135,19 +134,19 @@ class CompiledScene final : public OpacityTest {
   const Bounds& bounds() const { return bounds_; }
   size_t triangle_count() const { return triangles_; }
   bool has_transparency() const { return transparency_; }
-  // What moves while the shutter is open, the first of several: "node 'Wheel'"; empty if all stands still.
+  // The first moving object while the shutter is open, for messages: "node 'Wheel'". Empty if nothing moves.
   std::string moving() const;
-  // How the camera moves, or null.
+  // The motion of the camera, or null.
   const std::shared_ptr<const CameraMotion>& camera_motion() const { return camera_motion_; }
-  size_t memory() const;  // bytes of arrays, without Embree's
+  size_t memory() const;  // bytes of arrays, excluding Embree's structures
 
-  bool stops(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override;
+  bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override;
 
  private:
   friend class Compiler;
   Rgb textured_radiance_of(const LightSample& sample) const;
   void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
-  // `time` is null for the opening.
+  // Sets the shading frame. `time` is null for shutter opening.
   void bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const;
   const OpacityTest* opacity() const { return transparency_ ? this : nullptr; }
 
@@ -157,18 +156,17 @@ class CompiledScene final : public OpacityTest {
   std::shared_ptr<const std::vector<SurfaceMaterial>> materials_;
   std::shared_ptr<const std::vector<Texture>> textures_;
   std::shared_ptr<const LightTable> lights_;
-  std::vector<std::shared_ptr<const MeshAccel>>
-      mesh_accels_;  // one per instance, null where it stands in the top level
+  std::vector<std::shared_ptr<const MeshAccel>> mesh_accels_;  // one per instance; null if it is part of the top level
   Camera camera_;
   std::shared_ptr<const CameraMotion> camera_motion_;
-  int moving_node_ = -1;  // the first that moves a mesh or a light
+  int moving_node_ = -1;  // the first node that moves a mesh or a light
   Bounds bounds_;
   BuildReport report_;
   size_t triangles_ = 0;
   bool transparency_ = false;
 };
 
-// `previous` may be null. The camera is given apart because it moves apart.
+// Compiles a scene for a camera, which is an argument of its own because it changes most often. `previous` may be null.
 std::shared_ptr<const CompiledScene> compile(std::shared_ptr<const Scene> scene, const Camera& camera,
                                              const std::shared_ptr<const CompiledScene>& previous);
 

@@ -1,8 +1,8 @@
-// From a scene to what threads read of it, keeping whatever an edit did not touch.
+// Compiles a scene::Scene into a CompiledScene, reusing the unchanged parts of a previous one.
 #include <chrono>
 #include <unordered_map>
 
-#include "light/light_points.h"
+#include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
@@ -12,12 +12,13 @@
 namespace etendue::scene {
 namespace {
 
-// Meshes that are used once stand in the top level while there is room: this many triangles are rebuilt within a frame.
+// Meshes with a single instance are part of the top level, up to this total number of triangles: that many can be
+// rebuilt within a frame.
 constexpr size_t kTopLevelBudget = 200'000;
 
 }  // namespace
 
-// One compilation: what stays, what is built.
+// One compilation.
 class Compiler {
  public:
   Compiler(std::shared_ptr<const Scene> scene, const Camera& camera, const CompiledScene* previous)
@@ -45,8 +46,8 @@ class Compiler {
     Mat4 to_world{1};
     uint32_t material, node;
     std::shared_ptr<const Motion> motion = nullptr;
-    std::shared_ptr<const RoundShape> round = nullptr;
-    float focus = 0;
+    std::shared_ptr<const AnalyticShape> round = nullptr;
+    float cosine_exponent = 0;
   };
 
   bool same_geometry() const {
@@ -64,11 +65,10 @@ class Compiler {
     return same_surface_lights() && scene_->materials.size() == old.materials.size();
   }
 
-  // Lights that are surfaces have a shape and a material each, after those of the scene.
+  // Area lights have geometry and a material each. Their materials follow those of the scene.
   bool same_surface_lights() const {
     const std::vector<Light>&a = scene_->lights, &b = previous_->description().lights;
-    const auto surface = [](const Light& light) { return light.is_surface(); };
-    return a == b || (std::ranges::none_of(a, surface) && std::ranges::none_of(b, surface));
+    return a == b || (std::ranges::none_of(a, &Light::is_area_light) && std::ranges::none_of(b, &Light::is_area_light));
   }
 
   void geometry() {
@@ -120,11 +120,12 @@ class Compiler {
   void place_light(uint32_t node, const Mat4& world, std::vector<Placed>& placed) {
     const auto number = static_cast<uint32_t>(scene_->nodes[node].light);
     const Light& light = scene_->lights[number];
-    if (!is_met_by_rays(light)) return;
-    Placed p{stand_in(light), without_scale(world), first_light_material() + number, node};
-    p.focus = light.focus;
+    const auto surface = light.model->area_light(light.color);
+    if (!surface || !surface->hit_by_rays) return;
+    Placed p{mesh_of(*surface), without_scale(world), first_light_material() + number, node};
+    p.cosine_exponent = surface->cosine_exponent;
     if (const auto motion = shutter_.motion_of(static_cast<int>(node))) p.motion = without_scale(*motion);
-    if (light.type != LightType::quad) p.round = std::make_shared<const RoundShape>(shape_of(light).placed(p.to_world));
+    p.round = analytic_shape_of(*surface, p.to_world);
     placed.push_back(std::move(p));
   }
   uint32_t first_light_material() const { return static_cast<uint32_t>(scene_->materials.size()); }
@@ -143,7 +144,7 @@ class Compiler {
     return order;
   }
 
-  // The bottom levels that the previous scene built for the same meshes.
+  // The acceleration structures of meshes that the previous scene built.
   std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> previous_accels() const {
     std::unordered_map<const Mesh*, std::shared_ptr<const MeshAccel>> accels;
     if (previous_)
@@ -156,7 +157,7 @@ class Compiler {
     std::unordered_map<const Mesh*, int> uses;
     for (const auto& p : placed) ++uses[p.mesh.get()];
     auto accels = previous_accels();
-    const auto kept = accels;
+    const auto reusable = accels;
 
     auto instances = std::make_shared<std::vector<InstanceData>>();
     std::vector<AccelInstance> accel_instances;
@@ -170,13 +171,17 @@ class Compiler {
       AccelInstance in_accel;
       const size_t triangles = p.mesh->triangles.size();
       result_->triangles_ += triangles;
-      // What deforms is in world space at all times; what moves as it is has a matrix for each.
-      const bool flat = p.motion ? p.motion->deforms()
-                                 : uses[p.mesh.get()] == 1 && triangles <= budget && !kept.contains(p.mesh.get());
-      data.mesh = p.mesh, data.motion = p.motion;
-      data.mirrored = flat && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
-      data.material = p.material, data.node = p.node, data.focus = p.focus;
-      if (flat) {
+      // A mesh that deforms is in world space at all times. Rigid motion is a sequence of matrices of an instance.
+      const bool in_top_level =
+          p.motion ? p.motion->deforms()
+                   : uses[p.mesh.get()] == 1 && triangles <= budget && !reusable.contains(p.mesh.get());
+      data.mesh = p.mesh;
+      data.motion = p.motion;
+      data.mirrored = in_top_level && p.motion ? p.motion->mirrored : glm::determinant(Mat3(p.to_world)) < 0;
+      data.material = p.material;
+      data.node = p.node;
+      data.cosine_exponent = p.cosine_exponent;
+      if (in_top_level) {
         budget -= std::min(budget, triangles);
         data.mesh = in_world(p.mesh, p.to_world);
       } else {
@@ -184,7 +189,7 @@ class Compiler {
         data.to_world = p.to_world;
         data.normal_to_world = glm::transpose(glm::inverse(Mat3(p.to_world)));
         auto& accel = accels[p.mesh.get()];
-        if (accel && kept.contains(p.mesh.get())) {
+        if (accel && reusable.contains(p.mesh.get())) {
           ++result_->report_.meshes_reused;
         } else if (!accel) {
           accel = std::make_shared<MeshAccel>(p.mesh);
@@ -195,7 +200,8 @@ class Compiler {
       }
       data.smooth = !data.mesh->normals.empty();
       data.textured = !data.mesh->uvs[0].empty() || !data.mesh->uvs[1].empty() || !data.mesh->colors.empty();
-      in_accel.mesh = data.mesh, in_accel.motion = p.motion;
+      in_accel.mesh = data.mesh;
+      in_accel.motion = p.motion;
       result_->mesh_accels_.push_back(in_accel.accel);
       instances->push_back(std::move(data));
       accel_instances.push_back(std::move(in_accel));
@@ -207,9 +213,14 @@ class Compiler {
 
   void add_round(const Placed& p, std::vector<InstanceData>& instances, std::vector<AccelInstance>& accels) {
     InstanceData data;
-    data.mesh = p.mesh, data.motion = p.motion, data.round = p.round;
-    data.to_world = p.to_world, data.identity = false;
-    data.material = p.material, data.node = p.node, data.focus = p.focus;
+    data.mesh = p.mesh;
+    data.motion = p.motion;
+    data.round = p.round;
+    data.to_world = p.to_world;
+    data.identity = false;
+    data.material = p.material;
+    data.node = p.node;
+    data.cosine_exponent = p.cosine_exponent;
     instances.push_back(data);
     accels.push_back({p.mesh, nullptr, p.to_world, p.motion, p.round});
     result_->mesh_accels_.push_back(nullptr);
@@ -230,15 +241,15 @@ class Compiler {
     auto compiled = std::make_shared<std::vector<SurfaceMaterial>>();
     for (const Material& m : scene_->materials) {
       compiled->emplace_back(m, *r.textures_);
-      r.transparency_ = r.transparency_ || compiled->back().transparent;
+      r.transparency_ = r.transparency_ || compiled->back().has_alpha;
     }
-    if (std::ranges::any_of(scene_->lights, is_met_by_rays))
+    if (std::ranges::any_of(scene_->lights, is_hit_by_rays))
       for (const Light& light : scene_->lights) compiled->emplace_back(material_of(light), *r.textures_);
     r.materials_ = std::move(compiled);
     r.report_.materials_built = true;
   }
 
-  // The light tables depend on where emitters are, on what they emit, and on the lights and the environment.
+  // The light table depends on the positions and emission of surfaces, the lights and the environment.
   bool same_lights() const {
     if (!previous_ || result_->report_.top_level_built) return false;
     const Scene& old = previous_->description();
@@ -260,58 +271,66 @@ class Compiler {
       return;
     }
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
-    std::vector<EmissiveTriangle> triangles;
-    std::vector<MovingEmitter> movers;
-    std::vector<RoundLight> rounds;
+    std::vector<AreaLightTriangle> triangles;
+    std::vector<MovingEmitter> moving;
+    std::vector<AnalyticAreaLight> round_lights;
     for (uint32_t i = 0; i < instances->size(); ++i) {
       InstanceData& instance = (*instances)[i];
       const SurfaceMaterial& material = (*result_->materials_)[instance.material];
       instance.first_light = InstanceData::kNotALight;
-      if (!material.description.emits() || material.description.unlit) continue;
+      if (!material.description.is_emissive() || material.description.unlit) continue;
       instance.first_light = static_cast<uint32_t>(triangles.size());
       if (instance.round) {
-        triangles.push_back(emissive_round(instance, material, i, rounds));
+        triangles.push_back(emissive_round(instance, material, i, round_lights));
         continue;
       }
       for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t)
         triangles.push_back(emissive(instance, material, i, t));
       if (!instance.motion) continue;
-      movers.resize(instances->size());
-      movers[i] = {instance.mesh, instance.motion};
+      moving.resize(instances->size());
+      moving[i] = {instance.mesh, instance.motion};
     }
     result_->instances_ = std::move(instances);
     result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
-                                                    result_->bounds_, std::move(movers), std::move(rounds));
+                                                    result_->bounds_, std::move(moving), std::move(round_lights));
     result_->report_.lights_built = true;
   }
 
-  static EmissiveTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                   uint32_t t) {
+  static AreaLightTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                    uint32_t t) {
     const Mesh& mesh = *instance.mesh;
-    EmissiveTriangle e;
-    e.instance = i, e.triangle = t;
-    e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
-    e.moving = instance.motion != nullptr, e.focus = instance.focus;
-    e.place(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f) : facet(instance, mesh.triangles[t]));
+    AreaLightTriangle e;
+    e.instance = i;
+    e.triangle = t;
+    e.radiance = material.description.emission;
+    e.double_sided = material.description.double_sided;
+    e.moving = instance.motion != nullptr;
+    e.cosine_exponent = instance.cosine_exponent;
+    e.set_triangle(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f)
+                            : facet(instance, mesh.triangles[t]));
     if (material.emission) {
+      // The mean over seven points of the triangle.
       Rgb sum(0);
       constexpr float kPoints[7][2] = {{1 / 3.f, 1 / 3.f}, {.8f, .1f},  {.1f, .8f}, {.1f, .1f},
                                        {.45f, .45f},       {.45f, .1f}, {.1f, .45f}};
       for (const auto& b : kPoints) sum += material.emission_at(texture_point(mesh, t, b[0], b[1]));
-      e.radiance = sum / 7, e.textured = true;
+      e.radiance = sum / 7;
+      e.textured = true;
     }
     return e;
   }
 
-  static EmissiveTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
-                                         std::vector<RoundLight>& rounds) {
-    RoundLight round{*instance.round, instance.motion};
+  static AreaLightTriangle emissive_round(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,
+                                          std::vector<AnalyticAreaLight>& round_lights) {
+    AnalyticAreaLight round{*instance.round, instance.motion};
     if (round.motion) round.shape = round.at(0.5f);
-    EmissiveTriangle e;
-    e.instance = i, e.focus = instance.focus;
-    e.radiance = material.description.emission, e.double_sided = material.description.double_sided;
-    e.place_round(static_cast<int>(rounds.size()), round.shape);
-    rounds.push_back(std::move(round));
+    AreaLightTriangle e;
+    e.instance = i;
+    e.cosine_exponent = instance.cosine_exponent;
+    e.radiance = material.description.emission;
+    e.double_sided = material.description.double_sided;
+    e.set_shape(static_cast<int>(round_lights.size()), round.shape);
+    round_lights.push_back(std::move(round));
     return e;
   }
 
@@ -329,17 +348,8 @@ class Compiler {
     for (const uint32_t node : reached_nodes()) {
       const Node& n = scene_->nodes[node];
       if (n.light < 0) continue;
-      const Light& described = scene_->lights[static_cast<size_t>(n.light)];
-      if (described.is_surface()) {
-        if (described.points > 0) {
-          const auto points = points_of(described, world[node], shutter_.motion_of(static_cast<int>(node)));
-          placed.insert(placed.end(), points.begin(), points.end());
-        }
-        continue;
-      }
-      PlacedLight& light = placed.emplace_back(described);
-      light.motion = shutter_.motion_of(static_cast<int>(node));
-      light.place = LightPlace(light.motion ? light.motion->matrix_at(0.5f) : world[node]);
+      const Light& light = scene_->lights[static_cast<size_t>(n.light)];
+      light.model->place(light.name, light.color, world[node], shutter_.motion_of(static_cast<int>(node)), placed);
     }
     return placed;
   }

@@ -5,13 +5,17 @@
 namespace etendue::scene {
 
 Result<std::shared_ptr<const image::Image>> load_environment_map(const std::filesystem::path& file) {
-  auto picture = image::read_linear(file);
-  if (!picture) return picture.error();
-  const image::Layer* beauty = picture->find("");
+  auto source = image::read_linear(file);
+  if (!source) return source.error();
+  const image::Layer* beauty = source->find("");
   if (!beauty || beauty->channels.size() < 3)
-    return input_error(file.string() + ": has no RGB channels; give an equirectangular .hdr or .exr");
+    return input_error(
+        file.string() +
+        ": has no RGB channels; an environment map has to be an equirectangular RGB image (.hdr or .exr)");
   auto map = std::make_shared<image::Image>();
-  map->width = picture->width, map->height = picture->height, map->channels = 3;
+  map->width = source->width;
+  map->height = source->height;
+  map->channels = 3;
   map->type = image::PixelType::float32;
   const size_t stride = beauty->channels.size();
   map->floats.reserve(static_cast<size_t>(map->width) * static_cast<size_t>(map->height) * 3);

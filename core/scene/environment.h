@@ -1,4 +1,4 @@
-// The map of an environment, from a file.
+// Loads environment maps.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace etendue::scene {
 
-// An equirectangular picture (.hdr, .exr, ...) as float RGB; what is no radiance (negative, not finite) becomes 0.
+// Loads an equirectangular image (.hdr, .exr, ...) as linear RGB radiance in floats. Values that are negative or not
+// finite become 0. Errors name the file.
 Result<std::shared_ptr<const image::Image>> load_environment_map(const std::filesystem::path& file);
 
 }  // namespace etendue::scene

@@ -1,4 +1,4 @@
-// Names of the scene's types, for headers that only refer to them.
+// Forward declarations of the types of scenes.
 #pragma once
 
 namespace etendue::scene {

@@ -4,24 +4,29 @@
 
 namespace etendue::scene {
 
-std::shared_ptr<const Mesh> stand_in(const Light& light) {
-  const bool quad = light.type == LightType::quad;
-  const Vec3 half(quad ? 0.5f * light.width : light.radius, quad ? 0.5f * light.height : light.radius, light.radius);
-  if (light.type == LightType::sphere) return box(half);
-  return rectangle({-half.x, -half.y, 0}, {0, 2 * half.y, 0}, {2 * half.x, 0, 0});
+bool is_hit_by_rays(const Light& light) {
+  const auto surface = light.model->area_light(light.color);
+  return surface && surface->hit_by_rays;
 }
 
-RoundShape shape_of(const Light& light) {
-  RoundShape shape;
-  shape.kind = light.type == LightType::disk ? RoundShape::Kind::disk : RoundShape::Kind::sphere;
-  shape.radius = light.radius;
-  return shape;
+std::shared_ptr<const Mesh> mesh_of(const AreaLight& light) {
+  if (const auto* mesh = std::get_if<std::shared_ptr<const Mesh>>(&light.shape)) return *mesh;
+  const auto& shape = std::get<AnalyticShape>(light.shape);
+  const float r = shape.radius;
+  if (shape.kind == AnalyticShape::Kind::sphere) return box(Vec3(r));
+  return rectangle({-r, -r, 0}, {0, 2 * r, 0}, {2 * r, 0, 0});
+}
+
+std::shared_ptr<const AnalyticShape> analytic_shape_of(const AreaLight& light, const Mat4& to_world) {
+  const auto* shape = std::get_if<AnalyticShape>(&light.shape);
+  return shape ? std::make_shared<const AnalyticShape>(shape->placed(to_world)) : nullptr;
 }
 
 Material material_of(const Light& light) {
-  Material m = diffuse(Rgb(0), is_met_by_rays(light) ? light.radiance() : Rgb(0));
+  const auto surface = light.model->area_light(light.color);
+  Material m = diffuse(Rgb(0), surface && surface->hit_by_rays ? surface->radiance : Rgb(0));
   m.name = light.name;
-  m.double_sided = light.sides() == 2;
+  m.double_sided = surface && surface->two_sided;
   return m;
 }
 

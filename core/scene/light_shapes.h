@@ -1,22 +1,25 @@
-// Lights that rays meet: the shape and the material of quads, disks and spheres.
+// The geometry and the material of area lights.
 #pragma once
 #include <memory>
 
-#include "geometry/analytic_shape.h"
+#include "light/area_light.h"
 #include "light/light.h"
 #include "material/material.h"
 
 namespace etendue::scene {
 
-// A surface that stands for points is not there.
-inline bool is_met_by_rays(const Light& light) { return light.is_surface() && light.points == 0; }
+// Rays hit the surface of an area light, unless point samples replace it.
+bool is_hit_by_rays(const Light& light);
 
-// At the origin, facing -z: a quad, or a mesh as large as a round light.
-std::shared_ptr<const Mesh> stand_in(const Light& light);
-RoundShape shape_of(const Light& light);
-// Black, and as bright as the light on its sides.
+// The mesh of an area light, at the origin, facing -z. Of a sphere or disk, which Embree intersects without a mesh, a
+// mesh of the same bounds.
+std::shared_ptr<const Mesh> mesh_of(const AreaLight& light);
+// The sphere or disk of an area light at a node; null if its shape is a mesh.
+std::shared_ptr<const AnalyticShape> analytic_shape_of(const AreaLight& light, const Mat4& to_world);
+// A black surface that emits on the sides of the light; of a light that rays do not hit, one that does not emit.
 Material material_of(const Light& light);
 
+// The same motion with scale removed from all its matrices.
 using etendue::without_scale;
 std::shared_ptr<const Motion> without_scale(const Motion& motion);
 

@@ -1,14 +1,14 @@
-// Where everything is at the scene's time: node matrices, deformed meshes, cameras.
 #include "scene/pose.h"
 
 #include <set>
 
 #include "scene/animation.h"
+#include "scene/coordinate_range.h"
 
 namespace etendue::scene {
 namespace {
 
-// Edits that set one component after the other leave quaternions that are no units on the way.
+// Edits of single components leave quaternions that are not normalised.
 Vec4 unit(const Vec4& q) {
   const float squared = glm::dot(q, q);
   const bool is_unit = std::abs(squared - 1) < 1e-5f;
@@ -54,7 +54,7 @@ std::vector<float> morph_weights(const Scene& scene, int node, float time) {
   return weights;
 }
 
-// The nodes that are part of the scene, parents before children; without what hides below hidden nodes if so wanted.
+// The nodes that a root reaches, parents before children; `only_visible` excludes hidden nodes and their descendants.
 std::vector<int> reached_nodes(const Scene& scene, bool only_visible) {
   std::vector<int> order;
   std::vector<int> stack(scene.roots.rbegin(), scene.roots.rend());
@@ -114,6 +114,11 @@ void skin_mesh(Mesh& mesh, const Deformation& d, const Skin& skin, const std::ve
   }
 }
 
+bool all_within_range(const Mesh& mesh, const Mat4& to_world) {
+  return std::ranges::all_of(mesh.positions,
+                             [&](const Vec3& p) { return is_within_range(Vec3(to_world * Vec4(p, 1))); });
+}
+
 std::string joined_names(const std::vector<Camera>& cameras) {
   std::string names;
   for (size_t i = 0; i < cameras.size(); ++i)
@@ -134,7 +139,7 @@ Mat4 Transform::to_matrix() const {
 bool is_singular(const Mat4& m) {
   const glm::dvec3 a(m[0]), b(m[1]), c(m[2]);
   const double volume = std::abs(glm::dot(glm::cross(a, b), c));
-  // Measured against the columns' lengths, so that flat is told from small.
+  // Relative to the lengths of the columns, so that a small scale is not mistaken for a flat one.
   return !(volume > 1e-9 * glm::length(a) * glm::length(b) * glm::length(c)) || !(volume > 1e-36);
 }
 
@@ -155,7 +160,18 @@ std::vector<size_t> playing_animations(const Scene& scene) {
 
 std::vector<Mat4> world_matrices(const Scene& scene) { return world_matrices(scene, scene.time); }
 
-std::vector<Mat4> world_matrices(const Scene& scene, float time) {
+namespace {
+
+// A matrix that maps all points to the origin.
+Mat4 collapsed() {
+  Mat4 m(0);
+  m[3][3] = 1;
+  return m;
+}
+
+// Calls out_of_range(node) for each node whose matrix is out of range; its matrix is collapsed.
+template <class OutOfRange>
+std::vector<Mat4> checked_world_matrices(const Scene& scene, float time, OutOfRange&& out_of_range) {
   const auto transforms = animated_transforms(scene, time);
   std::vector<Mat4> world(scene.nodes.size(), Mat4(1));
   std::vector<bool> is_root(scene.nodes.size(), false);
@@ -164,8 +180,23 @@ std::vector<Mat4> world_matrices(const Scene& scene, float time) {
     const auto i = static_cast<size_t>(node);
     const int parent = is_root[i] ? -1 : scene.nodes[i].parent;
     world[i] = (parent < 0 ? Mat4(1) : world[static_cast<size_t>(parent)]) * transforms[i].to_matrix();
+    if (is_within_range(world[i])) continue;
+    world[i] = collapsed();
+    out_of_range(node);
   }
   return world;
+}
+
+}  // namespace
+
+std::vector<Mat4> world_matrices(const Scene& scene, float time) {
+  return checked_world_matrices(scene, time, [](int) {});
+}
+
+std::vector<int> nodes_out_of_range(const Scene& scene) {
+  std::vector<int> nodes;
+  checked_world_matrices(scene, scene.time, [&](int node) { nodes.push_back(node); });
+  return nodes;
 }
 
 bool is_skinned(const Scene& scene, int node, const Primitive& primitive) {
@@ -184,13 +215,14 @@ std::shared_ptr<Mesh> deformed_mesh(const Scene& scene, int node, const Primitiv
 }
 
 PosedMesh posed_mesh(const Scene& scene, int node, const Primitive& primitive, const std::vector<Mat4>& world) {
+  static const auto kEmpty = std::make_shared<const Mesh>();
   const bool skinned = is_skinned(scene, node, primitive);
-  if (!skinned && is_singular(world[static_cast<size_t>(node)])) {
-    static const auto kNothing = std::make_shared<const Mesh>();
-    return {kNothing, false};
-  }
+  const Mat4& to_world = world[static_cast<size_t>(node)];
+  if (!skinned && is_singular(to_world)) return {kEmpty, false};
   if (!primitive.deformation) return {primitive.mesh, false};
-  return {deformed_mesh(scene, node, primitive, world, scene.time), skinned};
+  auto mesh = deformed_mesh(scene, node, primitive, world, scene.time);
+  if (!all_within_range(*mesh, skinned ? Mat4(1) : to_world)) return {kEmpty, false};
+  return {std::move(mesh), skinned};
 }
 
 std::shared_ptr<const Mesh> in_world(const std::shared_ptr<const Mesh>& mesh, const Mat4& to_world) {
@@ -212,7 +244,7 @@ Mat4 camera_to_world(const Mat4& m) {
 
 namespace {
 
-// Calls visit(node, camera) for each camera at its place at the scene's time, in their order.
+// Calls visit(node, camera) for each camera with its position at the scene's time, in their order.
 template <class Visit>
 void for_each_camera(const Scene& scene, Visit&& visit) {
   const auto world = world_matrices(scene);
@@ -235,11 +267,11 @@ std::vector<Camera> placed_cameras(const Scene& scene) {
 }
 
 int node_of_camera(const Scene& scene, const Camera& camera) {
-  int found = -1;
+  int result = -1;
   for_each_camera(scene, [&](int node, const Camera& placed) {
-    if (found < 0 && placed.name == camera.name && placed.to_world == camera.to_world) found = node;
+    if (result < 0 && placed.name == camera.name && placed.to_world == camera.to_world) result = node;
   });
-  return found;
+  return result;
 }
 
 Bounds world_bounds(const Scene& scene) {
@@ -276,7 +308,7 @@ Result<Camera> choose_camera(const Scene& scene, const std::string& which) {
     if (index < cameras.size()) return cameras[index];
   }
   return usage_error("there is no camera '" + which + "'; " +
-                     (cameras.empty() ? "the scene has none" : "there are " + joined_names(cameras)));
+                     (cameras.empty() ? "the scene has no cameras" : "the scene has " + joined_names(cameras)));
 }
 
 }  // namespace etendue::scene

@@ -1,4 +1,4 @@
-// What posing and importing have to agree on.
+// Positions of nodes, meshes and cameras at a given time.
 #pragma once
 #include <memory>
 #include <vector>
@@ -7,41 +7,46 @@
 
 namespace etendue::scene {
 
-// The matrix flattens space, or shrinks it beyond what single precision can undo: nothing placed by it has a surface.
+// Whether the linear part of the matrix is not invertible in single precision. Meshes with such a world matrix have no
+// surface and are not rendered.
 bool is_singular(const Mat4& m);
 
-// The animations that play together, in order: each that animates nothing which an earlier one does. Files hold either
-// the parts of one movement (all play) or a choice of movements for the same nodes (the first plays).
+// The nodes, of those that a root reaches, whose world matrix at the scene's time is out of range
+// (scene/coordinate_range.h). Descendants of such a node are not listed.
+std::vector<int> nodes_out_of_range(const Scene& scene);
+
+// Indices of the animations that play together. Each animation plays unless it animates the same property of a node as
+// an earlier one: files hold either parts of one movement, or alternative movements of the same nodes.
 std::vector<size_t> playing_animations(const Scene& scene);
 
-// World matrices at any time, in seconds on the clock of the animations.
+// World matrices at `time` seconds on the clock of the animations; otherwise like world_matrices(scene).
 std::vector<Mat4> world_matrices(const Scene& scene, float time);
 
-// Joints of a skin move the primitive, not the node that shows it.
+// Whether the joints of a skin place the primitive. The matrix of its node has no effect then.
 bool is_skinned(const Scene& scene, int node, const Primitive& primitive);
 
-// A copy of the primitive's mesh, morphed and skinned, whatever its node's matrix: in the node's space, or in world
-// space if it is skinned. Of a primitive with a deformation.
+// A copy of the mesh of a primitive with a deformation, morphed and skinned: in the space of the node, or in world
+// space if it is skinned.
 std::shared_ptr<Mesh> deformed_mesh(const Scene& scene, int node, const Primitive& primitive,
                                     const std::vector<Mat4>& world, float time);
 
-// The mesh moved to world space; itself if it is there.
+// The mesh transformed to world space; the same mesh if `to_world` is the identity.
 std::shared_ptr<const Mesh> in_world(const std::shared_ptr<const Mesh>& mesh, const Mat4& to_world);
 
-// Camera::to_world of a camera whose node has this matrix: scale does not belong to a camera.
+// Camera::to_world for the world matrix of a camera's node: scale is removed.
 Mat4 camera_to_world(const Mat4& node);
 
-// The node that a camera belongs to, or -1: one that was moved away from its node belongs to none.
+// The node of a camera; -1 if the camera was moved away from it.
 int node_of_camera(const Scene& scene, const Camera& camera);
 
-// Calls apply(channel) for every channel that plays.
+// Calls apply(channel) for all channels of the playing animations.
 template <class Apply>
 void for_each_channel(const Scene& scene, Apply&& apply) {
   for (const size_t animation : playing_animations(scene))
     for (const AnimationChannel& channel : scene.animations[animation]->channels) {
-      const bool usable =
+      const bool is_valid =
           channel.node >= 0 && static_cast<size_t>(channel.node) < scene.nodes.size() && !channel.times.empty();
-      if (usable) apply(channel);
+      if (is_valid) apply(channel);
     }
 }
 

@@ -1,4 +1,4 @@
-// A ball of one material under a light that shows what it is made of: what a material editor looks at.
+// The preview of a material editor: a sphere with one material under a choice of illumination.
 #pragma once
 #include "base/parameter.h"
 #include "camera/camera.h"
@@ -6,19 +6,22 @@
 
 namespace etendue::scene {
 
-// Furnace: radiance one from everywhere, in which a surface that neither takes nor makes light cannot be seen.
-enum class PreviewLight : uint8_t { studio, furnace, lamp, scene };
+// furnace: uniform radiance 1 from all directions, in which an energy-conserving surface that does not absorb is
+// invisible.
+enum class PreviewLight : uint8_t { studio, furnace, area_light, scene };
 
-// `from` lends its textures, its variant of the material's own, and for PreviewLight::scene its environment.
+// Uses the textures of `from`, and its environment for PreviewLight::scene.
 Scene preview_scene(const Scene& from, const Material& material, PreviewLight light);
 
-// Sees the ball and a little around it.
+// A camera that frames the sphere.
 Camera preview_camera();
 
 }  // namespace etendue::scene
 
 template <>
 struct etendue::Options<etendue::scene::PreviewLight> {
-  static constexpr std::array<etendue::Option, 4> kOptions{
-      {{"studio", "Studio"}, {"furnace", "Furnace"}, {"lamp", "One small lamp"}, {"scene", "The scene's own sky"}}};
+  static constexpr std::array<etendue::Option, 4> kOptions{{{"studio", "Studio"},
+                                                            {"furnace", "Furnace"},
+                                                            {"lamp", "Small area light"},
+                                                            {"scene", "Environment of the scene"}}};
 };

@@ -1,4 +1,4 @@
-// Rotations and matrices as people edit them.
+// Conversions between the rotations that users edit and those that a Transform stores.
 #pragma once
 #include <optional>
 
@@ -6,12 +6,12 @@
 
 namespace etendue::scene {
 
-// Degrees of the turns about the parent's x, then y, then z that make the quaternion; y is between -90 and 90.
+// Euler angles in degrees: rotations about the x, then y, then z axis of the parent. y is in [-90, 90].
 Vec3 euler_degrees(const Vec4& rotation);
-// The unit quaternion of these turns.
+// The unit quaternion with these Euler angles.
 Vec4 rotation_of(const Vec3& euler_degrees);
 
-// The same transform without a matrix; nothing if its matrix shears or flattens and so has no such parts.
-std::optional<Transform> in_parts(const Transform& transform);
+// The same transform as translation, rotation and scale; nothing if its matrix has shear or is singular.
+std::optional<Transform> decompose(const Transform& transform);
 
 }  // namespace etendue::scene

@@ -1,7 +1,7 @@
 // The scene that a user edits: a plain value.
 //
-// Copying it is cheap (the heavy arrays are shared and immutable), so an edit is a new Scene, undo is an old one, and
-// `compile` finds out what changed by comparing the two.
+// Copies are cheap because the large arrays are shared and immutable. An edit makes a new Scene, undo restores an old
+// one, and `compile` finds the changes by comparing the two.
 #pragma once
 #include <array>
 #include <memory>
@@ -17,23 +17,25 @@
 
 namespace etendue::scene {
 
-// What deforms a mesh: morph targets (displacements per vertex) and the weights of skin joints.
+// Displacements of vertices; one weight scales all of them.
 struct MorphTarget {
   std::vector<Vec3> positions, normals, tangents;  // empty or one per vertex
 };
 
+// How a mesh deforms: morph targets and joint weights.
 struct Deformation {
   std::vector<MorphTarget> targets;
-  std::vector<std::array<uint16_t, 4>> joints;  // one set of four per vertex and per entry of joint_sets
-  std::vector<Vec4> weights;
-  size_t joint_sets = 0;  // joints holds joint_sets * vertices entries, set by set
+  std::vector<std::array<uint16_t, 4>> joints;  // indices into Skin::joints, four per vertex and set
+  std::vector<Vec4> weights;                    // one per entry of `joints`
+  size_t joint_sets = 0;  // `joints` and `weights` hold joint_sets * vertices entries, one set after the other
 };
 
 struct Primitive {
   std::shared_ptr<const Mesh> mesh;
   std::shared_ptr<const Deformation> deformation;  // null for a rigid mesh
-  int material = 0;                                // what it wears now
-  std::vector<int> choices;  // what it wears in the file's own look and in each variant; empty if always the same
+  int material = 0;                                // the current one
+  // The material without a variant, then the material in each variant; empty if all are the same.
+  std::vector<int> choices;
 
   friend bool operator==(const Primitive&, const Primitive&) = default;
 };
@@ -46,7 +48,7 @@ struct MeshGroup {  // a glTF mesh
   friend bool operator==(const MeshGroup&, const MeshGroup&) = default;
 };
 
-// Translation, rotation (quaternion x y z w) and scale, or a matrix where the file gives one.
+// Translation (metres), rotation (quaternion x y z w) and scale, or a matrix that replaces all three.
 struct Transform {
   Vec3 translation{0};
   Vec4 rotation{0, 0, 0, 1};
@@ -84,8 +86,8 @@ struct AnimationChannel {
   AnimatedPath path = AnimatedPath::translation;
   Interpolation interpolation = Interpolation::linear;
   std::vector<float> times;   // seconds, strictly increasing
-  std::vector<float> values;  // components per key; three times as many for cubic (in-tangent, value, out-tangent)
-  size_t components = 3;
+  std::vector<float> values;  // `components` per key; for cubic three times as many: in-tangent, value, out-tangent
+  size_t components = 3;      // 3, 4 for rotations, the number of targets for weights
 };
 
 struct Animation {
@@ -96,50 +98,52 @@ struct Animation {
 
 struct Scene {
   std::string name;
-  std::string file;  // empty for a built-in scene
+  std::string file;  // path; empty for a built-in scene
 
   std::vector<Node> nodes;
-  std::vector<int> roots;  // the nodes of the chosen glTF scene
+  std::vector<int> roots;  // of the chosen glTF scene
   std::vector<MeshGroup> meshes;
-  std::vector<Material> materials;  // never empty: primitives without one share a default at the end
+  std::vector<Material> materials;  // never empty: the last one is the default of primitives without a material
   std::vector<Texture> textures;
   std::vector<Light> lights;
-  std::vector<Camera> cameras;  // projection only; a camera's place is its node's
+  std::vector<Camera> cameras;  // without to_world, which is that of the node
   std::vector<std::shared_ptr<const Skin>> skins;
   std::vector<std::shared_ptr<const Animation>> animations;
   Environment environment;
-  float time = 0;                     // seconds at which animations are evaluated
+  float time = 0;                     // of animations, seconds
   std::vector<std::string> variants;  // names
-  int variant = -1;                   // the one that is shown (scene/variants.h), -1 for the file's own look
+  int variant = -1;                   // the selected one (scene/variants.h); -1 is none
 
-  std::vector<std::string> scene_names;  // of the file's scenes
-  std::vector<std::string> unsupported;  // optional extensions that are used and ignored
-  std::vector<std::string> warnings;     // what was repaired or given up, one line each
+  std::vector<std::string> scene_names;  // of all scenes of the file
+  std::vector<std::string> unsupported;  // extensions that the file uses and that are ignored
+  std::vector<std::string> warnings;     // what was repaired or ignored, one line each
 };
 
-// A camera of the scene at its place in the world, at the scene's time.
+// All cameras of the scene with their positions in the world at the scene's time.
 std::vector<Camera> placed_cameras(const Scene& scene);
 
-// World matrices of all nodes at the scene's time (animations applied); nodes that no root reaches get the identity.
+// World matrices of all nodes at the scene's time, with animations applied. Nodes that no root reaches have the
+// identity. A matrix that is out of range (scene/coordinate_range.h) is replaced by one that maps all points to the
+// origin, which is_singular recognises.
 std::vector<Mat4> world_matrices(const Scene& scene);
 
-// The primitive's mesh as this node shows it at the scene's time: morphed and skinned. Returns the rest mesh itself
-// where nothing deforms it. The result is in the node's space, or in world space if the node is skinned (`in_world`
-// says so).
+// The mesh of a primitive at the scene's time, morphed and skinned; a rigid primitive returns its own mesh. The result
+// is in the space of the node, or in world space if the node is skinned (`in_world`). It has no triangles if the world
+// matrix is singular or the deformed mesh is out of range.
 struct PosedMesh {
   std::shared_ptr<const Mesh> mesh;
   bool in_world = false;
 };
 PosedMesh posed_mesh(const Scene& scene, int node, const Primitive& primitive, const std::vector<Mat4>& world);
 
-// What is in the world at the scene's time, for framing. Hidden nodes are left out.
+// The bounding box of all visible meshes in the world at the scene's time.
 Bounds world_bounds(const Scene& scene);
 
-// The scene's own camera by name or index; the first, or a framing one, if `which` is empty. An unknown name is an
-// error that lists the names there are.
+// A camera of the scene by name or index. If `which` is empty: the first camera, or a framing camera if there is none.
+// The error for an unknown name lists all cameras.
 Result<Camera> choose_camera(const Scene& scene, const std::string& which);
 
-// A camera that shows everything from slightly above and in front.
+// A camera that shows the whole box from the front and slightly above.
 Camera framing_camera(const Bounds& bounds);
 
 }  // namespace etendue::scene

@@ -7,12 +7,12 @@
 namespace etendue::scene {
 namespace {
 
-// How far straight pieces may lead from the true way, as a part of the thing's radius: an eighth of a pixel where it
-// is a thousand pixels wide.
+// Largest deviation of a linear segment from the exact motion, relative to the radius of the object: an eighth of a
+// pixel for an object 1000 pixels wide.
 constexpr float kTolerance = 1.0f / 4096;
 
-// Vertices that are kept for one mesh, all moments together.
-constexpr size_t kMostVertices = size_t{1} << 24;
+// Largest number of vertices of one mesh over all its time steps.
+constexpr size_t kMaxVertices = size_t{1} << 24;
 
 std::array<Vec3, 8> corners_of(const Mesh& mesh) {
   const Bounds b = bounds_of(mesh, Mat4(1));
@@ -28,15 +28,17 @@ float radius_of(const std::array<Vec3, 8>& corners, const Mat4& to_world) {
   return bounds.radius();
 }
 
-float part_of(int moment, int before, int after) {
+// The position of a moment between two others, 0 to 1.
+float fraction_of(int moment, int before, int after) {
   return static_cast<float>(moment - before) / static_cast<float>(after - before);
 }
 
-// The farthest of any point from where a straight line has it.
-float farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b, float part, const std::vector<Vec3>& truth) {
+// The largest distance of a point from its linear interpolation.
+float largest_deviation(const std::vector<Vec3>& a, const std::vector<Vec3>& b, float fraction,
+                        const std::vector<Vec3>& exact) {
   float squared = 0;
-  for (size_t i = 0; i < truth.size(); ++i)
-    squared = std::max(squared, length_squared(a[i] * (1 - part) + b[i] * part - truth[i]));
+  for (size_t i = 0; i < exact.size(); ++i)
+    squared = std::max(squared, length_squared(a[i] * (1 - fraction) + b[i] * fraction - exact[i]));
   return std::sqrt(squared);
 }
 
@@ -62,7 +64,7 @@ void Shutter::find_animated() {
   morphing_.assign(scene_.nodes.size(), false);
   bool any = false;
   for_each_channel(scene_, [&](const AnimationChannel& channel) {
-    // Outside of its keys a channel stands still.
+    // A channel is constant outside its keyframes.
     if (!(channel.times.front() < closes && channel.times.back() > opens)) return;
     any = true;
     (channel.path == AnimatedPath::weights ? morphing_ : moved)[static_cast<size_t>(channel.node)] = true;
@@ -77,10 +79,10 @@ void Shutter::find_animated() {
       if (moved[static_cast<size_t>(node)]) moving_[i] = true;
 }
 
-// To look twice at what happens within so many seconds.
+// The resolution that samples an interval of `span` seconds twice.
 int Shutter::resolution_for(float span) const {
-  const float looks = std::clamp(2 * seconds_ / span, 1.0f, static_cast<float>(kSegments));
-  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(looks))));
+  const float samples = std::clamp(2 * seconds_ / span, 1.0f, static_cast<float>(kSegments));
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(samples))));
 }
 
 bool Shutter::is_animated(int node) const { return !moving_.empty() && moving_[static_cast<size_t>(node)]; }
@@ -93,7 +95,7 @@ bool Shutter::changes_shape(int node, const Primitive& primitive) const {
   return std::ranges::any_of(scene_.skins[skin]->joints, [&](int joint) { return is_animated(joint); });
 }
 
-bool Shutter::stands_still(int node) {
+bool Shutter::is_static(int node) {
   if (!is_animated(node)) return true;
   const Mat4 first = world(0, node);
   for (int k = 1; k <= resolution_; ++k)
@@ -101,37 +103,37 @@ bool Shutter::stands_still(int node) {
   return true;
 }
 
-// Of the resolution_ + 1 moments that are looked at.
-int Shutter::times_flat(int node) {
-  int flat = 0;
-  for (int k = 0; k <= resolution_; ++k) flat += is_singular(world(k * (kSegments / resolution_), node));
-  return flat;
+// The number of sampled moments, of resolution_ + 1, at which the world matrix is singular.
+int Shutter::count_singular(int node) {
+  int count = 0;
+  for (int k = 0; k <= resolution_; ++k) count += is_singular(world(k * (kSegments / resolution_), node));
+  return count;
 }
 
-// The fewest pieces, a power of two and `most` at most, between whose ends `deviation(moment, before, after)` stays
-// within bounds wherever it is looked at.
-template <class Deviation>
-int Shutter::segments_for(int most, Deviation&& deviation) const {
-  for (int segments = 1; segments < most; segments *= 2) {
+// The smallest number of linear segments, a power of two and at most `limit`, for which is_linear(moment, before,
+// after) holds at all sampled moments between the ends of each segment.
+template <class IsLinear>
+int Shutter::segments_for(int limit, IsLinear&& is_linear) const {
+  for (int segments = 1; segments < limit; segments *= 2) {
     const int length = kSegments / segments, step = kSegments / std::max(resolution_, 2 * segments);
-    bool straight = true;
-    for (int before = 0; before < kSegments && straight; before += length)
-      for (int k = before + step; k < before + length && straight; k += step)
-        straight = deviation(k, before, before + length);
-    if (straight) return segments;
+    bool linear = true;
+    for (int before = 0; before < kSegments && linear; before += length)
+      for (int k = before + step; k < before + length && linear; k += step)
+        linear = is_linear(k, before, before + length);
+    if (linear) return segments;
   }
-  return most;
+  return limit;
 }
 
 std::optional<Shutter::Moving> Shutter::moving(int node, const Primitive& primitive) {
-  const bool shape = changes_shape(node, primitive);
-  // Joints alone say where a skinned mesh is.
+  const bool deforms = changes_shape(node, primitive);
+  // The joints alone place a skinned mesh.
   const bool skinned = is_skinned(scene_, node, primitive);
-  if (!shape && (skinned || stands_still(node))) return std::nullopt;
-  const int flat = skinned ? 0 : times_flat(node);
-  if (flat > resolution_) return std::nullopt;
-  // What is flat now and then cannot be met through the inverse of its matrix.
-  if (shape || flat > 0) return deforming(node, primitive);
+  if (!deforms && (skinned || is_static(node))) return std::nullopt;
+  const int singular = skinned ? 0 : count_singular(node);
+  if (singular > resolution_) return std::nullopt;
+  // Embree needs the inverse of an instance's matrix, so a node that is singular at times deforms instead.
+  if (deforms || singular > 0) return deforming(node, primitive);
   if (!primitive.deformation) return rigid(node, primitive.mesh);
   return rigid(node, deformed_mesh(scene_, node, primitive, world(0), scene_.time));
 }
@@ -142,8 +144,8 @@ Shutter::Moving Shutter::rigid(int node, std::shared_ptr<const Mesh> mesh) {
   for (const int moment : {0, kSegments / 2, kSegments})
     radius = std::max(radius, radius_of(corners, world(moment, node)));
   const int segments = segments_for(kSegments, [&](int k, int before, int after) {
-    const float part = part_of(k, before, after);
-    const Mat4 off = world(before, node) * (1 - part) + world(after, node) * part - world(k, node);
+    const float fraction = fraction_of(k, before, after);
+    const Mat4 off = world(before, node) * (1 - fraction) + world(after, node) * fraction - world(k, node);
     return std::ranges::all_of(
         corners, [&](const Vec3& c) { return glm::length(Vec3(off * Vec4(c, 1))) <= kTolerance * radius; });
   });
@@ -172,10 +174,10 @@ std::optional<Shutter::Moving> Shutter::deforming(int node, const Primitive& pri
     for (const Vec3& p : positions(moment)) bounds.extend(p);
     radius = std::max(radius, bounds.radius());
   }
-  const auto room = static_cast<unsigned>(kMostVertices / std::max<size_t>(1, primitive.mesh->positions.size()));
-  const int most = std::min(kSegments, static_cast<int>(std::bit_floor(std::max(room, 1U))));
-  const int segments = segments_for(most, [&](int k, int before, int after) {
-    return farthest(positions(before), positions(after), part_of(k, before, after), positions(k)) <=
+  const auto available = static_cast<unsigned>(kMaxVertices / std::max<size_t>(1, primitive.mesh->positions.size()));
+  const int limit = std::min(kSegments, static_cast<int>(std::bit_floor(std::max(available, 1U))));
+  const int segments = segments_for(limit, [&](int k, int before, int after) {
+    return largest_deviation(positions(before), positions(after), fraction_of(k, before, after), positions(k)) <=
            kTolerance * radius;
   });
   if (segments == 1 && positions(0) == positions(kSegments)) return std::nullopt;
@@ -185,16 +187,17 @@ std::optional<Shutter::Moving> Shutter::deforming(int node, const Primitive& pri
     const int moment = k * (kSegments / segments);
     positions(moment);
     const Mesh& mesh = *meshes[moment];
-    Vertices& v = motion->vertices.emplace_back();
+    DeformedVertices& v = motion->vertices.emplace_back();
     v.positions.reserve(mesh.positions.size() + 1);
     v.positions.assign(mesh.positions.begin(), mesh.positions.end());
-    v.normals = mesh.normals, v.tangents = mesh.tangents;
+    v.normals = mesh.normals;
+    v.tangents = mesh.tangents;
   }
   return Moving{meshes[0], std::move(motion)};
 }
 
 std::shared_ptr<const Motion> Shutter::motion_of(int node) {
-  if (stands_still(node)) return nullptr;
+  if (is_static(node)) return nullptr;
   auto motion = std::make_shared<Motion>();
   for (int k = 0; k <= kSegments; ++k) motion->to_world.push_back(world(k, node));
   return motion;
@@ -203,10 +206,10 @@ std::shared_ptr<const Motion> Shutter::motion_of(int node) {
 std::shared_ptr<const CameraMotion> Shutter::motion_of(const Camera& camera) {
   if (moving_.empty()) return nullptr;
   const int node = node_of_camera(scene_, camera);
-  if (node < 0 || stands_still(node)) return nullptr;
-  std::vector<Mat4> places;
-  for (int k = 0; k <= kSegments; ++k) places.push_back(camera_to_world(world(k, node)));
-  return std::make_shared<CameraMotion>(places);
+  if (node < 0 || is_static(node)) return nullptr;
+  std::vector<Mat4> matrices;
+  for (int k = 0; k <= kSegments; ++k) matrices.push_back(camera_to_world(world(k, node)));
+  return std::make_shared<CameraMotion>(matrices);
 }
 
 }  // namespace etendue::scene

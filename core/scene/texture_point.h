@@ -1,10 +1,11 @@
-// Where on a mesh a material is looked at.
+// Texture coordinates and vertex colours at a point of a triangle.
 #pragma once
 #include "geometry/mesh.h"
 #include "material/surface_material.h"
 
 namespace etendue::scene {
 
+// u and v are the barycentric weights of vertices 1 and 2.
 inline TexturePoint texture_point(const Mesh& mesh, uint32_t triangle, float u, float v) {
   const Triangle& t = mesh.triangles[triangle];
   const float w = 1 - u - v;

@@ -1,4 +1,4 @@
-// Variants: one set of meshes, several sets of materials to choose from.                        KHR_materials_variants
+// Material variants: alternative materials for the same meshes.                                 KHR_materials_variants
 #pragma once
 #include <string>
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace etendue::scene {
 
-// Shows variant `variant`, or with -1 the materials that the file itself gives.
-void show_variant(Scene& scene, int variant);
+// Selects a variant; -1 selects the materials that the file uses without a variant.
+void select_variant(Scene& scene, int variant);
 
-// Shows it and forgets the others: it becomes the scene's only look.
-void keep_variant(Scene& scene, int variant);
+// Selects a variant and removes all variants from the scene.
+void keep_only_variant(Scene& scene, int variant);
 
-// What the variants are called where one is chosen; the first is the file's own. No two are the same.
-std::vector<std::string> variant_choices(const Scene& scene);
+// The names of the selectable variants; the first stands for none. All names are unique.
+std::vector<std::string> variant_labels(const Scene& scene);
 
 }  // namespace etendue::scene

@@ -1,13 +1,14 @@
-// Colours for numbers: viridis (S. van der Walt and N. Smith 2015), legible without colour vision and in grey.
+// Colour maps. Colours are display-encoded (sRGB).
 #pragma once
 #include "spectrum/rgb.h"
 
 namespace etendue {
 
-// Display-encoded colour of x in [0, 1], clamped outside.
+// The sequential map viridis [van der Walt and Smith 2015], legible with colour vision deficiencies and in grey scale.
+// x is clamped to [0, 1].
 Rgb viridis(float x);
 
-// Display-encoded colour of x in [-1, 1], clamped outside: blue below, white at zero, red above, as dark on both sides.
-Rgb signed_colors(float x);
+// A diverging map: blue at -1, white at 0, red at 1, equally dark at both ends. x is clamped to [-1, 1].
+Rgb diverging_color(float x);
 
 }  // namespace etendue

@@ -32,8 +32,8 @@ Decision decide(const char* flag, bool larger, const char* small, const char* la
 
 // Lambert's lobe alone, the lobes that most glTF files do with, or all there are.
 Decision decide_surfaces(const CompiledScene& scene, bool forced) {
-  const auto* shiny = find_used(scene, [](const auto& m) { return !m.diffuse; });
-  const auto* rare = find_used(scene, [](const auto& m) { return !m.standard; });
+  const auto* shiny = find_used(scene, [](const auto& m) { return !m.is_lambertian; });
+  const auto* rare = find_used(scene, [](const auto& m) { return !m.uses_standard_lobes; });
   Decision d{"surfaces", "diffuse", "diffuse", "every surface is Lambertian"};
   if (shiny) d.needed = "standard", d.reason = named(*shiny) + " is not Lambertian";
   if (rare) d.needed = "any", d.reason = named(*rare) + " has a reflection model or a layer of its own";
@@ -77,14 +77,14 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
 
   out.push_back(decide_surfaces(scene, is_forced("surfaces")));
-  const auto* solid = find_used(scene, [](const auto& m) { return m.absorbs; });
+  const auto* solid = find_used(scene, [](const auto& m) { return m.absorbs_inside; });
   out.push_back(decide("media", solid, "vacuum", "absorbing",
                        solid ? named(*solid) + " absorbs inside" : "nothing absorbs between surfaces",
                        is_forced("media")));
-  const auto* clear = find_used(scene, [](const auto& m) { return m.transparent; });
+  const auto* clear = find_used(scene, [](const auto& m) { return m.has_alpha; });
   out.push_back({"transparency", clear ? "stochastic" : "opaque", clear ? "stochastic" : "opaque",
                  clear ? named(*clear) + " has an alpha mode" : "no material has an alpha mode"});
-  const auto* textured = find_used(scene, [](const auto& m) { return m.textured; });
+  const auto* textured = find_used(scene, [](const auto& m) { return m.has_textures; });
   out.push_back({"textures", textured ? "textured" : "constant", textured ? "textured" : "constant",
                  textured ? named(*textured) + " has a texture" : "no material has a texture"});
   const bool moves = !scene.moving().empty();

@@ -10,10 +10,9 @@ namespace etendue::transport {
 // its place.
 template <class M>
 void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
-  bsdf.build(point.shading, point.ng);
+  bsdf.reset(point.shading, point.ng);
   if constexpr (std::is_same_v<typename M::Lobes, AllLobes<typename M::Color>>)
-    add_lobes(*point.material, point.texture, bsdf.lobes,
-              point.material->coat_normal_mapped ? point.coat : Vec3(0, 0, 1));
+    add_lobes(*point.material, point.texture, bsdf.lobes, point.material->has_coat_normal ? point.coat : Vec3(0, 0, 1));
   else
     add_lobes(*point.material, point.texture, bsdf.lobes);
 }

@@ -12,20 +12,20 @@ namespace {
 
 using integrator::Bias;
 
-// The part of the progress that the table takes.
-constexpr double kTablePart = 0.2;
+// The fraction of the reported progress assigned to the path class table.
+constexpr double kTableProgress = 0.2;
 
-// Why a method cannot be had; empty if it can.
-std::string objection(const bench::MethodSpec& method, const scene::CompiledScene& scene, const MissingPaths& misses,
-                      double target) {
+// Why a method is not suitable; empty if it is.
+std::string exclusion_reason(const bench::MethodSpec& method, const scene::CompiledScene& scene,
+                             const MissingPaths& misses, double target) {
   if (std::string incompatibility = render::incompatibility(method.document, scene); !incompatibility.empty())
     return incompatibility;
   const auto& info = *integrator::find_integrator(method.document.method.integrator);
-  if (info.bias == Bias::biased) return "biased: it has an error of its own, which no time takes away";
-  if (picks_techniques(method.document.method))
-    return "its settings leave techniques out or show some alone: what these miss is not known";
+  if (info.bias == Bias::biased) return "biased: more samples do not reduce its error below the bias";
+  if (selects_techniques(method.document.method))
+    return "its settings disable or isolate sampling techniques: the energy of the missing paths is unknown";
   if (misses.rms > kNegligible * target)
-    return sentence_of(misses) + ": its RMSE stays above " + number(misses.rms) + ", whatever the time";
+    return missing_paths_text(misses) + ": its RMSE stays above " + number(misses.rms) + " for any rendering time";
   return {};
 }
 
@@ -33,43 +33,46 @@ Advice advice_of(const bench::MethodSpec& method, const scene::CompiledScene& sc
                  double target) {
   Advice advice;
   advice.method = method;
-  advice.misses = missing_paths(declared(method.document, scene), table);
-  advice.reason = objection(method, scene, advice.misses, target);
+  advice.misses = missing_paths(declared_paths(method.document, scene), table);
+  advice.reason = exclusion_reason(method, scene, advice.misses, target);
   advice.suitable = advice.reason.empty();
   return advice;
 }
 
-// What noise may be left where something is missing.
+// The RMSE of the noise at which the total error, including missing paths, reaches the target.
 double noise_target(const Advice& advice, double target) {
   return std::sqrt(std::max(0.0, sqr(target) - sqr(advice.misses.rms)));
 }
 
-void take_pilot(Advice& advice, const Pilot& pilot, const Enlargement& enlargement, double target) {
-  advice.pilot_samples = pilot.samples, advice.pilot_seconds = pilot.seconds;
-  advice.pilot_rmse = pilot.error.rmse * enlargement.rmse;
-  advice.exponent = pilot.forecast.exponent();
-  advice.time = pilot.time_to(noise_target(advice, target) / enlargement.rmse);
+void apply_pilot(Advice& advice, const Pilot& pilot, const SizeRatio& ratio, double target) {
+  advice.pilot_samples = pilot.samples;
+  advice.pilot_seconds = pilot.seconds;
+  advice.pilot_rmse = pilot.error.rmse * ratio.rmse;
+  advice.exponent = pilot.estimator.exponent();
+  advice.time = pilot.time_to(noise_target(advice, target) / ratio.rmse);
   if (!advice.time) return;
-  advice.time->seconds *= enlargement.seconds;
-  advice.time->interval.low *= enlargement.seconds, advice.time->interval.high *= enlargement.seconds;
+  advice.time->seconds *= ratio.seconds;
+  advice.time->interval.low *= ratio.seconds;
+  advice.time->interval.high *= ratio.seconds;
 }
 
-// By how much the exponents differ, if that is what makes one slower.
-std::string why_slower(const Advice& slow, const Advice& best) {
-  const double doubt = std::hypot(slow.exponent.error, best.exponent.error);
-  if (best.exponent.value - slow.exponent.value < 2 * doubt) return "";
-  return "; its error falls as samples^-" + number(slow.exponent.value) + ", the other's as ^-" +
+// States both convergence rates if they differ significantly.
+std::string exponent_text(const Advice& slow, const Advice& best) {
+  const double standard_error = std::hypot(slow.exponent.error, best.exponent.error);
+  if (best.exponent.value - slow.exponent.value < 2 * standard_error) return "";
+  return "; its error falls as samples^-" + number(slow.exponent.value) + ", that of the fastest as samples^-" +
          number(best.exponent.value);
 }
 
-std::string reason_of(const Advice& advice, const Advice& best) {
-  if (!advice.time) return "its pilot was too short to tell an error; give it more time";
-  const std::string misses = advice.misses.none() ? "" : "; " + sentence_of(advice.misses) + ", which is little enough";
-  if (&advice == &best) return "the fastest of those that find what carries light here" + misses;
+std::string rank_reason(const Advice& advice, const Advice& best) {
+  if (!advice.time) return "the pilot was too short to measure an error; increase the pilot time";
+  const std::string misses =
+      advice.misses.none() ? "" : "; " + missing_paths_text(advice.misses) + ", which is negligible";
+  if (&advice == &best) return "the fastest method that finds all relevant paths of this scene" + misses;
   const double ratio = advice.time->seconds / best.time->seconds;
   if (advice.time->interval.low <= best.time->interval.high)
-    return "not told apart from " + best.method.name + " by the pilots" + misses;
-  return times(ratio) + " times as long as " + best.method.name + why_slower(advice, best) + misses;
+    return "no significant difference to " + best.method.name + misses;
+  return "takes " + times(ratio) + " times as long as " + best.method.name + exponent_text(advice, best) + misses;
 }
 
 void rank(Ranking& ranking) {
@@ -78,7 +81,7 @@ void rank(Ranking& ranking) {
   });
   const Advice* best = ranking.best();
   for (Advice& advice : ranking.methods)
-    if (advice.suitable) advice.reason = reason_of(advice, best ? *best : advice);
+    if (advice.suitable) advice.reason = rank_reason(advice, best ? *best : advice);
 }
 
 }  // namespace
@@ -91,42 +94,44 @@ std::vector<bench::MethodSpec> candidates(const render::Document& document) {
   return list;
 }
 
-Ranking advise(render::Session& session, const render::Document& document, const Question& question,
-               const bench::Progress& watch, const RankingPublisher& publish) {
+Ranking advise(render::Session& session, const render::Document& document, const AdviceRequest& request,
+               const bench::Progress& progress, const RankingPublisher& publish) {
   Ranking ranking;
-  ranking.target = question.target;
-  const auto show = [&] {
+  ranking.target = request.target;
+  const auto publish_ranking = [&] {
     if (publish) publish(ranking);
   };
-  const bench::Progress first = [&](double done, const std::string& what) { return watch(kTablePart * done, what); };
-  ranking.table = class_table(session, document, question.table, first, [&](const ClassTable& table) {
+  const bench::Progress table_progress = [&](double done, const std::string& what) {
+    return progress(kTableProgress * done, what);
+  };
+  ranking.table = class_table(session, document, request.table, table_progress, [&](const ClassTable& table) {
     ranking.table = table;
-    show();
+    publish_ranking();
   });
   ranking.interrupted = !ranking.table.finished;
   if (ranking.interrupted) return ranking;
-  // The last picture of the table may be of some of the lights alone.
+  // Compiled again because the last image of the table may have been rendered with some of the lights only.
   const auto scene = scene::compile(document.scene, document.camera, session.scene());
   ranking.beyond_methods = beyond_all_methods(*scene);
 
-  std::vector<bench::MethodSpec> fit;
+  std::vector<bench::MethodSpec> suitable;
   for (const auto& method : candidates(document)) {
-    ranking.methods.push_back(advice_of(method, *scene, ranking.table, question.target));
-    if (ranking.methods.back().suitable) fit.push_back(method);
+    ranking.methods.push_back(advice_of(method, *scene, ranking.table, request.target));
+    if (ranking.methods.back().suitable) suitable.push_back(method);
   }
-  const bench::Progress second = [&](double done, const std::string& what) {
-    return watch(kTablePart + (1 - kTablePart) * done, what);
+  const bench::Progress pilot_progress = [&](double done, const std::string& what) {
+    return progress(kTableProgress + (1 - kTableProgress) * done, what);
   };
-  const auto take = [&](const Pilots& pilots) {
+  const auto update = [&](const Pilots& pilots) {
     for (const Pilot& pilot : pilots.pilots)
       for (Advice& advice : ranking.methods)
-        if (advice.method.name == pilot.method.name) take_pilot(advice, pilot, pilots.enlargement, question.target);
+        if (advice.method.name == pilot.method.name) apply_pilot(advice, pilot, pilots.size_ratio, request.target);
     rank(ranking);
-    show();
+    publish_ranking();
   };
-  const PilotPlan plan{question.pilot_seconds, question.target, question.seed};
-  const auto pilots = run_pilots(session, fit, plan, second, take);
-  take(pilots);
+  const PilotPlan plan{.seconds = request.pilot_seconds, .target = request.target, .seed = request.seed};
+  const auto pilots = run_pilots(session, suitable, plan, pilot_progress, update);
+  update(pilots);
   ranking.interrupted = pilots.interrupted;
   return ranking;
 }

@@ -1,7 +1,7 @@
-// Which method to use here, for an error that is asked for, and for how long.
+// Recommends an integrator and a sampler for a scene and a target error, and predicts the rendering time.
 //
-// Of every method of the registries, those that are biased, or that miss paths whose energy matters at that error, are
-// taken out with the reason; the others are piloted, and ranked by the time that they are foretold to need.
+// Methods that are biased, or that miss paths whose energy matters at the target error, are excluded with a reason. The
+// others are rendered for a short time (a pilot) and ranked by the time that they are predicted to need.
 #pragma once
 #include <optional>
 #include <string>
@@ -12,9 +12,9 @@
 
 namespace etendue::advisor {
 
-struct Question {
+struct AdviceRequest {
   double target = 0;         // RMSE, above zero
-  double pilot_seconds = 1;  // of rendering, about, for each method
+  double pilot_seconds = 1;  // approximate rendering time per method
   uint64_t seed = 0;
   TableOptions table = {};
 };
@@ -23,35 +23,36 @@ struct Advice {
   bench::MethodSpec method;
   MissingPaths misses;
   bool suitable = true;
-  std::string reason;  // why it is where it is, in words
-  // Of a method that was piloted, in terms of the whole picture.
+  std::string reason;  // explains the rank, or why the method is not suitable
+  // Results of the pilot, if there was one.
   uint32_t pilot_samples = 0;
-  double pilot_seconds = 0;  // of the pilot's own picture, which may be smaller
-  double pilot_rmse = 0;
+  double pilot_seconds = 0;  // rendering time of the pilot image, which may be smaller than the document's
+  double pilot_rmse = 0;     // converted to the size of the document
   render::TimeEstimator::Exponent exponent{};
-  std::optional<render::Prediction> time;  // of rendering until the error is reached
+  std::optional<render::Prediction> time;  // rendering time until the target is reached
 };
 
 struct Ranking {
   double target = 0;
   ClassTable table;
-  std::vector<Advice> methods;              // the fastest first; those that are not suitable last
-  std::vector<std::string> beyond_methods;  // what no method finds, as far as that can be told
+  std::vector<Advice> methods;              // by predicted time; methods that are not suitable come last
+  std::vector<std::string> beyond_methods;  // light that no method finds, as far as the scene reveals it
   bool interrupted = false;
 
   const Advice* best() const { return !methods.empty() && methods[0].time ? &methods[0] : nullptr; }
 };
 
-// What missing paths may add to the RMSE, in parts of the target: a third adds 5 % to the total.
+// Methods are suitable if missing paths contribute at most this fraction of the target RMSE. At 1/3 they increase the
+// total RMSE by 5 %.
 inline constexpr double kNegligible = 1.0 / 3;
 
-// Every integrator with every sampler, in a document's picture. What else the document's method sets stays.
+// Every combination of integrator and sampler, with the other settings of the document.
 std::vector<bench::MethodSpec> candidates(const render::Document& document);
 
-// The session is used for everything and left with one of the pictures. What is told to `publish` gets better step by
-// step: first the table, then the ranking.
+// Ranks all candidates. All rendering takes place in `session`, which afterwards holds one of the pilot images.
+// `publish` receives intermediate results: first the path class table, then rankings after each round of pilots.
 using RankingPublisher = std::function<void(const Ranking&)>;
-Ranking advise(render::Session& session, const render::Document& document, const Question& question,
-               const bench::Progress& watch, const RankingPublisher& publish = {});
+Ranking advise(render::Session& session, const render::Document& document, const AdviceRequest& request,
+               const bench::Progress& progress, const RankingPublisher& publish = {});
 
 }  // namespace etendue::advisor

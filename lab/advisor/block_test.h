@@ -1,9 +1,9 @@
-// Whether a picture was changed in places: blocks of pixels against another rendering.
+// A statistical test for local modifications of an image: blocks of pixels are compared with another rendering.
 //
-// In each block the sum of differences is compared with its standard error, from what both pictures say of their
-// variance and from what the other's variance says of the picture's, whichever is larger: a picture that never met a
-// rare bright path does not know of it. Variances of a block and of its neighbours are pooled, as a block alone has few
-// numbers to tell it from.
+// For each block the sum of differences is divided by its standard error. The variance of the tested image is the
+// larger of two estimates: the image's own, and that of the other rendering scaled to the sample count. An image whose
+// samples missed a rare bright path underestimates its variance. The variance of a block is the maximum of its own and
+// the average over its neighbourhood, because a single block contains few values to estimate it from.
 #pragma once
 #include <span>
 #include <vector>
@@ -14,24 +14,23 @@ namespace etendue::advisor {
 
 struct Block {
   int x = 0, y = 0;   // of its first pixel
-  double sigmas = 0;  // by which it is off, with its sign
+  double sigmas = 0;  // signed difference in standard errors
 };
 
 struct BlockTest {
   static constexpr int kSide = 4;  // pixels
-  // By chance, one honest picture in a thousand has a block that is off by more, as far as sums over a block are
-  // normal.
-  double most_sigmas = 0;
-  size_t blocks = 0;
-  std::vector<Block> changed;  // the worst first
+  // The threshold. With normally distributed block sums, one unmodified image in 1000 has a block above it by chance.
+  double max_sigmas = 0;
+  size_t blocks = 0;           // number of blocks tested
+  std::vector<Block> changed;  // blocks above the threshold, the largest difference first
 };
 
-struct Judged {
-  std::span<const float> picture, variance;  // three numbers per pixel; variance may be empty
-  uint32_t samples = 0;                      // per pixel; 0 if unknown
+struct TestedImage {
+  std::span<const float> rgb, variance;  // three numbers per pixel; variance may be empty
+  uint32_t samples = 0;                  // per pixel; 0 if unknown
 };
 
-// `other` holds the same number of samples in both halves, two at least.
-BlockTest changed_blocks(const Judged& judged, const film::Film& other);
+// `other` has the same number of samples in both half-buffers, at least two in total.
+BlockTest test_blocks(const TestedImage& tested, const film::Film& other);
 
 }  // namespace etendue::advisor

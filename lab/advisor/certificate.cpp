@@ -9,40 +9,44 @@ namespace {
 using integrator::Bias;
 using nlohmann::json;
 
-// A small picture blurs what is missing: its root mean square is less than the true one's, by no more than this.
-constexpr double kBlur = 1.4;
-constexpr double kDoubt = 0.9;  // and more than this of it, noise considered
+// The root mean square of the missing paths, measured on an image of larger pixels, is too small by at most this
+// factor.
+constexpr double kMaxBlur = 1.4;
+// Relative uncertainty of the measured missing square, due to noise: its true value is at least this fraction of it.
+constexpr double kMinFraction = 0.9;
 
-film::Interval lack_of(double lack, bool same_size, double sharpest) {
-  return {kDoubt * lack, lack * (same_size ? 1 / kDoubt : sharpest)};
+// The interval of a mean square due to missing paths.
+film::Interval missing_interval(double square, bool same_size) {
+  return {kMinFraction * square, square * (same_size ? 1 / kMinFraction : sqr(kMaxBlur))};
 }
 
-// Noise and lack are independent: their squares add up.
-Stated total(double noise, const film::Interval& noise_interval, double lack, const film::Interval& lack_interval) {
-  return {noise + lack, {noise_interval.low + lack_interval.low, noise_interval.high + lack_interval.high}};
+// Noise and missing paths are independent, so their mean squares add.
+IntervalEstimate total_square(double noise, const film::Interval& noise_interval, double missing, bool same_size) {
+  const film::Interval interval = missing_interval(missing, same_size);
+  return {noise + missing, {noise_interval.low + interval.low, noise_interval.high + interval.high}};
 }
 
-Stated root_of(const Stated& s) {
+IntervalEstimate root_of(const IntervalEstimate& s) {
   return {std::sqrt(s.value), {std::sqrt(s.interval.low), std::sqrt(s.interval.high)}};
 }
 
-void state_error(Certificate& c, const Evidence& evidence, const MeasuredMissingPaths& missing, bool same_size) {
-  const film::ErrorEstimate& e = evidence.error;
-  if (!e.known || !evidence.relative) return;
-  const double lack = sqr(missing.spots.rms), relative = missing.relative_square;
+void set_error(Certificate& c, const RenderStatistics& statistics, const MeasuredMissingPaths& measured,
+               bool same_size) {
+  const film::ErrorEstimate& e = statistics.error;
+  if (!e.known || !statistics.relative) return;
+  const film::RelativeError& relative = *statistics.relative;
   const auto squared = [](const film::Interval& i) { return film::Interval{sqr(i.low), sqr(i.high)}; };
-  c.rmse = root_of(total(sqr(e.rmse), squared(e.rmse_interval), lack, lack_of(lack, same_size, sqr(kBlur))));
-  c.relmse =
-      total(evidence.relative->relmse, evidence.relative->interval, relative, lack_of(relative, same_size, sqr(kBlur)));
+  c.rmse = root_of(total_square(sqr(e.rmse), squared(e.rmse_interval), sqr(measured.missing.rms), same_size));
+  c.relmse = total_square(relative.relmse, relative.interval, measured.relative_square, same_size);
 }
 
 json interval_json(const film::Interval& interval) {
   return {interval.low, std::isfinite(interval.high) ? json(interval.high) : json()};
 }
 
-std::optional<Stated> stated_from(const json& j, const char* name) {
+std::optional<IntervalEstimate> estimate_from(const json& j, const char* name) {
   if (!j.contains(name) || !j[name].is_number()) return {};
-  Stated s{j[name].get<double>(), {0, INFINITY}};
+  IntervalEstimate s{j[name].get<double>(), {0, INFINITY}};
   const auto& interval = j[std::string(name) + "_interval"];
   s.interval.low = interval.at(0).get<double>();
   if (!interval.at(1).is_null()) s.interval.high = interval.at(1).get<double>();
@@ -57,7 +61,8 @@ Bias bias_from(const std::string& name) {
 
 Certificate certificate_of(const json& j) {
   Certificate c;
-  c.rmse = stated_from(j, "rmse"), c.relmse = stated_from(j, "relmse");
+  c.rmse = estimate_from(j, "rmse");
+  c.relmse = estimate_from(j, "relmse");
   c.bias = bias_from(j.at("bias").get<std::string>());
   for (const auto& m : j.at("missing")) c.missing.push_back({m.at("paths"), m.at("share"), m.at("of_point_lights")});
   c.missing_share = j.at("missing_share");
@@ -71,30 +76,32 @@ Certificate certificate_of(const json& j) {
 
 }  // namespace
 
-Certificate certificate(render::Session& session, const render::Document& document, const Evidence& evidence,
-                        double seconds, const bench::Progress& watch) {
+Certificate certificate(render::Session& session, const render::Document& document, const RenderStatistics& statistics,
+                        double seconds, const bench::Progress& progress) {
   Certificate c;
   c.bias = bias_of(document.method);
-  c.rejected = evidence.rejected, c.khat = evidence.khat;
-  for (const auto& decision : evidence.model.decisions) c.model.emplace_back(decision.flag, decision.value);
+  c.rejected = statistics.rejected;
+  c.khat = statistics.khat;
+  for (const auto& decision : statistics.model.decisions) c.model.emplace_back(decision.flag, decision.value);
   if (const auto scene = session.scene()) c.beyond_methods = beyond_all_methods(*scene);
   TableOptions options;
-  options.samples = 4, options.seconds = seconds;
-  const auto missing = measured_missing_paths(session, document, options, watch);
-  for (const auto& spot : missing.spots.classes) c.missing.push_back({spot.paths, spot.share, spot.points});
-  c.missing_share = missing.spots.share;
-  state_error(c, evidence, missing, missing.width == document.width);
+  options.samples = 4;
+  options.seconds = seconds;
+  const auto measured = measure_missing_paths(session, document, options, progress);
+  for (const auto& m : measured.missing.classes) c.missing.push_back({m.paths, m.share, m.from_point_lights});
+  c.missing_share = measured.missing.share;
+  set_error(c, statistics, measured, measured.width == document.width);
   const auto& info = *integrator::find_integrator(document.method.integrator);
   if (info.bias != Bias::unbiased)
-    for (auto* stated : {&c.rmse, &c.relmse})
-      if (*stated) (*stated)->interval.high = INFINITY;
+    for (auto* estimate : {&c.rmse, &c.relmse})
+      if (*estimate) (*estimate)->interval.high = INFINITY;
   return c;
 }
 
 std::string certificate_json(const Certificate& c) {
   json missing = json::array(), model = json::object();
   for (const auto& m : c.missing)
-    missing.push_back({{"paths", m.paths}, {"share", m.share}, {"of_point_lights", m.points}});
+    missing.push_back({{"paths", m.paths}, {"share", m.share}, {"of_point_lights", m.from_point_lights}});
   for (const auto& [flag, value] : c.model) model[flag] = value;
   return json{
       {"rmse", c.rmse ? json(c.rmse->value) : json()},
@@ -116,7 +123,7 @@ Result<Certificate> certificate_from_json(const std::string& text, const std::st
   try {
     return certificate_of(j);
   } catch (const json::exception&) {
-    return input_error(source + ": its certificate is not what this program writes; give an .exr of this program");
+    return input_error(source + ": the certificate is not valid; give an .exr written by etendue render");
   }
 }
 

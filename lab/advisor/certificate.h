@@ -1,8 +1,9 @@
-// What a picture is worth: a statement that goes with it.
+// The certificate of an image: its error, the bias of its method, and the paths that are missing, stored with the
+// image.
 //
-// Its error is told from its two halves (film/error.h, film/relative_error.h); what its method cannot find is measured
-// on a small picture by the trusted method and added: the error of this very picture is noise and lack together. Of a
-// method that has a bias of its own, nothing can be stated from above.
+// The error is estimated from the two half-buffers of the film (film/error.h, film/relative_error.h). The energy of
+// paths that the method does not find is measured on a small image with the reference integrator and added. For methods
+// with a bias of their own the error has no upper bound.
 #pragma once
 #include <optional>
 #include <string>
@@ -14,31 +15,31 @@
 
 namespace etendue::advisor {
 
-// An estimate with the interval in which the truth lies in 95 of 100 cases; the upper end is infinite where it cannot
-// be told.
-struct Stated {
+// An estimate with its 95 % confidence interval; the upper end is infinite if it is unknown.
+struct IntervalEstimate {
   double value = 0;
   film::Interval interval;
 };
 
 struct Certificate {
-  // Nothing while a half has a pixel without samples.
-  std::optional<Stated> rmse, relmse;
+  // Unknown while a half-buffer has a pixel without samples.
+  std::optional<IntervalEstimate> rmse, relmse;
   integrator::Bias bias = integrator::Bias::unbiased;
   struct Missing {
     std::string paths;
-    double share = 0;     // of the energy of all paths that count
-    bool points = false;  // only from lights without extent
+    double share = 0;                // of the energy of all requested paths
+    bool from_point_lights = false;  // only from lights without extent
   };
   std::vector<Missing> missing;
   double missing_share = 0;
-  std::vector<std::string> beyond_methods;  // what no method finds, as far as that can be told
-  std::optional<double> khat;               // of the samples' tail (measure/tail.h)
+  std::vector<std::string> beyond_methods;  // light that no method finds, as far as the scene reveals it
+  std::optional<double> khat;               // Pareto tail index of the samples (film/tail.h)
   film::InvalidSamples rejected;
   std::vector<std::pair<std::string, std::string>> model;  // flag and value
 };
 
-struct Evidence {
+// The statistics of a rendering that a certificate is computed from.
+struct RenderStatistics {
   film::ErrorEstimate error;
   std::optional<film::RelativeError> relative;
   film::InvalidSamples rejected;
@@ -46,13 +47,13 @@ struct Evidence {
   std::optional<double> khat;
 };
 
-// Of a document's rendering. The session may be the one that it was rendered in: its film is lost, its compiled scene
-// used again. Where something may be missing, up to `seconds` are spent on finding out what, about.
-Certificate certificate(render::Session& session, const render::Document& document, const Evidence& evidence,
-                        double seconds, const bench::Progress& watch);
+// The certificate of the rendering of a document. `session` may be the one it was rendered in: its compiled scene is
+// reused and its film is discarded. If the method may miss paths, about `seconds` are spent on measuring them.
+Certificate certificate(render::Session& session, const render::Document& document, const RenderStatistics& statistics,
+                        double seconds, const bench::Progress& progress);
 
 std::string certificate_json(const Certificate& certificate);
-// `source` is for the message. What is not of this program is an input error.
+// `source` is named in the error message. Text that is not a certificate is an input error.
 Result<Certificate> certificate_from_json(const std::string& json, const std::string& source);
 
 }  // namespace etendue::advisor

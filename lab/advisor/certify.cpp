@@ -5,7 +5,7 @@
 
 #include "advisor/light_kinds.h"
 #include "advisor/number_text.h"
-#include "advisor/reference_method.h"
+#include "advisor/reference_integrator.h"
 #include "base/hash.h"
 #include "render/image_output.h"
 #include "scene/compiled_scene.h"
@@ -13,227 +13,235 @@
 namespace etendue::advisor {
 namespace {
 
-// Of the normal distribution: 95 %, 99.9 %, and 99.7 % within.
-constexpr double k95 = 1.96, k999 = 3.29, kTrue = 3;
-// So well known, the true error speaks for itself.
-constexpr double kPrecise = 0.02;
+// Half-widths of intervals of the normal distribution in standard deviations: 95 %, 99.9 %, and 99.7 % coverage.
+constexpr double k95 = 1.96, k999 = 3.29, kTrueErrorSigmas = 3;
+// Relative precision of the true RMSE that suffices for a verdict.
+constexpr double kSufficientPrecision = 0.02;
 
-// Samples of every pixel for the first look.
-constexpr uint32_t kFirstLook = 4;
+// Samples per pixel before the first comparison; doubled after each undecided one.
+constexpr uint32_t kFirstSamples = 4;
 
-// Whether one method finds everything that the other does, and more; lights without extent count if there are any.
-bool finds_more(const Found& one, const Found& other, bool points) {
-  const bool all =
-      without(other.paths, one.paths).empty() && (!points || without(other.point_paths, one.point_paths).empty());
-  return all && !(one.paths == other.paths && (!points || one.point_paths == other.point_paths));
+// True if one declaration is a proper superset of the other. Paths from lights without extent count if the scene has
+// such lights.
+bool finds_more(const DeclaredPaths& one, const DeclaredPaths& other, bool point_lights) {
+  const bool includes =
+      without(other.paths, one.paths).empty() && (!point_lights || without(other.point_paths, one.point_paths).empty());
+  return includes && !(one.paths == other.paths && (!point_lights || one.point_paths == other.point_paths));
 }
 
-// Who judges: the trusted method, or an unbiased one that finds more in this scene.
-render::Document judge_of(const render::Document& document, const scene::CompiledScene& scene,
-                          const CertifyOptions& options) {
-  render::Document d = trusted(document);
-  const bool points = has_point_lights(*document.scene);
+// The document of the independent rendering: the reference integrator, or an unbiased one that finds more in this
+// scene.
+render::Document independent_document(const render::Document& document, const scene::CompiledScene& scene,
+                                      const CertifyOptions& options) {
+  render::Document d = with_reference_integrator(document);
+  const bool point_lights = has_point_lights(*document.scene);
   for (const auto& info : integrator::integrator_infos()) {
     render::Document other = d;
     other.method.integrator = info.name;
-    if (info.bias == integrator::Bias::unbiased && finds_more(declared(other, scene), declared(d, scene), points))
+    if (info.bias == integrator::Bias::unbiased &&
+        finds_more(declared_paths(other, scene), declared_paths(d, scene), point_lights))
       d = other;
   }
   d.seed = mix_bits(mix_bits(document.seed) ^ (options.seed + 0x6365727469667921ULL)) & 0x3fffffff;
   return d;
 }
 
-// The interval of 95 % made one of 99.9 %, both ends in proportion to the logarithm.
-film::Interval generous(const Stated& stated) {
-  const auto stretched = [&](double end) {
-    return stated.value > 0 && end > 0 ? stated.value * std::pow(end / stated.value, k999 / k95) : end;
+// The 95 % interval extended to 99.9 %; the logarithms of both ends are scaled about that of the value.
+film::Interval extended_interval(const IntervalEstimate& e) {
+  const auto extended = [&](double end) {
+    return e.value > 0 && end > 0 ? e.value * std::pow(end / e.value, k999 / k95) : end;
   };
-  return {stretched(stated.interval.low), stretched(stated.interval.high)};
+  return {extended(e.interval.low), extended(e.interval.high)};
 }
 
 std::string interval_text(const film::Interval& i) {
   return std::isfinite(i.high) ? number(i.low) + " .. " + number(i.high) : number(i.low) + " or more";
 }
 
-// What the picture's own layer of variance gives for a stated number; empty if they agree. Where something is missing
-// the layer says less than the statement; it never says more.
-std::string contradiction(const char* what, double by_layer, const Stated& stated, bool complete) {
-  const bool less = complete && by_layer < stated.interval.low;
-  if (!less && by_layer <= stated.interval.high) return {};
-  return std::string("it contradicts itself: its layer of variance gives ") + what + " " + number(by_layer) +
-         ", it states " + interval_text(stated.interval);
+// Compares a certified value with the one that follows from the variance layer of the image; empty if they agree. The
+// certified error may be larger where paths are missing, because the layer contains noise only, but never smaller.
+std::string contradiction(const char* what, double from_layer, const IntervalEstimate& certified, bool complete) {
+  const bool is_less = complete && from_layer < certified.interval.low;
+  if (!is_less && from_layer <= certified.interval.high) return {};
+  return std::string("the variance layer of the image implies ") + what + " " + number(from_layer) +
+         ", but its certificate states " + interval_text(certified.interval);
 }
 
-std::string contradiction(const Claim& claim) {
-  const auto variance = claim.variance(), rgb = claim.rgb();
+std::string contradiction(const CertifiedImage& image) {
+  const auto variance = image.variance(), rgb = image.rgb();
   if (variance.empty()) return {};
-  double squares = 0;
-  for (const float v : variance) squares += double{v};
+  double sum = 0;
+  for (const float v : variance) sum += double{v};
   const auto n = static_cast<double>(variance.size());
-  const Certificate& c = claim.certificate;
+  const Certificate& c = image.certificate;
   const bool complete = c.missing.empty();
-  const std::string said = contradiction("an RMSE of", std::sqrt(squares / n), *c.rmse, complete);
-  if (!said.empty()) return said;
-  const auto relative = film::relative_error(claim.picture.width, claim.picture.height, rgb, variance);
+  const std::string text = contradiction("an RMSE of", std::sqrt(sum / n), *c.rmse, complete);
+  if (!text.empty()) return text;
+  const auto relative = film::relative_error(image.image.width, image.image.height, rgb, variance);
   return contradiction("a relMSE of", relative.relmse, *c.relmse, complete);
 }
 
 struct Comparison {
   Verdict verdict;
-  double spare = 0;  // so many times more exactly the truth would have to be known
+  double precision_factor = 0;  // by how much the standard error of the true RMSE must fall for a verdict
 };
 
-// The stated RMSE against the truth.
-Comparison compare(const MeanSquare& truth, const Stated& stated) {
-  const film::Interval root = generous(stated), allowed{sqr(root.low), sqr(root.high)};
-  const double margin = kTrue * truth.standard_error;
-  if (truth.value - margin > allowed.high || truth.value + margin < allowed.low) return {Verdict::falls};
-  const bool surely = truth.value - margin >= allowed.low && truth.value + margin <= allowed.high;
-  const bool inside = truth.value >= allowed.low && truth.value <= allowed.high;
-  const double precise = 2 * kPrecise * std::max(0.0, truth.value);
-  if (surely || (inside && margin <= precise)) return {Verdict::stands};
-  const double room = std::max(precise, std::min(truth.value - allowed.low, allowed.high - truth.value));
-  return {Verdict::cannot_tell, room > 0 ? margin / room : INFINITY};
+// Compares the certified RMSE with the true one.
+Comparison compare(const MeanSquare& truth, const IntervalEstimate& certified) {
+  const film::Interval root = extended_interval(certified), allowed{sqr(root.low), sqr(root.high)};
+  const double margin = kTrueErrorSigmas * truth.standard_error;
+  if (truth.value - margin > allowed.high || truth.value + margin < allowed.low) return {Verdict::refuted};
+  const bool is_surely_inside = truth.value - margin >= allowed.low && truth.value + margin <= allowed.high;
+  const bool is_inside = truth.value >= allowed.low && truth.value <= allowed.high;
+  const double sufficient = 2 * kSufficientPrecision * std::max(0.0, truth.value);
+  if (is_surely_inside || (is_inside && margin <= sufficient)) return {Verdict::confirmed};
+  const double needed = std::max(sufficient, std::min(truth.value - allowed.low, allowed.high - truth.value));
+  return {Verdict::undecided, needed > 0 ? margin / needed : INFINITY};
 }
 
-class Judge {
+class Certifier {
  public:
-  Judge(render::Session& session, const Claim& claim, const CertifyOptions& options, const bench::Progress& watch)
+  Certifier(render::Session& session, const CertifiedImage& image, const CertifyOptions& options,
+            const bench::Progress& progress)
       : session_(session),
-        claim_(claim),
+        image_(image),
         options_(options),
-        watch_(watch),
-        document_(judge_of(claim.document,
-                           *scene::compile(claim.document.scene, claim.document.camera, session.scene()), options)) {
-    finding_.method = document_.method.integrator + ":sampler=" + document_.method.sampler;
+        progress_(progress),
+        document_(independent_document(
+            image.document, *scene::compile(image.document.scene, image.document.camera, session.scene()), options)) {
+    result_.method = document_.method.integrator + ":sampler=" + document_.method.sampler;
   }
 
-  Finding judge() {
-    if (!claim_.certificate.rmse || !claim_.certificate.relmse) return reject("it states no error");
-    if (const auto said = contradiction(claim_); !said.empty()) return reject(said);
-    for (uint32_t samples = kFirstLook;; samples *= 2) {
-      const bool go_on = render(samples);
-      if (finding_.samples < film::kHalves) return without_a_look();
-      if (look() || !go_on) return finding_;
+  CertificationResult run() {
+    if (!image_.certificate.rmse || !image_.certificate.relmse) return refute("the certificate states no error");
+    if (const auto text = contradiction(image_); !text.empty()) return refute(text);
+    for (uint32_t samples = kFirstSamples;; samples *= 2) {
+      const bool has_time = render(samples);
+      if (result_.samples < film::kHalfBuffers) return without_comparison();
+      if (compare_with_truth() || !has_time) return result_;
     }
   }
 
  private:
-  Finding reject(const std::string& reason) {
-    finding_.verdict = Verdict::falls;
-    finding_.reasons.push_back(reason);
-    return finding_;
+  CertificationResult refute(const std::string& reason) {
+    result_.verdict = Verdict::refuted;
+    result_.reasons.push_back(reason);
+    return result_;
   }
 
-  // As many samples as the picture has would mostly do.
-  Finding without_a_look() {
-    const double each = finding_.seconds / std::max(1u, finding_.samples);
-    finding_.seconds_wanted = each * std::max(kFirstLook, claim_.samples);
-    return finding_;
+  // Estimates the needed time from the sample count of the image, which suffices in most cases.
+  CertificationResult without_comparison() {
+    const double seconds_per_sample = result_.seconds / std::max(1u, result_.samples);
+    result_.seconds_needed = seconds_per_sample * std::max(kFirstSamples, image_.samples);
+    return result_;
   }
 
-  // Goes on to so many samples; false if there is no more time.
+  // Continues the independent rendering to this sample count; false if the time is used up or it was interrupted.
   bool render(uint32_t samples) {
     render::Document d = document_;
-    const double left = options_.seconds - finding_.seconds;
+    const double left = options_.seconds - result_.seconds;
     d.limits = {samples, std::max(1e-3, left), 0};
-    const uint64_t version = finding_.samples > 0 ? session_.submit(d, std::move(film_)) : session_.submit(d);
-    const bool whole = bench::wait_for(session_, version, [&](const render::Status& s) {
-      return watch_(std::min(1.0, (finding_.seconds + s.seconds) / options_.seconds), "replicates");
+    const uint64_t version = result_.samples > 0 ? session_.submit(d, std::move(film_)) : session_.submit(d);
+    const bool completed = bench::wait_for(session_, version, [&](const render::Status& s) {
+      return progress_(std::min(1.0, (result_.seconds + s.seconds) / options_.seconds), "independent rendering");
     });
     const auto status = session_.status();
     film_ = session_.film_copy();
-    // Both halves must hold as many samples.
-    finding_.interrupted = !whole;
-    finding_.seconds += status.seconds;
-    finding_.samples = status.samples;
-    return whole && status.samples == samples && finding_.seconds < options_.seconds;
+    result_.interrupted = !completed;
+    result_.seconds += status.seconds;
+    result_.samples = status.samples;
+    return completed && status.samples == samples && result_.seconds < options_.seconds;
   }
 
-  // Whether the picture's error could be told.
-  bool look() {
-    const TrueError truth = true_error(claim_.rgb(), film_);
-    finding_.rmse = {truth.absolute.root(), truth.absolute.root_interval(kTrue)};
-    const double margin = kTrue * truth.relative.standard_error;
-    finding_.relmse = {truth.relative.value,
-                       {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
-    const auto compared = compare(truth.absolute, *claim_.certificate.rmse);
-    finding_.verdict = compared.verdict;
-    finding_.reasons.clear();
-    if (compared.verdict == Verdict::falls)
-      finding_.reasons.push_back("true RMSE " + number(finding_.rmse.value) + " +- " +
-                                 number(0.5 * (finding_.rmse.interval.high - finding_.rmse.interval.low) / kTrue) +
-                                 ", stated " + interval_text(claim_.certificate.rmse->interval));
-    look_for_changes();
-    // Errors of the truth fall as the root of the time at worst.
-    finding_.seconds_wanted = finding_.seconds * sqr(std::max(1.0, compared.spare));
-    return compared.verdict != Verdict::cannot_tell;
+  // Returns true if a verdict was reached.
+  bool compare_with_truth() {
+    const TrueError truth = true_error(image_.rgb(), film_);
+    result_.rmse = {truth.absolute.root(), truth.absolute.root_interval(kTrueErrorSigmas)};
+    const double margin = kTrueErrorSigmas * truth.relative.standard_error;
+    result_.relmse = {truth.relative.value,
+                      {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
+    const auto compared = compare(truth.absolute, *image_.certificate.rmse);
+    result_.verdict = compared.verdict;
+    result_.reasons.clear();
+    if (compared.verdict == Verdict::refuted) {
+      const film::Interval& interval = result_.rmse.interval;
+      result_.reasons.push_back("true RMSE " + number(result_.rmse.value) + " +- " +
+                                number(0.5 * (interval.high - interval.low) / kTrueErrorSigmas) + ", stated " +
+                                interval_text(image_.certificate.rmse->interval));
+    }
+    find_changed_blocks();
+    // The standard error of the true RMSE falls at least as 1 / sqrt(time).
+    result_.seconds_needed = result_.seconds * sqr(std::max(1.0, compared.precision_factor));
+    return compared.verdict != Verdict::undecided;
   }
 
-  void look_for_changes() {
-    // Where something is missing, blocks are off without anyone having changed them.
-    if (!claim_.certificate.missing.empty() || claim_.certificate.bias != integrator::Bias::unbiased) return;
-    // Adaptive sampling gives a block half of its even share at the least.
-    const bool even = claim_.document.method.adaptive == render::Adaptive::off;
-    const uint32_t samples = even ? claim_.samples : (claim_.samples + 1) / 2;
-    const auto blocks = changed_blocks({claim_.rgb(), claim_.variance(), samples}, film_);
-    finding_.changed = blocks.changed;
-    if (blocks.changed.empty()) return;
-    const Block& worst = blocks.changed.front();
-    finding_.verdict = Verdict::falls;
-    finding_.reasons.push_back(std::to_string(blocks.changed.size()) + " of " + std::to_string(blocks.blocks) +
-                               " blocks of pixels are off by more than chance allows, the worst at " +
-                               std::to_string(worst.x) + "," + std::to_string(worst.y) + " by " +
-                               number(std::abs(worst.sigmas)) + " standard errors");
+  void find_changed_blocks() {
+    // Missing paths and bias change blocks as a modification would.
+    if (!image_.certificate.missing.empty() || image_.certificate.bias != integrator::Bias::unbiased) return;
+    // Adaptive sampling guarantees each block only half of the average sample count.
+    const bool uniform = image_.document.method.adaptive == render::Adaptive::off;
+    const uint32_t samples = uniform ? image_.samples : (image_.samples + 1) / 2;
+    const auto test = test_blocks({.rgb = image_.rgb(), .variance = image_.variance(), .samples = samples}, film_);
+    result_.changed = test.changed;
+    if (test.changed.empty()) return;
+    const Block& worst = test.changed.front();
+    result_.verdict = Verdict::refuted;
+    result_.reasons.push_back(std::to_string(test.changed.size()) + " of " + std::to_string(test.blocks) +
+                              " blocks of pixels differ by more than noise explains, the worst at " +
+                              std::to_string(worst.x) + "," + std::to_string(worst.y) + " by " +
+                              number(std::abs(worst.sigmas)) + " standard errors");
   }
 
   render::Session& session_;
-  const Claim& claim_;
+  const CertifiedImage& image_;
   const CertifyOptions& options_;
-  const bench::Progress& watch_;
+  const bench::Progress& progress_;
   render::Document document_;
   film::Film film_;
-  Finding finding_;
+  CertificationResult result_;
 };
 
 }  // namespace
 
-std::span<const float> Claim::variance() const {
-  const image::Layer* layer = picture.find("variance");
+std::span<const float> CertifiedImage::variance() const {
+  const image::Layer* layer = image.find("variance");
   return layer && layer->pixels.size() == rgb().size() ? std::span<const float>(layer->pixels)
                                                        : std::span<const float>();
 }
 
 std::string_view verdict_name(Verdict verdict) {
-  return verdict == Verdict::stands ? "stands" : verdict == Verdict::falls ? "does not stand" : "cannot tell";
+  return verdict == Verdict::confirmed ? "stands" : verdict == Verdict::refuted ? "does not stand" : "cannot tell";
 }
 
-Result<Claim> read_claim(const std::string& file) {
-  auto picture = image::read_exr(file);
-  if (!picture) return picture.error();
-  const auto state = picture->attributes.find(render::kStateAttribute),
-             certificate = picture->attributes.find(render::kCertificateAttribute);
-  if (state == picture->attributes.end() || certificate == picture->attributes.end())
-    return input_error(file + ": states nothing of its error; give an .exr that etendue render wrote");
-  Claim claim;
-  auto document = render::document_from_state(state->second, file, &claim.samples);
+Result<CertifiedImage> read_certified_image(const std::string& file) {
+  auto exr = image::read_exr(file);
+  if (!exr) return exr.error();
+  const auto state = exr->attributes.find(render::kStateAttribute);
+  const auto certificate = exr->attributes.find(render::kCertificateAttribute);
+  if (state == exr->attributes.end() || certificate == exr->attributes.end())
+    return input_error(file + ": contains no certificate; give an .exr written by etendue render");
+  CertifiedImage certified;
+  auto document = render::document_from_state(state->second, file, &certified.samples);
   if (!document) return document.error();
-  auto read = certificate_from_json(certificate->second, file);
-  if (!read) return read.error();
-  claim.document = std::move(*document), claim.certificate = std::move(*read), claim.picture = std::move(*picture);
-  const auto* beauty = claim.picture.find("");
-  if (claim.picture.width != claim.document.width || claim.picture.height != claim.document.height || !beauty ||
-      beauty->channels.size() != 3)
-    return input_error(file + ": is not the picture that its settings make, " + std::to_string(claim.document.width) +
-                       "x" + std::to_string(claim.document.height) + " pixels of three channels");
+  auto parsed = certificate_from_json(certificate->second, file);
+  if (!parsed) return parsed.error();
+  certified.document = std::move(*document);
+  certified.certificate = std::move(*parsed);
+  certified.image = std::move(*exr);
+  const auto* beauty = certified.image.find("");
+  const bool same_size =
+      certified.image.width == certified.document.width && certified.image.height == certified.document.height;
+  if (!same_size || !beauty || beauty->channels.size() != 3)
+    return input_error(file + ": the image does not match its settings, " + std::to_string(certified.document.width) +
+                       "x" + std::to_string(certified.document.height) + " pixels with three channels");
   if (!std::ranges::all_of(beauty->pixels, [](float v) { return std::isfinite(v); }))
-    return input_error(file + ": has pixels that are not finite; no statement of its error can stand");
-  return claim;
+    return input_error(file + ": contains pixels that are not finite; the certificate cannot be verified");
+  return certified;
 }
 
-Finding certify(render::Session& session, const Claim& claim, const CertifyOptions& options,
-                const bench::Progress& watch) {
-  return Judge(session, claim, options, watch).judge();
+CertificationResult certify(render::Session& session, const CertifiedImage& image, const CertifyOptions& options,
+                            const bench::Progress& progress) {
+  return Certifier(session, image, options, progress).run();
 }
 
 }  // namespace etendue::advisor

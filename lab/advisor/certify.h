@@ -1,8 +1,9 @@
-// Whether a picture's certificate stands: independent renderings against what it states.
+// Verification of an image's certificate by an independent rendering.
 //
-// The picture is made anew with other random numbers by an unbiased method that finds all that any does, and the
-// picture's true error is told from both (true_error.h). The statement falls if that error lies outside of what 999 of
-// 1000 honest statements allow, if its parts contradict each other, or if blocks of pixels were changed (tampering.h).
+// The image is rendered again with other random numbers by an unbiased integrator that finds all paths any integrator
+// finds, and the true error of the image is estimated from both (true_error.h). The certificate is refuted if that
+// error lies outside the interval that holds for 999 of 1000 correct certificates, if its parts contradict each other,
+// or if blocks of pixels were modified (block_test.h).
 #pragma once
 #include <optional>
 #include <string>
@@ -15,44 +16,45 @@
 
 namespace etendue::advisor {
 
-// A picture with what it says of itself.
-struct Claim {
-  render::Document document;  // its settings
+// An image file with the settings and the certificate stored in it.
+struct CertifiedImage {
+  render::Document document;
   uint32_t samples = 0;
-  image::LayeredImage picture;
+  image::LayeredImage image;
   Certificate certificate;
 
-  std::span<const float> rgb() const { return picture.find("")->pixels; }
-  std::span<const float> variance() const;  // of each number; empty if it is not known
+  std::span<const float> rgb() const { return image.find("")->pixels; }
+  std::span<const float> variance() const;  // of each value; empty if unknown
 };
 
-// An .exr that this program wrote. Anything else is an input error, and so is one whose size is not that of its
-// settings, or that has pixels which are not finite.
-Result<Claim> read_claim(const std::string& file);
+// Reads an .exr written by this program. Anything else is an input error, as is a file whose size differs from its
+// settings or that has pixels which are not finite.
+Result<CertifiedImage> read_certified_image(const std::string& file);
 
-enum class Verdict { stands, falls, cannot_tell };
+enum class Verdict { confirmed, refuted, undecided };
+// "stands", "does not stand" or "cannot tell", as in the JSON output.
 std::string_view verdict_name(Verdict verdict);
 
-struct Finding {
-  Verdict verdict = Verdict::cannot_tell;
+struct CertificationResult {
+  Verdict verdict = Verdict::undecided;
   std::vector<std::string> reasons;  // sentences
-  std::string method;                // that judged
+  std::string method;                // the method of the independent rendering
   uint32_t samples = 0;
-  double seconds = 0;  // of rendering
-  // The picture's true error, RMSE and relMSE, with an interval of three standard errors.
-  Stated rmse, relmse;
+  double seconds = 0;  // rendering time
+  // The true error of the image; the intervals cover three standard errors on either side.
+  IntervalEstimate rmse, relmse;
   std::vector<Block> changed;
-  double seconds_wanted = 0;  // where it cannot be told: what would do, about
+  double seconds_needed = 0;  // approximate total time until a verdict, if undecided
   bool interrupted = false;
 };
 
 struct CertifyOptions {
-  double seconds = 10;  // of rendering at most
-  uint64_t seed = 0;    // another one judges by other random numbers
+  double seconds = 10;  // maximum rendering time
+  uint64_t seed = 0;    // selects other random numbers for the independent rendering
 };
 
-// Ends as soon as it can tell.
-Finding certify(render::Session& session, const Claim& claim, const CertifyOptions& options,
-                const bench::Progress& watch);
+// Returns as soon as a verdict is reached.
+CertificationResult certify(render::Session& session, const CertifiedImage& image, const CertifyOptions& options,
+                            const bench::Progress& progress);
 
 }  // namespace etendue::advisor

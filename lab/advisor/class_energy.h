@@ -1,7 +1,8 @@
-// What a class of paths carries in a picture, with the error of that.
+// The energy that a class of paths contributes to an image, with its standard error.
 //
-// Pixels have random numbers of their own, so the variance of the mean over pixels is the sum of theirs, each told from
-// the two halves of the film: it has as many degrees of freedom as there are pixels.
+// The random numbers of different pixels are independent, so the variance of the mean over the image is the sum of the
+// pixel variances. Each pixel variance is estimated from the two half-buffers of the film; the sum has as many degrees
+// of freedom as there are pixels.
 #pragma once
 #include <memory>
 #include <span>
@@ -12,28 +13,28 @@
 namespace etendue::advisor {
 
 struct ClassEnergy {
-  double mean = 0, standard_error = 0;  // luminance, over pixels
-  // The radiance of the pixels in each half of the film, three numbers each.
-  struct Halves {
+  double mean = 0, standard_error = 0;  // luminance, averaged over the pixels
+  // The radiance of the pixels in each half-buffer, three numbers per pixel.
+  struct HalfBuffers {
     std::vector<float> first, second;
   };
-  std::shared_ptr<const Halves> picture;  // null where nothing was found
+  std::shared_ptr<const HalfBuffers> image;  // null if no sample found any energy
 
   bool found() const { return mean > 0; }
-  // So few samples found it that its number cannot be believed.
-  bool uncertain() const { return standard_error > kUncertain * mean; }
-  static constexpr double kUncertain = 0.2;
+  // True if too few samples found energy for a reliable mean.
+  bool uncertain() const { return standard_error > kMaxRelativeError * mean; }
+  static constexpr double kMaxRelativeError = 0.2;
 };
 
-// Of a film with the same number of samples in both halves.
-ClassEnergy energy_of(const film::Film& film);
+// The energy in a film with the same number of samples in both half-buffers.
+ClassEnergy class_energy(const film::Film& film);
 
-// The root mean square over pixels and channels of the sum of these, all of the same size, with their noise taken off:
-// the product of two halves has the square of the mean as its expectation. It is the error of a picture that lacks
-// them; a picture of larger pixels has a smaller one.
+// The root mean square over pixels and channels of the sum of these images, without the contribution of noise: the
+// expectation of the product of two half-buffers is the square of the mean. It is the RMSE of an image that lacks these
+// classes. Images of larger pixels give a smaller value. All images have the same size.
 double rms_of(std::span<const ClassEnergy> energies);
 
-// The same for the square over that of the picture of all energy plus 0.01, as relMSE has it; a mean, not its root.
-double relative_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& all);
+// The mean square of the sum, divided per pixel by the squared radiance of the complete image plus 0.01, as in relMSE.
+double relative_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& total);
 
 }  // namespace etendue::advisor

@@ -6,7 +6,7 @@
 
 #include "advisor/declared_paths.h"
 #include "advisor/light_kinds.h"
-#include "advisor/reference_method.h"
+#include "advisor/reference_integrator.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::advisor {
@@ -19,70 +19,74 @@ using transport::PathExpression;
 
 using Clock = std::chrono::steady_clock;
 
-// What methods declare, each set once; of point lights only if there are any, and if it is less than the trusted method
-// finds: what that one does not find is in no table.
+// The distinct sets of paths that integrators declare. Sets of paths from point lights are included if the scene has
+// such lights and the set lacks some of the paths that the reference integrator finds; no others appear in a table.
 std::vector<Automaton> declared_sets(bool point_lights) {
   std::vector<Automaton> sets;
   const auto add = [&](const Automaton& set) {
     if (std::ranges::find(sets, set) == sets.end()) sets.push_back(set);
   };
-  const Automaton visible = declared(render::MethodSettings()).point_paths;
+  const Automaton measurable = declared_paths(render::MethodSettings()).point_paths;
   for (const auto& info : integrator::integrator_infos()) {
-    const Found found = declared(info);
-    add(found.paths);
-    if (point_lights && !without(visible, found.point_paths).empty()) add(found.point_paths);
+    const DeclaredPaths declared = declared_paths(info);
+    add(declared.paths);
+    if (point_lights && !without(measurable, declared.point_paths).empty()) add(declared.point_paths);
   }
   return sets;
 }
 
-render::Document small_picture(const render::Document& document, const TableOptions& options) {
-  render::Document d = smaller(trusted(document), options.divisor, options.least);
-  d.limits.samples = std::max(film::kHalves, options.samples);
+render::Document small_image(const render::Document& document, const TableOptions& options) {
+  render::Document d = reduced_by(with_reference_integrator(document), options.divisor, options.min_side);
+  d.limits.samples = std::max(film::kHalfBuffers, options.samples);
   return d;
 }
 
-// Nothing if it was cut short.
-std::optional<ClassEnergy> measured(render::Session& session, const render::Document& document,
-                                    const std::function<bool()>& go_on) {
-  if (!bench::wait_for(session, session.submit(document), [&](const render::Status&) { return go_on(); })) return {};
-  return energy_of(session.film_copy());
+// Nothing if interrupted.
+std::optional<ClassEnergy> measure_energy(render::Session& session, const render::Document& document,
+                                          const std::function<bool()>& keep_going) {
+  if (!bench::wait_for(session, session.submit(document), [&](const render::Status&) { return keep_going(); }))
+    return {};
+  return class_energy(session.film_copy());
 }
 
-// A class that may be taken apart.
+// A class of the current partition.
 struct Leaf {
-  PathClass coarse;
-  Automaton paths;  // those of the coarse class that belong to it
+  PathClass coarse;  // a named class that contains it
+  Automaton paths;   // the intersection of `coarse` with the sets along which it was split
   std::string text;
   ClassEnergy energy = {};
-  std::vector<Leaf> parts = {};
-  bool parts_by_method = false;  // one that a method finds, and one that it does not
+  std::vector<Leaf> parts = {};    // the classes it splits into; empty if it cannot be split
+  bool split_by_declared = false;  // the parts lie inside and outside of a declared set
 };
 
-class Maker {
+class TableBuilder {
  public:
-  Maker(render::Session& session, const render::Document& document, const Automaton& only, const TableOptions& options,
-        const bench::Progress& watch, const TablePublisher& publish)
+  TableBuilder(render::Session& session, const render::Document& document, const Automaton& only,
+               const TableOptions& options, const bench::Progress& progress, const TablePublisher& publish)
       : session_(session),
         options_(options),
-        watch_(watch),
+        progress_(progress),
         publish_(publish),
-        small_(small_picture(document, options)),
-        only_(common(asked(document), only)),
-        apart_(declared_sets(has_point_lights(*small_.scene))) {
-    apart_.insert(apart_.end(), options.apart.begin(), options.apart.end());
+        small_(small_image(document, options)),
+        only_(common(requested_paths(document), only)),
+        split_sets_(declared_sets(has_point_lights(*small_.scene))) {
+    split_sets_.insert(split_sets_.end(), options.split_sets.begin(), options.split_sets.end());
     table_.paths = only_ == PathExpression::all().automaton() ? "" : expression_of(only_);
-    table_.width = small_.width, table_.height = small_.height, table_.samples = small_.limits.samples;
+    table_.width = small_.width;
+    table_.height = small_.height;
+    table_.samples = small_.limits.samples;
     table_.point_lights = has_point_lights(*small_.scene);
   }
 
-  ClassTable make() {
-    const auto total = rendered(small_, table_.paths);
+  ClassTable build() {
+    const auto total = measure_paths(small_, table_.paths);
     if (!total) return table_;
-    table_.total.paths = table_.paths, table_.total.energy = *total;
-    if (!begin()) return table_;
-    while (Leaf* leaf = next())
-      if (!take_apart(*leaf)) return table_;
-    if (!find_points()) return table_;
+    table_.total.paths = table_.paths;
+    table_.total.energy = *total;
+    if (!measure_coarsest()) return table_;
+    while (Leaf* leaf = next_to_split())
+      if (!split(*leaf)) return table_;
+    if (!measure_point_lights()) return table_;
     table_.finished = true;
     publish();
     return table_;
@@ -92,58 +96,58 @@ class Maker {
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool out_of_time() const { return options_.seconds > 0 && seconds() > options_.seconds; }
 
-  // Nothing if it was cut short.
-  std::optional<ClassEnergy> rendered(const render::Document& document, const std::string& paths) {
+  // Nothing if interrupted.
+  std::optional<ClassEnergy> measure_paths(const render::Document& document, const std::string& paths) {
     render::Document d = document;
     d.method.paths = paths;
-    return measured(session_, d, [&] { return watch_(progress(), "path classes"); });
+    return measure_energy(session_, d, [&] { return progress_(done(), "path classes"); });
   }
 
-  double progress() const {
-    const double by_rows = static_cast<double>(leaves_.size()) / static_cast<double>(options_.most_rows);
+  double done() const {
+    const double by_rows = static_cast<double>(leaves_.size()) / static_cast<double>(options_.max_rows);
     return std::min(1.0, options_.seconds > 0 ? std::max(by_rows, seconds() / options_.seconds) : by_rows);
   }
 
-  // The paths of `within` in a coarse class as a leaf; nothing if there are none, or if they cannot be written down.
+  // The paths of `within` in a coarse class as a leaf; nothing if there are none or they have no path expression.
   std::optional<Leaf> leaf(const PathClass& coarse, const Automaton& within) const {
-    const Automaton whole = PathExpression::parse_paths(coarse.name())->automaton();
-    Leaf leaf{coarse, common(whole, within), {}};
+    const Automaton all = PathExpression::parse_paths(coarse.name())->automaton();
+    Leaf leaf{coarse, common(all, within), {}};
     if (leaf.paths.empty()) return {};
-    leaf.text = leaf.paths == whole ? coarse.name() : expression_of(leaf.paths);
+    leaf.text = leaf.paths == all ? coarse.name() : expression_of(leaf.paths);
     if (!PathExpression::parse_paths(leaf.text)) return {};
     return leaf;
   }
 
-  // Fills in what the leaf falls into.
-  void find_parts(Leaf& whole) const {
-    for (const Automaton& set : apart_) {
-      const auto inside = leaf(whole.coarse, common(whole.paths, set)),
-                 outside = leaf(whole.coarse, without(whole.paths, set));
+  // Determines the parts of a leaf: inside and outside of the first set that cuts it, or its subclasses.
+  void find_parts(Leaf& parent) const {
+    for (const Automaton& set : split_sets_) {
+      const auto inside = leaf(parent.coarse, common(parent.paths, set));
+      const auto outside = leaf(parent.coarse, without(parent.paths, set));
       if (!inside || !outside) continue;
-      whole.parts = {*inside, *outside};
-      whole.parts_by_method = true;
+      parent.parts = {*inside, *outside};
+      parent.split_by_declared = true;
       return;
     }
-    for (const PathClass& part : whole.coarse.parts())
-      if (const auto found = leaf(part, whole.paths)) whole.parts.push_back(*found);
+    for (const PathClass& subclass : parent.coarse.parts())
+      if (const auto part = leaf(subclass, parent.paths)) parent.parts.push_back(*part);
   }
 
-  // Without any detail: light in view, and the rest by its first letter.
-  bool begin() {
-    const PathClass in_view = PathClass::of({}, options_.naming, 0);
+  // The coarsest partition: directly visible light, and the other paths by their first scattering event.
+  bool measure_coarsest() {
+    const PathClass directly_visible = PathClass::of({}, options_.naming, 0);
     const Event any[] = {Event::diffuse};
-    std::vector<PathClass> coarse = PathClass::of(any, options_.naming, 0).parts();
-    coarse.insert(coarse.begin(), in_view);
-    std::vector<Leaf> first;
-    for (const PathClass& c : coarse)
-      if (const auto found = leaf(c, only_)) first.push_back(*found);
-    return measure(first);
+    std::vector<PathClass> classes = PathClass::of(any, options_.naming, 0).parts();
+    classes.insert(classes.begin(), directly_visible);
+    std::vector<Leaf> leaves;
+    for (const PathClass& c : classes)
+      if (const auto part = leaf(c, only_)) leaves.push_back(*part);
+    return measure(leaves);
   }
 
-  // Renders leaves and lets them into the table, all or none.
+  // Measures leaves and adds them to the partition; adds none of them if interrupted.
   bool measure(std::vector<Leaf> leaves) {
     for (Leaf& leaf : leaves) {
-      const auto energy = rendered(small_, leaf.text);
+      const auto energy = measure_paths(small_, leaf.text);
       if (!energy) return false;
       leaf.energy = *energy;
       if (energy->found()) find_parts(leaf);
@@ -153,29 +157,30 @@ class Maker {
     return true;
   }
 
-  bool take_apart(Leaf& whole) {
-    std::vector<Leaf> parts = std::move(whole.parts);
-    std::erase_if(leaves_, [&](const Leaf& leaf) { return &leaf == &whole; });
+  bool split(Leaf& parent) {
+    std::vector<Leaf> parts = std::move(parent.parts);
+    std::erase_if(leaves_, [&](const Leaf& leaf) { return &leaf == &parent; });
     return measure(std::move(parts));
   }
 
-  // The leaf that it is worth most to take apart; null if there is none.
-  Leaf* next() {
-    const auto found = std::ranges::count_if(leaves_, [](const Leaf& leaf) { return leaf.energy.found(); });
-    if (out_of_time() || static_cast<size_t>(found) >= options_.most_rows) return nullptr;
+  // The next leaf to split: first those cut by declared sets, then the one with the most energy. Null if there is none.
+  Leaf* next_to_split() {
+    const auto rows = std::ranges::count_if(leaves_, [](const Leaf& leaf) { return leaf.energy.found(); });
+    if (out_of_time() || static_cast<size_t>(rows) >= options_.max_rows) return nullptr;
     Leaf* best = nullptr;
     for (Leaf& leaf : leaves_) {
       if (leaf.parts.empty()) continue;
-      if (!leaf.parts_by_method && leaf.energy.mean < options_.least_share * table_.total.energy.mean) continue;
-      const bool sooner = !best || leaf.parts_by_method > best->parts_by_method ||
-                          (leaf.parts_by_method == best->parts_by_method && leaf.energy.mean > best->energy.mean);
-      if (sooner) best = &leaf;
+      if (!leaf.split_by_declared && leaf.energy.mean < options_.min_share * table_.total.energy.mean) continue;
+      const bool is_better =
+          !best || leaf.split_by_declared > best->split_by_declared ||
+          (leaf.split_by_declared == best->split_by_declared && leaf.energy.mean > best->energy.mean);
+      if (is_better) best = &leaf;
     }
     return best;
   }
 
-  // What of each row comes from lights without extent.
-  bool find_points() {
+  // Measures the part of each row that comes from lights without extent.
+  bool measure_point_lights() {
     if (!table_.point_lights) return true;
     if (!has_extended_lights(*small_.scene)) {
       for (ClassRow& row : table_.rows) row.from_points = row.energy;
@@ -183,11 +188,11 @@ class Maker {
       return true;
     }
     render::Document lit = small_;
-    lit.scene = std::make_shared<const scene::Scene>(lit_by_points(*small_.scene));
+    lit.scene = std::make_shared<const scene::Scene>(with_point_lights_only(*small_.scene));
     std::vector<ClassRow*> rows{&table_.total};
     for (ClassRow& row : table_.rows) rows.push_back(&row);
     for (ClassRow* row : rows) {
-      const auto energy = rendered(lit, row->paths);
+      const auto energy = measure_paths(lit, row->paths);
       if (!energy) return false;
       row->from_points = *energy;
     }
@@ -201,7 +206,8 @@ class Maker {
   }
 
   void fill_rows() {
-    table_.rows.clear(), table_.unseen.clear();
+    table_.rows.clear();
+    table_.unseen.clear();
     const double total = table_.total.energy.mean;
     for (const Leaf& leaf : leaves_)
       if (leaf.energy.found())
@@ -214,31 +220,31 @@ class Maker {
 
   render::Session& session_;
   const TableOptions& options_;
-  const bench::Progress& watch_;
+  const bench::Progress& progress_;
   const TablePublisher& publish_;
   render::Document small_;
   Automaton only_;
-  std::vector<Automaton> apart_;  // sets that rows should lie within or without
+  std::vector<Automaton> split_sets_;
   Clock::time_point start_ = Clock::now();
-  std::vector<Leaf> leaves_;  // they part what counts
+  std::vector<Leaf> leaves_;  // a partition of only_
   ClassTable table_;
 };
 
 }  // namespace
 
 std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
-                                        const TableOptions& options, const bench::Progress& watch) {
-  return measured(session, small_picture(document, options), [&] { return watch(0, "all paths"); });
+                                        const TableOptions& options, const bench::Progress& progress) {
+  return measure_energy(session, small_image(document, options), [&] { return progress(0, "all paths"); });
 }
 
 ClassTable class_table(render::Session& session, const render::Document& document, const TableOptions& options,
-                       const bench::Progress& watch, const TablePublisher& publish) {
-  return class_table(session, document, PathExpression::all().automaton(), options, watch, publish);
+                       const bench::Progress& progress, const TablePublisher& publish) {
+  return class_table(session, document, PathExpression::all().automaton(), options, progress, publish);
 }
 
 ClassTable class_table(render::Session& session, const render::Document& document, const Automaton& only,
-                       const TableOptions& options, const bench::Progress& watch, const TablePublisher& publish) {
-  return Maker(session, document, only, options, watch, publish).make();
+                       const TableOptions& options, const bench::Progress& progress, const TablePublisher& publish) {
+  return TableBuilder(session, document, only, options, progress, publish).build();
 }
 
 }  // namespace etendue::advisor

@@ -1,9 +1,9 @@
-// Where a view's energy comes from: a table of path classes that part all paths that count.
+// Where the energy of a view comes from: a table of path classes that partition all counted paths.
 //
-// Walks go the same way whichever paths count (transport/class_shares.h), so small pictures of the classes of a
-// partition by the same random numbers add up to that of all paths, pixel by pixel, up to rounding. The table begins
-// with the coarsest classes and takes apart the one that carries most, for as long as it is worth it; classes that some
-// method finds only in part are taken apart along that line first.
+// Paths are sampled in the same way whichever classes are counted (transport/path_expression/class_shares.h). Small
+// images of the classes of a partition, rendered with the same random numbers, therefore sum to the image of all paths,
+// pixel by pixel and up to rounding. The table starts with the coarsest classes and repeatedly splits the class with
+// the most energy. Classes that some integrator finds only in part are split along that boundary first.
 #pragma once
 #include <functional>
 #include <optional>
@@ -18,51 +18,51 @@
 namespace etendue::advisor {
 
 struct ClassRow {
-  std::string paths;  // an expression that --paths takes
+  std::string paths;  // a path expression, as accepted by --paths
   ClassEnergy energy;
-  // The part that comes from lights without extent (point, spot, directional).
-  ClassEnergy from_points;
-  double share = 0;  // of all paths that count
+  ClassEnergy from_points;  // the part from lights without extent (point, spot, directional)
+  double share = 0;         // of the energy of all counted paths
 };
 
 struct ClassTable {
-  std::string paths;  // of all rows together; empty if every path counts
+  std::string paths;  // the union of all rows; empty if all paths are counted
   int width = 0, height = 0;
   uint32_t samples = 0;
   ClassRow total;
-  std::vector<ClassRow> rows;  // that carry energy; the largest first
-  // Classes of which no sample found anything: what they carry, if anything, is too little or too hard to find.
+  std::vector<ClassRow> rows;  // classes with energy, by decreasing energy
+  // Classes in which no sample found energy: they carry none, too little, or are too hard to sample.
   std::vector<std::string> unseen;
   bool point_lights = false;  // the scene has lights without extent
-  bool finished = false;      // nothing is left to take apart, within the limits
-  double seconds = 0;         // that it took to make
+  bool finished = false;      // no class is left to split within the limits
+  double seconds = 0;         // the time the table took
 };
 
 struct TableOptions {
-  // Of larger pixels than the document's: each side divided by this, down to a smaller side of `least` pixels.
-  int divisor = 8, least = 64;
+  // Images are reduced: both sides are divided by `divisor`, down to a shorter side of `min_side` pixels.
+  int divisor = 8, min_side = 64;
   uint32_t samples = 16;  // per pixel, an even number
-  size_t most_rows = 24;
-  double least_share = 0.01;  // what carries less is not taken apart
-  double seconds = 0;         // 0 is no limit; the coarsest classes are always made
+  size_t max_rows = 24;
+  double min_share = 0.01;  // classes with a smaller share of the energy are not split
+  double seconds = 0;       // time limit; 0 is none. The coarsest classes are always rendered
   transport::Naming naming = transport::Naming::runs;
-  // Sets of paths that rows should lie within or without, beside those that integrators declare.
-  std::vector<transport::Automaton> apart;
+  // Additional sets of paths along whose boundaries rows are split, besides those that integrators declare.
+  std::vector<transport::Automaton> split_sets;
 };
 
-// What the document's picture carries in all, on the table's terms; nothing if it was cut short.
+// The energy of all counted paths, with the options of a table; nothing if interrupted.
 std::optional<ClassEnergy> total_energy(render::Session& session, const render::Document& document,
-                                        const TableOptions& options, const bench::Progress& watch);
+                                        const TableOptions& options, const bench::Progress& progress);
 
-// Each table is better than the one before; they are values that may be kept.
+// Receives each refinement of the table.
 using TablePublisher = std::function<void(const ClassTable&)>;
 
-// The table of the document's picture, by the trusted method, of the document's paths or, where given, those of
-// `only` among them (it must accept a path). The session is used for rendering and left with one of the small pictures.
-// `watch` may cut it short: the table is then what it was by then.
+// The table of the document's image, measured with the reference integrator, for the paths the document counts. With
+// `only`, restricted to these paths; the set must not be empty. Rendering takes place in `session`, which afterwards
+// holds one of the small images. If `progress` returns false, the table is what has been measured so far.
 ClassTable class_table(render::Session& session, const render::Document& document, const TableOptions& options,
-                       const bench::Progress& watch, const TablePublisher& publish = {});
+                       const bench::Progress& progress, const TablePublisher& publish = {});
 ClassTable class_table(render::Session& session, const render::Document& document, const transport::Automaton& only,
-                       const TableOptions& options, const bench::Progress& watch, const TablePublisher& publish = {});
+                       const TableOptions& options, const bench::Progress& progress,
+                       const TablePublisher& publish = {});
 
 }  // namespace etendue::advisor

@@ -1,4 +1,4 @@
-// Which of the paths that count a method finds, as its integrator declares it and its settings cut it.
+// The paths that a method declares to find: the declaration of its integrator, restricted by its settings.
 #pragma once
 #include "integrator/integrator_info.h"
 #include "render/document.h"
@@ -7,30 +7,30 @@
 
 namespace etendue::advisor {
 
-// Sets of paths: those from light sources with an extent (surfaces, the environment), and from those without (point,
-// spot and directional lights), which no walk can end on.
-struct Found {
+// Two sets of paths: from lights with an extent (surfaces, the environment) and from lights without (point, spot and
+// directional lights), which a sampled direction never hits.
+struct DeclaredPaths {
   transport::Automaton paths, point_paths;
 };
-Found declared(const integrator::IntegratorInfo& info);
+DeclaredPaths declared_paths(const integrator::IntegratorInfo& info);
 
-// The same of a document's method: a limit of the path length ("max-depth") takes longer paths out. A limit of more
-// edges than automata can count is none.
-Found declared(const render::MethodSettings& method);
+// The declaration restricted by the settings of the method: "max-depth" removes longer paths. A depth beyond the number
+// of edges that automata can count is ignored.
+DeclaredPaths declared_paths(const render::MethodSettings& method);
 
-// The same in the document's own scene: nothing, if something stands in the method's way there.
-Found declared(const render::Document& document, const scene::CompiledScene& scene);
+// The same for the scene of the document; empty if the method is incompatible with it.
+DeclaredPaths declared_paths(const render::Document& document, const scene::CompiledScene& scene);
 
-// The paths that count in this document.
-transport::Automaton asked(const render::Document& document);
+// The paths that the document counts, by its path expression.
+transport::Automaton requested_paths(const render::Document& document);
 
-// Whether some of the techniques of a bidirectional method are left out, shown alone or counted in full.
-bool picks_techniques(const render::MethodSettings& method);
+// True if the settings disable, isolate or stop weighting techniques of a bidirectional method.
+bool selects_techniques(const render::MethodSettings& method);
 
-// Whether the method's mean may differ from the picture: of an integrator that is biased, or whose paths are cut.
+// The bias of the integrator; Bias::biased if its settings truncate paths or select techniques.
 integrator::Bias bias_of(const render::MethodSettings& method);
 
-// A and B, A without B. What has too many states for an automaton is taken to be all of A.
+// The intersection of A and B, and A without B. If the result has too many states for an automaton, returns A.
 transport::Automaton common(const transport::Automaton& a, const transport::Automaton& b);
 transport::Automaton without(const transport::Automaton& a, const transport::Automaton& b);
 

@@ -1,15 +1,15 @@
-// Which kinds of light a scene has, and the scene with one of them alone.
+// Lights with and without extent in a scene.
 #pragma once
 #include "scene/scene.h"
 
 namespace etendue::advisor {
 
-// Point, spot and directional lights of nodes that are in the scene.
+// True if a visible node has a point, spot or directional light.
 bool has_point_lights(const scene::Scene& scene);
-// Surfaces that shine, or an environment.
+// True if the scene has emissive materials or an environment.
 bool has_extended_lights(const scene::Scene& scene);
 
-// The scene lit by its lights without extent alone.
-scene::Scene lit_by_points(const scene::Scene& scene);
+// The scene with its point, spot and directional lights only.
+scene::Scene with_point_lights_only(const scene::Scene& scene);
 
 }  // namespace etendue::advisor

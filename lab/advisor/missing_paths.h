@@ -1,7 +1,8 @@
-// What a method cannot see of a view: path classes that carry energy there and that it does not find.
+// The path classes of a view that carry energy but are not found by a method.
 //
-// Told from what its integrator declares (a test holds it to that) and from the energy table. What no method finds is
-// in no table: of that, only what the scene is made of speaks.
+// The result follows from the declaration of the integrator (a test verifies the declarations) and from the path class
+// table. Light that no method finds does not appear in any table; it is inferred from the lights and materials of the
+// scene.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,39 +16,40 @@ namespace etendue::advisor {
 struct MissingPathClass {
   std::string paths;
   ClassEnergy energy;
-  double share = 0;     // of all energy
-  bool points = false;  // only as far as it comes from lights without extent
-  bool part = false;    // only some of these paths are not found: the energy is what is missing at most
+  double share = 0;                // of the total energy
+  bool from_point_lights = false;  // only the part from lights without extent is missing
+  bool partial = false;            // only some of these paths are missing; the energy is an upper bound
 };
 
 struct MissingPaths {
-  std::vector<MissingPathClass> classes;  // the largest first
-  double share = 0;                       // of all energy, in what is missing
-  double rms = 0;                         // what the lack adds to the RMSE of a picture, about
-  bool uncertain = false;                 // the energies were found by few samples
+  std::vector<MissingPathClass> classes;  // by decreasing share
+  double share = 0;                       // of all missing classes in the total energy
+  double rms = 0;                         // approximate contribution of the missing paths to the RMSE of an image
+  bool uncertain = false;                 // some energies were found by few samples only
 
   bool none() const { return classes.empty(); }
 };
 
-MissingPaths missing_paths(const Found& found, const ClassTable& table);
+MissingPaths missing_paths(const DeclaredPaths& declared, const ClassTable& table);
 
-// What the document's own method misses, measured alone: nothing is rendered where it declares to find all that counts.
-// `total` is filled in if something was.
+// The paths that the document's method misses, measured without a table of all paths. Nothing is rendered if the method
+// declares to find all requested paths; `total` is then empty.
 struct MeasuredMissingPaths {
-  MissingPaths spots;
+  MissingPaths missing;
   ClassEnergy total;
-  double relative_square = 0;  // what the lack adds to relMSE, about
-  int width = 0;               // of the pictures that it was measured on; 0 if there was no need
+  double relative_square = 0;  // approximate contribution to relMSE
+  int width = 0;               // of the measured images; 0 if none was rendered
   bool finished = true;
 };
-MeasuredMissingPaths measured_missing_paths(render::Session& session, const render::Document& document,
-                                            const TableOptions& options, const bench::Progress& watch);
+MeasuredMissingPaths measure_missing_paths(render::Session& session, const render::Document& document,
+                                           const TableOptions& options, const bench::Progress& progress);
 
-// "misses 31 % of the light: EDD+L, EGD+L and 3 more"; "misses nothing that was found to carry light".
-std::string sentence_of(const MissingPaths& spots);
+// A predicate for messages: "misses 31 % of the light: EDD+L, EGD+L and 3 more", or "misses no path class with
+// measurable energy".
+std::string missing_paths_text(const MissingPaths& missing);
 
-// One sentence for each kind of light that this scene may hold and that no method of the registry finds, as far as
-// that can be told from its lights and surfaces.
+// One sentence for each kind of light transport that the scene may contain and no integrator finds, as far as its
+// lights and materials reveal it.
 std::vector<std::string> beyond_all_methods(const scene::CompiledScene& scene);
 
 }  // namespace etendue::advisor

@@ -1,12 +1,12 @@
-// Numbers as sentences say them.
+// Numbers formatted for messages.
 #pragma once
 #include <string>
 
 namespace etendue::advisor {
 
-std::string number(double value);       // three figures: 0.0123
+std::string number(double value);       // three significant digits: "0.0123"
 std::string percent(double share);      // "31 %", "0.4 %"
-std::string times(double ratio);        // "2.3", "40"
+std::string times(double ratio);        // a factor: "2.3", "40"
 std::string seconds_text(double time);  // "0.8 s", "12 s", "3:20", "2:03:20"
 
 }  // namespace etendue::advisor

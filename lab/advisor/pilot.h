@@ -1,8 +1,8 @@
-// Short renderings of several methods, in turns, from which their errors at other times are foretold.
+// Short interleaved renderings of several methods, from which their errors at later times are predicted.
 //
-// Each goes on from where it stopped, to twice the samples, so that what the machine does meets all alike and the
-// film's halves hold whole nets whenever they are looked at. Pictures of many pixels are piloted smaller: what one more
-// second of samples tells of the exponent is worth more than pixels.
+// In each round every method continues to twice its samples. The load of the machine thus affects all methods alike,
+// and the half-buffers of the film hold complete digital nets whenever the error is measured. Large images are piloted
+// at a reduced size: a longer pilot determines the convergence rate better than more pixels do.
 #pragma once
 #include <functional>
 #include <optional>
@@ -14,48 +14,48 @@
 
 namespace etendue::advisor {
 
-// What a pilot has seen of its method: numbers of the small picture.
+// The measurements of one method, for the reduced image.
 struct Pilot {
   explicit Pilot(bench::MethodSpec method_)
-      : method(std::move(method_)), forecast(find_sampler(method.document.method.sampler)->independent) {}
+      : method(std::move(method_)), estimator(find_sampler(method.document.method.sampler)->independent) {}
 
   bench::MethodSpec method;
   film::Film film;
   uint32_t samples = 0;
   double seconds = 0;
   film::ErrorEstimate error;
-  render::TimeEstimator forecast;
-  struct Look {
+  render::TimeEstimator estimator;
+  struct Measurement {
     double seconds, rmse;
   };
-  std::vector<Look> looks;
-  bool given_up = false;  // it is far behind another; its pilot was cut short
+  std::vector<Measurement> measurements;
+  bool abandoned = false;  // stopped early because another method is much faster
 
-  // Seconds from the beginning until the RMSE is this; nothing while that cannot be told.
+  // Seconds of rendering, from the first sample on, until the RMSE is reached; nothing if it cannot be predicted yet.
   std::optional<render::Prediction> time_to(double rmse) const;
 };
 
 struct PilotPlan {
-  double seconds = 1;  // of rendering, about, for each method
-  double target = 0;   // RMSE, for giving up
+  double seconds = 1;  // approximate rendering time per method
+  double target = 0;   // RMSE; decides which methods are abandoned
   uint64_t seed = 0;
-  int most_pixels = 40000;
+  int max_pixels = 40000;
 };
 
-// How a picture's numbers follow from those of the small one.
-struct Enlargement {
+// Time and RMSE of the full-size image divided by those of the reduced image.
+struct SizeRatio {
   double seconds = 1, rmse = 1;
 };
 
 struct Pilots {
   std::vector<Pilot> pilots;
-  Enlargement enlargement;
+  SizeRatio size_ratio;
   bool interrupted = false;
 };
 
-// `publish` is told how things stand after every round.
+// `publish` receives the state after every round.
 using PilotPublisher = std::function<void(const Pilots&)>;
 Pilots run_pilots(render::Session& session, const std::vector<bench::MethodSpec>& methods, const PilotPlan& plan,
-                  const bench::Progress& watch, const PilotPublisher& publish = {});
+                  const bench::Progress& progress, const PilotPublisher& publish = {});
 
 }  // namespace etendue::advisor

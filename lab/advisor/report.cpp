@@ -27,11 +27,11 @@ json table_json(const ClassTable& table) {
           {"total", row_json(table.total)}, {"classes", rows},        {"unseen", table.unseen}};
 }
 
-json missing_json(const MissingPaths& spots) {
+json missing_json(const MissingPaths& missing) {
   json list = json::array();
-  for (const auto& spot : spots.classes)
+  for (const auto& c : missing.classes)
     list.push_back(
-        {{"paths", spot.paths}, {"share", spot.share}, {"of_point_lights", spot.points}, {"part", spot.part}});
+        {{"paths", c.paths}, {"share", c.share}, {"of_point_lights", c.from_point_lights}, {"part", c.partial}});
   return list;
 }
 
@@ -72,7 +72,7 @@ void print_table(std::string& text, const ClassTable& table) {
           number(row.energy.mean).c_str(), number(row.energy.standard_error).c_str(),
           row.energy.uncertain() ? "  uncertain" : "");
   if (table.unseen.empty()) return;
-  text += "nothing found of";
+  text += "no energy found in";
   for (const auto& paths : table.unseen) text += ' ' + paths;
   text += '\n';
 }

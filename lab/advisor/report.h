@@ -1,4 +1,4 @@
-// The table and the ranking as JSON for scripts and as text for people.
+// Path class table and ranking as JSON and as text.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace etendue::advisor {
 
-// {"scene","target","table":{...},"methods":[...],"beyond_all_methods":[...]}; what is not known is null.
+// {"scene","target","table":{...},"methods":[...],"beyond_all_methods":[...]}; unknown values are null.
 std::string ranking_json(const Ranking& ranking, const std::string& scene);
 
 std::string ranking_text(const Ranking& ranking);

@@ -1,8 +1,7 @@
-// How far a picture is from the truth, by another rendering of it.
+// The true error of an image, estimated from an independent rendering of the same scene.
 //
-// With a and b the halves of an independent rendering and x the picture, (x - a)(x - b) has (x - truth)^2 as its
-// expectation: the rendering's own noise is in no product twice, so it takes nothing off and adds nothing, however
-// little there is of it.
+// With a and b the half-buffers of the independent rendering and x the image, the expectation of (x - a)(x - b) is the
+// squared error of x. The noise of a and b is independent, so it does not bias the product, whatever its size.
 #pragma once
 #include <span>
 
@@ -10,22 +9,23 @@
 
 namespace etendue::advisor {
 
-// A mean square over pixels and channels, and the standard error that the other rendering's noise gives it.
+// A mean square over pixels and channels, and its standard error due to the noise of the other rendering.
 struct MeanSquare {
   double value = 0, standard_error = 0;
 
-  // Roots of the value and of an interval of so many standard errors around it, none below zero.
+  // The root of the value, and the interval of `sigmas` standard errors around it; negative squares are clamped to
+  // zero.
   double root() const;
   film::Interval root_interval(double sigmas) const;
 };
 
 struct TrueError {
-  // Relative: over the square of the mean of both halves plus 0.01, as relMSE. That mean knows of the products: where
-  // the other rendering is noisy, the value is a rough one.
+  // `relative` divides by the squared mean of both half-buffers plus 0.01, as in relMSE. The divisor is correlated with
+  // the products, so the value is approximate where the other rendering is noisy.
   MeanSquare absolute, relative;
 };
 
-// `picture` has three numbers for each pixel of the film.
-TrueError true_error(std::span<const float> picture, const film::Film& other);
+// `image` has three numbers for each pixel of the film.
+TrueError true_error(std::span<const float> image, const film::Film& other);
 
 }  // namespace etendue::advisor

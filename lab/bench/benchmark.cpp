@@ -8,28 +8,31 @@ namespace {
 
 class Runner {
  public:
-  Runner(render::Session& session, const Plan& plan, const Reference& reference, const Progress& watch)
-      : session_(session), plan_(plan), reference_(reference), watch_(watch) {
+  Runner(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress)
+      : session_(session), plan_(plan), reference_(reference), progress_(progress) {
     for (const auto& method : plan.methods) outcome_.methods.emplace_back().curves.name = method.name;
   }
 
-  Outcome go() {
+  Outcome run() {
     for (int repeat = 0; repeat < plan_.repeats; ++repeat)
       for (size_t method = 0; method < plan_.methods.size(); ++method)
-        if (!run_one(method, repeat)) return outcome_.interrupted = true, std::move(outcome_);
+        if (!run_repeat(method, repeat)) {
+          outcome_.interrupted = true;
+          return std::move(outcome_);
+        }
     return std::move(outcome_);
   }
 
  private:
-  // One repeat of one method; false if it was cut short, and then nothing of it stays.
-  bool run_one(size_t method, int repeat) {
+  // One repeat of one method. Returns false if it was interrupted; its results are then discarded.
+  bool run_repeat(size_t method, int repeat) {
     render::Document d = plan_.methods[method].document;
-    d.seed = seed_of(plan_.seed, method, repeat);
+    d.seed = repeat_seed(plan_.seed, method, repeat);
     metrics::ErrorCurve curve{repeat, {}};
-    std::vector<float> picture;
+    std::vector<float> image;
     render::Status status;
-    for (uint32_t count = 1;; count = next_count(count)) {
-      if (!report(method, repeat, status)) return false;  // steps may be over before anyone is asked
+    for (uint32_t count = 1;; count = next_sample_count(count)) {
+      if (!report(method, repeat, status)) return false;  // short renderings end before wait_for reports
       const bool last = plan_.samples > 0 && count >= plan_.samples;
       d.limits = {last ? plan_.samples : count, plan_.seconds, 0};
       if (!wait_for(session_, session_.submit(d), [&](const auto& s) { return report(method, repeat, s); }))
@@ -37,50 +40,49 @@ class Runner {
       const uint32_t before = status.samples;
       status = session_.status();
       if (status.samples > before || curve.points.empty()) {
-        picture = film::radiance_of(session_.film_copy());
-        curve.points.push_back(point_of(picture, reference_, status.seconds, status.samples));
+        image = film::radiance_of(session_.film_copy());
+        curve.points.push_back(measure_error(image, reference_, status.seconds, status.samples));
       }
       if (last || status.samples < count) break;
     }
-    finish(outcome_.methods[method], std::move(curve), std::move(picture), status);
+    finish(outcome_.methods[method], std::move(curve), std::move(image), status);
     return true;
   }
 
-  void finish(MethodResult& result, metrics::ErrorCurve curve, std::vector<float> picture,
-              const render::Status& status) {
+  void finish(MethodResult& result, metrics::ErrorCurve curve, std::vector<float> image, const render::Status& status) {
     result.rays_per_second.push_back(status.rays_per_second);
     const auto n = static_cast<double>(result.rays_per_second.size());
     result.mean_mse += (curve.points.back().mse - result.mean_mse) / n;
-    result.mean_picture.resize(picture.size());
-    for (size_t i = 0; i < picture.size(); ++i)
-      result.mean_picture[i] += (static_cast<double>(picture[i]) - result.mean_picture[i]) / n;
+    result.mean_image.resize(image.size());
+    for (size_t i = 0; i < image.size(); ++i)
+      result.mean_image[i] += (static_cast<double>(image[i]) - result.mean_image[i]) / n;
     result.curves.repeats.push_back(std::move(curve));
-    result.picture = std::move(picture);
-    result.health = status.health;
+    result.image = std::move(image);
+    result.reliability = status.health;
   }
 
   bool report(size_t method, int repeat, const render::Status& s) const {
     const double runs = static_cast<double>(plan_.methods.size()) * plan_.repeats;
-    const double begun =
+    const double finished =
         static_cast<double>(repeat) * static_cast<double>(plan_.methods.size()) + static_cast<double>(method);
-    double part = plan_.seconds > 0 ? s.seconds / plan_.seconds : 0;
-    if (plan_.samples > 0) part = std::max(part, static_cast<double>(s.samples) / plan_.samples);
-    return watch_(
-        (begun + std::min(part, 1.0)) / runs,
+    double current = plan_.seconds > 0 ? s.seconds / plan_.seconds : 0;
+    if (plan_.samples > 0) current = std::max(current, static_cast<double>(s.samples) / plan_.samples);
+    return progress_(
+        (finished + std::min(current, 1.0)) / runs,
         plan_.methods[method].name + ", repeat " + std::to_string(repeat + 1) + " of " + std::to_string(plan_.repeats));
   }
 
   render::Session& session_;
   const Plan& plan_;
   const Reference& reference_;
-  const Progress& watch_;
+  const Progress& progress_;
   Outcome outcome_;
 };
 
 }  // namespace
 
-Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& watch) {
-  return Runner(session, plan, reference, watch).go();
+Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress) {
+  return Runner(session, plan, reference, progress).run();
 }
 
 }  // namespace etendue::bench

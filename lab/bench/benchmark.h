@@ -1,4 +1,6 @@
-// Methods against each other: their errors over time, interleaved so that what the machine does meets all alike.
+// Interleaved benchmark of several methods: error against a reference over time and samples.
+//
+// The repeats of all methods alternate (A B A B), so that changes in the load of the machine affect all methods alike.
 #pragma once
 #include <optional>
 #include <vector>
@@ -12,20 +14,20 @@ namespace etendue::bench {
 
 struct Plan {
   std::vector<MethodSpec> methods;
-  double seconds = 0;    // of rendering, for each method in each repeat; 0 is no limit
-  uint32_t samples = 0;  // the same; one of both is given
+  double seconds = 0;    // rendering time per method and repeat; 0 is no limit
+  uint32_t samples = 0;  // samples per pixel, per method and repeat; 0 is no limit. At least one limit is required
   int repeats = 1;
-  uint64_t seed = 0;  // every repeat of every method has a seed of its own that is made of this one
+  uint64_t seed = 0;  // the seed of each repeat of each method is derived from it
 };
 
 struct MethodResult {
-  metrics::MethodCurves curves;  // as measured: with the reference's noise in them
+  metrics::MethodCurves curves;  // as measured, including the noise of the reference
   std::vector<double> rays_per_second;
-  std::vector<float> picture;  // of the last repeat, linear
-  // For telling bias from variance: the mean picture of the repeats, and the mean of their errors.
-  std::vector<double> mean_picture;
+  std::vector<float> image;  // of the last repeat, linear
+  // The average image of the repeats and the mean of their MSE; together they separate bias from variance.
+  std::vector<double> mean_image;
   double mean_mse = 0;
-  std::shared_ptr<const render::Reliability> health;  // of the last repeat; none while there are too few samples
+  std::shared_ptr<const render::Reliability> reliability;  // of the last repeat; null while there are too few samples
 };
 
 struct Outcome {
@@ -33,8 +35,8 @@ struct Outcome {
   bool interrupted = false;
 };
 
-// Errors are measured at 1, 2, 3, 4, 6, 8, 12 ... samples and at the end; only rendering is on the clock. The watch may
-// cut it short: the outcome then holds the repeats that are whole.
-Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& watch);
+// Measures errors at 1, 2, 3, 4, 6, 8, 12 ... samples per pixel and at the end of each repeat; only rendering is timed.
+// If `progress` returns false, the outcome holds the complete repeats.
+Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress);
 
 }  // namespace etendue::bench

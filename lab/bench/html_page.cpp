@@ -16,7 +16,7 @@ constexpr const char* kHead = R"html(<!doctype html>
 @media (prefers-color-scheme: dark) {
   :root { --text: #dde1e6; --soft: #9aa4b0; --page: #15181c; --card: #1f242a; --line: #39404a; --accent: #6cb0ff;
     --warn: #43360f; --bad: #5a2420 }
-  .ink { filter: invert(1) hue-rotate(180deg) }
+  .inverts { filter: invert(1) hue-rotate(180deg) }
 }
 body { font: 15px/1.5 system-ui, sans-serif; color: var(--text); background: var(--page); max-width: 1200px;
   margin: 24px auto; padding: 0 16px }
@@ -33,8 +33,8 @@ img { image-rendering: pixelated; display: block }
 
 }  // namespace
 
-std::string page(const std::string& title, const std::string& body) {
-  return kHead + metrics::escaped(title) + "</title></head>\n<body>\n" + body + "</body></html>\n";
+std::string html_page(const std::string& title, const std::string& body) {
+  return kHead + metrics::escape_markup(title) + "</title></head>\n<body>\n" + body + "</body></html>\n";
 }
 
 }  // namespace etendue::bench

@@ -17,39 +17,43 @@ namespace {
 using metrics::Abscissa;
 using Phase = LiveBenchmarkSnapshot::Phase;
 
-constexpr double kTurn = 0.33;  // seconds
-// The reference is looked at anew when its samples have grown by this part.
+constexpr double kTimeSlice = 0.33;  // seconds
+// The reference used for measurements is updated when its sample count has grown by 1 / kReferenceGrowth.
 constexpr uint32_t kReferenceGrowth = 16;
 
 std::shared_ptr<const render::Frame> frame_of(std::span<const float> rgb, int width, int height, uint32_t samples) {
   std::vector<Rgb> pixels(rgb.size() / 3);
   for (size_t i = 0; i < pixels.size(); ++i) pixels[i] = {rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]};
   auto frame = std::make_shared<render::Frame>();
-  frame->width = width, frame->height = height;
+  frame->width = width;
+  frame->height = height;
   frame->pixels = std::make_shared<const std::vector<Rgb>>(std::move(pixels));
   frame->samples = samples;
   return frame;
 }
 
-// One repeat of one method, and what was measured of it.
-struct Run {
-  Run(size_t m, int repeat, const render::Document& d, const std::shared_ptr<const scene::CompiledScene>& scene)
-      : method(m), lane(d, scene), measured{repeat, {}}, corrected{repeat, {}} {}
+// One repeat of one method, and its measurements.
+struct Repeat {
+  Repeat(size_t m, int repeat, const render::Document& d, const std::shared_ptr<const scene::CompiledScene>& scene)
+      : method(m), rendering(d, scene), measured{repeat, {}}, corrected{repeat, {}} {}
 
   void add(const metrics::ErrorPoint& point, const metrics::ReferenceNoise& noise) {
-    // What lies between two steps is only the head of the curve: the next turn moves it.
-    if (!measured.points.empty() && !head_stays) measured.points.pop_back(), corrected.points.pop_back();
+    // A point between two scheduled sample counts only shows the current state; the next one replaces it.
+    if (!measured.points.empty() && !is_last_point_scheduled) {
+      measured.points.pop_back();
+      corrected.points.pop_back();
+    }
     measured.points.push_back(point);
     corrected.points.push_back(metrics::without_noise(point, noise));
-    head_stays = lane.samples() >= step;
-    while (step <= lane.samples()) step = next_count(step);
+    is_last_point_scheduled = rendering.samples() >= next_measurement;
+    while (next_measurement <= rendering.samples()) next_measurement = next_sample_count(next_measurement);
   }
 
   size_t method;
-  TimedRender lane;
+  TimedRender rendering;
   metrics::ErrorCurve measured, corrected;
-  uint32_t step = 1;  // the number of samples at which the next point is to be measured
-  bool head_stays = false;
+  uint32_t next_measurement = 1;  // the sample count of the next scheduled point
+  bool is_last_point_scheduled = false;
 };
 
 }  // namespace
@@ -60,8 +64,8 @@ class LiveBenchmark::Impl {
       : plan_(std::move(plan)), wake_(std::move(wake)), frames_(plan_.methods.size()), workers_(plan_.threads) {
     const auto& d = plan_.methods.front().document;
     const size_t film = static_cast<size_t>(d.width) * static_cast<size_t>(d.height) * sizeof(film::Film::Pixel);
-    const auto fitting = static_cast<int>(std::min<size_t>(kMostFilmBytes / (film * plan_.methods.size()), 10000));
-    plan_.repeats = std::clamp(plan_.repeats, 1, std::max(fitting, 1));
+    const auto max_repeats = static_cast<int>(std::min<size_t>(kMaxFilmBytes / (film * plan_.methods.size()), 10000));
+    plan_.repeats = std::clamp(plan_.repeats, 1, std::max(max_repeats, 1));
     publish();
     thread_ = std::thread([this] { loop(); });
   }
@@ -72,13 +76,17 @@ class LiveBenchmark::Impl {
   }
 
   void stop() {
-    command([this] { wanted_ = false; });
+    command([this] { should_run_ = false; });
   }
 
-  void go_on() {
+  void resume() {
     command([this] {
-      if (done_) plan_.seconds *= 2, plan_.samples *= 2;
-      done_ = false, wanted_ = true;
+      if (done_) {
+        plan_.seconds *= 2;
+        plan_.samples *= 2;
+      }
+      done_ = false;
+      should_run_ = true;
     });
   }
 
@@ -93,7 +101,7 @@ class LiveBenchmark::Impl {
     {
       const std::lock_guard lock(mutex_);
       change();
-      going_ = wanted_ && !quit_;
+      running_ = should_run_ && !quit_;
     }
     changed_.notify_all();
   }
@@ -105,109 +113,124 @@ class LiveBenchmark::Impl {
       const double seconds = plan_.seconds;
       const uint32_t samples = plan_.samples;
       lock.unlock();
-      const bool goes = going_, turned = goes && turn(seconds, samples);
-      if (!turned) keep_reference();
+      const bool running = running_;
+      const bool rendered = running && render_next(seconds, samples);
+      if (!rendered) save_reference();
       lock.lock();
-      done_ = goes && !turned;
-      phase_ = done_ ? Phase::done : goes ? Phase::comparing : Phase::stopped;
+      done_ = running && !rendered;
+      phase_ = done_ ? Phase::done : running ? Phase::comparing : Phase::stopped;
       lock.unlock();
       publish();
       if (wake_) wake_();
       lock.lock();
-      changed_.wait(lock, [&] { return quit_ || phase_ == Phase::comparing || (wanted_ && !done_); });
+      changed_.wait(lock, [&] { return quit_ || phase_ == Phase::comparing || (should_run_ && !done_); });
     }
-    keep_reference();
+    save_reference();
   }
 
-  bool keep_going() const { return going_.load(std::memory_order_relaxed); }
+  bool keep_going() const { return running_.load(std::memory_order_relaxed); }
 
   void prepare() {
     const auto& d = plan_.methods.front().document;
     scene_ = scene::compile(d.scene, d.camera, plan_.compiled);
-    if (plan_.reference) return know(std::move(*plan_.reference));
+    if (plan_.reference) return set_reference(std::move(*plan_.reference));
     store_.emplace(d, plan_.cache);
-    auto kept = store_->take_up();
-    reference_lane_ = std::make_unique<TimedRender>(store_->document(), scene_, std::move(kept.film), kept.seconds);
-    kept_samples_ = reference_lane_->samples();
-    if (kept_samples_ >= film::kHalves) look_at_reference();
+    auto cached = store_->load();
+    reference_render_ =
+        std::make_unique<TimedRender>(store_->document(), scene_, std::move(cached.film), cached.seconds);
+    saved_samples_ = reference_render_->samples();
+    if (saved_samples_ >= film::kHalfBuffers) update_reference();
   }
 
-  // Gives somebody a turn; false if all are done.
-  bool turn(double seconds, uint32_t samples) {
-    if (reference_is_next()) return reference_turn(), true;
-    Run* run = next(seconds, samples);
-    if (!run && static_cast<int>(runs_.size() / plan_.methods.size()) < plan_.repeats) {
-      begin_repeat();
-      run = next(seconds, samples);
+  // Renders one time slice of the reference or of a method; false if all repeats have used their budget.
+  bool render_next(double seconds, uint32_t samples) {
+    if (is_reference_next()) {
+      render_reference_slice();
+      return true;
     }
-    if (!run) return false;
+    Repeat* repeat = next_repeat(seconds, samples);
+    if (!repeat && static_cast<int>(repeats_.size() / plan_.methods.size()) < plan_.repeats) {
+      start_repeats();
+      repeat = next_repeat(seconds, samples);
+    }
+    if (!repeat) return false;
     const bool timed = plan_.rule == Rule::equal_time;
-    const double allowed = timed ? std::min(kTurn, seconds - run->lane.seconds()) : kTurn;
-    const uint32_t before = run->lane.samples();
-    run->lane.run(workers_, timed ? run->step : std::min(run->step, samples), allowed, [&] { return keep_going(); });
-    if (run->lane.samples() > before) measure(*run);
+    TimedRender& rendering = repeat->rendering;
+    const double slice = timed ? std::min(kTimeSlice, seconds - rendering.seconds()) : kTimeSlice;
+    const uint32_t before = rendering.samples();
+    const uint32_t target = timed ? repeat->next_measurement : std::min(repeat->next_measurement, samples);
+    rendering.run(workers_, target, slice, [&] { return keep_going(); });
+    if (rendering.samples() > before) measure(*repeat);
     return true;
   }
 
-  bool reference_is_next() const {
-    if (!reference_lane_) return false;
-    if (reference_lane_->samples() < film::kHalves) return true;
+  // The reference has had less time than all methods together.
+  bool is_reference_next() const {
+    if (!reference_render_) return false;
+    if (reference_render_->samples() < film::kHalfBuffers) return true;
     double methods = 0;
-    for (const auto& run : runs_) methods += run->lane.seconds();
-    return reference_lane_->seconds() < methods;
+    for (const auto& repeat : repeats_) methods += repeat->rendering.seconds();
+    return reference_render_->seconds() < methods;
   }
 
-  void reference_turn() {
-    TimedRender& lane = *reference_lane_;
-    const bool none = lane.samples() < film::kHalves;
-    lane.run(workers_, none ? film::kHalves : UINT32_MAX, none ? 1e9 : kTurn, [&] { return keep_going(); });
-    if (lane.samples() >= std::max(film::kHalves, reference_.samples + reference_.samples / kReferenceGrowth + 1))
-      look_at_reference();
+  // The first slice lasts until both half-buffers have a sample, so that the error of the reference is known.
+  void render_reference_slice() {
+    TimedRender& rendering = *reference_render_;
+    const bool first = rendering.samples() < film::kHalfBuffers;
+    rendering.run(workers_, first ? film::kHalfBuffers : UINT32_MAX, first ? 1e9 : kTimeSlice, [&] { return keep_going(); });
+    if (rendering.samples() >= std::max(film::kHalfBuffers, reference_.samples + reference_.samples / kReferenceGrowth + 1))
+      update_reference();
   }
 
-  void look_at_reference() { know(store_->reference_of(reference_lane_->film(), reference_lane_->seconds())); }
+  void update_reference() {
+    set_reference(store_->reference_of(reference_render_->film(), reference_render_->seconds()));
+  }
 
-  void know(Reference reference) {
+  void set_reference(Reference reference) {
     reference_ = std::move(reference);
-    const auto& p = reference_.picture;
-    reference_frame_ = frame_of(reference_.rgb(), p.width, p.height, reference_.samples);
+    const auto& image = reference_.image;
+    reference_frame_ = frame_of(reference_.rgb(), image.width, image.height, reference_.samples);
   }
 
-  // The one that has used the least of the budget among those that have some left.
-  Run* next(double seconds, uint32_t samples) {
+  // The repeat that has used least of its budget, among those with budget left; null if there is none.
+  Repeat* next_repeat(double seconds, uint32_t samples) {
     const bool timed = plan_.rule == Rule::equal_time;
-    const auto used = [&](const Run& run) { return timed ? run.lane.seconds() : run.lane.samples(); };
-    Run* least = nullptr;
-    for (const auto& run : runs_) {
-      const bool done = timed ? run->lane.reached(seconds) : run->lane.samples() >= samples;
-      if (!done && (!least || used(*run) < used(*least))) least = run.get();
+    const auto used = [&](const Repeat& repeat) {
+      return timed ? repeat.rendering.seconds() : repeat.rendering.samples();
+    };
+    Repeat* next = nullptr;
+    for (const auto& repeat : repeats_) {
+      const bool done = timed ? repeat->rendering.has_reached(seconds) : repeat->rendering.samples() >= samples;
+      if (!done && (!next || used(*repeat) < used(*next))) next = repeat.get();
     }
-    return least;
+    return next;
   }
 
-  void begin_repeat() {
-    const auto repeat = static_cast<int>(runs_.size() / plan_.methods.size());
+  // Starts the next repeat of every method.
+  void start_repeats() {
+    const auto index = static_cast<int>(repeats_.size() / plan_.methods.size());
     for (size_t m = 0; m < plan_.methods.size(); ++m) {
       render::Document d = plan_.methods[m].document;
-      d.seed = seed_of(plan_.seed, m, repeat);
-      runs_.push_back(std::make_unique<Run>(m, repeat, d, scene_));
+      d.seed = repeat_seed(plan_.seed, m, index);
+      repeats_.push_back(std::make_unique<Repeat>(m, index, d, scene_));
     }
   }
 
-  void measure(Run& run) {
-    const auto picture = film::radiance_of(run.lane.film());
-    run.add(point_of(picture, reference_, run.lane.seconds(), run.lane.samples()),
-            reference_.noise.value_or(metrics::ReferenceNoise{}));
-    const auto& film = run.lane.film();
-    if (run.measured.repeat == 0)
-      frames_[run.method] = frame_of(picture, film.width(), film.height(), run.lane.samples());
+  void measure(Repeat& repeat) {
+    const TimedRender& rendering = repeat.rendering;
+    const auto image = film::radiance_of(rendering.film());
+    repeat.add(measure_error(image, reference_, rendering.seconds(), rendering.samples()),
+               reference_.noise.value_or(metrics::ReferenceNoise{}));
+    const auto& film = rendering.film();
+    if (repeat.measured.repeat == 0)
+      frames_[repeat.method] = frame_of(image, film.width(), film.height(), rendering.samples());
   }
 
-  // Work on it is not lost, whatever comes next.
-  void keep_reference() {
-    if (!reference_lane_ || reference_lane_->samples() <= kept_samples_) return;
-    kept_samples_ = reference_lane_->samples();
-    store_->keep(reference_lane_->film(), reference_lane_->seconds());
+  // Saves the reference if it has more samples than the cached one.
+  void save_reference() {
+    if (!reference_render_ || reference_render_->samples() <= saved_samples_) return;
+    saved_samples_ = reference_render_->samples();
+    store_->save(reference_render_->film(), reference_render_->seconds());
   }
 
   void publish() {
@@ -215,83 +238,89 @@ class LiveBenchmark::Impl {
     {
       const std::lock_guard lock(mutex_);
       s->phase = phase_;
-      s->seconds = plan_.seconds, s->samples = plan_.samples;
+      s->seconds = plan_.seconds;
+      s->samples = plan_.samples;
     }
     s->rule = plan_.rule;
-    s->repeats = plan_.repeats, s->repeat = static_cast<int>(runs_.size() / plan_.methods.size());
+    s->repeats = plan_.repeats;
+    s->repeat = static_cast<int>(repeats_.size() / plan_.methods.size());
     s->reference = reference_frame_;
     s->reference_error = reference_.standard_error();
-    s->reference_samples = reference_lane_ ? reference_lane_->samples() : reference_.samples;
-    s->reference_seconds = reference_lane_ ? reference_lane_->seconds() : reference_.seconds;
+    s->reference_samples = reference_render_ ? reference_render_->samples() : reference_.samples;
+    s->reference_seconds = reference_render_ ? reference_render_->seconds() : reference_.seconds;
     for (size_t m = 0; m < plan_.methods.size(); ++m) {
-      s->methods.push_back(standing_of(m));
-      s->too_noisy =
-          s->too_noisy || (reference_.noise && metrics::too_noisy(s->methods.back().corrected, *reference_.noise));
+      s->methods.push_back(method_status(m));
+      s->too_noisy = s->too_noisy || (reference_.noise &&
+                                      metrics::is_reference_too_noisy(s->methods.back().corrected, *reference_.noise));
     }
     s->progress = progress(*s);
     const std::lock_guard lock(mutex_);
     snapshot_ = std::move(s);
   }
 
-  Standing standing_of(size_t method) const {
-    Standing s;
+  MethodStatus method_status(size_t method) const {
+    MethodStatus s;
     s.name = s.measured.name = s.corrected.name = plan_.methods[method].name;
     s.frame = frames_[method];
-    if (runs_.empty() || runs_[method]->corrected.points.empty()) return s;
-    const Run& first = *runs_[method];
-    metrics::MethodCurves far{s.name, {}};
-    for (const auto& run : runs_) {
-      if (run->method != method || run->corrected.points.empty()) continue;
-      s.measured.repeats.push_back(run->measured), s.corrected.repeats.push_back(run->corrected);
-      if (2 * run->lane.samples() >= first.lane.samples()) far.repeats.push_back(run->corrected);
+    if (repeats_.empty() || repeats_[method]->corrected.points.empty()) return s;
+    const Repeat& first = *repeats_[method];
+    metrics::MethodCurves advanced{s.name, {}};  // repeats with at least half as many samples as the first
+    for (const auto& repeat : repeats_) {
+      if (repeat->method != method || repeat->corrected.points.empty()) continue;
+      s.measured.repeats.push_back(repeat->measured);
+      s.corrected.repeats.push_back(repeat->corrected);
+      if (2 * repeat->rendering.samples() >= first.rendering.samples()) advanced.repeats.push_back(repeat->corrected);
     }
     const auto noise = reference_.noise.value_or(metrics::ReferenceNoise{});
-    s.slope = metrics::slope_of(far, Abscissa::seconds, noise);
-    s.slope_over_samples = metrics::slope_of(far, Abscissa::samples, noise);
-    s.efficiency = metrics::efficiency_of(far);
+    s.slope = metrics::slope_of(advanced, Abscissa::seconds, noise);
+    s.slope_over_samples = metrics::slope_of(advanced, Abscissa::samples, noise);
+    s.efficiency = metrics::efficiency_of(advanced);
     const auto& end = first.corrected.points.back();
-    s.rmse = std::sqrt(end.mse), s.relmse = end.relmse;
-    s.seconds = first.lane.seconds(), s.samples = first.lane.samples();
-    s.rays_per_second = first.lane.rays_per_second();
+    s.rmse = std::sqrt(end.mse);
+    s.relmse = end.relmse;
+    s.seconds = first.rendering.seconds();
+    s.samples = first.rendering.samples();
+    s.rays_per_second = first.rendering.rays_per_second();
     return s;
   }
 
   double progress(const LiveBenchmarkSnapshot& s) const {
     double sum = 0;
-    for (const auto& run : runs_)
-      sum += std::min(1.0, plan_.rule == Rule::equal_time ? run->lane.seconds() / s.seconds
-                                                          : static_cast<double>(run->lane.samples()) / s.samples);
+    for (const auto& repeat : repeats_)
+      sum +=
+          std::min(1.0, plan_.rule == Rule::equal_time ? repeat->rendering.seconds() / s.seconds
+                                                       : static_cast<double>(repeat->rendering.samples()) / s.samples);
     return s.phase == Phase::done ? 1 : sum / (static_cast<double>(plan_.methods.size()) * plan_.repeats);
   }
 
-  // Shared, under mutex_: budgets, flags and the snapshot.
+  // Shared between threads, guarded by mutex_.
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   LiveBenchmarkPlan plan_;
   const std::function<void()> wake_;
-  bool quit_ = false, wanted_ = true, done_ = false;
-  std::atomic<bool> going_{true};  // also read by workers, without the mutex
+  bool quit_ = false, should_run_ = true, done_ = false;
+  std::atomic<bool> running_{true};  // also read by workers, without the mutex
   Phase phase_ = Phase::preparing;
   std::shared_ptr<const LiveBenchmarkSnapshot> snapshot_;
 
-  // The thread's own.
+  // Used by thread_ only.
   std::shared_ptr<const scene::CompiledScene> scene_;
   std::optional<ReferenceStore> store_;
-  std::unique_ptr<TimedRender> reference_lane_;  // none for a reference that was given
-  uint32_t kept_samples_ = 0;
+  std::unique_ptr<TimedRender> reference_render_;  // null if the plan contains a reference
+  uint32_t saved_samples_ = 0;
   Reference reference_;
   std::shared_ptr<const render::Frame> reference_frame_;
-  std::vector<std::unique_ptr<Run>> runs_;  // of the first repeat, method by method, then of the second
-  std::vector<std::shared_ptr<const render::Frame>> frames_;  // of each method
+  std::vector<std::unique_ptr<Repeat>> repeats_;              // the first repeats of all methods, then the second ones
+  std::vector<std::shared_ptr<const render::Frame>> frames_;  // one per method
   render::ThreadPool workers_;
-  std::thread thread_;  // last: it uses everything above
+  std::thread thread_;  // last member, because it uses all others
 };
 
 LiveBenchmark::LiveBenchmark(LiveBenchmarkPlan plan, std::function<void()> wake)
     : impl_(std::make_unique<Impl>(std::move(plan), std::move(wake))) {}
 LiveBenchmark::~LiveBenchmark() = default;
 void LiveBenchmark::stop() { impl_->stop(); }
-void LiveBenchmark::go_on() { impl_->go_on(); }
+void LiveBenchmark::resume() { impl_->resume(); }
 std::shared_ptr<const LiveBenchmarkSnapshot> LiveBenchmark::snapshot() const { return impl_->snapshot(); }
 
 }  // namespace etendue::bench

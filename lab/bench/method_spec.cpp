@@ -8,7 +8,7 @@
 namespace etendue::bench {
 namespace {
 
-std::vector<std::string> pieces(const std::string& text, char separator) {
+std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> list;
   size_t begin = 0;
   for (size_t end; (end = text.find(separator, begin)) != std::string::npos; begin = end + 1)
@@ -17,12 +17,13 @@ std::vector<std::string> pieces(const std::string& text, char separator) {
   return list;
 }
 
-// Methods begin with a letter; what does not belongs to the value before its comma, as in bdpt:without=1,*.
-std::vector<std::string> methods_in(const std::string& list) {
+// Splits a list at its commas. Method names begin with a letter; a piece that does not continues the value in front of
+// its comma, as in bdpt:without=1,*.
+std::vector<std::string> split_methods(const std::string& list) {
   std::vector<std::string> methods;
-  for (const std::string& piece : pieces(list, ',')) {
-    const bool begins = piece.empty() || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
-    if (begins || methods.empty())
+  for (const std::string& piece : split(list, ',')) {
+    const bool begins_method = piece.empty() || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
+    if (begins_method || methods.empty())
       methods.push_back(piece);
     else
       methods.back() += ',' + piece;
@@ -30,13 +31,13 @@ std::vector<std::string> methods_in(const std::string& list) {
   return methods;
 }
 
-// Whether the same picture is made, by whatever way.
-bool same_picture(const render::Document& a, const render::Document& b) {
+// True if both documents describe the same image, regardless of the method that renders it.
+bool is_same_image(const render::Document& a, const render::Document& b) {
   return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height && a.seed == b.seed &&
          a.limits == b.limits && a.display == b.display;
 }
 
-Error wrong(const std::string& method, const std::string& why) {
+Error method_error(const std::string& method, const std::string& why) {
   return usage_error("--methods: '" + method + "': " + why);
 }
 
@@ -44,14 +45,14 @@ struct Assignment {
   std::string name, value;
 };
 
-// The integrator and the sampler come first: names of parameters belong to them.
+// The integrator and the sampler come first, because they determine which parameter names exist.
 Result<std::vector<Assignment>> assignments_of(const std::string& method) {
-  const auto parts = pieces(method, ':');
-  if (parts[0].empty()) return wrong(method, "it has no integrator; give integrator[:name=value]...");
+  const auto parts = split(method, ':');
+  if (parts[0].empty()) return method_error(method, "the integrator is missing; give integrator[:name=value]...");
   std::vector<Assignment> list{{"render.integrator", parts[0]}};
   for (size_t i = 1; i < parts.size(); ++i) {
     const size_t equals = parts[i].find('=');
-    if (equals == std::string::npos) return wrong(method, "'" + parts[i] + "' has no '='; give name=value");
+    if (equals == std::string::npos) return method_error(method, "'" + parts[i] + "' has no '='; give name=value");
     const std::string name = parts[i].substr(0, equals), value = parts[i].substr(equals + 1);
     if (name == "sampler" || name == "render.sampler")
       list.insert(list.begin() + 1, {"render.sampler", value});
@@ -69,29 +70,31 @@ Result<MethodSpec> parse_method(const std::string& text, const render::Document&
   MethodSpec method{text, base};
   for (const auto& [name, value] : *assignments) {
     auto changed = render::with_text(method.document, name, value);
-    if (!changed) return wrong(text, changed.error().message);
+    if (!changed) return method_error(text, changed.error().message);
     method.document = std::move(*changed);
-    if (!same_picture(method.document, base))
-      return wrong(text, "'" + name + "' makes another picture; give it to all methods with --set");
+    if (!is_same_image(method.document, base))
+      return method_error(text, "'" + name + "' changes the image, not the method; set it for all methods with --set");
   }
-  const render::MethodSettings& made = method.document.method;
-  if (made.adaptive != base.method.adaptive && made.adaptive != render::Adaptive::off)
-    if (const std::string incompatibility = render::adaptive_incompatibility(made.integrator); !incompatibility.empty())
-      return wrong(text, incompatibility);
+  const render::MethodSettings& settings = method.document.method;
+  if (settings.adaptive != base.method.adaptive && settings.adaptive != render::Adaptive::off)
+    if (const std::string incompatibility = render::adaptive_incompatibility(settings.integrator);
+        !incompatibility.empty())
+      return method_error(text, incompatibility);
   return method;
 }
 
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base) {
   std::vector<MethodSpec> methods;
-  for (const auto& text : methods_in(list)) {
+  for (const auto& text : split_methods(list)) {
     if (text.empty()) continue;
     auto method = parse_method(text, base);
     if (!method) return method.error();
     if (std::ranges::any_of(methods, [&](const MethodSpec& m) { return m.name == text; }))
-      return wrong(text, "is named twice");
+      return method_error(text, "the method is given twice");
     methods.push_back(std::move(*method));
   }
-  if (methods.empty()) return usage_error("--methods: there is none; give a list like path:sampler=sobol,path-pure");
+  if (methods.empty())
+    return usage_error("--methods: the list is empty; give methods like path:sampler=sobol,path-pure");
   return methods;
 }
 

@@ -1,4 +1,4 @@
-// Methods as a user names them: integrator[:name=value]..., the sampler among the values.
+// Methods as users write them: integrator[:name=value]..., with the sampler as one of the values.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace etendue::bench {
 
+// An integrator with its settings, applied to a document.
 struct MethodSpec {
-  std::string name;  // as it was written
+  std::string name;  // as the user wrote it
   render::Document document;
 };
 
-// Of "path:sampler=sobol": the base document with that method.
+// Parses one method, as "path:sampler=sobol", and applies it to the base document.
 Result<MethodSpec> parse_method(const std::string& text, const render::Document& base);
 
-// Of "path:sampler=sobol,path-pure:max-depth=3": the base document with one method each. A name that does not exist, a
-// value out of range, a setting that changes the picture rather than the way to it (its size, the camera, the scene,
-// the seed), a method that is named twice and an empty list are usage errors.
+// Parses a list, as "path:sampler=sobol,path-pure:max-depth=3". Usage errors: an unknown name, a value out of range, a
+// setting that changes the image itself (size, camera, scene, seed), a method given twice, and an empty list.
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base);
 
 }  // namespace etendue::bench

@@ -9,11 +9,14 @@ bool wait_for(render::Session& session, uint64_t version,
               const std::function<bool(const render::Status&)>& keep_going) {
   while (true) {
     const auto status = session.status();
-    // Before it is taken up, the session still has the film of what came before: nothing to stop and look at.
-    const bool taken_up = status.version == version;
-    if (taken_up && status.finished) return true;
-    if (taken_up && !keep_going(status)) return session.stop(), false;
-    // Nothing here is on the clock: a rendering's seconds are those of its passes.
+    // Until the session has started this version, status and film belong to the previous one.
+    const bool has_started = status.version == version;
+    if (has_started && status.finished) return true;
+    if (has_started && !keep_going(status)) {
+      session.stop();
+      return false;
+    }
+    // Polling does not affect measurements: the time of a rendering is the sum over its passes.
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }

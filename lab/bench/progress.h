@@ -1,4 +1,4 @@
-// Someone who looks on while a bench runs.
+// Progress reports and interruption of long measurements.
 #pragma once
 #include <functional>
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace etendue::bench {
 
-// Is told what part of the work is done, 0 to 1, and what is being done; says whether to go on.
+// Receives the fraction of the work that is done, 0 to 1, and a description of the current step. Returning false
+// interrupts the work.
 using Progress = std::function<bool(double done, const std::string& what)>;
 
-// Waits until the session has brought this version to its limit, and asks now and then, once it has been taken up,
-// whether to go on; if not, the session is stopped and the answer is false.
+// Waits until the session has rendered this version to its limit and returns true. Polls `keep_going` while the version
+// is rendered; if it returns false, stops the session and returns false.
 bool wait_for(render::Session& session, uint64_t version, const std::function<bool(const render::Status&)>& keep_going);
 
 }  // namespace etendue::bench

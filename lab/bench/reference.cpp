@@ -13,30 +13,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Errors from the variance of each number, taken as independent of each other.
-void know_error(Reference& reference) {
-  const image::Layer* variance = reference.picture.find("variance");
+// Computes the error of the reference from the variance of each value; the values are assumed to be independent.
+void estimate_noise(Reference& reference) {
+  const image::Layer* variance = reference.image.find("variance");
   const auto& r = reference.rgb();
   if (!variance || variance->pixels.size() != r.size() || r.empty()) return;
   metrics::ReferenceNoise noise;
   for (size_t i = 0; i < r.size(); ++i) {
     const double v = variance->pixels[i], x = r[i];
-    noise.mse += v, noise.relmse += v / (x * x + 0.01);
+    noise.mse += v;
+    noise.relmse += v / (x * x + 0.01);
   }
   const auto n = static_cast<double>(r.size());
-  noise.mse /= n, noise.relmse /= n;
+  noise.mse /= n;
+  noise.relmse /= n;
   if (!std::isfinite(noise.mse)) return;
   reference.noise = noise;
   reference.mean_error = std::sqrt(noise.mse / n);
 }
 
-std::string place(std::ptrdiff_t pixel, int width) {
+std::string pixel_text(std::ptrdiff_t pixel, int width) {
   return "at " + std::to_string(pixel % width) + ", " + std::to_string(pixel / width);
 }
 
-// The means of blocks of times x times pixels. What is left over is not there: sides are multiples.
-image::Layer block_means(const image::Layer& layer, int width, int times) {
-  const size_t channels = layer.channels.size(), side = static_cast<size_t>(times), w = static_cast<size_t>(width);
+// The means of blocks of size x size pixels; width and height are multiples of the size.
+image::Layer block_means(const image::Layer& layer, int width, int size) {
+  const size_t channels = layer.channels.size(), side = static_cast<size_t>(size), w = static_cast<size_t>(width);
   const size_t columns = w / side, rows = layer.pixels.size() / channels / w / side;
   image::Layer small{layer.name, layer.channels, {}};
   for (size_t y = 0; y < rows; ++y)
@@ -45,12 +47,12 @@ image::Layer block_means(const image::Layer& layer, int width, int times) {
         double sum = 0;
         for (size_t v = 0; v < side; ++v)
           for (size_t u = 0; u < side; ++u) sum += layer.pixels[((y * side + v) * w + x * side + u) * channels + c];
-        small.pixels.push_back(static_cast<float>(sum / (times * times)));
+        small.pixels.push_back(static_cast<float>(sum / (size * size)));
       }
   return small;
 }
 
-// A seed that users' small numbers do not meet, the same every time.
+// A reproducible seed outside the range of repeat_seed and of typical user seeds.
 uint64_t reference_seed(uint64_t key) { return (key & 0x3fffffff) | 0x40000000; }
 
 fs::path cache_file(const fs::path& cache, uint64_t key) {
@@ -61,37 +63,39 @@ fs::path cache_file(const fs::path& cache, uint64_t key) {
 
 render::Document reference_document(const render::Document& base) {
   render::Document d = base;
-  d.method.integrator = "path", d.method.sampler = "sobol", d.method.adaptive = render::Adaptive::off;
-  d.limits = {}, d.seed = 0;
+  d.method.integrator = "path";
+  d.method.sampler = "sobol";
+  d.method.adaptive = render::Adaptive::off;
+  d.limits = {};
+  d.seed = 0;
   return d;
 }
 
 uint32_t samples_of(const film::Film& film) {
   if (film.pixels().empty()) return 0;
-  uint32_t least = UINT32_MAX;
-  for (const auto& p : film.pixels()) least = std::min(least, p.count[0] + p.count[1]);
-  return least;
+  uint32_t minimum = UINT32_MAX;
+  for (const auto& p : film.pixels()) minimum = std::min(minimum, p.count[0] + p.count[1]);
+  return minimum;
 }
 
-bool enough(const render::Checkpoint& have, const Effort& effort) {
-  if (samples_of(have.film) < film::kHalves) return false;
-  return (effort.seconds > 0 && have.seconds >= effort.seconds) ||
-         (effort.samples > 0 && samples_of(have.film) >= effort.samples);
+bool is_sufficient(const render::Checkpoint& state, const ReferenceBudget& budget) {
+  if (samples_of(state.film) < film::kHalfBuffers) return false;
+  return (budget.seconds > 0 && state.seconds >= budget.seconds) ||
+         (budget.samples > 0 && samples_of(state.film) >= budget.samples);
 }
 
-// Goes on from what there is. Returns false if it was cut short.
-bool extend(render::Session& session, render::Document d, const Effort& effort, const Progress& watch,
-            render::Checkpoint& have) {
-  const double before = have.seconds;
-  d.limits = {effort.samples, effort.seconds > 0 ? effort.seconds - before : 0, 0};
-  const bool begun = have.film.width() > 0;
-  const uint64_t version = begun ? session.submit(d, std::move(have.film)) : session.submit(d);
-  const bool whole = wait_for(session, version, [&](const render::Status& s) {
-    return watch(s.progress, "reference, " + std::to_string(s.samples) + " spp");
+// Continues the rendering up to the budget or until `progress` returns false.
+void extend(render::Session& session, render::Document d, const ReferenceBudget& budget, const Progress& progress,
+            render::Checkpoint& state) {
+  const double before = state.seconds;
+  d.limits = {budget.samples, budget.seconds > 0 ? budget.seconds - before : 0, 0};
+  const bool has_film = state.film.width() > 0;
+  const uint64_t version = has_film ? session.submit(d, std::move(state.film)) : session.submit(d);
+  wait_for(session, version, [&](const render::Status& s) {
+    return progress(s.progress, "reference, " + std::to_string(s.samples) + " spp");
   });
-  have.film = session.film_copy();
-  have.seconds = before + session.status().seconds;
-  return whole;
+  state.film = session.film_copy();
+  state.seconds = before + session.status().seconds;
 }
 
 }  // namespace
@@ -99,91 +103,95 @@ bool extend(render::Session& session, render::Document d, const Effort& effort, 
 double Reference::standard_error() const { return noise ? std::sqrt(noise->mse) : NAN; }
 
 Result<Reference> read_reference(const std::string& file) {
-  auto picture = image::read_linear(file);
-  if (!picture) return picture.error();
+  auto image = image::read_linear(file);
+  if (!image) return image.error();
   Reference reference;
   reference.file = file;
-  reference.picture = std::move(*picture);
+  reference.image = std::move(*image);
   const auto& rgb = reference.rgb();
   const auto bad = std::ranges::find_if(rgb, [](float v) { return !std::isfinite(v); });
   if (bad != rgb.end())
-    return input_error(file + ": has pixels that are not finite, the first " +
-                       place((bad - rgb.begin()) / 3, reference.picture.width) + "; nothing can be measured on it");
-  know_error(reference);
+    return input_error(file + ": contains pixels that are not finite, the first " +
+                       pixel_text((bad - rgb.begin()) / 3, reference.image.width) +
+                       "; a reference needs finite values");
+  estimate_noise(reference);
   return reference;
 }
 
-Result<Reference> fitted(Reference reference, int width, int height) {
-  const int w = reference.picture.width, h = reference.picture.height, times = w / width;
+Result<Reference> resized_reference(Reference reference, int width, int height) {
+  const int w = reference.image.width, h = reference.image.height, reduction = w / width;
   if (w == width && h == height) return reference;
-  if (times < 2 || w != times * width || h != times * height)
-    return input_error(reference.file + ": is " + std::to_string(w) + "x" + std::to_string(h) +
-                       ", the methods render " + std::to_string(width) + "x" + std::to_string(height) +
-                       "; give a --size that goes into it a whole number of times, or none");
-  const image::Layer* variance = reference.picture.find("variance");
-  std::vector<image::Layer> layers{block_means(*reference.picture.find(""), w, times)};
+  if (reduction < 2 || w != reduction * width || h != reduction * height)
+    return input_error(reference.file + ": the image has " + std::to_string(w) + "x" + std::to_string(h) +
+                       " pixels, the methods render " + std::to_string(width) + "x" + std::to_string(height) +
+                       "; give a --size of which it is a whole multiple, or no --size");
+  const image::Layer* variance = reference.image.find("variance");
+  std::vector<image::Layer> layers{block_means(*reference.image.find(""), w, reduction)};
   if (variance) {
-    layers.push_back(block_means(*variance, w, times));
-    for (float& v : layers.back().pixels) v /= static_cast<float>(times * times);
+    layers.push_back(block_means(*variance, w, reduction));
+    for (float& v : layers.back().pixels) v /= static_cast<float>(reduction * reduction);
   }
-  reference.picture.width = width, reference.picture.height = height;
-  reference.picture.layers = std::move(layers);
-  reference.reduced = times;
-  reference.noise = {}, reference.mean_error = 0;
-  know_error(reference);
+  reference.image.width = width;
+  reference.image.height = height;
+  reference.image.layers = std::move(layers);
+  reference.reduction = reduction;
+  reference.noise = {};
+  reference.mean_error = 0;
+  estimate_noise(reference);
   return reference;
 }
 
 ReferenceStore::ReferenceStore(const render::Document& base, const fs::path& cache)
     : document_(reference_document(base)) {
-  const uint64_t key = picture_key(document_);
+  const uint64_t key = image_key(document_);
   document_.seed = reference_seed(key);
   if (!cache.empty()) file_ = cache_file(cache, key);
 }
 
-render::Checkpoint ReferenceStore::take_up() const {
+render::Checkpoint ReferenceStore::load() const {
   if (file_.empty()) return {};
-  auto found = render::read_checkpoint(file_);
+  auto state = render::read_checkpoint(file_);
   const auto& d = document_;
-  if (!found || found->film.width() != d.width || found->film.height() != d.height) return {};
-  return std::move(*found);
+  if (!state || state->film.width() != d.width || state->film.height() != d.height) return {};
+  return std::move(*state);
 }
 
-void ReferenceStore::keep(film::Film film, double seconds) const {
+void ReferenceStore::save(film::Film film, double seconds) const {
   if (file_.empty()) return;
   std::error_code code;
   fs::create_directories(file_.parent_path(), code);
   const std::string state = render::state_json(document_, samples_of(film));
-  if (const auto kept = render::write_checkpoint(file_, {state, std::move(film), seconds}); !kept)
-    std::fprintf(stderr, "etendue: %s; the reference is not kept\n", kept.error().message.c_str());
+  if (const auto saved = render::write_checkpoint(file_, {state, std::move(film), seconds}); !saved)
+    std::fprintf(stderr, "etendue: %s; the reference is not cached\n", saved.error().message.c_str());
 }
 
 Reference ReferenceStore::reference_of(const film::Film& film, double seconds) const {
   Reference reference;
   reference.file = file_.string();
-  reference.picture = film::picture_of(film);
-  reference.samples = samples_of(film), reference.seconds = seconds;
-  // One half alone says nothing of the error.
-  if (reference.samples < film::kHalves) reference.picture.layers.resize(1);
-  know_error(reference);
+  reference.image = film::layered_image_of(film);
+  reference.samples = samples_of(film);
+  reference.seconds = seconds;
+  // The variance is estimated from both half-buffers; with samples in only one of them it is unknown.
+  if (reference.samples < film::kHalfBuffers) reference.image.layers.resize(1);
+  estimate_noise(reference);
   return reference;
 }
 
-Reference made_reference(render::Session& session, const render::Document& base, const Effort& effort,
-                         const fs::path& cache, const Progress& watch) {
+Reference render_reference(render::Session& session, const render::Document& base, const ReferenceBudget& budget,
+                           const fs::path& cache, const Progress& progress) {
   const ReferenceStore store(base, cache);
-  render::Checkpoint have = store.take_up();
-  if (!enough(have, effort)) {
-    extend(session, store.document(), effort, watch, have);
-    store.keep(have.film, have.seconds);
+  render::Checkpoint state = store.load();
+  if (!is_sufficient(state, budget)) {
+    extend(session, store.document(), budget, progress, state);
+    store.save(state.film, state.seconds);
   }
-  return store.reference_of(have.film, have.seconds);
+  return store.reference_of(state.film, state.seconds);
 }
 
 fs::path cache_folder() {
   const char* cache = std::getenv("XDG_CACHE_HOME");
   const char* home = std::getenv("HOME");
-  // The specification has relative values ignored.
+  // The XDG base directory specification requires relative values to be ignored.
   if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "etendue";
   return home && *home ? fs::path(home) / ".cache" / "etendue" : fs::path();
 }

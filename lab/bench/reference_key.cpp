@@ -9,7 +9,7 @@
 namespace etendue::bench {
 namespace {
 
-// To be raised when the same settings begin to mean another picture.
+// Increment when the same settings render a different image.
 constexpr uint64_t kVersion = 2;
 
 class Hasher {
@@ -30,28 +30,42 @@ class Hasher {
 
 void add(Hasher& h, const image::Image* image) {
   if (!image) return h.add(uint64_t{0});
-  h.add(static_cast<uint64_t>(image->width)), h.add(static_cast<uint64_t>(image->height));
-  h.add(image->bytes), h.add(image->floats);
+  h.add(static_cast<uint64_t>(image->width));
+  h.add(static_cast<uint64_t>(image->height));
+  h.add(image->bytes);
+  h.add(image->floats);
 }
 
 void add(Hasher& h, const Mesh& mesh) {
-  h.add(mesh.positions), h.add(mesh.triangles), h.add(mesh.normals), h.add(mesh.tangents);
-  h.add(mesh.uvs[0]), h.add(mesh.uvs[1]), h.add(mesh.colors);
+  h.add(mesh.positions);
+  h.add(mesh.triangles);
+  h.add(mesh.normals);
+  h.add(mesh.tangents);
+  h.add(mesh.uvs[0]);
+  h.add(mesh.uvs[1]);
+  h.add(mesh.colors);
 }
 
 void add(Hasher& h, const scene::Animation& animation) {
-  for (const auto& channel : animation.channels) h.add(channel.times), h.add(channel.values);
+  for (const auto& channel : animation.channels) {
+    h.add(channel.times);
+    h.add(channel.values);
+  }
 }
 
-// Everything that may lie in files beside the scene's own.
+// Hashes the data that may be stored in separate files next to the scene file.
 void add_arrays(Hasher& h, const scene::Scene& scene) {
   for (const auto& group : scene.meshes)
     for (const auto& primitive : group.primitives) {
       add(h, *primitive.mesh);
       h.add(static_cast<uint64_t>(primitive.material));
       if (!primitive.deformation) continue;
-      for (const auto& target : primitive.deformation->targets) h.add(target.positions), h.add(target.normals);
-      h.add(primitive.deformation->joints), h.add(primitive.deformation->weights);
+      for (const auto& target : primitive.deformation->targets) {
+        h.add(target.positions);
+        h.add(target.normals);
+      }
+      h.add(primitive.deformation->joints);
+      h.add(primitive.deformation->weights);
     }
   for (const auto& texture : scene.textures) add(h, texture.image.get());
   for (const auto& skin : scene.skins) h.add(skin->inverse_bind);
@@ -61,17 +75,21 @@ void add_arrays(Hasher& h, const scene::Scene& scene) {
 
 }  // namespace
 
-uint64_t picture_key(const render::Document& document) {
+uint64_t image_key(const render::Document& document) {
   Hasher h;
   h.add(kVersion);
-  // The file says what settings do not: how textures are used, who is whose child.
+  // The file contains what settings do not: the assignment of textures and the node hierarchy.
   if (!document.scene->file.empty())
     if (const auto bytes = read_file(document.scene->file)) h.add(*bytes);
   add_arrays(h, *document.scene);
   render::Document bare = document;
-  bare.scene_name = bare.camera_name = "";
-  bare.seed = 0, bare.limits = {}, bare.display = {}, bare.fireflies = {};
-  bare.origin = nullptr;  // so that all settings are listed, not those that differ
+  bare.scene_name = "";
+  bare.camera_name = "";
+  bare.seed = 0;
+  bare.limits = {};
+  bare.display = {};
+  bare.fireflies = {};
+  bare.origin = nullptr;  // so that state_json lists all settings instead of the changed ones
   auto scene = std::make_shared<scene::Scene>(*document.scene);
   scene->environment.file.clear();
   bare.scene = std::move(scene);

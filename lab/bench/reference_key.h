@@ -1,4 +1,4 @@
-// What a picture depends on, as a number: under which a reference is found again.
+// The cache key of reference images.
 #pragma once
 #include <cstdint>
 
@@ -6,8 +6,9 @@
 
 namespace etendue::bench {
 
-// A hash of the scene's content (geometry, textures, environment, the file itself) and of every setting but the seed,
-// the limits, the display and the name of the file. Equal for the same scene in another place.
-uint64_t picture_key(const render::Document& document);
+// A hash of everything the image depends on: the content of the scene (geometry, textures, environment, the file
+// itself) and all settings except the seed, the limits, the display and file names. It does not depend on the location
+// of the scene file.
+uint64_t image_key(const render::Document& document);
 
 }  // namespace etendue::bench

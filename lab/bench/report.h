@@ -1,4 +1,4 @@
-// What a bench leaves behind: figures for scripts, a chart, and a page that stands alone.
+// The files of a benchmark: tables for scripts, a chart, and a self-contained HTML page.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -16,27 +16,26 @@ struct Report {
   int threads = 0;
 };
 
-// Columns method,repeat,seconds,spp,mse,relmse,bias: as measured, with the reference's noise in them.
+// Columns method,repeat,seconds,spp,mse,relmse,bias: as measured, including the noise of the reference.
 std::string curves_csv(const Report& report);
 
 std::string summary_json(const Report& report);
 
-// A picture of the page as PNG bytes.
-struct PagePicture {
+// An image of the page, as the bytes of a PNG file.
+struct PageImage {
   enum class Kind { rendering, difference, flip } kind;
   std::string name, caption;
   std::vector<std::byte> png;
 };
 
-// A page of HTML that needs nothing else: charts, figures, and any two of the pictures, in order of their kind, under a
-// wipe.
-std::string report_html(const Report& report, const std::vector<PagePicture>& pictures);
+// The HTML page: charts, tables, and a wipe between any two of the images, which are given in the order of their kind.
+std::string report_html(const Report& report, const std::vector<PageImage>& images);
 
-// Writes curves.csv, summary.json, chart.svg, chart.png, report.html and the pictures into the folder, which is made if
-// it is not there.
+// Writes curves.csv, summary.json, chart.svg, chart.png, report.html and the images into the folder, which is created
+// if necessary.
 Result<void> write_report(const std::filesystem::path& folder, const Report& report);
 
-// Makes the folder if it is not there; an output error if that cannot be.
-Result<void> make_folder(const std::filesystem::path& folder);
+// Creates the folder if it does not exist; an output error if that fails.
+Result<void> create_folder(const std::filesystem::path& folder);
 
 }  // namespace etendue::bench

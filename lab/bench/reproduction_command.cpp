@@ -7,57 +7,59 @@
 namespace etendue::bench {
 namespace {
 
-std::string quoted(const std::string& text) {
-  const bool plain = !text.empty() && text.find_first_not_of(
-                                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                          "0123456789_-+=:,./@%") == std::string::npos;
-  if (plain) return text;
+std::string shell_quoted(const std::string& text) {
+  const bool is_plain = !text.empty() && text.find_first_not_of(
+                                             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                             "0123456789_-+=:,./@%") == std::string::npos;
+  if (is_plain) return text;
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
   return out + "'";
 }
 
-std::string option(const char* name, const std::string& value) { return std::string(" ") + name + " " + quoted(value); }
+std::string option(const char* name, const std::string& value) {
+  return std::string(" ") + name + " " + shell_quoted(value);
+}
 
-// Settings that differ from those the scene was opened with; size, seed and limits have options of their own.
+// Options for the settings that differ from those of the scene file. Size, seed and limits have separate options.
 std::string changed_settings(const render::Document& d) {
-  static const std::set<std::string> kElsewhere{"film.width",     "film.height",    "render.seed",
-                                                "render.samples", "render.seconds", "render.rmse"};
+  static const std::set<std::string> kSeparateOptions{"film.width",     "film.height",    "render.seed",
+                                                      "render.samples", "render.seconds", "render.rmse"};
   if (!d.origin) return "";
   std::string text;
   for (const auto& section : render::sections(d)) {
-    const auto now = render::bindings(d, section), before = render::bindings(*d.origin, section);
-    for (size_t i = 0; i < now.size(); ++i) {
-      const ParameterInfo& info = now[i].info;
-      const bool same = i < before.size() && before[i].info.default_value == info.default_value;
-      if (!same && !kElsewhere.contains(info.name))
+    const auto current = render::bindings(d, section), original = render::bindings(*d.origin, section);
+    for (size_t i = 0; i < current.size(); ++i) {
+      const ParameterInfo& info = current[i].info;
+      const bool is_same = i < original.size() && original[i].info.default_value == info.default_value;
+      if (!is_same && !kSeparateOptions.contains(info.name))
         text += option("--set", info.name + "=" + to_string(info.default_value));
     }
   }
   return text;
 }
 
-std::string environment(const render::Document& d) {
+std::string environment_option(const render::Document& d) {
   const std::string& file = d.scene->environment.file;
-  const bool changed = d.origin && d.origin->scene->environment.file != file;
-  return changed && !file.empty() ? option("--env", file) : "";
+  const bool is_changed = d.origin && d.origin->scene->environment.file != file;
+  return is_changed && !file.empty() ? option("--env", file) : "";
 }
 
 }  // namespace
 
-std::string recipe(const Report& r) {
+std::string reproduction_command(const Report& r) {
   const render::Document& d = r.document;
   std::string methods;
   for (const MethodSpec& m : r.plan.methods) methods += (methods.empty() ? "" : ",") + m.name;
-  std::string text = "etendue bench " + quoted(d.scene_name) + option("--methods", methods) +
+  std::string text = "etendue bench " + shell_quoted(d.scene_name) + option("--methods", methods) +
                      option("--size", std::to_string(d.width) + "x" + std::to_string(d.height));
   if (r.plan.seconds > 0) text += option("--budget", metrics::short_number(r.plan.seconds));
   if (r.plan.samples > 0) text += option("--samples", std::to_string(r.plan.samples));
   text += option("--repeats", std::to_string(r.plan.repeats)) + option("--seed", std::to_string(r.plan.seed)) +
           option("--threads", std::to_string(r.threads));
   if (!d.camera_name.empty()) text += option("--camera", d.camera_name);
-  text += environment(d) + changed_settings(d);
-  // Without a count of samples the reference came from a file.
+  text += environment_option(d) + changed_settings(d);
+  // A reference without a sample count was read from a file.
   if (r.reference.samples == 0)
     text += option("--reference", r.reference.file);
   else

@@ -1,4 +1,4 @@
-// How to make a bench again.
+// The command that repeats a benchmark.
 #pragma once
 #include <string>
 
@@ -6,9 +6,9 @@
 
 namespace etendue::bench {
 
-// The command line of `etendue bench` that measures the same: what the scene, the document and the plan say, quoted for
-// a shell. Curves over samples come out the same, unless a longer reference is kept; those over seconds are of the
+// The command line of `etendue bench` with the scene, the settings and the plan of the report, quoted for a shell. It
+// reproduces curves over samples exactly, unless a longer reference is cached. Curves over seconds depend on the
 // machine.
-std::string recipe(const Report& report);
+std::string reproduction_command(const Report& report);
 
 }  // namespace etendue::bench

@@ -22,20 +22,21 @@ double median_at_end(const metrics::MethodCurves& curves, F&& value) {
   return metrics::quantile(std::move(values), 0.5);
 }
 
-std::optional<metrics::Split> split_of(const MethodResult& result, const Reference& reference) {
+std::optional<metrics::BiasVariance> bias_variance_of(const MethodResult& result, const Reference& reference) {
   const auto& r = reference.rgb();
   double mse_of_mean = 0;
-  for (size_t i = 0; i < result.mean_picture.size(); ++i) mse_of_mean += std::pow(result.mean_picture[i] - r[i], 2);
+  for (size_t i = 0; i < result.mean_image.size(); ++i) mse_of_mean += std::pow(result.mean_image[i] - r[i], 2);
   mse_of_mean /= static_cast<double>(r.size());
-  return metrics::split(result.mean_mse, mse_of_mean, static_cast<int>(result.curves.repeats.size()),
-                        noise_of(reference));
+  return metrics::bias_and_variance(result.mean_mse, mse_of_mean, static_cast<int>(result.curves.repeats.size()),
+                                    noise_of(reference));
 }
 
 double flip_of(const MethodResult& result, const Reference& reference, const render::Display& display) {
-  image::LayeredImage picture;
-  picture.width = reference.picture.width, picture.height = reference.picture.height;
-  picture.layers.push_back({"", {"R", "G", "B"}, result.picture});
-  const auto map = metrics::flip_map(picture, reference.picture, {display.exposure, display.curve});
+  image::LayeredImage image;
+  image.width = reference.image.width;
+  image.height = reference.image.height;
+  image.layers.push_back({"", {"R", "G", "B"}, result.image});
+  const auto map = metrics::flip_map(image, reference.image, {display.exposure, display.curve});
   return map ? metrics::mean_of(*map) : NAN;
 }
 
@@ -51,18 +52,18 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.slope_over_samples = metrics::slope_of(corrected, metrics::Abscissa::samples, noise);
   s.efficiency = metrics::efficiency_of(corrected);
   s.bias = metrics::bias_of(result.curves, reference.mean_error);
-  s.split = split_of(result, reference);
+  s.bias_variance = bias_variance_of(result, reference);
   s.rmse = median_at_end(corrected, [](const ErrorPoint& p) { return std::sqrt(p.mse); });
   s.relmse = median_at_end(corrected, [](const ErrorPoint& p) { return p.relmse; });
   s.spp = median_at_end(corrected, [](const ErrorPoint& p) { return p.spp; });
   s.seconds = median_at_end(corrected, [](const ErrorPoint& p) { return p.seconds; });
   s.rays_per_second = metrics::quantile(result.rays_per_second, 0.5);
   s.flip = flip_of(result, reference, display);
-  if (result.health) {
-    s.khat = result.health->tail.khat;
-    s.heavy_tail = result.health->verdict == render::Verdict::unreliable;
+  if (result.reliability) {
+    s.khat = result.reliability->tail.khat;
+    s.has_heavy_tail = result.reliability->verdict == render::Verdict::unreliable;
   }
-  s.too_noisy = metrics::too_noisy(corrected, noise);
+  s.reference_too_noisy = metrics::is_reference_too_noisy(corrected, noise);
   return s;
 }
 
@@ -74,17 +75,19 @@ std::vector<metrics::MethodCurves> corrected_curves(const Outcome& outcome, cons
 }
 
 bool reference_too_noisy(const Outcome& outcome, const Reference& reference) {
-  return std::ranges::any_of(corrected_curves(outcome, reference),
-                             [&](const auto& curves) { return metrics::too_noisy(curves, noise_of(reference)); });
+  return std::ranges::any_of(corrected_curves(outcome, reference), [&](const auto& curves) {
+    return metrics::is_reference_too_noisy(curves, noise_of(reference));
+  });
 }
 
-double seconds_wanted(const Outcome& outcome, const Reference& reference) {
+double required_reference_seconds(const Outcome& outcome, const Reference& reference) {
   const double noise = noise_of(reference).mse;
-  double worst = 1;
+  // An RMSE ten times that of the reference requires 1/100 of its MSE; the variance falls as 1 / seconds.
+  double factor = 1;
   for (const auto& method : outcome.methods)
     for (const auto& curve : method.curves.repeats)
-      for (const auto& p : curve.points) worst = std::max(worst, 100 * noise / std::max(p.mse - noise, 0.01 * p.mse));
-  return worst > 1 ? worst * reference.seconds : 0;
+      for (const auto& p : curve.points) factor = std::max(factor, 100 * noise / std::max(p.mse - noise, 0.01 * p.mse));
+  return factor > 1 ? factor * reference.seconds : 0;
 }
 
 }  // namespace etendue::bench

@@ -1,4 +1,4 @@
-// What is read off the curves of a bench.
+// Statistics of a benchmark: slopes, efficiency, bias and errors per method.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,31 +8,31 @@
 
 namespace etendue::bench {
 
-// Of one method, at the end of its repeats; errors are without the reference's own.
+// The statistics of one method at the end of its repeats. The error of the reference has been subtracted.
 struct MethodSummary {
   std::string name;
-  metrics::Figure slope, slope_over_samples;  // of RMSE
-  metrics::Figure efficiency;                 // 1 / (MSE * seconds)
-  metrics::Figure bias;                       // radiance
-  std::optional<metrics::Split> split;        // with two repeats or more
-  double rmse = 0, relmse = 0;                // medians
-  double spp = 0, seconds = 0, rays_per_second = 0;
-  double flip = 0;             // of the last repeat, as the document is shown
-  std::optional<double> khat;  // of the samples' tail (measure/tail.h); nothing where there is none to fit
-  bool heavy_tail = false;     // so heavy that errors cannot be told from few repeats (render/health.h)
-  // The reference is not ten times better than the best picture: too noisy to tell small errors.
-  bool too_noisy = false;
+  metrics::Estimate slope, slope_over_samples;         // of log RMSE over log time and log samples
+  metrics::Estimate efficiency;                        // 1 / (MSE * seconds)
+  metrics::Estimate bias;                              // radiance
+  std::optional<metrics::BiasVariance> bias_variance;  // with at least two repeats
+  double rmse = 0, relmse = 0;                         // medians over the repeats
+  double spp = 0, seconds = 0, rays_per_second = 0;    // medians over the repeats
+  double flip = 0;                                     // mean FLIP of the last repeat with the document's display
+  std::optional<double> khat;        // Pareto tail index of the samples (film/tail.h); nothing if there is no tail
+  bool has_heavy_tail = false;       // the error estimate is unreliable (render/reliability.h)
+  bool reference_too_noisy = false;  // the smallest error is less than ten times the error of the reference
 };
 
 MethodSummary summary_of(const MethodResult& result, const Reference& reference, const render::Display& display);
 
-// The curves without the reference's noise, as they are drawn.
+// The curves after subtraction of the reference's noise, as drawn in charts.
 std::vector<metrics::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference);
 
-// Whether the error of the reference is known not to be ten times smaller than the smallest error that was measured.
+// True if the error of the reference is known and more than a tenth of the smallest measured error.
 bool reference_too_noisy(const Outcome& outcome, const Reference& reference);
 
-// Seconds of reference that would make it good enough for all methods; 0 if it is, or if that is unknown.
-double seconds_wanted(const Outcome& outcome, const Reference& reference);
+// The rendering time of the reference that would suffice for all methods, in seconds; 0 if the present one suffices or
+// the time is unknown.
+double required_reference_seconds(const Outcome& outcome, const Reference& reference);
 
 }  // namespace etendue::bench

@@ -14,27 +14,28 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 TimedRender::TimedRender(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene,
                          film::Film start, double seconds)
-    : runner_(document, scene, document.width, document.height),
+    : renderer_(document, scene, document.width, document.height),
       film_(start.width() > 0 ? std::move(start) : film::Film(document.width, document.height)),
       seconds_(seconds),
-      seconds_before_(seconds) {
-  runner_.begin(film_);
+      initial_seconds_(seconds) {
+  renderer_.begin(film_);
 }
 
 bool TimedRender::run(render::ThreadPool& workers, uint32_t target, double seconds,
                       const std::function<bool()>& keep_going) {
   const double before = seconds_, end = before + seconds;
   const auto start = Clock::now();
-  bool whole = true;
-  for (const uint32_t first = samples(); samples() < target && whole && (samples() == first || !reached(end));) {
-    whole = runner_.advance(workers, {film_}, keep_going, counters_, keep_going);
+  bool completed = true;
+  for (const uint32_t first = samples();
+       samples() < target && completed && (samples() == first || !has_reached(end));) {
+    completed = renderer_.advance(workers, {film_}, keep_going, counters_, keep_going);
     seconds_ = before + seconds_since(start);
   }
-  return whole;
+  return completed;
 }
 
 double TimedRender::rays_per_second() const {
-  const double seconds = seconds_ - seconds_before_;
+  const double seconds = seconds_ - initial_seconds_;
   return seconds > 0 ? static_cast<double>(counters_.rays) / seconds : 0;
 }
 

@@ -1,4 +1,4 @@
-// A rendering that goes on in turns: a film, and a clock that runs only while it is rendered.
+// A rendering in time slices: a film and a clock that counts rendering time only.
 #pragma once
 #include <functional>
 #include <memory>
@@ -9,29 +9,29 @@ namespace etendue::bench {
 
 class TimedRender {
  public:
-  // Goes on from `start`, if it has a size; `seconds` is the time that was spent on it.
+  // Continues `start` if it is not empty; `seconds` is the time already spent on it.
   TimedRender(const render::Document& document, const std::shared_ptr<const scene::CompiledScene>& scene,
               film::Film start = {}, double seconds = 0);
 
-  // Brings all pixels to `target` samples, or as far as they come in so many seconds, but by one sample at least. False
-  // if `keep_going` cut it short; the next turn then goes on in the middle of that sample.
+  // Renders until all pixels have `target` samples or the time slice of `seconds` has elapsed, but at least one sample
+  // per pixel. Returns false if `keep_going` interrupted it; the next call then completes the unfinished sample.
   bool run(render::ThreadPool& workers, uint32_t target, double seconds, const std::function<bool()>& keep_going);
 
-  // Whether one more sample would end later than half of itself past so many seconds on the clock.
-  bool reached(double seconds) const { return samples() > 0 && seconds_ + 0.5 * seconds_a_sample() >= seconds; }
+  // True if the clock would be closer to `seconds` now than after one more sample.
+  bool has_reached(double seconds) const { return samples() > 0 && seconds_ + 0.5 * seconds_per_sample() >= seconds; }
 
-  uint32_t samples() const { return runner_.samples(); }  // of a pixel; on average where they are shared out adaptively
-  double seconds() const { return seconds_; }             // of rendering
+  uint32_t samples() const { return renderer_.samples(); }  // per pixel; the average with adaptive sampling
+  double seconds() const { return seconds_; }               // rendering time
   double rays_per_second() const;
   const film::Film& film() const { return film_; }
 
  private:
-  double seconds_a_sample() const { return seconds_ / samples(); }
+  double seconds_per_sample() const { return seconds_ / samples(); }
 
-  render::Renderer runner_;
+  render::Renderer renderer_;
   film::Film film_;
   render::Renderer::Counters counters_;
-  double seconds_, seconds_before_;
+  double seconds_, initial_seconds_;
 };
 
 }  // namespace etendue::bench

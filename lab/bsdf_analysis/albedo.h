@@ -1,4 +1,4 @@
-// How much of the light from one direction leaves the surface.                 thesis 4.2.1.3, (4.156); item 42
+// Directional-hemispherical albedo of a test surface.                              [Lang, sec. 4.2.2.3, eq. 4.156]
 #pragma once
 #include <array>
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace etendue::bsdf_analysis {
 
-// A share of power, by its own sampling of the lobes: directional-hemispherical, over both hemispheres. `error` is one
-// standard error of the largest component, from replicates.
+// The fraction of incident power that leaves the surface, over both hemispheres, estimated with the sampling of the
+// lobes. `error` is one standard error of the largest colour component, from replicates.
 struct Albedo {
-  double degrees = 0;  // of the direction that light comes from
+  double degrees = 0;  // polar angle of the incident light
   Rgb value{0};
   double error = 0;
-  Rgb diffuse{0}, glossy{0}, specular{0};  // the parts by letter, which add up to `value`
-  Rgb transmitted{0};                      // the part that goes to the other side
+  Rgb diffuse{0}, glossy{0}, specular{0};  // parts by kind of scattering; they sum to `value`
+  Rgb transmitted{0};                      // the part that crosses the surface
 };
 
 struct AlbedoOptions {
@@ -24,11 +24,12 @@ struct AlbedoOptions {
 
 Albedo albedo_at(const Lobes& lobes, double degrees, const AlbedoOptions& options = {});
 
-// From 0 to just short of 90 degrees; more of them where models misbehave. `inside`: of light that comes from below.
+// The albedo from 0 to 89.5 degrees, at smaller steps near grazing angles, where models violate energy conservation.
+// `inside`: light arrives from below the surface.
 std::vector<Albedo> albedo_curve(const Lobes& lobes, bool inside = false, const AlbedoOptions& options = {},
-                                 const Wanted& wanted = {});
+                                 const KeepGoing& keep_going = {});
 
-// The cosine-weighted mean of a curve: what is left of light that comes from everywhere alike.
+// The cosine-weighted mean of a curve: the fraction of uniform incident light that leaves the surface.
 double hemispherical_albedo(const std::vector<Albedo>& curve);
 
 }  // namespace etendue::bsdf_analysis

@@ -18,65 +18,82 @@ double degrees_of(const Vec3& w) {
   return std::acos(std::clamp(static_cast<double>(w.z), -1.0, 1.0)) * 180 / 3.14159265358979323846;
 }
 
-Check non_negative(const Plausibility& p) {
-  Check b{"non-negative", "Nowhere negative", "Negative or no number", p.non_negative(), {}};
+Check check_non_negative(const Plausibility& p) {
+  Check check{.name = "non-negative",
+              .passed_label = "Non-negative",
+              .failed_label = "Negative or not finite",
+              .holds = p.non_negative(),
+              .reason = {}};
   if (p.not_finite > 0)
-    b.reason = text("no number for %zu of %zu pairs of directions", p.not_finite, p.pairs);
-  else if (p.least < 0)
-    b.reason = text("%.3g from %.1f\u00b0 to %.1f\u00b0", p.least, degrees_of(p.least_wi), degrees_of(p.least_wo));
+    check.reason = text("not finite for %zu of %zu pairs of directions", p.not_finite, p.pairs);
+  else if (p.minimum < 0)
+    check.reason =
+        text("%.3g from %.1f\u00b0 to %.1f\u00b0", p.minimum, degrees_of(p.minimum_wi), degrees_of(p.minimum_wo));
   else
-    b.reason = text("nowhere below zero in %zu pairs of directions", p.pairs);
-  return b;
+    check.reason = text("no negative value in %zu pairs of directions", p.pairs);
+  return check;
 }
 
-Check reciprocal(const Plausibility& p) {
-  Check b{"reciprocal", "Reciprocal", "Not reciprocal", p.reciprocal(), {}};
+Check check_reciprocal(const Plausibility& p) {
+  Check check{.name = "reciprocal",
+              .passed_label = "Reciprocal",
+              .failed_label = "Not reciprocal",
+              .holds = p.reciprocal(),
+              .reason = {}};
   if (p.reciprocal())
-    b.reason = text("both ways alike to %.1g in %zu pairs of directions", p.asymmetry, p.pairs);
+    check.reason = text("symmetric within %.1g in %zu pairs of directions", p.asymmetry, p.pairs);
   else
-    b.reason = text("%.4g from %.1f\u00b0 to %.1f\u00b0, but %.4g back", p.worst.forth, degrees_of(p.worst.wi),
-                    degrees_of(p.worst.wo), p.worst.back);
-  return b;
+    check.reason = text("%.4g from %.1f\u00b0 to %.1f\u00b0, but %.4g in reverse", p.worst.forward,
+                        degrees_of(p.worst.wi), degrees_of(p.worst.wo), p.worst.reverse);
+  return check;
 }
 
-Check conserves_energy(const Plausibility& p) {
-  const double most = static_cast<double>(max_component(p.most.value));
-  Check b{"conserves-energy", "Conserves energy", "Makes light", p.conserves_energy(), {}};
-  b.reason = b.holds ? text("at most %.4f of the light leaves, at %.4g\u00b0", most, p.most.degrees)
-                     : text("%.4g times the light that comes leaves again, at %.4g\u00b0", most, p.most.degrees);
-  return b;
+Check check_energy(const Plausibility& p) {
+  const double albedo = static_cast<double>(max_component(p.largest_albedo.value));
+  Check check{.name = "conserves-energy",
+              .passed_label = "Conserves energy",
+              .failed_label = "Not energy conserving",
+              .holds = p.conserves_energy(),
+              .reason = {}};
+  check.reason = text("largest albedo %.4f, at %.4g\u00b0", albedo, p.largest_albedo.degrees);
+  return check;
 }
 
-Check sampled(const std::vector<SamplingQuality>& curve) {
-  Check b{"well-sampled", "Well sampled", "Badly sampled", well_sampled(curve), {}};
+Check check_sampling(const std::vector<SamplingQuality>& curve) {
+  Check check{.name = "well-sampled",
+              .passed_label = "Well sampled",
+              .failed_label = "High sampling variance",
+              .holds = is_well_sampled(curve),
+              .reason = {}};
   const SamplingQuality* worst = nullptr;
   for (const SamplingQuality& q : curve) {
     if (q.degrees > 80) continue;
-    if (std::abs(q.discrepancy) > kDiscrepancy) {
-      b.reason =
-          text("samples and values disagree by %.0f standard errors at %.4g\u00b0", std::abs(q.discrepancy), q.degrees);
-      return b;
+    if (std::abs(q.discrepancy) > kMaxDiscrepancy) {
+      check.failed_label = "Samples disagree with values";
+      check.reason =
+          text("samples and values differ by %.0f standard errors at %.4g\u00b0", std::abs(q.discrepancy), q.degrees);
+      return check;
     }
     if (!worst || q.deviation > worst->deviation) worst = &q;
   }
   if (worst)
-    b.reason = text("weights deviate by %.2g of their mean at %.4g\u00b0 (%.2g if drawn by the cosine)",
-                    worst->deviation, worst->degrees, worst->by_cosine);
-  return b;
+    check.reason = text("relative deviation of the weights %.2g at %.4g\u00b0 (cosine sampling: %.2g)",
+                        worst->deviation, worst->degrees, worst->cosine_deviation);
+  return check;
 }
 
 }  // namespace
 
-Audit audit(const Lobes& lobes, const Wanted& wanted) {
-  Audit a;
-  a.albedo = albedo_curve(lobes, false, {}, wanted);
-  if (passes_light(lobes)) a.albedo_inside = albedo_curve(lobes, true, {}, wanted);
+SurfaceAnalysis analyze(const Lobes& lobes, const KeepGoing& keep_going) {
+  SurfaceAnalysis a;
+  a.albedo = albedo_curve(lobes, false, {}, keep_going);
+  if (transmits_light(lobes)) a.albedo_inside = albedo_curve(lobes, true, {}, keep_going);
   std::vector<Albedo> both = a.albedo;
   both.insert(both.end(), a.albedo_inside.begin(), a.albedo_inside.end());
-  a.plausibility = plausibility(lobes, both, wanted);
-  a.sampling = sampling_curve(lobes, {}, wanted);
-  a.badges = {non_negative(a.plausibility), reciprocal(a.plausibility), conserves_energy(a.plausibility),
-              sampled(a.sampling)};
+  a.plausibility = plausibility(lobes, both, keep_going);
+  a.sampling = sampling_curve(lobes, {}, keep_going);
+  a.checks = {check_non_negative(a.plausibility), check_reciprocal(a.plausibility), check_energy(a.plausibility),
+              check_sampling(a.sampling)};
   return a;
 }
 

@@ -1,4 +1,5 @@
-// The verdicts on a surface, each with what it rests on. They are measured: nothing here asks a model what it claims.
+// The checks of a test surface: verdicts with the measured value that supports them. Declarations of models are not
+// used.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,23 +10,24 @@
 namespace etendue::bsdf_analysis {
 
 struct Check {
-  const char* name;      // "non-negative", "reciprocal", "conserves-energy", "well-sampled"
-  const char *yes, *no;  // the verdict in words
+  const char* name;                         // "non-negative", "reciprocal", "conserves-energy", "well-sampled"
+  const char *passed_label, *failed_label;  // the verdict as shown to users
   bool holds = false;
-  std::string reason;  // the figure, and where
+  std::string reason;  // the decisive value and the angles at which it was measured
 
-  const char* label() const { return holds ? yes : no; }
+  const char* label() const { return holds ? passed_label : failed_label; }
 };
 
-struct Audit {
-  std::vector<Albedo> albedo;         // of light from outside
-  std::vector<Albedo> albedo_inside;  // of light from below; empty where none passes
+struct SurfaceAnalysis {
+  std::vector<Albedo> albedo;         // light from above the surface
+  std::vector<Albedo> albedo_inside;  // light from below; empty for opaque surfaces
   Plausibility plausibility;
   std::vector<SamplingQuality> sampling;
-  std::vector<Check> badges;
+  std::vector<Check> checks;
 };
 
-// All of it; a few hundredths of a second for most. Incomplete if `wanted` said no.
-Audit audit(const Lobes& lobes, const Wanted& wanted = {});
+// Runs all measurements; they take a few hundredths of a second for most models. The result is incomplete if
+// `keep_going` returned false.
+SurfaceAnalysis analyze(const Lobes& lobes, const KeepGoing& keep_going = {});
 
 }  // namespace etendue::bsdf_analysis

@@ -1,41 +1,41 @@
-// The instruments' readings as drawings (measure/drawing.h), for files and panels alike.
+// Drawings of the measurements (metrics/drawing.h), for files and panels.
 #pragma once
 #include <span>
 #include <string>
 
 #include "bsdf_analysis/albedo.h"
 #include "bsdf_analysis/lobe_shape.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 
 namespace etendue::bsdf_analysis {
 
-// Where there is less room than this, names are left to what stands beside the drawing.
-inline constexpr int kRoomForNames = 300;
+// Drawings narrower than this, in pixels, have no legend.
+inline constexpr int kMinWidthForLegend = 300;
 
-// The length that values are drawn with: as they are, or their fourth root, which shows what lies beneath a peak.
-enum class Length { linear, root };
+// How values are drawn: proportional, or as their fourth root, which makes the surroundings of a peak visible.
+enum class LengthScale { linear, root };
 
-struct Look {
+struct DrawingOptions {
   int width = 480, height = 360;
   metrics::ChartPalette palette = {};
-  Length length = Length::linear;
-  double turn = 145, tilt = 25;  // degrees: the eye on a lobe
+  LengthScale length_scale = LengthScale::linear;
+  double azimuth = 145, elevation = 25;  // of the viewpoint of lobe_drawing, degrees
 };
 
-// Slices of several specimens about the normal, one colour each, with the direction to the eye.
+// Polar plot of slices around the normal, one colour each, with the direction wo of the first slice.
 metrics::Drawing polar_drawing(std::span<const Slice> slices, std::span<const std::string> names,
-                               const Look& look = {});
+                               const DrawingOptions& options = {});
 
-// Albedo over the angle of the light, one colour each; what is above one is hatched.
+// Albedo as a function of the polar angle of the light, one colour each; the region above one is tinted.
 metrics::Drawing albedo_drawing(std::span<const std::vector<Albedo>> curves, std::span<const std::string> names,
-                                const Look& look = {});
+                                const DrawingOptions& options = {});
 
-// A lobe as a surface in space over a disk of the plane, painted by its height.
-metrics::Drawing lobe_drawing(std::span<const LobeSurface> sides, double degrees, const Look& look = {});
+// A lobe as a surface in space over a disk in the tangent plane, coloured by its values; `degrees` is the angle of wo.
+metrics::Drawing lobe_drawing(std::span<const LobeSurface> sides, double degrees, const DrawingOptions& options = {});
 
 }  // namespace etendue::bsdf_analysis
 
 template <>
-struct etendue::Options<etendue::bsdf_analysis::Length> {
-  static constexpr std::array<etendue::Option, 2> kOptions{{{"linear", "As it is"}, {"root", "Fourth root"}}};
+struct etendue::Options<etendue::bsdf_analysis::LengthScale> {
+  static constexpr std::array<etendue::Option, 2> kOptions{{{"linear", "Linear"}, {"root", "Fourth root"}}};
 };

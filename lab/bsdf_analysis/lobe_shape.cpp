@@ -1,15 +1,15 @@
 #include "bsdf_analysis/lobe_shape.h"
 
-#include "base/frame.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "base/frame.h"
 
 namespace etendue::bsdf_analysis {
 namespace {
 
 Rgb value_at(const Lobes& lobes, const Vec3& wo, const Vec3& wi, bool times_cosine) {
-  const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+  const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
   if (!is_finite(f)) return Rgb(0);
   return times_cosine ? f * std::abs(wi.z) : f;
 }
@@ -39,14 +39,15 @@ LobeSurface lobe_surface(const Lobes& lobes, double degrees, Side side, bool tim
   const Vec3 wo = direction(degrees, azimuth);
   const Frame frame(side == Side::upper ? Vec3(-wo.x, -wo.y, wo.z) : refracted(wo, relative_eta(lobes)));
   LobeSurface surface;
-  surface.rows = kRows, surface.columns = kColumns;
+  surface.rows = kRows;
+  surface.columns = kColumns;
   for (int r = 0; r < kRows; ++r)
     for (int c = 0; c < kColumns; ++c) {
       const double t = static_cast<double>(r) / (kRows - 1);
       const Vec3 w = frame.to_world(direction(180 * t * t, 360.0 * c / kColumns));
-      const bool here = side == Side::upper ? w.z > 0 : w.z < 0;
+      const bool on_side = side == Side::upper ? w.z > 0 : w.z < 0;
       surface.directions.push_back(w);
-      surface.values.push_back(here ? average(value_at(lobes, wo, w, times_cosine)) : 0.0f);
+      surface.values.push_back(on_side ? average(value_at(lobes, wo, w, times_cosine)) : 0.0f);
       surface.largest = std::max(surface.largest, surface.values.back());
     }
   return surface;

@@ -1,4 +1,4 @@
-// What f looks like: slices through the plane of incidence, and whole lobes.
+// The shape of f: slices in the plane of incidence, and values over a sphere of directions.
 #pragma once
 #include <vector>
 
@@ -6,21 +6,23 @@
 
 namespace etendue::bsdf_analysis {
 
-// In the plane of incidence, for light to wo under `degrees`: angles from -180 to 180 about the surface, 0 the normal,
-// positive on wo's side, so that a mirror's direction is at -degrees; beyond +-90 is the lower side.
+// Values in the plane of incidence for wo at the polar angle `degrees`. Angles run from -180 to 180 degrees; 0 is the
+// normal and positive angles lie on the side of wo, so the mirror direction is at -degrees. Angles beyond +-90 degrees
+// are below the surface.
 struct Slice {
   double degrees = 0;
   std::vector<double> angles;
-  std::vector<Rgb> values;  // f, times the cosine if so asked
+  std::vector<Rgb> values;  // f, or f cos if `times_cosine`
 };
 Slice slice(const Lobes& lobes, double degrees, bool times_cosine = true, double azimuth = 0, int steps = 1441);
 
-// Values over a sphere of directions: rows from an axis to what lies opposite, closer near the axis, by columns around
-// it. The axis is the mirrored direction, or the refracted one for the lower side, as that is where lobes are narrow.
+// Values on a grid in spherical coordinates around an axis: rows from the axis to the opposite pole, denser near the
+// axis, times columns around it. The axis is the mirror direction, or the refracted direction for the lower side,
+// because lobes are narrow there.
 struct LobeSurface {
   int rows = 0, columns = 0;
   std::vector<Vec3> directions;
-  std::vector<float> values;  // the mean component; 0 on the other side
+  std::vector<float> values;  // mean over the colour components; 0 on the other side of the surface
   float largest = 0;
 };
 enum class Side { upper, lower };

@@ -1,4 +1,5 @@
-// Means of independent replicates: well spread numbers say nothing about their error themselves.
+// Mean and standard error over independent replicates. The samples within a replicate are points of a low-discrepancy
+// sequence, so their own variance does not measure the error of their mean.
 #pragma once
 #include <array>
 #include <cmath>
@@ -7,11 +8,11 @@
 
 namespace etendue::bsdf_analysis {
 
-inline constexpr uint32_t kHalves = 16;
+inline constexpr uint32_t kReplicates = 16;
 
 class Replicates {
  public:
-  void add(double value) { values_[count_++] = value; }
+  void add(double value) { values_[count_++] = value; }  // at most kReplicates times
 
   double mean() const {
     double sum = 0;
@@ -27,7 +28,7 @@ class Replicates {
   }
 
  private:
-  std::array<double, kHalves> values_{};
+  std::array<double, kReplicates> values_{};
   size_t count_ = 0;
 };
 

@@ -12,18 +12,20 @@ namespace {
 
 constexpr double kAngles[] = {0, 15, 30, 45, 60, 70, 75, 80, 85, 88};
 
-// Where drawing by the cosine does nearly as well: peaks, of which it finds too little to say how much, are left out.
+// True for directions that both samplings find often enough for a comparison; narrow peaks are left out.
 bool is_common(float pdf, const Vec3& wi) { return pdf < 4 * cosine_hemisphere_pdf(std::abs(wi.z)); }
 
-// Of weights; `common` is the mean of those in directions that are found either way.
-struct Tally {
+// Statistics of the weights of one sampling; `common` is the mean over directions for which is_common holds.
+struct WeightStatistics {
   double sum = 0, squares = 0, largest = 0;
-  size_t count = 0, lost = 0;
-  bool deltas = false;
+  size_t count = 0, absorbed = 0;
+  bool has_deltas = false;
   Replicates common;
 
   void add(double weight) {
-    sum += weight, squares += weight * weight, largest = std::max(largest, weight);
+    sum += weight;
+    squares += weight * weight;
+    largest = std::max(largest, weight);
     ++count;
   }
   double mean() const { return sum / static_cast<double>(count); }
@@ -33,43 +35,43 @@ struct Tally {
   }
 };
 
-Tally by_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
-  Tally t;
-  for (uint32_t r = 0; r < kHalves; ++r) {
+WeightStatistics sample_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
+  WeightStatistics t;
+  for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
-    for (uint32_t i = 0; i < samples / kHalves; ++i) {
+    for (uint32_t i = 0; i < samples / kReplicates; ++i) {
       LobeSample<Rgb> s;
-      if (!lobes.sample(wo, draw_of(r, i), Transport::radiance, s)) {
-        ++t.lost;
+      if (!lobes.sample(wo, draw_of(r, i), TransportMode::radiance, s)) {
+        ++t.absorbed;
         t.add(0);
         continue;
       }
       const double weight = static_cast<double>(average(s.weight));
       t.add(weight);
-      t.deltas |= s.delta;
+      t.has_deltas |= s.delta;
       if (!s.delta && is_common(s.pdf_solid_angle, s.wi)) common += weight;
     }
-    t.common.add(common / (samples / kHalves));
+    t.common.add(common / (samples / kReplicates));
   }
   return t;
 }
 
-// Directions by the cosine on either side, half of them each where light passes through.
-Tally by_cosine(const Lobes& lobes, const Vec3& wo, bool passes, uint32_t samples) {
-  Tally t;
-  const double share = passes ? 0.5 : 1;
-  for (uint32_t r = 0; r < kHalves; ++r) {
+// Cosine-weighted directions; on transmissive surfaces half of them on either side.
+WeightStatistics sample_cosine(const Lobes& lobes, const Vec3& wo, bool transmits, uint32_t samples) {
+  WeightStatistics t;
+  const double share = transmits ? 0.5 : 1;
+  for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
-    for (uint32_t i = 0; i < samples / kHalves; ++i) {
-      const LobeDraw draw = draw_of(100 + r, i);
+    for (uint32_t i = 0; i < samples / kReplicates; ++i) {
+      const LobeRandom draw = draw_of(100 + r, i);
       Vec3 wi = draw.cosine_direction;
-      if ((wo.z < 0) != (passes && draw.choice < 0.5f)) wi.z = -wi.z;
+      if ((wo.z < 0) != (transmits && draw.choice < 0.5f)) wi.z = -wi.z;
       const double weight =
-          static_cast<double>(average(lobes.eval(wo, wi, Transport::radiance))) * 3.14159265358979323846 / share;
+          static_cast<double>(average(lobes.eval(wo, wi, TransportMode::radiance))) * 3.14159265358979323846 / share;
       t.add(weight);
-      if (is_common(lobes.pdf(wo, wi, Transport::radiance), wi)) common += weight;
+      if (is_common(lobes.pdf(wo, wi, TransportMode::radiance), wi)) common += weight;
     }
-    t.common.add(common / (samples / kHalves));
+    t.common.add(common / (samples / kReplicates));
   }
   return t;
 }
@@ -78,33 +80,34 @@ Tally by_cosine(const Lobes& lobes, const Vec3& wo, bool passes, uint32_t sample
 
 SamplingQuality sampling_quality_at(const Lobes& lobes, double degrees, const SamplingOptions& options) {
   const Vec3 wo = direction(degrees, options.azimuth);
-  const Tally own = by_lobes(lobes, wo, options.samples);
-  const Tally other = by_cosine(lobes, wo, passes_light(lobes), options.samples);
+  const WeightStatistics by_lobes = sample_lobes(lobes, wo, options.samples);
+  const WeightStatistics by_cosine = sample_cosine(lobes, wo, transmits_light(lobes), options.samples);
   SamplingQuality q;
   q.degrees = degrees;
-  q.deviation = own.deviation();
-  q.largest = own.mean() > 0 ? own.largest / own.mean() : 0;
-  q.absorbed = static_cast<double>(own.lost) / static_cast<double>(own.count);
-  q.by_cosine = own.deltas ? std::numeric_limits<double>::infinity() : other.deviation();
-  // Where neither has any noise, rounding is what is left.
-  const double rounding = 1e-4 * std::max(own.mean(), other.mean());
-  const double error = std::hypot(own.common.standard_error(), other.common.standard_error(), rounding);
-  if (error > 0) q.discrepancy = (own.common.mean() - other.common.mean()) / error;
+  q.deviation = by_lobes.deviation();
+  q.largest = by_lobes.mean() > 0 ? by_lobes.largest / by_lobes.mean() : 0;
+  q.absorbed = static_cast<double>(by_lobes.absorbed) / static_cast<double>(by_lobes.count);
+  q.cosine_deviation = by_lobes.has_deltas ? std::numeric_limits<double>::infinity() : by_cosine.deviation();
+  // If neither estimate has noise, only rounding errors remain.
+  const double rounding = 1e-4 * std::max(by_lobes.mean(), by_cosine.mean());
+  const double error = std::hypot(by_lobes.common.standard_error(), by_cosine.common.standard_error(), rounding);
+  if (error > 0) q.discrepancy = (by_lobes.common.mean() - by_cosine.common.mean()) / error;
   return q;
 }
 
-std::vector<SamplingQuality> sampling_curve(const Lobes& lobes, const SamplingOptions& options, const Wanted& wanted) {
+std::vector<SamplingQuality> sampling_curve(const Lobes& lobes, const SamplingOptions& options,
+                                            const KeepGoing& keep_going) {
   std::vector<SamplingQuality> curve;
   for (const double degrees : kAngles) {
-    if (!goes_on(wanted)) break;
+    if (!should_continue(keep_going)) break;
     curve.push_back(sampling_quality_at(lobes, degrees, options));
   }
   return curve;
 }
 
-bool well_sampled(const std::vector<SamplingQuality>& curve) {
+bool is_well_sampled(const std::vector<SamplingQuality>& curve) {
   return std::all_of(curve.begin(), curve.end(), [](const SamplingQuality& q) {
-    return q.degrees > 80 || (q.deviation <= kWellSampled && std::abs(q.discrepancy) <= kDiscrepancy);
+    return q.degrees > 80 || (q.deviation <= kMaxDeviation && std::abs(q.discrepancy) <= kMaxDiscrepancy);
   });
 }
 

@@ -1,7 +1,7 @@
-// How well a surface's sampling follows what it reflects.
+// How closely the sampling density of a surface follows f cos.
 //
-// The weights f cos / pdf of samples would all be the albedo if the density were f cos / albedo. Their deviation, in
-// parts of the mean, is what a path's throughput gains in noise at such a surface.
+// If the density were f cos / albedo, every sample weight f cos / pdf would equal the albedo. The relative standard
+// deviation of the weights is the noise that one scattering event adds to the throughput of a path.
 #pragma once
 #include <vector>
 
@@ -10,27 +10,28 @@
 namespace etendue::bsdf_analysis {
 
 struct SamplingQuality {
-  double degrees = 0;
-  double deviation = 0;  // standard deviation of the weights over their mean; deltas take part
-  double largest = 0;    // the largest weight over the mean
-  double absorbed = 0;   // the share of samples that lead nowhere
-  double by_cosine = 0;  // the deviation if directions were drawn by the cosine; infinite where there are deltas
-  // Between what both find where the lobes' density is not much above the cosine's, in standard errors: far from 0 if
-  // samples do not follow their density there, or miss what f has.
+  double degrees = 0;           // polar angle of wo
+  double deviation = 0;         // standard deviation of the weights divided by their mean; includes delta lobes
+  double largest = 0;           // the largest weight divided by the mean
+  double absorbed = 0;          // the fraction of samples without a direction
+  double cosine_deviation = 0;  // the deviation with cosine-weighted directions; infinite if there are delta lobes
+  // Difference between the integrals of f cos found by both samplings, in standard errors. Only directions count in
+  // which the density of the lobes is at most four times the cosine density. Large values mean that the samples do not
+  // follow the density or miss directions in which f is not zero.
   double discrepancy = 0;
 };
 
 struct SamplingOptions {
-  double azimuth = 20;
+  double azimuth = 20;  // degrees
   uint32_t samples = 8192;
 };
 
 SamplingQuality sampling_quality_at(const Lobes& lobes, double degrees, const SamplingOptions& options = {});
 std::vector<SamplingQuality> sampling_curve(const Lobes& lobes, const SamplingOptions& options = {},
-                                            const Wanted& wanted = {});
+                                            const KeepGoing& keep_going = {});
 
-// The limits of what is called well sampled, at every angle up to 80 degrees.
-inline constexpr double kWellSampled = 1.0, kDiscrepancy = 5;
-bool well_sampled(const std::vector<SamplingQuality>& curve);
+// True if deviation and discrepancy stay within these limits at every angle up to 80 degrees.
+inline constexpr double kMaxDeviation = 1.0, kMaxDiscrepancy = 5;
+bool is_well_sampled(const std::vector<SamplingQuality>& curve);
 
 }  // namespace etendue::bsdf_analysis

@@ -20,21 +20,21 @@ Vec3 direction(double degrees, double azimuth_degrees) {
 float relative_eta(const Lobes& lobes) {
   for (uint32_t i = 0; i < 256; ++i) {
     LobeSample<Rgb> s;
-    if (lobes.sample(Vec3(0, 0, 1), draw_of(0, i), Transport::radiance, s) && s.transmitted) return s.eta;
+    if (lobes.sample(Vec3(0, 0, 1), draw_of(0, i), TransportMode::radiance, s) && s.transmitted) return s.eta;
   }
   return 1;
 }
 
-bool passes_light(const Lobes& lobes) {
+bool transmits_light(const Lobes& lobes) {
   for (uint32_t i = 0; i < 256; ++i) {
     LobeSample<Rgb> s;
-    if (lobes.sample(Vec3(0, 0, 1), draw_of(0, i), Transport::radiance, s) && s.wi.z < 0) return true;
+    if (lobes.sample(Vec3(0, 0, 1), draw_of(0, i), TransportMode::radiance, s) && s.wi.z < 0) return true;
   }
   return false;
 }
 
-LobeDraw draw_of(uint32_t replicate, uint32_t i) {
-  // The powers of the reciprocal of the root of x^4 = x + 1, as fractions of 2^32.
+LobeRandom draw_of(uint32_t replicate, uint32_t i) {
+  // Powers of 1 / g in units of 2^-32, with g the root of x^4 = x + 1.
   constexpr uint32_t kSteps[3] = {0xd1b54a35U, 0xabc98389U, 0x8cb92ba7U};
   const auto number = [&](uint32_t dimension) {
     return to_unit_float(hash_combine(replicate, dimension) + i * kSteps[dimension]);

@@ -1,4 +1,4 @@
-// What is put under the instruments of this room: the lobes of one point of a surface.
+// The test surface of the analysis: the BSDF lobes at one surface point, and directions and random numbers to probe it.
 #pragma once
 #include <functional>
 
@@ -8,24 +8,24 @@ namespace etendue::bsdf_analysis {
 
 using Lobes = AllLobes<Rgb>;
 
-// Of a material without its textures, which is what its numbers say.
+// The lobes of a material without its textures: its constant factors only.
 Lobes lobes_of(const Material& material);
 
-// Unit, `degrees` from the normal; above 90 on the lower side.
+// A unit direction at the polar angle `degrees` from the normal; above 90 it points below the surface.
 Vec3 direction(double degrees, double azimuth_degrees = 0);
 
-// Index of refraction below the surface over that above, as samples tell; 1 where nothing is refracted.
+// Index of refraction below the surface divided by that above, determined from samples; 1 if no sample is refracted.
 float relative_eta(const Lobes& lobes);
 
-// Whether samples go to the other side.
-bool passes_light(const Lobes& lobes);
+// True if samples at normal incidence cross the surface.
+bool transmits_light(const Lobes& lobes);
 
-// Well spread numbers for one sample of a lobe: point i of replicate r of an additive recurrence (R3, M. Roberts 2018)
-// with a shift of its own.
-LobeDraw draw_of(uint32_t replicate, uint32_t i);
+// Random numbers of one sample of the lobes: point i of the additive recurrence R3 [Roberts 2018], shifted by a random
+// offset that depends on the replicate.
+LobeRandom draw_of(uint32_t replicate, uint32_t i);
 
-// Goes on while this says so; none is yes.
-using Wanted = std::function<bool()>;
-inline bool goes_on(const Wanted& wanted) { return !wanted || wanted(); }
+// Called repeatedly during an analysis, which stops when it returns false; an empty function never stops it.
+using KeepGoing = std::function<bool()>;
+inline bool should_continue(const KeepGoing& keep_going) { return !keep_going || keep_going(); }
 
 }  // namespace etendue::bsdf_analysis

@@ -6,20 +6,21 @@
 namespace etendue::metrics {
 namespace {
 
-double abscissa(const ErrorPoint& p, Abscissa along) { return along == Abscissa::seconds ? p.seconds : p.spp; }
-double ordinate(const ErrorPoint& p, ErrorKind kind) { return kind == ErrorKind::rmse ? std::sqrt(p.mse) : p.relmse; }
+double x_of(const ErrorPoint& p, Abscissa abscissa) { return abscissa == Abscissa::seconds ? p.seconds : p.spp; }
+double y_of(const ErrorPoint& p, ErrorKind kind) { return kind == ErrorKind::rmse ? std::sqrt(p.mse) : p.relmse; }
 
-// What a logarithm can be taken of.
-bool drawable(double x, double y) { return x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y); }
+// True if both logarithms exist.
+bool is_drawable(double x, double y) { return x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y); }
 
 template <class F>
-void each_drawable(const ErrorCurve& curve, Abscissa along, ErrorKind kind, F&& f) {
+void for_each_drawable(const ErrorCurve& curve, Abscissa abscissa, ErrorKind kind, F&& f) {
   for (const auto& p : curve.points)
-    if (drawable(abscissa(p, along), ordinate(p, kind))) f(abscissa(p, along), ordinate(p, kind));
+    if (is_drawable(x_of(p, abscissa), y_of(p, kind))) f(x_of(p, abscissa), y_of(p, kind));
 }
 
-// Half the distance of the neighbours on either side; at the ends, half of the one there is.
-void weigh_by_spacing(std::vector<LinePoint>& points) {
+// Multiplies each weight by half the distance between the two neighbours; at the ends, by half the distance to the only
+// one.
+void weight_by_spacing(std::vector<LinePoint>& points) {
   if (points.size() < 2) return;
   for (size_t i = 0; i < points.size(); ++i) {
     const double before = points[i > 0 ? i - 1 : i].x, after = points[std::min(i + 1, points.size() - 1)].x;
@@ -27,25 +28,25 @@ void weigh_by_spacing(std::vector<LinePoint>& points) {
   }
 }
 
-// d log(m) = dm / m: with m the corrected and m + noise the measured MSE, whose relative error is the same everywhere.
-double certainty(double mse, double noise) { return std::pow(mse / (mse + noise), 2); }
+// d log(m) = dm / m, with m the corrected MSE. The measured MSE, m + noise, has the same relative error at all points.
+double correction_weight(double mse, double noise) { return std::pow(mse / (mse + noise), 2); }
 
-LineFit line_of(const ErrorCurve& curve, Abscissa along, double noise) {
+LineFit fit_curve(const ErrorCurve& curve, Abscissa abscissa, double noise) {
   std::vector<LinePoint> points;
-  each_drawable(curve, along, ErrorKind::rmse, [&](double x, double rmse) {
-    points.push_back({std::log(x), std::log(rmse), certainty(rmse * rmse, noise)});
+  for_each_drawable(curve, abscissa, ErrorKind::rmse, [&](double x, double rmse) {
+    points.push_back({std::log(x), std::log(rmse), correction_weight(rmse * rmse, noise)});
   });
-  weigh_by_spacing(points);
+  weight_by_spacing(points);
   return fit_line(points);
 }
 
 template <class F>
-Figure figure_of_ends(const MethodCurves& method, F&& value) {
+Estimate estimate_at_end(const MethodCurves& method, F&& value) {
   std::vector<double> values;
   for (const auto& curve : method.repeats)
     if (!curve.points.empty())
       if (const double v = value(curve.points.back()); std::isfinite(v)) values.push_back(v);
-  return figure_of(values);
+  return estimate_of(values);
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ MethodCurves without_noise(const MethodCurves& method, const ReferenceNoise& noi
   return corrected;
 }
 
-bool too_noisy(const MethodCurves& corrected, const ReferenceNoise& noise) {
+bool is_reference_too_noisy(const MethodCurves& corrected, const ReferenceNoise& noise) {
   for (const auto& curve : corrected.repeats)
     for (const auto& p : curve.points)
       if (p.mse < 100 * noise.mse) return true;
@@ -77,37 +78,39 @@ std::vector<double> log_grid(double first, double last, int count) {
   return grid;
 }
 
-std::optional<Span> span_of(const MethodCurves& method, Abscissa along) {
-  std::optional<Span> span;
+std::optional<Range> abscissa_range(const MethodCurves& method, Abscissa abscissa) {
+  std::optional<Range> range;
   for (const auto& curve : method.repeats)
-    each_drawable(curve, along, ErrorKind::rmse, [&](double x, double) {
-      if (!span) span = Span{x, x};
-      span = Span{std::min(span->first, x), std::max(span->last, x)};
+    for_each_drawable(curve, abscissa, ErrorKind::rmse, [&](double x, double) {
+      if (!range) range = Range{x, x};
+      range = Range{std::min(range->first, x), std::max(range->last, x)};
     });
-  return span;
+  return range;
 }
 
-std::optional<double> error_at(const ErrorCurve& curve, Abscissa along, ErrorKind kind, double x) {
-  std::optional<double> found;
-  double last_x = 0, last_y = 0;
-  each_drawable(curve, along, kind, [&](double px, double py) {
-    if (px == x) found = py;
-    if (!found && last_x > 0 && last_x < x && x < px) {
+std::optional<double> error_at(const ErrorCurve& curve, Abscissa abscissa, ErrorKind kind, double x) {
+  std::optional<double> error;
+  double last_x = 0;
+  double last_y = 0;
+  for_each_drawable(curve, abscissa, kind, [&](double px, double py) {
+    if (px == x) error = py;
+    if (!error && last_x > 0 && last_x < x && x < px) {
       const double t = std::log(x / last_x) / std::log(px / last_x);
-      found = last_y * std::pow(py / last_y, t);
+      error = last_y * std::pow(py / last_y, t);
     }
-    last_x = px, last_y = py;
+    last_x = px;
+    last_y = py;
   });
-  return found;
+  return error;
 }
 
-std::vector<BandPoint> band_of(const MethodCurves& method, Abscissa along, ErrorKind kind,
-                               std::span<const double> grid) {
+std::vector<BandPoint> error_band(const MethodCurves& method, Abscissa abscissa, ErrorKind kind,
+                                  std::span<const double> grid) {
   std::vector<BandPoint> band;
   for (const double x : grid) {
     std::vector<double> errors;
     for (const auto& curve : method.repeats)
-      if (const auto e = error_at(curve, along, kind, x)) errors.push_back(*e);
+      if (const auto e = error_at(curve, abscissa, kind, x)) errors.push_back(*e);
     if (errors.empty() || 2 * errors.size() < method.repeats.size()) continue;
     band.push_back({x, quantile(errors, 0.1), quantile(errors, 0.5), quantile(errors, 0.9)});
   }
@@ -117,12 +120,12 @@ std::vector<BandPoint> band_of(const MethodCurves& method, Abscissa along, Error
 double quantile(std::vector<double> values, double q) {
   if (values.empty()) return NAN;
   std::ranges::sort(values);
-  const double at = q * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<size_t>(at), above = std::min(below + 1, values.size() - 1);
-  return values[below] + (at - static_cast<double>(below)) * (values[above] - values[below]);
+  const double position = q * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<size_t>(position), above = std::min(below + 1, values.size() - 1);
+  return values[below] + (position - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-Figure figure_of(std::span<const double> values) {
+Estimate estimate_of(std::span<const double> values) {
   if (values.empty()) return {};
   const auto n = static_cast<double>(values.size());
   double sum = 0, squares = 0;
@@ -132,33 +135,36 @@ Figure figure_of(std::span<const double> values) {
   return {sum / n, error, static_cast<int>(values.size()) - 1, true};
 }
 
-Figure slope_of(const MethodCurves& corrected, Abscissa along, const ReferenceNoise& noise) {
+Estimate slope_of(const MethodCurves& corrected, Abscissa abscissa, const ReferenceNoise& noise) {
   std::vector<double> slopes;
-  double alone = 0;
+  double fit_error = 0;
   for (const auto& curve : corrected.repeats)
-    if (const LineFit line = line_of(curve, along, noise.mse); line.known)
-      slopes.push_back(line.slope), alone = line.slope_error;
-  Figure slope = figure_of(slopes);
-  if (slopes.size() == 1) slope.standard_error = alone;
+    if (const LineFit line = fit_curve(curve, abscissa, noise.mse); line.known) {
+      slopes.push_back(line.slope);
+      fit_error = line.slope_error;
+    }
+  Estimate slope = estimate_of(slopes);
+  if (slopes.size() == 1) slope.standard_error = fit_error;
   return slope;
 }
 
-Figure efficiency_of(const MethodCurves& corrected) {
-  const Figure cost = figure_of_ends(corrected, [](const ErrorPoint& p) { return p.mse * p.seconds; });
+Estimate efficiency_of(const MethodCurves& corrected) {
+  const Estimate cost = estimate_at_end(corrected, [](const ErrorPoint& p) { return p.mse * p.seconds; });
   if (!cost.known || !(cost.value > 0)) return {};
   return {1 / cost.value, cost.standard_error / (cost.value * cost.value), cost.degrees, true};
 }
 
-Figure bias_of(const MethodCurves& method, double reference_error) {
-  Figure bias = figure_of_ends(method, [](const ErrorPoint& p) { return p.bias; });
+Estimate bias_of(const MethodCurves& method, double reference_error) {
+  Estimate bias = estimate_at_end(method, [](const ErrorPoint& p) { return p.bias; });
   bias.standard_error = std::hypot(bias.standard_error, reference_error);
   return bias;
 }
 
-std::optional<Split> split(double mean_mse, double mse_of_mean, int repeats, const ReferenceNoise& noise) {
+std::optional<BiasVariance> bias_and_variance(double mean_mse, double mse_of_mean, int repeats,
+                                              const ReferenceNoise& noise) {
   if (repeats < 2) return {};
   const double n = repeats;
-  return Split{(n * mse_of_mean - mean_mse) / (n - 1) - noise.mse, (mean_mse - mse_of_mean) * n / (n - 1)};
+  return BiasVariance{(n * mse_of_mean - mean_mse) / (n - 1) - noise.mse, (mean_mse - mse_of_mean) * n / (n - 1)};
 }
 
 }  // namespace etendue::metrics

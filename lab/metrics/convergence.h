@@ -1,11 +1,12 @@
-// Curves of error over time: what they are, and what is read off them. Data and mathematics; nothing here renders.
+// Convergence curves: error as a function of time or samples, and the statistics derived from them. Nothing here
+// renders.
 //
-// A curve is one repeat of one method: its error against a reference after so many seconds and samples. Several repeats
-// with seeds of their own tell what is chance: all error bars come from their spread, because the points of one curve
-// are sums of the same samples and err together.                                      design: accuracy
+// A curve is one repeat of one method: its error against a reference at increasing times and sample counts. Error bars
+// come from the spread of several repeats with different seeds. The points of a single curve cannot provide them: they
+// are running sums of the same samples, so their errors are correlated.
 //
-// Errors are as in measure/metrics.h: mse in squared radiance, relmse without unit, bias in radiance, over pixels and
-// channels, on linear pixels.
+// Errors are defined in metrics/metrics.h and computed on linear pixels, over pixels and channels: mse in squared
+// radiance, relmse without unit, bias in radiance.
 #pragma once
 #include <optional>
 #include <span>
@@ -17,15 +18,15 @@
 namespace etendue::metrics {
 
 struct ErrorPoint {
-  double seconds = 0;  // of rendering
-  double spp = 0;
+  double seconds = 0;  // rendering time
+  double spp = 0;      // samples per pixel
   double mse = 0, relmse = 0;
   double bias = 0;  // mean of image - reference
 };
 
 struct ErrorCurve {
   int repeat = 0;
-  std::vector<ErrorPoint> points;  // seconds and spp grow
+  std::vector<ErrorPoint> points;  // by increasing seconds and spp
 };
 
 struct MethodCurves {
@@ -36,80 +37,81 @@ struct MethodCurves {
 enum class Abscissa { seconds, samples };
 enum class ErrorKind { rmse, relmse };
 
-// --- The reference's own error -------------------------------------------------------------------------------------
+// --- Error of the reference ----------------------------------------------------------------------------------------
 
-// The mean squared standard error of the reference, over pixels and channels; relmse divides by r^2 + 0.01 first.
+// The squared standard error of the reference, averaged over pixels and channels; for relmse each term is divided by
+// r^2 + 0.01.
 struct ReferenceNoise {
   double mse = 0, relmse = 0;
 };
 
-// A measured MSE is the image's plus the reference's, if they are independent: the latter is taken off. What is left of
-// a point whose error is not above the reference's is zero, and the fits leave it out.
+// If image and reference are independent, a measured MSE is the sum of the image's MSE and that of the reference.
+// Subtracts the latter. A point whose error does not exceed that of the reference becomes zero; the fits ignore it.
 ErrorPoint without_noise(ErrorPoint measured, const ReferenceNoise& noise);
 MethodCurves without_noise(const MethodCurves& method, const ReferenceNoise& noise);
 
-// Whether the smallest RMSE on the corrected curves is not at least ten times the reference's standard error: too noisy
-// a reference to tell.
-bool too_noisy(const MethodCurves& corrected, const ReferenceNoise& noise);
+// True if the smallest RMSE on the corrected curves is less than ten times the standard error of the reference.
+bool is_reference_too_noisy(const MethodCurves& corrected, const ReferenceNoise& noise);
 
-// --- Reading curves ------------------------------------------------------------------------------------------------
+// --- Interpolation and bands ---------------------------------------------------------------------------------------
 
-// `count` numbers from first to last in equal ratios, both included. 0 < first <= last, count >= 2.
+// `count` numbers from first to last in equal ratios, both ends included. 0 < first <= last, count >= 2.
 std::vector<double> log_grid(double first, double last, int count);
 
-// The least and the largest positive abscissa with an error above zero on any of the curves; nothing without points.
-struct Span {
+// The smallest and the largest positive abscissa with an error above zero on any curve; nothing without such points.
+struct Range {
   double first, last;
 };
-std::optional<Span> span_of(const MethodCurves& method, Abscissa along);
+std::optional<Range> abscissa_range(const MethodCurves& method, Abscissa abscissa);
 
-// The error at `x` by a straight line between the logarithms of its neighbours; nothing beyond the ends. rmse is the
-// root of mse; relmse is as it is.
-std::optional<double> error_at(const ErrorCurve& curve, Abscissa along, ErrorKind kind, double x);
+// The error at `x`, interpolated linearly between the logarithms of the neighbouring points; nothing outside the curve.
+// ErrorKind::rmse is the root of mse; relmse is returned as it is stored.
+std::optional<double> error_at(const ErrorCurve& curve, Abscissa abscissa, ErrorKind kind, double x);
 
-// Median and 10 % to 90 % of the repeats, at those abscissas that at least half of them reach.
+// Median and 10 % to 90 % quantiles over the repeats, at the abscissas that at least half of the repeats reach.
 struct BandPoint {
   double x, low, median, high;
 };
-std::vector<BandPoint> band_of(const MethodCurves& method, Abscissa along, ErrorKind kind,
-                               std::span<const double> grid);
+std::vector<BandPoint> error_band(const MethodCurves& method, Abscissa abscissa, ErrorKind kind,
+                                  std::span<const double> grid);
 
-// The q-quantile, 0 <= q <= 1, by a straight line between order statistics; NaN of nothing.
+// The q-quantile, 0 <= q <= 1, interpolated linearly between order statistics; NaN for no values.
 double quantile(std::vector<double> values, double q);
 
-// --- Reading figures -----------------------------------------------------------------------------------------------
+// --- Statistics over repeats ---------------------------------------------------------------------------------------
 
-// A figure and its standard error over repeats. An interval of 95 % is value +- t(degrees) * standard_error of
-// Student's distribution. Without repeats to tell, degrees is 0 and the standard error means nothing.
-struct Figure {
+// A mean over repeats and its standard error. The 95 % confidence interval is value +- t(degrees) * standard_error with
+// Student's t distribution. With a single repeat `degrees` is 0 and the standard error is meaningless.
+struct Estimate {
   double value = 0, standard_error = 0;
-  int degrees = 0;
+  int degrees = 0;  // degrees of freedom
   bool known = false;
 };
-Figure figure_of(std::span<const double> values);
+Estimate estimate_of(std::span<const double> values);
 
-// The slope of log RMSE against the logarithm of time or samples: -1/2 for Monte Carlo, steeper for quasi-Monte Carlo,
-// flat where a bias is all that is left. A weighted line through each repeat, then the mean over repeats. Points weigh
-// as much as the piece of the logarithmic axis they stand for: dense ends do not rule; and, of corrected curves, as
-// much less as the correction made them uncertain. With one repeat the standard error is that of the line, which
-// knows of no correlation: too small, and degrees is 0 to say so.
-Figure slope_of(const MethodCurves& corrected, Abscissa along, const ReferenceNoise& noise = {});
+// The slope of log RMSE over log time or log samples: -1/2 for Monte Carlo, steeper for quasi-Monte Carlo, zero where
+// only bias remains. A weighted line is fitted to each repeat; the slopes are averaged over repeats. The weight of a
+// point is the length of the logarithmic axis it represents, so that densely sampled ends do not dominate. On corrected
+// curves it is reduced by the uncertainty of the correction. For one repeat the standard error is that of the line fit,
+// which ignores correlation and is too small; `degrees` is 0 to mark this.
+Estimate slope_of(const MethodCurves& corrected, Abscissa abscissa, const ReferenceNoise& noise = {});
 
-// 1 over the mean of MSE * seconds at the end of the repeats: for Monte Carlo it does not depend on how long they ran.
-// The mean of the inverses would favour methods whose errors scatter. Unknown where no error is left.
-Figure efficiency_of(const MethodCurves& corrected);
+// 1 over the mean of MSE * seconds at the end of the repeats. For Monte Carlo it does not depend on their duration.
+// Averaging the inverses instead would favour methods with scattered errors. Unknown if no error is left.
+Estimate efficiency_of(const MethodCurves& corrected);
 
-// The bias at the end of each repeat. `reference_error` is the standard error of the reference's mean over the image,
-// which all repeats share; it is added to the standard error.
-Figure bias_of(const MethodCurves& method, double reference_error = 0);
+// The mean bias at the end of the repeats. `reference_error` is the standard error of the mean of the reference image.
+// All repeats share it, so it is added in quadrature to the standard error.
+Estimate bias_of(const MethodCurves& method, double reference_error = 0);
 
-// MSE split in two by the mean image of N repeats:
+// The MSE separated into bias and variance by means of the average image of N repeats:
 //   variance = (M1 - MN) N / (N - 1),   bias^2 = (N MN - M1) / (N - 1) - noise
-// with M1 the mean over repeats of the MSE, MN the MSE of the mean image. Both estimates may come out below zero by
+// with M1 the mean over repeats of the MSE and MN the MSE of the average image. Both estimates may be negative by
 // chance. Nothing for fewer than two repeats.
-struct Split {
+struct BiasVariance {
   double squared_bias, variance;
 };
-std::optional<Split> split(double mean_mse, double mse_of_mean, int repeats, const ReferenceNoise& noise = {});
+std::optional<BiasVariance> bias_and_variance(double mean_mse, double mse_of_mean, int repeats,
+                                              const ReferenceNoise& noise = {});
 
 }  // namespace etendue::metrics

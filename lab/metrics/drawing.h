@@ -1,6 +1,7 @@
-// A drawing as a list of shapes, back to front: what charts are made of before they become SVG, pixels or a panel.
+// Vector drawings: a list of shapes, back to front. Charts are drawings; they are written as SVG or PNG, or shown in a
+// panel.
 //
-// Coordinates are in pixels from the upper left corner. Shapes with a hint show it when the pointer rests on them.
+// Coordinates are in pixels from the upper left corner. A shape with a tooltip shows it under the pointer.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,61 +11,64 @@
 
 namespace etendue::metrics {
 
-struct Ink {
+struct Color {  // sRGB
   uint8_t r = 0, g = 0, b = 0;
   double opacity = 1;
 };
 
-struct Spot {
+// "#rrggbb"; the opacity is not part of it.
+std::string css_color(const Color& color);
+
+struct Point {
   double x, y;
 };
 
-struct Stroke {
-  std::vector<Spot> points;
-  Ink ink;
+struct Polyline {
+  std::vector<Point> points;
+  Color color;
   double width = 1;
   bool dashed = false;
 };
 
-struct Area {  // closed
-  std::vector<Spot> points;
-  Ink ink;
+struct Polygon {  // closed and filled
+  std::vector<Point> points;
+  Color color;
 };
 
 struct Dot {
-  Spot at;
+  Point at;
   double radius;
-  Ink ink;
-  std::string hint;
+  Color color;
+  std::string tooltip;
 };
 
 enum class Anchor { left, middle, right };
 
-struct Words {
-  Spot at;  // on the base line
+struct Text {
+  Point at;  // on the base line
   std::string text;
-  double size;  // height of a line
-  Ink ink;
+  double size;  // line height
+  Color color;
   Anchor anchor = Anchor::left;
 };
 
 struct Drawing {
   int width = 0, height = 0;
-  std::string title;  // for readers that cannot see it
-  std::vector<std::variant<Area, Stroke, Dot, Words>> shapes;
+  std::string title;  // description for screen readers
+  std::vector<std::variant<Polygon, Polyline, Dot, Text>> shapes;
 };
 
-// The pieces of a dashed line, from end to end: for those who have no dashes of their own.
-std::vector<std::array<Spot, 2>> dashes_of(const Stroke& stroke);
+// The end points of the dashes of a dashed line, for back ends that cannot draw dashed lines.
+std::vector<std::array<Point, 2>> dash_segments(const Polyline& line);
 
-// A standing <svg> element, without a declaration: for a file of its own and inside HTML alike. Names are escaped, and
-// what is no number never gets in: such shapes are left out.
-std::string svg_of(const Drawing& drawing);
+// An <svg> element without an XML declaration, valid as a file and inside HTML. Text is escaped; shapes with
+// coordinates that are not finite are left out.
+std::string to_svg(const Drawing& drawing);
 
-// 8-bit sRGB, row by row, on white. Letters are small capitals of 3 x 5 dots (image/tiny_text.h).
-std::vector<uint8_t> raster_of(const Drawing& drawing);
+// 8-bit sRGB, row by row, on white. Text is drawn in capitals of 3 x 5 dots (image/bitmap_font.h).
+std::vector<uint8_t> rasterize(const Drawing& drawing);
 
-// Text as XML and HTML take it, between tags and in quoted attributes.
-std::string escaped(const std::string& text);
+// Escapes text for XML and HTML, between tags and in quoted attributes.
+std::string escape_markup(const std::string& text);
 
 }  // namespace etendue::metrics

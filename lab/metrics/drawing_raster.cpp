@@ -1,9 +1,9 @@
-// Shapes to pixels, with smooth edges. Colours are mixed as encoded, as browsers do.
+// Rasterises drawings with antialiasing. Colours are blended in sRGB, as browsers do.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "image/tiny_text.h"
+#include "image/bitmap_font.h"
 #include "metrics/drawing.h"
 
 namespace etendue::metrics {
@@ -14,21 +14,22 @@ class Canvas {
   Canvas(int width, int height)
       : width_(width), height_(height), rgb_(static_cast<size_t>(width) * static_cast<size_t>(height) * 3, 255) {}
 
-  void blend(int x, int y, const Ink& ink, double coverage) {
+  void blend(int x, int y, const Color& color, double coverage) {
     if (x < 0 || y < 0 || x >= width_ || y >= height_ || !(coverage > 0)) return;
     double* p = &rgb_[(static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)) * 3];
-    const double a = std::min(coverage, 1.0) * ink.opacity;
-    const double to[3] = {static_cast<double>(ink.r), static_cast<double>(ink.g), static_cast<double>(ink.b)};
-    for (int c = 0; c < 3; ++c) p[c] += a * (to[c] - p[c]);
+    const double alpha = std::min(coverage, 1.0) * color.opacity;
+    const double target[3] = {static_cast<double>(color.r), static_cast<double>(color.g), static_cast<double>(color.b)};
+    for (int c = 0; c < 3; ++c) p[c] += alpha * (target[c] - p[c]);
   }
 
-  // Everything of a box, in whole pixels and inside the picture: `coverage` at pixel centres.
+  // Blends all pixels of a box, clipped to the image, by `coverage` evaluated at pixel centres.
   template <class F>
-  void cover(Spot low, Spot high, const Ink& ink, F&& coverage) {
+  void cover(Point low, Point high, const Color& color, F&& coverage) {
     const auto within = [](double v, int most) { return static_cast<int>(std::clamp(v, 0.0, double(most))); };
     const int x1 = within(std::ceil(high.x), width_), y1 = within(std::ceil(high.y), height_);
     for (int y = within(std::floor(low.y), height_); y < y1; ++y)
-      for (int x = within(std::floor(low.x), width_); x < x1; ++x) blend(x, y, ink, coverage(Spot{x + 0.5, y + 0.5}));
+      for (int x = within(std::floor(low.x), width_); x < x1; ++x)
+        blend(x, y, color, coverage(Point{x + 0.5, y + 0.5}));
   }
 
   int width() const { return width_; }
@@ -45,97 +46,98 @@ class Canvas {
   std::vector<double> rgb_;
 };
 
-bool finite(const Spot& s) { return std::isfinite(s.x) && std::isfinite(s.y); }
-bool finite(const std::vector<Spot>& spots) {
-  return std::ranges::all_of(spots, [](auto& s) { return finite(s); });
+bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+bool is_finite(const std::vector<Point>& points) {
+  return std::ranges::all_of(points, [](auto& p) { return is_finite(p); });
 }
 
-Spot between(const Spot& a, const Spot& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
-double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+Point interpolate(const Point& a, const Point& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-double distance_to_segment(const Spot& p, const Spot& a, const Spot& b) {
+double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0;
-  return distance(p, between(a, b, t));
+  return distance(p, interpolate(a, b, t));
 }
 
-void paint_segment(Canvas& canvas, const Spot& a, const Spot& b, double width, const Ink& ink) {
+void paint_segment(Canvas& canvas, const Point& a, const Point& b, double width, const Color& color) {
   const double r = width / 2 + 1;
-  canvas.cover({std::min(a.x, b.x) - r, std::min(a.y, b.y) - r}, {std::max(a.x, b.x) + r, std::max(a.y, b.y) + r}, ink,
-               [&](const Spot& p) { return width / 2 + 0.5 - distance_to_segment(p, a, b); });
+  canvas.cover({std::min(a.x, b.x) - r, std::min(a.y, b.y) - r}, {std::max(a.x, b.x) + r, std::max(a.y, b.y) + r},
+               color, [&](const Point& p) { return width / 2 + 0.5 - distance_to_segment(p, a, b); });
 }
 
-void paint(Canvas& canvas, const Stroke& s) {
-  if (!finite(s.points)) return;
-  if (s.dashed) {
-    for (const auto& [a, b] : dashes_of(s)) paint_segment(canvas, a, b, s.width, s.ink);
+void paint(Canvas& canvas, const Polyline& line) {
+  if (!is_finite(line.points)) return;
+  if (line.dashed) {
+    for (const auto& [a, b] : dash_segments(line)) paint_segment(canvas, a, b, line.width, line.color);
     return;
   }
-  for (size_t i = 1; i < s.points.size(); ++i) paint_segment(canvas, s.points[i - 1], s.points[i], s.width, s.ink);
+  for (size_t i = 1; i < line.points.size(); ++i)
+    paint_segment(canvas, line.points[i - 1], line.points[i], line.width, line.color);
 }
 
-// Where the edge of the area crosses a horizontal line, from left to right.
-std::vector<double> crossings(const std::vector<Spot>& points, double y) {
+// The abscissas at which the outline crosses a horizontal line, from left to right.
+std::vector<double> crossings(const std::vector<Point>& points, double y) {
   std::vector<double> xs;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Spot &a = points[i], &b = points[(i + 1) % points.size()];
+    const Point &a = points[i], &b = points[(i + 1) % points.size()];
     if ((a.y <= y) != (b.y <= y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
   }
   std::ranges::sort(xs);
   return xs;
 }
 
-// How much of each pixel of a row lies inside, over a few lines within the row.
-void paint(Canvas& canvas, const Area& area) {
-  if (!finite(area.points)) return;
+// Coverage is exact along x and estimated from kLines scan lines per row of pixels along y.
+void paint(Canvas& canvas, const Polygon& polygon) {
+  if (!is_finite(polygon.points)) return;
   constexpr int kLines = 4;
   std::vector<double> inside(static_cast<size_t>(canvas.width()));
   for (int y = 0; y < canvas.height(); ++y) {
     std::ranges::fill(inside, 0.0);
     for (int i = 0; i < kLines; ++i) {
-      const auto xs = crossings(area.points, y + (i + 0.5) / kLines);
+      const auto xs = crossings(polygon.points, y + (i + 0.5) / kLines);
       for (size_t k = 0; k + 1 < xs.size(); k += 2)
         for (int x = std::max(0, static_cast<int>(xs[k])); x < canvas.width() && x < xs[k + 1]; ++x)
           inside[static_cast<size_t>(x)] +=
               std::max(0.0, std::min(xs[k + 1], x + 1.0) - std::max(xs[k], double(x))) / kLines;
     }
-    for (int x = 0; x < canvas.width(); ++x) canvas.blend(x, y, area.ink, inside[static_cast<size_t>(x)]);
+    for (int x = 0; x < canvas.width(); ++x) canvas.blend(x, y, polygon.color, inside[static_cast<size_t>(x)]);
   }
 }
 
 void paint(Canvas& canvas, const Dot& d) {
-  if (!finite(d.at)) return;
+  if (!is_finite(d.at)) return;
   const double r = d.radius + 1;
-  canvas.cover({d.at.x - r, d.at.y - r}, {d.at.x + r, d.at.y + r}, d.ink,
-               [&](const Spot& p) { return d.radius + 0.5 - distance(p, d.at); });
+  canvas.cover({d.at.x - r, d.at.y - r}, {d.at.x + r, d.at.y + r}, d.color,
+               [&](const Point& p) { return d.radius + 0.5 - distance(p, d.at); });
 }
 
-void paint_glyph(Canvas& canvas, char c, int left, int top, int scale, const Ink& ink) {
-  const uint16_t bits = image::tiny_glyph(c);
+void paint_glyph(Canvas& canvas, char c, int left, int top, int scale, const Color& color) {
+  const uint16_t bits = image::bitmap_glyph(c);
   constexpr int kBits = image::kGlyphWidth * image::kGlyphHeight;
   for (int i = 0; i < kBits; ++i) {
     if (!(bits >> (kBits - 1 - i) & 1)) continue;
     for (int v = 0; v < scale; ++v)
       for (int u = 0; u < scale; ++u)
-        canvas.blend(left + i % image::kGlyphWidth * scale + u, top + i / image::kGlyphWidth * scale + v, ink, 1);
+        canvas.blend(left + i % image::kGlyphWidth * scale + u, top + i / image::kGlyphWidth * scale + v, color, 1);
   }
 }
 
-void paint(Canvas& canvas, const Words& w) {
-  if (!finite(w.at)) return;
-  const int scale = std::max(1, static_cast<int>(w.size / 6)), advance = image::kGlyphAdvance * scale;
-  const int length = static_cast<int>(w.text.size()) * advance - scale;
-  int x = static_cast<int>(w.at.x);
-  if (w.anchor != Anchor::left) x -= w.anchor == Anchor::right ? length : length / 2;
-  for (const char c : w.text) {
-    paint_glyph(canvas, c, x, static_cast<int>(w.at.y) - image::kGlyphHeight * scale, scale, w.ink);
+void paint(Canvas& canvas, const Text& t) {
+  if (!is_finite(t.at)) return;
+  const int scale = std::max(1, static_cast<int>(t.size / 6)), advance = image::kGlyphAdvance * scale;
+  const int length = static_cast<int>(t.text.size()) * advance - scale;
+  int x = static_cast<int>(t.at.x);
+  if (t.anchor != Anchor::left) x -= t.anchor == Anchor::right ? length : length / 2;
+  for (const char c : t.text) {
+    paint_glyph(canvas, c, x, static_cast<int>(t.at.y) - image::kGlyphHeight * scale, scale, t.color);
     x += advance;
   }
 }
 
 }  // namespace
 
-std::vector<uint8_t> raster_of(const Drawing& drawing) {
+std::vector<uint8_t> rasterize(const Drawing& drawing) {
   Canvas canvas(drawing.width, drawing.height);
   for (const auto& shape : drawing.shapes) std::visit([&](const auto& s) { paint(canvas, s); }, shape);
   return canvas.bytes();

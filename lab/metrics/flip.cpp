@@ -6,25 +6,27 @@
 namespace etendue::metrics {
 namespace {
 
-// The constants of the paper, under its names.
-constexpr float kColorPower = 0.7f;    // q_c
-constexpr float kColorKnee = 0.4f;     // p_c: below this part of the largest distance ...
-constexpr float kColorKneeTo = 0.95f;  // p_t: ... lies this part of the range
+// Constants of [Andersson et al. 2020], with their symbols. Distances below p_c times the largest one are mapped to
+// [0, p_t], the others to [p_t, 1].
+constexpr float kColorPower = 0.7f;       // q_c
+constexpr float kColorKnee = 0.4f;        // p_c
+constexpr float kColorKneeValue = 0.95f;  // p_t
 constexpr float kInverseRoot2 = 0.70710678f;
 
-// Three numbers of a colour space; which, the functions say.
+// A colour; the functions state the colour space.
 struct Triple {
   float x, y, z;
 };
 
-// Rec. 709 and D65 (IEC 61966-2-1). White is the sum of the columns, so that it is without colour exactly.
+// Rows of the matrix from Rec. 709 to XYZ with white point D65 (IEC 61966-2-1). White is defined as the sum of the
+// columns, so that it is exactly achromatic.
 constexpr Triple kX{0.4124564f, 0.3575761f, 0.1804375f}, kY{0.2126729f, 0.7151522f, 0.0721750f},
     kZ{0.0193339f, 0.1191920f, 0.9503041f};
 
 constexpr float dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 constexpr float sum_of(const Triple& a) { return a.x + a.y + a.z; }
 
-// X, Y, Z over those of white.
+// X, Y, Z divided by those of white.
 Triple relative_xyz(const Triple& rgb) {
   return {dot(kX, rgb) / sum_of(kX), dot(kY, rgb) / sum_of(kY), dot(kZ, rgb) / sum_of(kZ)};
 }
@@ -37,8 +39,8 @@ Triple rgb_from_relative_xyz(const Triple& xyz) {
           0.0556434f * v.x - 0.2040259f * v.y + 1.0572252f * v.z};
 }
 
-// YCxCz: the linear form of L*a*b*. Luminance is kept in [0, 1]; the affine scales of all three drop out of a filter
-// whose weights add up to one.
+// YCxCz, the linear counterpart of L*a*b*. The affine scales of its definition are omitted: they cancel in filters
+// whose weights sum to one. Luminance stays in [0, 1].
 Triple opponent(const Triple& rgb) {
   const Triple v = relative_xyz(rgb);
   return {v.y, v.x - v.y, v.y - v.z};
@@ -51,14 +53,14 @@ float lab_curve(float t) {
   return t > kKnee * kKnee * kKnee ? std::cbrt(t) : t / (3 * kKnee * kKnee) + 4.0f / 29;
 }
 
-// L*a*b* with the Hunt effect: colours of dark pixels count less.
+// L*a*b* with the Hunt effect: chroma is scaled by lightness.
 Triple hunt_lab(const Triple& rgb) {
   const Triple v = relative_xyz(rgb);
   const float fy = lab_curve(v.y), lightness = 116 * fy - 16;
   return {lightness, 0.01f * lightness * 500 * (lab_curve(v.x) - fy), 0.01f * lightness * 200 * (fy - lab_curve(v.z))};
 }
 
-// HyAB: city blocks in lightness, straight in colour.
+// HyAB distance: city-block distance in lightness plus Euclidean distance in chroma.
 float distance(const Triple& a, const Triple& b) {
   const float da = a.y - b.y, db = a.z - b.z;
   return std::abs(a.x - b.x) + std::sqrt(da * da + db * db);
@@ -66,11 +68,11 @@ float distance(const Triple& a, const Triple& b) {
 
 float largest_distance() { return std::pow(distance(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), kColorPower); }
 
-// The distance, compressed, in [0, 1]: what is large already leaves little room for more.
+// The distance mapped to [0, 1], compressed for large distances.
 float redistributed(float hyab, float largest) {
   const float d = std::pow(hyab, kColorPower), knee = kColorKnee * largest;
-  if (d < knee) return kColorKneeTo / knee * d;
-  return std::min(kColorKneeTo + (d - knee) / (largest - knee) * (1 - kColorKneeTo), 1.0f);
+  if (d < knee) return kColorKneeValue / knee * d;
+  return std::min(kColorKneeValue + (d - knee) / (largest - knee) * (1 - kColorKneeValue), 1.0f);
 }
 
 struct Opponent {
@@ -81,22 +83,27 @@ Opponent opponent_planes(int width, int height, std::span<const float> rgb) {
   Opponent planes{Plane(width, height), Plane(width, height), Plane(width, height)};
   for (size_t i = 0; i < planes.y.values.size(); ++i) {
     const Triple c = opponent({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]});
-    planes.y.values[i] = c.x, planes.cx.values[i] = c.y, planes.cz.values[i] = c.z;
+    planes.y.values[i] = c.x;
+    planes.cx.values[i] = c.y;
+    planes.cz.values[i] = c.z;
   }
   return planes;
 }
 
-Plane seen(const Plane& plane, const ContrastFilter& filter) {
-  Plane sum = filtered(plane, filter.gaussians[0], filter.gaussians[0]);
+Plane apply(const ContrastFilter& filter, const Plane& plane) {
+  Plane sum = convolve(plane, filter.gaussians[0], filter.gaussians[0]);
   for (size_t k = 1; k < filter.gaussians.size(); ++k) {
-    const Plane more = filtered(plane, filter.gaussians[k], filter.gaussians[k]);
-    for (size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += more.values[i];
+    const Plane term = convolve(plane, filter.gaussians[k], filter.gaussians[k]);
+    for (size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += term.values[i];
   }
   return sum;
 }
 
-std::vector<Triple> seen_colors(const Opponent& planes, const std::array<ContrastFilter, 3>& filters) {
-  const Plane y = seen(planes.y, filters[0]), cx = seen(planes.cx, filters[1]), cz = seen(planes.cz, filters[2]);
+// L*a*b* with the Hunt effect of the contrast filtered image, clipped to the display gamut.
+std::vector<Triple> filtered_colors(const Opponent& planes, const std::array<ContrastFilter, 3>& filters) {
+  const Plane y = apply(filters[0], planes.y);
+  const Plane cx = apply(filters[1], planes.cx);
+  const Plane cz = apply(filters[2], planes.cz);
   std::vector<Triple> colors(y.values.size());
   const auto unit = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
   for (size_t i = 0; i < colors.size(); ++i) {
@@ -106,8 +113,8 @@ std::vector<Triple> seen_colors(const Opponent& planes, const std::array<Contras
   return colors;
 }
 
-// The length of the vector of two planes, pixel by pixel; kept in the first.
-Plane length_of(Plane a, const Plane& b) {
+// The Euclidean length of the vectors (a, b), per pixel.
+Plane length(Plane a, const Plane& b) {
   for (size_t i = 0; i < a.values.size(); ++i)
     a.values[i] = std::sqrt(a.values[i] * a.values[i] + b.values[i] * b.values[i]);
   return a;
@@ -118,38 +125,41 @@ struct Features {
 };
 
 Features features_of(const Plane& luminance, const FeatureKernels& k) {
-  const Plane smooth = filtered_rows(luminance, k.gaussian);
-  return {length_of(filtered(luminance, k.edge, k.gaussian), filtered_columns(smooth, k.edge)),
-          length_of(filtered(luminance, k.point, k.gaussian), filtered_columns(smooth, k.point))};
+  const Plane smooth = convolve_rows(luminance, k.gaussian);
+  return {length(convolve(luminance, k.edge, k.gaussian), convolve_columns(smooth, k.edge)),
+          length(convolve(luminance, k.point, k.gaussian), convolve_columns(smooth, k.point))};
 }
 
-// q_f = 0.5 is a square root.
+// The exponent q_f = 0.5 is a square root.
 float feature_difference(const Features& a, const Features& b, size_t i) {
   const float edge = std::abs(a.edges.values[i] - b.edges.values[i]);
   const float point = std::abs(a.points.values[i] - b.points.values[i]);
   return std::min(std::sqrt(kInverseRoot2 * std::max(edge, point)), 1.0f);
 }
 
-struct Perceived {
+struct PerceivedImage {
   std::vector<Triple> colors;
   Features features;
 };
 
-Perceived perceive(int width, int height, std::span<const float> rgb, double pixels_per_degree) {
+PerceivedImage perceive(int width, int height, std::span<const float> rgb, double pixels_per_degree) {
   const Opponent planes = opponent_planes(width, height, rgb);
-  return {seen_colors(planes, contrast_filters(pixels_per_degree)),
+  return {filtered_colors(planes, contrast_filters(pixels_per_degree)),
           features_of(planes.y, feature_kernels(pixels_per_degree))};
 }
 
-Result<std::vector<float>> on_screen(const image::LayeredImage& image, const Look& look) {
+// Applies exposure and tone curve: linear Rec. 709 in [0, 1].
+Result<std::vector<float>> displayed(const image::LayeredImage& image, const ViewingConditions& conditions) {
   const image::Layer* beauty = image.find("");
-  if (!beauty || beauty->channels.size() != 3) return input_error("compare: an image has no RGB channels");
+  if (!beauty || beauty->channels.size() != 3) return input_error("compare: an image has no R, G and B channels");
   std::vector<float> shown(beauty->pixels.size());
-  const float scale = std::exp2(look.exposure);
+  const float scale = std::exp2(conditions.exposure);
   for (size_t i = 0; i + 2 < shown.size(); i += 3) {
     const Rgb radiance(beauty->pixels[i], beauty->pixels[i + 1], beauty->pixels[i + 2]);
-    const Rgb c = image::tone_mapped(radiance * scale, look.curve);
-    shown[i] = c.r, shown[i + 1] = c.g, shown[i + 2] = c.b;
+    const Rgb c = image::tone_mapped(radiance * scale, conditions.curve);
+    shown[i] = c.r;
+    shown[i + 1] = c.g;
+    shown[i + 2] = c.b;
   }
   return shown;
 }
@@ -158,8 +168,8 @@ Result<std::vector<float>> on_screen(const image::LayeredImage& image, const Loo
 
 std::vector<float> flip_map(int width, int height, std::span<const float> shown, std::span<const float> reference,
                             double pixels_per_degree) {
-  const Perceived a = perceive(width, height, shown, pixels_per_degree);
-  const Perceived b = perceive(width, height, reference, pixels_per_degree);
+  const PerceivedImage a = perceive(width, height, shown, pixels_per_degree);
+  const PerceivedImage b = perceive(width, height, reference, pixels_per_degree);
   const float largest = largest_distance();
   std::vector<float> map(a.colors.size());
   for (size_t i = 0; i < map.size(); ++i) {
@@ -169,14 +179,15 @@ std::vector<float> flip_map(int width, int height, std::span<const float> shown,
   return map;
 }
 
-Result<std::vector<float>> flip_map(const image::LayeredImage& picture, const image::LayeredImage& reference,
-                                    const Look& look) {
-  const auto a = on_screen(picture, look), b = on_screen(reference, look);
+Result<std::vector<float>> flip_map(const image::LayeredImage& image, const image::LayeredImage& reference,
+                                    const ViewingConditions& conditions) {
+  const auto a = displayed(image, conditions);
+  const auto b = displayed(reference, conditions);
   if (!a) return a.error();
   if (!b) return b.error();
-  if (picture.width != reference.width || picture.height != reference.height)
-    return input_error("compare: the sizes differ; give images of one size");
-  return flip_map(picture.width, picture.height, *a, *b, look.pixels_per_degree);
+  if (image.width != reference.width || image.height != reference.height)
+    return input_error("compare: the images differ in size; give two images of the same size");
+  return flip_map(image.width, image.height, *a, *b, conditions.pixels_per_degree);
 }
 
 double mean_of(std::span<const float> map) {

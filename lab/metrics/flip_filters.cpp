@@ -1,4 +1,4 @@
-// The filters of FLIP: what the eye resolves, and what it takes for edges and points.
+// The filters of FLIP: contrast sensitivity of the eye, and detectors of edges and points.   [Andersson et al. 2020]
 #include <cmath>
 
 #include "metrics/flip.h"
@@ -8,19 +8,19 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// One term of a contrast sensitivity: a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees (table 1 of the paper).
+// One term of a contrast sensitivity function: a sqrt(pi / b) exp(-pi^2 x^2 / b), x in degrees (table 1).
 struct Term {
   double a, b;
 };
 constexpr Term kLuminance[] = {{1, 0.0047}};
 constexpr Term kRedGreen[] = {{1, 0.0053}};
 constexpr Term kBlueYellow[] = {{34.1, 0.04}, {13.5, 0.025}};
-constexpr double kWidest = 0.04;
+constexpr double kLargestB = 0.04;
 
 constexpr double kFeatureWidth = 0.082;  // degrees
 
 // exp(-c i^2) for i = -radius .. radius.
-std::vector<double> bell(double c, int radius) {
+std::vector<double> gaussian_values(double c, int radius) {
   std::vector<double> values;
   for (int i = -radius; i <= radius; ++i) values.push_back(std::exp(-c * i * i));
   return values;
@@ -38,28 +38,29 @@ Kernel scaled(const std::vector<double>& values, double scale) {
   return kernel;
 }
 
-// Three standard deviations of the widest term, for all.
+// Three standard deviations of the widest term, used for all filters.
 int contrast_radius(double pixels_per_degree) {
-  return static_cast<int>(std::ceil(3 * std::sqrt(kWidest / (2 * kPi * kPi)) * pixels_per_degree));
+  return static_cast<int>(std::ceil(3 * std::sqrt(kLargestB / (2 * kPi * kPi)) * pixels_per_degree));
 }
 
 ContrastFilter contrast_filter(std::span<const Term> terms, double pixels_per_degree) {
   const int radius = contrast_radius(pixels_per_degree);
-  std::vector<std::vector<double>> bells;
+  std::vector<std::vector<double>> gaussians;
   std::vector<double> heights;
   double total = 0;
   for (const Term& term : terms) {
-    bells.push_back(bell(kPi * kPi / (term.b * pixels_per_degree * pixels_per_degree), radius));
+    gaussians.push_back(gaussian_values(kPi * kPi / (term.b * pixels_per_degree * pixels_per_degree), radius));
     heights.push_back(term.a * std::sqrt(kPi / term.b));
-    const double sum = sum_of(bells.back());
+    const double sum = sum_of(gaussians.back());
     total += heights.back() * sum * sum;
   }
   ContrastFilter filter;
-  for (size_t i = 0; i < bells.size(); ++i) filter.gaussians.push_back(scaled(bells[i], std::sqrt(heights[i] / total)));
+  for (size_t i = 0; i < gaussians.size(); ++i)
+    filter.gaussians.push_back(scaled(gaussians[i], std::sqrt(heights[i] / total)));
   return filter;
 }
 
-// Positive weights to a sum of one, negative ones to minus one.
+// Scales the positive weights to a sum of 1 and the negative ones to a sum of -1.
 Kernel balanced(std::vector<double> values) {
   double positive = 0, negative = 0;
   for (const double v : values) (v > 0 ? positive : negative) += std::abs(v);
@@ -77,7 +78,7 @@ std::array<ContrastFilter, 3> contrast_filters(double pixels_per_degree) {
 FeatureKernels feature_kernels(double pixels_per_degree) {
   const double sigma = 0.5 * kFeatureWidth * pixels_per_degree;
   const int radius = static_cast<int>(std::ceil(3 * sigma));
-  const auto gaussian = bell(1 / (2 * sigma * sigma), radius);
+  const auto gaussian = gaussian_values(1 / (2 * sigma * sigma), radius);
   auto edge = gaussian, point = gaussian;
   for (int i = -radius; i <= radius; ++i) {
     edge[static_cast<size_t>(i + radius)] *= -i;

@@ -13,7 +13,7 @@ double mean_radiance(const std::vector<float>& pixels) {
   return std::max(sum / static_cast<double>(pixels.size()), 1e-30);
 }
 
-// What one channel adds to the number that is painted, before the mean over channels.
+// The contribution of one channel to the mapped value.
 double term(double x, double r, double mean, HeatMap kind) {
   const double d = x - r;
   if (kind == HeatMap::relmse) return d * d / (r * r + 0.01);
@@ -21,7 +21,7 @@ double term(double x, double r, double mean, HeatMap kind) {
 }
 
 Rgb color_of(double value, HeatMap kind) {
-  if (kind == HeatMap::difference) return signed_colors(static_cast<float>(value));
+  if (kind == HeatMap::difference) return diverging_color(static_cast<float>(value));
   return viridis(static_cast<float>(kind == HeatMap::relmse ? std::sqrt(value) : value));
 }
 
@@ -31,8 +31,8 @@ void append(std::vector<uint8_t>& bytes, const Rgb& color) {
 
 }  // namespace
 
-std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference, HeatMap kind) {
-  const auto &x = picture.find("")->pixels, &r = reference.find("")->pixels;
+std::vector<uint8_t> heat_map(const image::LayeredImage& image, const image::LayeredImage& reference, HeatMap kind) {
+  const auto &x = image.find("")->pixels, &r = reference.find("")->pixels;
   const double mean = mean_radiance(r);
   std::vector<uint8_t> bytes;
   bytes.reserve(x.size());
@@ -44,7 +44,7 @@ std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::L
   return bytes;
 }
 
-std::vector<uint8_t> painted(std::span<const float> map) {
+std::vector<uint8_t> color_mapped(std::span<const float> map) {
   std::vector<uint8_t> bytes;
   bytes.reserve(map.size() * 3);
   for (const float v : map) append(bytes, viridis(v));

@@ -1,4 +1,4 @@
-// Where two pictures differ, as a picture: 8-bit RGB, row by row.
+// Difference of two images as a false-colour image: 8-bit RGB, row by row.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,16 +12,16 @@ namespace etendue::metrics {
 
 enum class HeatMap { absolute, relmse, difference, flip };
 
-// Of linear pixels, averaged over the channels; both images have one size.
-//   absolute    |x - r| relative to the mean of the reference, through viridis: one is yellow
-//   relmse      the root of (x - r)^2 / (r^2 + 0.01), the same way
-//   difference  x - r relative to the mean of the reference: blue is too dark, white is right, red is too bright
-// HeatMap::flip has a map of its own that is painted by `painted`.
-std::vector<uint8_t> heat_map(const image::LayeredImage& picture, const image::LayeredImage& reference,
+// Maps of linear pixels x against a reference r of the same size, averaged over the channels.
+//   absolute    |x - r| divided by the mean of the reference, in viridis; 1 is the upper end
+//   relmse      root of (x - r)^2 / (r^2 + 0.01), in viridis
+//   difference  (x - r) divided by the mean of the reference: blue is too dark, white is equal, red is too bright
+// HeatMap::flip is not handled here: pass the result of flip_map to `color_mapped`.
+std::vector<uint8_t> heat_map(const image::LayeredImage& image, const image::LayeredImage& reference,
                               HeatMap kind = HeatMap::absolute);
 
-// Numbers from 0 to 1, one a pixel, through viridis.
-std::vector<uint8_t> painted(std::span<const float> map);
+// Numbers in [0, 1], one per pixel, in viridis.
+std::vector<uint8_t> color_mapped(std::span<const float> map);
 
 }  // namespace etendue::metrics
 

@@ -13,8 +13,13 @@ struct Sums {
 
 Sums sums_of(std::span<const LinePoint> points) {
   Sums s;
-  for (const auto& p : points)
-    if (p.weight > 0) s.weight += p.weight, s.x += p.weight * p.x, s.y += p.weight * p.y, ++s.points;
+  for (const auto& p : points) {
+    if (!(p.weight > 0)) continue;
+    s.weight += p.weight;
+    s.x += p.weight * p.x;
+    s.y += p.weight * p.y;
+    ++s.points;
+  }
   return s;
 }
 
@@ -25,15 +30,20 @@ LineFit fit_line(std::span<const LinePoint> points) {
   if (sums.points < 2) return {};
   const double x0 = sums.x / sums.weight, y0 = sums.y / sums.weight;
   double xx = 0, xy = 0;
-  for (const auto& p : points)
-    if (p.weight > 0) xx += p.weight * (p.x - x0) * (p.x - x0), xy += p.weight * (p.x - x0) * (p.y - y0);
+  for (const auto& p : points) {
+    if (!(p.weight > 0)) continue;
+    xx += p.weight * (p.x - x0) * (p.x - x0);
+    xy += p.weight * (p.x - x0) * (p.y - y0);
+  }
   if (!(xx > 0)) return {};
   LineFit fit;
-  fit.slope = xy / xx, fit.intercept = y0 - fit.slope * x0, fit.known = true;
-  double residue = 0;
+  fit.slope = xy / xx;
+  fit.intercept = y0 - fit.slope * x0;
+  fit.known = true;
+  double residual = 0;
   for (const auto& p : points)
-    if (p.weight > 0) residue += p.weight * std::pow(p.y - fit.intercept - fit.slope * p.x, 2);
-  if (sums.points > 2) fit.slope_error = std::sqrt(residue / static_cast<double>(sums.points - 2) / xx);
+    if (p.weight > 0) residual += p.weight * std::pow(p.y - fit.intercept - fit.slope * p.x, 2);
+  if (sums.points > 2) fit.slope_error = std::sqrt(residual / static_cast<double>(sums.points - 2) / xx);
   return fit;
 }
 

@@ -1,7 +1,7 @@
-// A straight line through points whose ordinates are uncertain.
+// Weighted least-squares fit of a straight line.
 //
-// Source: weighted least squares with weights known up to a factor; the factor comes from the residuals (W. H. Press et
-// al., "Numerical Recipes", 3rd ed. 2007, 15.2, with the scatter estimated from n - 2 degrees of freedom).
+// The weights are known up to a common factor, which is estimated from the residuals with n - 2 degrees of freedom
+// [Press et al. 2007, sec. 15.2].
 #pragma once
 #include <span>
 
@@ -9,14 +9,14 @@ namespace etendue::metrics {
 
 struct LinePoint {
   double x, y;
-  double weight = 1;  // inversely proportional to the variance of y
+  double weight = 1;  // inversely proportional to the variance of y; points without weight are ignored
 };
 
 struct LineFit {
   double slope = 0, intercept = 0;
-  // Of the slope, for points that err independently; zero where nothing is left over to tell.
+  // Standard error of the slope if the errors of the points are independent; 0 for two points.
   double slope_error = 0;
-  bool known = false;  // two points at least, at different x
+  bool known = false;  // true for at least two points with different x
 };
 
 LineFit fit_line(std::span<const LinePoint> points);

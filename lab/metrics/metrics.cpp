@@ -36,21 +36,22 @@ Metrics metrics_of(std::span<const float> x, std::span<const float> r) {
     peak = std::max(peak, b);
   }
   const auto n = static_cast<double>(x.size());
-  m.mse /= n, m.relmse /= n, m.mae /= n, m.smape /= n, m.bias /= n;
+  for (double* sum : {&m.mse, &m.relmse, &m.mae, &m.smape, &m.bias}) *sum /= n;
   m.rmse = std::sqrt(m.mse);
   m.psnr = m.mse > 0 ? 10 * std::log10(peak * peak / m.mse) : INFINITY;
   return m;
 }
 
-Result<Metrics> compare(const image::LayeredImage& picture, const image::LayeredImage& reference) {
-  if (!has_rgb(picture) || !has_rgb(reference)) return input_error("compare: an image has no RGB channels");
-  if (picture.width != reference.width || picture.height != reference.height)
-    return input_error("compare: the sizes differ, " + size_text(picture) + " and " + size_text(reference) +
-                       "; give images of one size");
-  const auto &x = pixels_of(picture), &r = pixels_of(reference);
+Result<Metrics> compare(const image::LayeredImage& image, const image::LayeredImage& reference) {
+  if (!has_rgb(image) || !has_rgb(reference)) return input_error("compare: an image has no R, G and B channels");
+  if (image.width != reference.width || image.height != reference.height)
+    return input_error("compare: the images differ in size, " + size_text(image) + " and " + size_text(reference) +
+                       "; give two images of the same size");
+  const auto &x = pixels_of(image), &r = pixels_of(reference);
   for (size_t i = 0; i < x.size(); ++i)
     if (!std::isfinite(x[i]) || !std::isfinite(r[i]))
-      return input_error("compare: pixel " + std::to_string(i / 3) + " is not finite");
+      return input_error("compare: pixel " + std::to_string(i / 3) +
+                         " is not a finite number; nothing can be measured");
   return metrics_of(x, r);
 }
 

@@ -11,22 +11,22 @@ void add_scaled(float* out, const float* in, float weight, int count) {
 
 }  // namespace
 
-Plane filtered_rows(const Plane& in, const Kernel& across) {
+Plane convolve_rows(const Plane& in, const Kernel& across) {
   Plane out(in.width, in.height);
   const int r = across.radius();
-  // A row with its ends drawn out, so that the inner loop has no cases.
-  std::vector<float> wide(static_cast<size_t>(in.width + 2 * r));
+  // The row padded with its end values, so that the inner loop needs no bounds checks.
+  std::vector<float> padded(static_cast<size_t>(in.width + 2 * r));
   for (int y = 0; y < in.height; ++y) {
     const float* row = in.row(y);
-    std::fill_n(wide.begin(), r, row[0]);
-    std::copy_n(row, in.width, wide.begin() + r);
-    std::fill_n(wide.begin() + r + in.width, r, row[in.width - 1]);
-    for (size_t i = 0; i < across.taps.size(); ++i) add_scaled(out.row(y), wide.data() + i, across.taps[i], in.width);
+    std::fill_n(padded.begin(), r, row[0]);
+    std::copy_n(row, in.width, padded.begin() + r);
+    std::fill_n(padded.begin() + r + in.width, r, row[in.width - 1]);
+    for (size_t i = 0; i < across.taps.size(); ++i) add_scaled(out.row(y), padded.data() + i, across.taps[i], in.width);
   }
   return out;
 }
 
-Plane filtered_columns(const Plane& in, const Kernel& down) {
+Plane convolve_columns(const Plane& in, const Kernel& down) {
   Plane out(in.width, in.height);
   const int r = down.radius();
   for (int y = 0; y < in.height; ++y)
@@ -36,8 +36,8 @@ Plane filtered_columns(const Plane& in, const Kernel& down) {
   return out;
 }
 
-Plane filtered(const Plane& in, const Kernel& across, const Kernel& down) {
-  return filtered_columns(filtered_rows(in, across), down);
+Plane convolve(const Plane& in, const Kernel& across, const Kernel& down) {
+  return convolve_columns(convolve_rows(in, across), down);
 }
 
 }  // namespace etendue::metrics

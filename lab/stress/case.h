@@ -1,35 +1,39 @@
-// A place where methods are known to fail, or just do not: a small scene or a sweep over one, what theory says each
-// method does there, and a measured expectation. That a method fails is an expectation too.
+// Stability cases: small scenes, or sweeps over one parameter of a scene, for which theory predicts what each method
+// does. Where theory predicts a failure, the failure is the expected result.
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "stress/lab.h"
+#include "stress/test_context.h"
 
 namespace etendue::stress {
 
 enum class Kind {
-  missing_paths,   // light paths that a method cannot sample
-  heavy_tails,     // huge or infinite variance
-  bias,            // means that are off, and those that must not be
-  correlation,     // random numbers that know of each other
-  parameters,      // the ends of their ranges
-  geometry,        // huge, tiny, far away, degenerate
-  broken_physics,  // models that make energy
-  bad_numbers      // NaN and infinity
+  missing_paths,    // light paths that a method cannot sample
+  heavy_tails,      // very large or infinite variance
+  bias,             // means that deviate from the truth, and means that must not
+  correlation,      // correlated random numbers
+  parameters,       // limits of parameter ranges
+  geometry,         // very large, small, distant or degenerate geometry
+  broken_physics,   // models that do not conserve energy
+  invalid_numbers,  // NaN and infinity
 };
+// The identifier of a kind in matrix.json.
 std::string_view kind_name(Kind kind);
+// The heading of a kind for readers.
+std::string_view kind_label(Kind kind);
 
 struct Case {
-  const char* name;  // as `etendue stress NAME` takes it
+  const char* name;  // the argument of `etendue stress`
   Kind kind;
-  const char* theory;  // one sentence: what should happen, and why
-  void (*run)(Lab& lab);
+  const char* theory;  // one sentence without a full stop: the predicted behaviour and its reason
+  void (*run)(TestContext& test);
 };
 
-// Every case, by kind.
+// All cases, ordered by kind.
 const std::vector<Case>& cases();
+// Null if there is no such case.
 const Case* find_case(std::string_view name);
 
 }  // namespace etendue::stress

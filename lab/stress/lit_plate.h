@@ -1,6 +1,6 @@
-// A plate of two by two metres under even parallel light, irradiance one, albedo 1/2.
+// A diffuse plate of 2 x 2 m with albedo 1/2 under a directional light of irradiance one.
 #pragma once
-#include "stress/lab.h"
+#include "stress/test_context.h"
 
 namespace etendue::stress {
 
@@ -9,8 +9,7 @@ inline constexpr double kRadianceOfLitPlate = 0.5 / 3.14159265358979323846;
 inline scene::Scene lit_plate() {
   scene::Scene scene;
   scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0.5f)));
-  Light light;
-  light.type = LightType::directional;
+  const Light light = make_light("directional");
   scene::Transform downwards;
   downwards.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
   scene::add(scene, light, downwards);

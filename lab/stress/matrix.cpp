@@ -6,26 +6,27 @@
 
 namespace etendue::stress {
 
-Row run(const Case& stress_case, const LabOptions& options) {
+CaseResult run(const Case& stress_case, const TestOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  Lab lab(options);
-  stress_case.run(lab);
-  return {&stress_case, lab.take_findings(),
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  TestContext test(options);
+  stress_case.run(test);
+  return {.stress_case = &stress_case,
+          .results = test.take_results(),
+          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-std::string matrix_json(const std::vector<Row>& rows) {
+std::string matrix_json(const std::vector<CaseResult>& rows) {
   auto list = nlohmann::json::array();
-  for (const Row& row : rows)
-    for (const Finding& f : row.findings) {
-      // JSON has no infinity.
-      const nlohmann::json measured = std::isfinite(f.measured) ? nlohmann::json(f.measured) : nlohmann::json();
+  for (const CaseResult& row : rows)
+    for (const TestResult& r : row.results) {
+      // JSON cannot represent infinity and NaN.
+      const nlohmann::json measured = std::isfinite(r.measured) ? nlohmann::json(r.measured) : nlohmann::json();
       list.push_back({{"case", row.stress_case->name},
                       {"kind", kind_name(row.stress_case->kind)},
-                      {"method", f.method},
-                      {"expectation", f.expectation},
+                      {"method", r.method},
+                      {"expectation", r.expectation},
                       {"measured", measured},
-                      {"ok", f.ok}});
+                      {"ok", r.ok}});
     }
   return list.dump(2);
 }

@@ -1,4 +1,4 @@
-// The stability matrix: cases, what was found, and how it is shown.
+// The stability matrix: the results of the cases, as JSON and as an HTML page.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,17 +7,17 @@
 
 namespace etendue::stress {
 
-struct Row {
+struct CaseResult {
   const Case* stress_case;
-  std::vector<Finding> findings;
+  std::vector<TestResult> results;
   double seconds = 0;
 };
 
-Row run(const Case& stress_case, const LabOptions& options);
+CaseResult run(const Case& stress_case, const TestOptions& options);
 
 // An array of {"case", "kind", "method", "expectation", "measured", "ok"}.
-std::string matrix_json(const std::vector<Row>& rows);
-// A page that stands alone, with the theory of each case and pictures.
-std::string matrix_html(const std::vector<Row>& rows);
+std::string matrix_json(const std::vector<CaseResult>& rows);
+// A self-contained page with the theory of each case, all results, and images.
+std::string matrix_html(const std::vector<CaseResult>& rows);
 
 }  // namespace etendue::stress

@@ -1,4 +1,4 @@
-// The page of the matrix: an overview of cases and methods, then every finding below the theory of its case.
+// The HTML page of the matrix: an overview of cases and methods, then each case with its theory and results.
 #include "base/base64.h"
 #include "bench/html_page.h"
 #include "image/image.h"
@@ -9,69 +9,69 @@
 namespace etendue::stress {
 namespace {
 
-using metrics::escaped;
+using metrics::escape_markup;
 
 constexpr const char* kStyle = R"html(<style>
 thead th { position: sticky; top: 0; background: var(--page) }
 .overview td, .overview th { text-align: center } .overview th:first-child { text-align: left }
 .overview tbody th { font-weight: 500 } .overview .kind th { color: var(--soft); padding-top: 16px }
-a { color: inherit } .met { color: #1a7f37 } .missed { color: #c62828; font-weight: 700 }
-.findings { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 360px), 1fr)); gap: 8px;
+a { color: inherit } .passed { color: #1a7f37 } .missed { color: #c62828; font-weight: 700 }
+.results { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 360px), 1fr)); gap: 8px;
   list-style: none; padding: 0; margin: 8px 0 }
-.findings li { display: grid; grid-template-columns: 56px 1fr; align-content: start; gap: 0 12px;
+.results li { display: grid; grid-template-columns: 56px 1fr; align-content: start; gap: 0 12px;
   background: var(--card); padding: 8px;
   border-radius: 4px; border-left: 4px solid #2da44e; overflow-wrap: anywhere }
-.findings li.failed { background: var(--bad); border-left-color: #c62828 }
-.findings img, .findings .blank { width: 56px; height: 56px; outline: 1px solid var(--line); grid-row: span 3 }
+.results li.failed { background: var(--bad); border-left-color: #c62828 }
+.results img, .results .blank { width: 56px; height: 56px; outline: 1px solid var(--line); grid-row: span 3 }
 h3 { font-size: 15px; margin: 24px 0 0; scroll-margin-top: 16px } .kind-of { color: var(--soft); font-weight: 400 }
 .expected { color: var(--soft); font-size: 13px } .value { font-variant-numeric: tabular-nums }
-@media (prefers-color-scheme: dark) { .met { color: #56d364 } .missed { color: #ff8a80 } }
+@media (prefers-color-scheme: dark) { .passed { color: #56d364 } .missed { color: #ff8a80 } }
 </style>
 )html";
 
 struct Count {
-  size_t met = 0, missed = 0;
-  void add(const Finding& f) { ++(f.ok ? met : missed); }
+  size_t passed = 0, missed = 0;
+  void add(const TestResult& r) { ++(r.ok ? passed : missed); }
 };
 
-// Findings are of integrators, or of other parts of the program: samplers, settings, the display.
+// One column per integrator, and one for samplers, settings, the display and other components.
 std::vector<std::string> columns() {
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos()) names.push_back(info.name);
-  names.emplace_back("other parts");
+  names.emplace_back("other");
   return names;
 }
 
-bool is_of(const Finding& f, const std::string& column, const std::vector<std::string>& all) {
-  const std::string base = f.method.substr(0, f.method.find(':'));
-  const bool integrator = std::find(all.begin(), all.end() - 1, base) != all.end() - 1;
-  return integrator ? base == column : column == all.back();
+bool belongs_to(const TestResult& r, const std::string& column, const std::vector<std::string>& all) {
+  const std::string base = r.method.substr(0, r.method.find(':'));
+  const bool is_integrator = std::find(all.begin(), all.end() - 1, base) != all.end() - 1;
+  return is_integrator ? base == column : column == all.back();
 }
 
 std::string cell(const Count& c) {
-  if (c.met + c.missed == 0) return "<td></td>";
-  if (c.missed == 0) return "<td class=\"met\">&#10003; " + std::to_string(c.met) + "</td>";
-  return "<td class=\"missed\">&#10007; " + std::to_string(c.missed) + " of " + std::to_string(c.met + c.missed) +
+  if (c.passed + c.missed == 0) return "<td></td>";
+  if (c.missed == 0) return "<td class=\"passed\">&#10003; " + std::to_string(c.passed) + "</td>";
+  return "<td class=\"missed\">&#10007; " + std::to_string(c.missed) + " of " + std::to_string(c.passed + c.missed) +
          "</td>";
 }
 
-std::string overview(const std::vector<Row>& rows) {
+std::string overview(const std::vector<CaseResult>& rows) {
   const auto names = columns();
   std::string html = "<div class=\"scroll\"><table class=\"overview\">\n<thead><tr><th scope=\"col\">case</th>";
-  for (const auto& name : names) html += "<th scope=\"col\">" + escaped(name) + "</th>";
+  for (const auto& name : names) html += "<th scope=\"col\">" + escape_markup(name) + "</th>";
   html += "</tr></thead>\n<tbody>\n";
-  const Row* before = nullptr;
-  for (const Row& row : rows) {
+  const CaseResult* previous = nullptr;
+  for (const CaseResult& row : rows) {
     const Case& c = *row.stress_case;
-    if (!before || before->stress_case->kind != c.kind)
+    if (!previous || previous->stress_case->kind != c.kind)
       html += "<tr class=\"kind\"><th colspan=\"" + std::to_string(names.size() + 1) + "\">" +
-              std::string(kind_name(c.kind)) + "</th></tr>\n";
-    before = &row;
-    html += "<tr><th scope=\"row\"><a href=\"#" + escaped(c.name) + "\">" + escaped(c.name) + "</a></th>";
+              std::string(kind_label(c.kind)) + "</th></tr>\n";
+    previous = &row;
+    html += "<tr><th scope=\"row\"><a href=\"#" + escape_markup(c.name) + "\">" + escape_markup(c.name) + "</a></th>";
     for (const auto& name : names) {
       Count count;
-      for (const Finding& f : row.findings)
-        if (is_of(f, name, names)) count.add(f);
+      for (const TestResult& r : row.results)
+        if (belongs_to(r, name, names)) count.add(r);
       html += cell(count);
     }
     html += "</tr>\n";
@@ -79,51 +79,52 @@ std::string overview(const std::vector<Row>& rows) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string picture_tag(const Thumbnail& picture) {
-  if (picture.rgb.empty()) return "<span class=\"blank\"></span>";
-  const auto png = image::encode_png(picture.width, picture.height, picture.rgb);
+std::string image_tag(const Thumbnail& image) {
+  if (image.rgb.empty()) return "<span class=\"blank\"></span>";
+  const auto png = image::encode_png(image.width, image.height, image.rgb);
   return png ? "<img alt=\"\" src=\"data:image/png;base64," + base64(*png) + "\">" : "";
 }
 
-// Long names may break between settings.
+// Allows line breaks between the settings of a method.
 std::string breakable(const std::string& text) {
   std::string out;
-  for (const char c : escaped(text)) out += c == ':' ? ":<wbr>" : std::string(1, c);
+  for (const char c : escape_markup(text)) out += c == ':' ? ":<wbr>" : std::string(1, c);
   return out;
 }
 
-std::string finding_html(const Finding& f) {
-  return std::string("<li class=\"") + (f.ok ? "ok" : "failed") + "\">" + picture_tag(f.picture) + "<span>" +
-         breakable(f.method) + "</span><span class=\"value\">" + number(f.measured) +
-         (f.ok ? "" : " <b class=\"missed\">not as expected</b>") + "</span><span class=\"expected\">expected " +
-         escaped(f.expectation) + "</span></li>\n";
+std::string result_html(const TestResult& r) {
+  return std::string("<li class=\"") + (r.ok ? "ok" : "failed") + "\">" + image_tag(r.image) + "<span>" +
+         breakable(r.method) + "</span><span class=\"value\">" + number(r.measured) +
+         (r.ok ? "" : " <b class=\"missed\">not as expected</b>") + "</span><span class=\"expected\">expected " +
+         escape_markup(r.expectation) + "</span></li>\n";
 }
 
-std::string case_html(const Row& row) {
+std::string case_html(const CaseResult& row) {
   const Case& c = *row.stress_case;
-  std::string html = "<h3 id=\"" + escaped(c.name) + "\">" + escaped(c.name) + " <span class=\"kind-of\">" +
-                     std::string(kind_name(c.kind)) + "</span></h3>\n<p>" + escaped(c.theory) +
-                     ".</p>\n<ul class=\"findings\">\n";
-  for (const Finding& f : row.findings) html += finding_html(f);
+  std::string html = "<h3 id=\"" + escape_markup(c.name) + "\">" + escape_markup(c.name) + " <span class=\"kind-of\">" +
+                     std::string(kind_label(c.kind)) + "</span></h3>\n<p>" + escape_markup(c.theory) +
+                     ".</p>\n<ul class=\"results\">\n";
+  for (const TestResult& r : row.results) html += result_html(r);
   return html + "</ul>\n";
 }
 
 }  // namespace
 
-std::string matrix_html(const std::vector<Row>& rows) {
+std::string matrix_html(const std::vector<CaseResult>& rows) {
   Count count;
   std::string cases;
-  for (const Row& row : rows) {
-    for (const Finding& f : row.findings) count.add(f);
+  for (const CaseResult& row : rows) {
+    for (const TestResult& r : row.results) count.add(r);
     cases += case_html(row);
   }
-  return bench::page("Stress", kStyle + ("<h1>Where methods fail</h1>\n<p>" + std::to_string(rows.size())) +
-                                   " cases, " + std::to_string(count.met + count.missed) + " expectations, " +
-                                   std::to_string(count.missed) +
-                                   " not met. That a method fails is an expectation too: a tick says that it does what "
-                                   "theory says.</p>\n" +
-                                   overview(rows) + "<h2>What was expected, what was found</h2>\n" +
-                                   "<p class=\"note\">Pictures are shown through AgX.</p>\n" + cases);
+  return bench::html_page("Stability matrix",
+                          kStyle + ("<h1>Stability matrix</h1>\n<p>" + std::to_string(rows.size())) + " cases, " +
+                              std::to_string(count.passed + count.missed) + " expectations, " +
+                              std::to_string(count.missed) +
+                              " not met. A tick means that the method behaves as theory predicts; the prediction may "
+                              "be that it fails.</p>\n" +
+                              overview(rows) + "<h2>Expected and measured values</h2>\n" +
+                              "<p class=\"note\">Images are tone mapped with AgX.</p>\n" + cases);
 }
 
 }  // namespace etendue::stress

@@ -1,4 +1,4 @@
-// Every case, by kind; one line each.
+// The list of cases, ordered by kind: one include and one line per case.
 #include "stress/case.h"
 #include "stress/cases/albedo_of_one.h"
 #include "stress/cases/all_scales.h"
@@ -81,8 +81,30 @@ std::string_view kind_name(Kind kind) {
       return "limits of geometry";
     case Kind::broken_physics:
       return "broken physics";
-    case Kind::bad_numbers:
+    case Kind::invalid_numbers:
       return "bad numbers";
+  }
+  return "";
+}
+
+std::string_view kind_label(Kind kind) {
+  switch (kind) {
+    case Kind::missing_paths:
+      return "Missing light paths";
+    case Kind::heavy_tails:
+      return "Heavy-tailed estimators";
+    case Kind::bias:
+      return "Bias";
+    case Kind::correlation:
+      return "Correlated samples";
+    case Kind::parameters:
+      return "Limits of parameters";
+    case Kind::geometry:
+      return "Limits of geometry";
+    case Kind::broken_physics:
+      return "Models that do not conserve energy";
+    case Kind::invalid_numbers:
+      return "NaN and infinity";
   }
   return "";
 }

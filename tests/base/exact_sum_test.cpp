@@ -18,20 +18,20 @@ double sum_of(const std::vector<double>& terms) {
   return sum.value();
 }
 
-TEST(ExactSum, SingleNumbersComeBack) {
+TEST(ExactSum, OfOneTermIsTheTerm) {
   for (const double x :
        {0.0, 1.0, -1.0, 0.1, -3e-300, DBL_MAX, -DBL_MAX, DBL_MIN, DBL_TRUE_MIN, -5 * DBL_TRUE_MIN, 1e100})
     EXPECT_EQ(sum_of({x}), x);
 }
 
-TEST(ExactSum, NothingIsLostOnTheWay) {
+TEST(ExactSum, HasNoCancellationOrOverflow) {
   EXPECT_EQ(sum_of({1e300, 1, -1e300}), 1);
   EXPECT_EQ(sum_of({1, DBL_TRUE_MIN, -1}), DBL_TRUE_MIN);
   EXPECT_EQ(sum_of({DBL_MAX, DBL_MAX, -DBL_MAX}), DBL_MAX);
   EXPECT_EQ(sum_of(std::vector<double>(1000, 0.125)), 125);
 }
 
-TEST(ExactSum, OrderAndGroupingDoNotMatter) {
+TEST(ExactSum, DoesNotDependOnOrderAndGrouping) {
   std::mt19937_64 random(3);
   std::vector<double> terms;
   for (int i = 0; i < 2000; ++i) {
@@ -48,15 +48,16 @@ TEST(ExactSum, OrderAndGroupingDoNotMatter) {
   }
 }
 
-TEST(ExactSum, WithinOneUnitInTheLastPlace) {
+TEST(ExactSum, IsWithinOneUnitInTheLastPlace) {
   std::mt19937_64 random(5);
   for (int round = 0; round < 200; ++round) {
-    // Integers whose sum a 64-bit integer holds.
+    // The terms are integers, whose exact sum fits into 64 bits.
     ExactSum sum;
     int64_t exact = 0;
     for (int i = 0; i < 50; ++i) {
       const auto term = static_cast<int64_t>(random() >> 12) - (int64_t{1} << 51);
-      sum.add(static_cast<double>(term)), exact += term;
+      sum.add(static_cast<double>(term));
+      exact += term;
     }
     const auto nearest = static_cast<double>(exact);
     EXPECT_NEAR(sum.value(), nearest, std::nextafter(std::abs(nearest), INFINITY) - std::abs(nearest));

@@ -1,4 +1,4 @@
-// Maps from the unit square: where points go, how evenly, and that many at once go where each goes alone.
+// Maps from the unit square: special points, densities, and equality of the scalar and the vectorised versions.
 #include "base/warp.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::vector<Vec2> random_points(int count) {
   return points;
 }
 
-TEST(CosSinOfOctant, IsGoodToSevenDigits) {
+TEST(CosSinOfOctant, HasSevenCorrectDigits) {
   for (int i = -1000; i <= 1000; ++i) {
     const float x = kPi / 4 * static_cast<float>(i) / 1000;
     const Vec2 v = cos_sin_of_octant(x);
@@ -29,18 +29,18 @@ TEST(CosSinOfOctant, IsGoodToSevenDigits) {
   }
 }
 
-TEST(SquareToDisk, MapsTheMiddleAndTheSides) {
+TEST(SquareToDisk, MapsTheCentreAndTheSides) {
   EXPECT_EQ(square_to_disk(Vec2(0.5f)), Vec2(0));
   for (const float t : {0.0f, 0.3f, 0.5f, 0.9f}) {
-    EXPECT_NEAR(glm::length(square_to_disk({t, 0})), 1, 1e-6) << "a side of the square lands on the circle";
+    EXPECT_NEAR(glm::length(square_to_disk({t, 0})), 1, 1e-6) << "sides of the square map to the circle";
     EXPECT_NEAR(glm::length(square_to_disk({kOneMinusEpsilon, t})), 1, 1e-6);
   }
   EXPECT_NEAR(square_to_disk({kOneMinusEpsilon, 0.5f}).x, 1, 1e-6);
   EXPECT_NEAR(square_to_disk({0.5f, kOneMinusEpsilon}).y, 1, 1e-6);
 }
 
-// Rings and sectors of the same area: chi-square with 1 % false alarms.
-TEST(SquareToDisk, KeepsAreas) {
+// Chi-square test with cells of equal area (rings times sectors), significance level 1 %.
+TEST(SquareToDisk, IsUniform) {
   constexpr int kRings = 8, kSectors = 8, kPoints = 100'000;
   std::array<int, kRings * kSectors> counts{};
   for (const Vec2& u : random_points(kPoints)) {
@@ -55,7 +55,7 @@ TEST(SquareToDisk, KeepsAreas) {
   EXPECT_GT(test::chi_square_tail(statistic, static_cast<int>(counts.size()) - 1), 0.01);
 }
 
-TEST(SquareToTriangle, StaysInsideAndKeepsTheMean) {
+TEST(SquareToTriangle, StaysInsideAndHasTheCentroidAsMean) {
   Vec2 sum(0);
   const auto points = random_points(20'000);
   for (const Vec2& u : points) {
@@ -63,17 +63,20 @@ TEST(SquareToTriangle, StaysInsideAndKeepsTheMean) {
     ASSERT_TRUE(b.x >= 0 && b.y >= 0 && b.x + b.y <= 1) << b.x << ' ' << b.y;
     sum += b;
   }
-  // Four standard errors of a coordinate, whose variance is 1/18.
+  // Four standard errors of the mean; a coordinate has the variance 1/18.
   const float margin = 4 * std::sqrt(1 / 18.0f / static_cast<float>(points.size()));
   EXPECT_NEAR(sum.x / static_cast<float>(points.size()), 1 / 3.0f, margin);
   EXPECT_NEAR(sum.y / static_cast<float>(points.size()), 1 / 3.0f, margin);
 }
 
-TEST(SquaresToCosineHemisphere, ManyGoWhereEachGoesAlone) {
+TEST(SquaresToCosineHemisphere, EqualsTheScalarVersion) {
   constexpr size_t kPoints = 77;
   alignas(64) std::array<float, 80> u0{}, u1{};
   const auto points = random_points(kPoints);
-  for (size_t i = 0; i < kPoints; ++i) u0[i] = points[i].x, u1[i] = points[i].y;
+  for (size_t i = 0; i < kPoints; ++i) {
+    u0[i] = points[i].x;
+    u1[i] = points[i].y;
+  }
   Vec3Lanes<80> directions;
   squares_to_cosine_hemisphere(u0.data(), u1.data(), kPoints, directions);
   for (size_t i = 0; i < kPoints; ++i) EXPECT_EQ(directions[i], square_to_cosine_hemisphere(points[i]));

@@ -1,4 +1,4 @@
-// Cameras on the move: they turn without shrinking, and their rays are those of a camera that stands there.
+// Moving cameras: interpolation of poses, and rays equal to those of a static camera at the same pose.
 #include "camera/camera_motion.h"
 
 #include <gtest/gtest.h>
@@ -12,15 +12,15 @@ namespace {
 
 constexpr int kWidth = 16, kHeight = 9;
 
-std::vector<Mat4> half_a_turn() {
-  std::vector<Mat4> places;
+std::vector<Mat4> turning_poses() {
+  std::vector<Mat4> poses;
   for (const float angle : {0.0f, 1.0f, 2.0f, 3.0f})
-    places.push_back(glm::rotate(glm::translate(Mat4(1), Vec3(angle, 0, 2 * angle)), angle, Vec3(0, 1, 0)));
-  return places;
+    poses.push_back(glm::rotate(glm::translate(Mat4(1), Vec3(angle, 0, 2 * angle)), angle, Vec3(0, 1, 0)));
+  return poses;
 }
 
-TEST(CameraMotion, TurnsAtAnEvenRateAndKeepsItsSize) {
-  const CameraMotion motion(half_a_turn());
+TEST(CameraMotion, RotatesAtConstantRateWithoutScaling) {
+  const CameraMotion motion(turning_poses());
   for (int i = 0; i <= 30; ++i) {
     const float time = static_cast<float>(i) / 30, angle = 3 * time;
     const Mat4 expected = glm::rotate(glm::translate(Mat4(1), Vec3(angle, 0, 2 * angle)), angle, Vec3(0, 1, 0));
@@ -28,17 +28,23 @@ TEST(CameraMotion, TurnsAtAnEvenRateAndKeepsItsSize) {
   }
 }
 
-TEST(CameraRays, OfAMovingCameraAreThoseOfOneThatStandsThere) {
-  const auto motion = std::make_shared<const CameraMotion>(half_a_turn());
+TEST(CameraRays, OfAMovingCameraEqualThoseAtItsPose) {
+  const auto motion = std::make_shared<const CameraMotion>(turning_poses());
   for (const auto projection : {Projection::perspective, Projection::orthographic}) {
     Camera camera;
-    camera.projection = projection, camera.lens_radius = 0.1f, camera.focus_distance = 2;
-    camera.to_world = half_a_turn().front();
+    camera.projection = projection;
+    camera.lens_radius = 0.1f;
+    camera.focus_distance = 2;
+    camera.to_world = turning_poses().front();
     const CameraRays moving(camera, kWidth, kHeight, motion);
     alignas(64) std::array<float, 16> x{}, y{}, u{}, v{}, times{};
     for (size_t i = 0; i < x.size(); ++i) {
       const float part = static_cast<float>(i) / 16;
-      x[i] = kWidth * part, y[i] = kHeight * (1 - part), u[i] = part, v[i] = 0.3f, times[i] = part;
+      x[i] = kWidth * part;
+      y[i] = kHeight * (1 - part);
+      u[i] = part;
+      v[i] = 0.3f;
+      times[i] = part;
     }
     std::array<Ray, 16> rays;
     moving.rays({x.data(), y.data()}, {u.data(), v.data()}, times.data(), rays.size(), rays.data());

@@ -140,10 +140,10 @@ TEST_F(CliBench, ErrorsAreOneLine) {
   expect_error("bench cornell --methods path --budget -1 --out b", 2, "budget");
   expect_error(some + "pth", 2, "path-pure");
   expect_error(some + "path:sampler=dice", 2, "sobol");
-  expect_error(some + "path:flavour=1", 2, "there is no setting 'flavour'");
+  expect_error(some + "path:flavour=1", 2, "there is no parameter 'flavour'");
   expect_error(some + "path:max-depth", 2, "name=value");
   expect_error(some + "path,path", 2, "twice");
-  expect_error(some + ",", 2, "there is none");
+  expect_error(some + ",", 2, "the list is empty");
   expect_error(some + "path:film.width=9", 2, "--set");
   expect_error(some + "path --reference missing.exr", 3, "missing.exr");
   ASSERT_EQ(run("render cornell --size 9x8 --spp 1 -o r.exr").code, 0);

@@ -9,43 +9,43 @@
 namespace etendue::film {
 namespace {
 
-TEST(FireflyCascades, AnEvenPictureIsShownAsItIs) {
+TEST(FireflyReweighting, AnEvenPictureIsShownAsItIs) {
   for (const float value : {0.0f, 1e-6f, 0.01f, 0.7f, 8.0f, 5e4f, 1e9f}) {
-    FireflyCascades cascades(3, 3);
+    FireflyReweighting reweighting(3, 3);
     for (uint32_t s = 1; s <= 16; ++s) {
-      for (int i = 0; i < 9; ++i) cascades.add(i % 3, i / 3, Rgb(value, 0.5f * value, 0));
-      for (int i = 0; i < 9; ++i) EXPECT_NEAR(cascades.shown(i % 3, i / 3, s).r, value, 1e-5f * value) << s;
+      for (int i = 0; i < 9; ++i) reweighting.add(i % 3, i / 3, Rgb(value, 0.5f * value, 0));
+      for (int i = 0; i < 9; ++i) EXPECT_NEAR(reweighting.shown(i % 3, i / 3, s).r, value, 1e-5f * value) << s;
     }
   }
 }
 
-TEST(FireflyCascades, SamplesThatComeTogetherAreThoseThatComeAlone) {
-  FireflyCascades alone(1, 1), together(1, 1);
+TEST(FireflyReweighting, SamplesThatComeTogetherAreThoseThatComeAlone) {
+  FireflyReweighting alone(1, 1), together(1, 1);
   for (int i = 0; i < 20; ++i) alone.add(0, 0, Rgb(2));
   together.add(0, 0, Rgb(2), 20);
   EXPECT_NEAR(alone.shown(0, 0, 20).r, together.shown(0, 0, 20).r, 1e-5f);
 }
 
-TEST(FireflyCascades, AFireflyIsGoneAndItsNeighboursAreNot) {
+TEST(FireflyReweighting, AFireflyIsGoneAndItsNeighboursAreNot) {
   std::mt19937 engine(1);
   std::uniform_real_distribution<float> uniform(0, 1);
-  FireflyCascades cascades(9, 9);
+  FireflyReweighting reweighting(9, 9);
   constexpr uint32_t kSamples = 32;
   for (uint32_t s = 0; s < kSamples; ++s)
-    for (int i = 0; i < 81; ++i) cascades.add(i % 9, i / 9, Rgb(uniform(engine)));
-  const Rgb before = cascades.shown(4, 4, kSamples);
-  cascades.add(4, 4, Rgb(3000));
-  const Rgb after = cascades.shown(4, 4, kSamples + 1);
+    for (int i = 0; i < 81; ++i) reweighting.add(i % 9, i / 9, Rgb(uniform(engine)));
+  const Rgb before = reweighting.shown(4, 4, kSamples);
+  reweighting.add(4, 4, Rgb(3000));
+  const Rgb after = reweighting.shown(4, 4, kSamples + 1);
   EXPECT_NEAR(after.r, before.r, 0.1f);  // kept it would be 91
-  cascades.add(3, 4, Rgb(uniform(engine)));
-  EXPECT_NEAR(cascades.shown(3, 4, kSamples + 1).r, 0.5f, 0.2f);
+  reweighting.add(3, 4, Rgb(uniform(engine)));
+  EXPECT_NEAR(reweighting.shown(3, 4, kSamples + 1).r, 0.5f, 0.2f);
 }
 
 // One sample in fifty is a thousand times as bright as the others: less and less of it is held back.
-TEST(FireflyCascades, TendToTheMean) {
+TEST(FireflyReweighting, TendToTheMean) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<float> uniform(0, 1);
-  FireflyCascades cascades(8, 8);
+  FireflyReweighting reweighting(8, 8);
   double sum = 0, last = 1;
   uint32_t samples = 0;
   for (const uint32_t target : {16U, 128U, 1024U, 8192U}) {
@@ -53,10 +53,10 @@ TEST(FireflyCascades, TendToTheMean) {
       for (int i = 0; i < 64; ++i) {
         const float value = uniform(engine) < 0.02f ? 100 : 0.1f;
         sum += static_cast<double>(value);
-        cascades.add(i % 8, i / 8, Rgb(value));
+        reweighting.add(i % 8, i / 8, Rgb(value));
       }
     double shown = 0;
-    for (int i = 0; i < 64; ++i) shown += static_cast<double>(cascades.shown(i % 8, i / 8, samples).r) * samples;
+    for (int i = 0; i < 64; ++i) shown += static_cast<double>(reweighting.shown(i % 8, i / 8, samples).r) * samples;
     const double missing = 1 - shown / sum;
     EXPECT_GT(missing, -1e-4);
     EXPECT_LT(missing, last) << target;
@@ -65,14 +65,14 @@ TEST(FireflyCascades, TendToTheMean) {
   EXPECT_LT(last, 1e-3);
 }
 
-TEST(FireflyCascades, BordersAndClearedRows) {
-  FireflyCascades cascades(2, 2);
-  cascades.add(0, 0, Rgb(500)), cascades.add(1, 1, Rgb(1), 8);
-  EXPECT_LT(cascades.shown(0, 0, 8).r, 1.0f);
-  EXPECT_NEAR(cascades.shown(1, 1, 8).r, 1, 1e-5f);
-  cascades.clear_rows(0, 1);
-  EXPECT_EQ(cascades.shown(0, 0, 8), Rgb(0));
-  EXPECT_NEAR(cascades.shown(1, 1, 8).r, 1, 1e-5f);
+TEST(FireflyReweighting, BordersAndClearedRows) {
+  FireflyReweighting reweighting(2, 2);
+  reweighting.add(0, 0, Rgb(500)), reweighting.add(1, 1, Rgb(1), 8);
+  EXPECT_LT(reweighting.shown(0, 0, 8).r, 1.0f);
+  EXPECT_NEAR(reweighting.shown(1, 1, 8).r, 1, 1e-5f);
+  reweighting.clear_rows(0, 1);
+  EXPECT_EQ(reweighting.shown(0, 0, 8), Rgb(0));
+  EXPECT_NEAR(reweighting.shown(1, 1, 8).r, 1, 1e-5f);
 }
 
 }  // namespace

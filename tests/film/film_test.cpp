@@ -26,9 +26,9 @@ TEST(Film, RejectedSamplesAreCountedByCause) {
   film.add(0, 0, 1, Rgb(INFINITY, 1, 1));
   film.add(0, 0, 0, Rgb(-1, 1, 1));
   film.add(0, 0, 1, Rgb(4));
-  EXPECT_EQ(film.rejected().nan, 1U);
-  EXPECT_EQ(film.rejected().infinite, 1U);
-  EXPECT_EQ(film.rejected().negative, 1U);
+  EXPECT_EQ(film.invalid_samples().nan, 1U);
+  EXPECT_EQ(film.invalid_samples().infinite, 1U);
+  EXPECT_EQ(film.invalid_samples().negative, 1U);
   EXPECT_EQ(film.mean(0, 0), Rgb(1));
 }
 
@@ -40,7 +40,7 @@ TEST(Film, ErrorEstimateMeetsTheError) {
     std::uniform_real_distribution<float> uniform;
     for (int y = 0; y < 200; ++y)
       for (int x = 0; x < 200; ++x)
-        for (int s = 0; s < samples; ++s) film.add(x, y, static_cast<uint32_t>(s) % kHalves, Rgb(uniform(engine)));
+        for (int s = 0; s < samples; ++s) film.add(x, y, static_cast<uint32_t>(s) % kHalfBuffers, Rgb(uniform(engine)));
     const double expected = std::sqrt(1.0 / 12 / samples);
     ASSERT_TRUE(film.error().known);
     EXPECT_NEAR(film.error().rmse, expected, 0.03 * expected) << samples;
@@ -59,7 +59,7 @@ double coverage(int samples, double mean, Draw&& draw) {
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x) {
         for (int s = 0; s < samples; ++s)
-          film.add(x, y, static_cast<uint32_t>(s) % kHalves, Rgb(static_cast<float>(draw(engine, x))));
+          film.add(x, y, static_cast<uint32_t>(s) % kHalfBuffers, Rgb(static_cast<float>(draw(engine, x))));
         squares += sqr(film.mean(x, y).r - mean);
       }
     const double rmse = std::sqrt(squares / (kSize * kSize));

@@ -25,7 +25,7 @@ Film film_of(const Truth& truth, const Noise& noise, uint32_t seed) {
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
       for (uint32_t i = 0; i < kSamples; ++i)
-        film.add(x, y, i % kHalves, Rgb(static_cast<float>(noise(truth(x, y), random))));
+        film.add(x, y, i % kHalfBuffers, Rgb(static_cast<float>(noise(truth(x, y), random))));
   return film;
 }
 

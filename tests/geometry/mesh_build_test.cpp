@@ -1,4 +1,4 @@
-// Tangents and the repairs of raw meshes.
+// Generation of tangents and repair of meshes.
 #include "geometry/mesh_build.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-// A grid over the unit square in the xy plane, texture coordinates given by `uv`.
+// A grid over the unit square in the xy plane; `uv` maps positions to texture coordinates.
 template <class Uv>
 Mesh grid(int n, Uv&& uv) {
   Mesh mesh;
@@ -35,11 +35,11 @@ TEST(Tangents, PointAlongU) {
   Mesh mesh = grid(4, [](const Vec3& p) { return Vec2(p.y, p.x); });
   EXPECT_TRUE(generate_tangents(mesh, 0).empty());
   for (const Vec4& t : mesh.tangents)
-    EXPECT_EQ(t, Vec4(0, 1, 0, 1)) << "v grows along x, so y of the map is -x: cross(z, y)";
+    EXPECT_EQ(t, Vec4(0, 1, 0, 1)) << "v increases along x, so the bitangent is -x = cross(z, y)";
 }
 
-TEST(Tangents, SplitWhereTheTextureIsMirrored) {
-  // u goes up to the middle and down again: the middle column belongs to both sides.
+TEST(Tangents, SplitVerticesWhereTheTextureIsMirrored) {
+  // u decreases up to the middle and increases again; the vertices of the middle column belong to both sides.
   Mesh mesh = grid(4, [](const Vec3& p) { return Vec2(std::abs(p.x - 0.5f), -p.y); });
   const size_t before = mesh.positions.size();
   const auto copies = generate_tangents(mesh, 0);
@@ -53,25 +53,25 @@ TEST(Tangents, SplitWhereTheTextureIsMirrored) {
   }
 }
 
-TEST(Tangents, OfEqualVerticesAreEqual) {
+TEST(Tangents, DoNotDependOnVertexSharing) {
   // The same grid without shared vertices.
   Mesh shared = grid(3, [](const Vec3& p) { return Vec2(p.x + 0.3f * p.y * p.y, p.y - 0.2f * p.x * p.y); });
   Mesh apart = shared;
-  const auto sources = flatten(apart);
+  const auto sources = split_into_flat_triangles(apart);
   generate_tangents(shared, 0);
   generate_tangents(apart, 0);
   for (size_t i = 0; i < sources.size(); ++i)
     EXPECT_LT(glm::distance(apart.tangents[i], shared.tangents[sources[i]]), 1e-5f);
 }
 
-TEST(Tangents, AreUnitAndPerpendicularOnAnything) {
+TEST(Tangents, AreUnitAndPerpendicularToNormals) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<float> number(-1, 1);
   Mesh mesh;
   for (int i = 0; i < 300; ++i) {
     mesh.positions.emplace_back(number(engine), number(engine), number(engine));
     mesh.normals.push_back(glm::normalize(Vec3(number(engine), number(engine), number(engine)) + Vec3(1e-3f)));
-    // Some have no texture area at all.
+    // Some triangles have no texture area.
     mesh.uvs[0].push_back(i % 3 ? Vec2(number(engine), number(engine)) : Vec2(0.5f));
   }
   for (int i = 0; i < 400; ++i)
@@ -86,7 +86,7 @@ TEST(Tangents, AreUnitAndPerpendicularOnAnything) {
     }
 }
 
-TEST(MeshBuild, DuplicatesAreFoundAmongMany) {
+TEST(MeshBuild, RemovesDuplicates) {
   Mesh mesh = grid(200, [](const Vec3& p) { return Vec2(p); });
   const auto original = mesh.triangles;
   EXPECT_EQ(drop_duplicates(mesh), 0U);
@@ -99,14 +99,14 @@ TEST(MeshBuild, DuplicatesAreFoundAmongMany) {
   EXPECT_EQ(mesh.triangles, original);
 }
 
-TEST(MeshBuild, ZeroHasNoSign) {
+TEST(MeshBuild, TreatsSignedZerosAsEqual) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 0, -0.0f}};
   mesh.triangles = {{0, 1, 2}, {3, 1, 2}};
   EXPECT_EQ(drop_duplicates(mesh), 1U);
 }
 
-TEST(MeshBuild, SliversBelowRoundingAreDegenerate) {
+TEST(MeshBuild, RemovesSlivers) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5f, 1e-5f, 0}, {0.5f, 1e-9f, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 1, 3}};

@@ -1,4 +1,4 @@
-// Moving meshes: rays meet them where they are at the time of each ray.
+// Moving meshes: interpolation, and rays hit them at their position at the time of the ray.
 #include "geometry/motion.h"
 
 #include <gtest/gtest.h>
@@ -24,14 +24,17 @@ std::shared_ptr<Motion> turning() {
 std::shared_ptr<Motion> growing(const Mesh& mesh) {
   auto motion = std::make_shared<Motion>();
   for (const float size : {1.0f, 1.5f, 1.2f}) {
-    Vertices& v = motion->vertices.emplace_back();
+    DeformedVertices& v = motion->vertices.emplace_back();
     v.positions.reserve(mesh.positions.size() + 1);
-    for (const Vec3& p : mesh.positions) v.positions.push_back(size * p), v.normals.push_back(size * p);
+    for (const Vec3& p : mesh.positions) {
+      v.positions.push_back(size * p);
+      v.normals.push_back(size * p);
+    }
   }
   return motion;
 }
 
-TEST(Motion, IsThePoseAtItsStepsAndHalfwayBetween) {
+TEST(Motion, InterpolatesPosesLinearly) {
   const auto motion = turning();
   EXPECT_EQ(motion->steps(), 4U);
   EXPECT_EQ(motion->matrix_at(0), motion->to_world[0]);
@@ -40,7 +43,7 @@ TEST(Motion, IsThePoseAtItsStepsAndHalfwayBetween) {
   for (int c = 0; c < 4; ++c) EXPECT_LT(glm::distance(motion->matrix_at(0.5f)[c], half[c]), 1e-6f);
 }
 
-TEST(Motion, TellsWindingFromTheMatrix) {
+TEST(Motion, MirroringMatricesReverseTheWinding) {
   const auto mesh = test::cube(1, false);
   Motion motion;
   motion.to_world = {Mat4(1), glm::scale(Mat4(1), Vec3(-1, 1, 1))};
@@ -48,21 +51,21 @@ TEST(Motion, TellsWindingFromTheMatrix) {
   EXPECT_EQ(motion.facet_at(*mesh, mesh->triangles[0], 0.8f).winding, -1);
 }
 
-TEST(Motion, NormalsOfATurnTurnAlong) {
+TEST(Motion, RotatesNormals) {
   auto mesh = *test::cube(1, false);
   mesh.normals.assign(mesh.positions.size(), Vec3(1, 0, 0));
   const Vec3 n = glm::normalize(turning()->normal_at(mesh, mesh.triangles[0], 0.2f, 0.3f, 2.0f / 3));
   EXPECT_LT(glm::distance(n, Vec3(std::cos(1.0f), std::sin(1.0f), 0)), 1e-5f);
 }
 
-TEST(Motion, TangentsOfATurnTurnAlong) {
+TEST(Motion, RotatesTangents) {
   auto mesh = *test::cube(1, false);
   mesh.tangents.assign(mesh.positions.size(), Vec4(1, 0, 0, -1));
   const Vec4 t = turning()->tangent_at(mesh, mesh.triangles[0], 0.2f, 0.3f, 2.0f / 3);
   EXPECT_LT(glm::distance(t, Vec4(std::cos(1.0f), std::sin(1.0f), 0, -1)), 1e-5f);
 }
 
-TEST(Motion, NormalsAndTangentsOfADeformationAreThoseOfItsSteps) {
+TEST(Motion, InterpolatesNormalsAndTangentsOfDeformations) {
   const auto mesh = test::sphere(1, 8, false);
   const auto motion = growing(*mesh);
   for (auto& v : motion->vertices)
@@ -86,7 +89,7 @@ class MovingMeshes : public testing::Test {
     accel_ = std::make_unique<Accel>(instances_);
   }
 
-  // From a shell around the scene towards it.
+  // A ray from a sphere around the scene towards it.
   Ray random_ray() {
     std::normal_distribution<float> normal;
     const auto direction = [&] { return glm::normalize(Vec3(normal(engine_), normal(engine_), normal(engine_))); };
@@ -96,7 +99,7 @@ class MovingMeshes : public testing::Test {
     return ray;
   }
 
-  Vec3 point_of(const Hit& hit, float time) const {
+  Vec3 hit_position(const Hit& hit, float time) const {
     const AccelInstance& instance = instances_[hit.instance];
     const Triangle& t = instance.mesh->triangles[hit.triangle];
     const auto& p = instance.mesh->positions;
@@ -110,36 +113,39 @@ class MovingMeshes : public testing::Test {
   std::mt19937 engine_{5};
 };
 
-TEST_F(MovingMeshes, AreMetWhereTheyAre) {
+TEST_F(MovingMeshes, AreHitAtTheirPositions) {
   std::uniform_real_distribution<float> uniform;
   const std::array<uint32_t, kSize> seeds{};
-  std::array<int, 3> met{};
+  std::array<int, 3> hits{};
   for (int round = 0; round < 400; ++round) {
     RayPacket packet;
     std::array<Ray, kSize> rays;
     std::array<float, kSize> times;
     for (int i = 0; i < kSize; ++i) {
       const auto k = static_cast<size_t>(i);
-      packet.set(i, rays[k] = random_ray());
-      packet.set_time(i, times[k] = uniform(engine_));
+      rays[k] = random_ray();
+      times[k] = uniform(engine_);
+      packet.set(i, rays[k]);
+      packet.set_time(i, times[k]);
     }
     accel_->intersect(packet, kSize, false, nullptr, seeds.data());
     for (int i = 0; i < kSize; ++i) {
       const auto k = static_cast<size_t>(i);
-      Hit alone, together;
-      accel_->intersect(rays[k], nullptr, 0, alone, times[k]);
-      ASSERT_EQ(packet.met(i), static_cast<bool>(alone));
-      if (!alone) continue;
-      packet.get(i, together);
-      EXPECT_NEAR(together.t, alone.t, 1e-4f);
-      EXPECT_LT(glm::distance(point_of(together, times[k]), rays[k].origin + rays[k].direction * together.t), 1e-4f);
-      ++met[together.instance];
+      Hit single, in_packet;
+      accel_->intersect(rays[k], nullptr, 0, single, times[k]);
+      ASSERT_EQ(packet.has_hit(i), static_cast<bool>(single));
+      if (!single) continue;
+      packet.get(i, in_packet);
+      EXPECT_NEAR(in_packet.t, single.t, 1e-4f);
+      EXPECT_LT(glm::distance(hit_position(in_packet, times[k]), rays[k].origin + rays[k].direction * in_packet.t),
+                1e-4f);
+      ++hits[in_packet.instance];
     }
   }
-  for (const int n : met) EXPECT_GT(n, 50);
+  for (const int n : hits) EXPECT_GT(n, 50);
 }
 
-TEST_F(MovingMeshes, AreBoundedAtAllTimes) {
+TEST_F(MovingMeshes, AreInsideTheBoundsAtAllTimes) {
   const Bounds bounds = accel_->bounds();
   for (const AccelInstance& instance : instances_)
     for (const float time : {0.0f, 0.3f, 0.6f, 1.0f})

@@ -1,4 +1,4 @@
-// Rays in packets meet what they meet alone.
+// Packets of rays have the hits of single rays.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -22,7 +22,7 @@ class Packets : public testing::Test {
     accel_ = std::make_unique<Accel>(instances);
   }
 
-  // From a shell around the scene towards it, so that some hit and some pass.
+  // A ray from a sphere around the scene towards it; some hit, some miss.
   Ray random_ray() {
     std::normal_distribution<float> normal;
     const auto direction = [&] { return glm::normalize(Vec3(normal(engine_), normal(engine_), normal(engine_))); };
@@ -37,61 +37,66 @@ class Packets : public testing::Test {
   const std::array<uint32_t, kSize> seeds_{};
 };
 
-TEST_F(Packets, FindTheHitsOfSingleRays) {
-  int met = 0;
+TEST_F(Packets, HaveTheHitsOfSingleRays) {
+  int hits = 0;
   for (int count = 1; count <= kSize; ++count) {
     RayPacket packet;
     std::array<Ray, kSize> rays;
-    for (int i = 0; i < count; ++i) packet.set(i, rays[static_cast<size_t>(i)] = random_ray());
+    for (int i = 0; i < count; ++i) {
+      rays[static_cast<size_t>(i)] = random_ray();
+      packet.set(i, rays[static_cast<size_t>(i)]);
+    }
     accel_->intersect(packet, count, false, nullptr, seeds_.data());
     for (int i = 0; i < count; ++i) {
-      Hit alone, together;
-      accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, alone);
-      ASSERT_EQ(packet.met(i), static_cast<bool>(alone));
-      if (!alone) continue;
-      ++met;
-      packet.get(i, together);
-      EXPECT_EQ(together.instance, alone.instance);
-      EXPECT_NEAR(together.t, alone.t, 1e-5f);
+      Hit single, in_packet;
+      accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, single);
+      ASSERT_EQ(packet.has_hit(i), static_cast<bool>(single));
+      if (!single) continue;
+      ++hits;
+      packet.get(i, in_packet);
+      EXPECT_EQ(in_packet.instance, single.instance);
+      EXPECT_NEAR(in_packet.t, single.t, 1e-5f);
     }
   }
-  EXPECT_GT(met, 20);
+  EXPECT_GT(hits, 20);
 }
 
-TEST_F(Packets, AreBlockedWhereSingleRaysAre) {
-  int blocked = 0, open = 0;
+TEST_F(Packets, AreOccludedLikeSingleRays) {
+  int occluded = 0, visible = 0;
   for (int count = 1; count <= kSize; ++count) {
     RayPacket packet;
     std::array<Ray, kSize> rays;
     for (int i = 0; i < count; ++i) {
       Ray& ray = rays[static_cast<size_t>(i)];
       ray = random_ray();
-      ray.tfar = i % 2 ? kInfinity : 3.0f;  // the shorter end before most of the scene
+      ray.tfar = i % 2 ? kInfinity : 3.0f;  // short rays end before most of the scene
       packet.set(i, ray);
     }
     accel_->occluded(packet, count, nullptr, seeds_.data());
     for (int i = 0; i < count; ++i) {
-      Hit alone;
-      accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, alone);
-      EXPECT_EQ(packet.blocked(i), static_cast<bool>(alone));
-      ++(packet.blocked(i) ? blocked : open);
+      Hit single;
+      accel_->intersect(rays[static_cast<size_t>(i)], nullptr, 0, single);
+      EXPECT_EQ(packet.is_occluded(i), static_cast<bool>(single));
+      ++(packet.is_occluded(i) ? occluded : visible);
     }
   }
-  EXPECT_GT(blocked, 20);
-  EXPECT_GT(open, 20);
+  EXPECT_GT(occluded, 20);
+  EXPECT_GT(visible, 20);
 }
 
-TEST_F(Packets, CanBeUsedAgain) {
+TEST_F(Packets, CanBeReused) {
   RayPacket packet;
   Ray towards, away;
-  towards.origin = away.origin = Vec3(0, 0, 4);
-  towards.direction = Vec3(0, 0, -1), away.direction = Vec3(0, 0, 1);
+  towards.origin = Vec3(0, 0, 4);
+  towards.direction = Vec3(0, 0, -1);
+  away.origin = Vec3(0, 0, 4);
+  away.direction = Vec3(0, 0, 1);
   packet.set(0, towards);
   accel_->intersect(packet, 1, true, nullptr, seeds_.data());
-  EXPECT_TRUE(packet.met(0));
+  EXPECT_TRUE(packet.has_hit(0));
   packet.set(0, away);
   accel_->intersect(packet, 1, true, nullptr, seeds_.data());
-  EXPECT_FALSE(packet.met(0)) << "the hit of the ray before must not stay";
+  EXPECT_FALSE(packet.has_hit(0)) << "the hit of the previous ray must be cleared";
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/file.h"
-#include "image/crafted.h"
+#include "image/file_bytes.h"
 #include "image/image.h"
 
 namespace etendue::test {
@@ -14,7 +14,7 @@ namespace {
 using image::decode_image;
 
 FileBytes header(const std::string& resolution) {
-  return "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n" + resolution + "\n";
+  return "#?RADIANCE\n# test file\nFORMAT=32-bit_rle_rgbe\n\n" + resolution + "\n";
 }
 
 FileBytes raw(std::initializer_list<int> values) {
@@ -31,8 +31,8 @@ Result<image::Image> round_trip(int width, int height, const std::vector<float>&
   return decode_image(*stored, "a.hdr");
 }
 
-TEST(Hdr, RoundTripIsWithinHalfAStepOfTheLargestChannel) {
-  // Widths below 8 are stored flat; runs are longer than one code can say.
+TEST(Hdr, RoundTripIsWithinHalfAStep) {
+  // Widths below 8 are stored flat. Runs are longer than the longest run code.
   for (const int width : {1, 7, 8, 300, 40000}) {
     std::vector<float> rgb;
     for (int i = 0; i < width * 2; ++i) {
@@ -57,7 +57,7 @@ TEST(Hdr, PowersOfTwoAreExact) {
   EXPECT_EQ(image->floats, rgb);
 }
 
-TEST(Hdr, WhatCannotBeStoredBecomesWhatIsNearest) {
+TEST(Hdr, InvalidValuesBecomeTheNearestValid) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
   const auto image = round_trip(2, 1, {-1, kNan, 2, kInf, 1, 0});
   ASSERT_TRUE(image) << image.error().message;
@@ -68,7 +68,7 @@ TEST(Hdr, WhatCannotBeStoredBecomesWhatIsNearest) {
   EXPECT_GT(image->floats[3], 1e38f);
 }
 
-TEST(Hdr, ValuesJustBelowAPowerOfTwoRoundUp) {
+TEST(Hdr, ValuesBelowAPowerOfTwoRoundUp) {
   const auto image = round_trip(1, 1, {0.9999f, 0.5f, 0});
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->floats[0], 1.0f);
@@ -83,7 +83,7 @@ TEST(Hdr, ReadsFlatPixels) {
 }
 
 TEST(Hdr, ReadsTheOldRunLengthEncoding) {
-  // One pixel, repeated 2 + 1 * 256 times; then another.
+  // One pixel, repeated 2 + 1 * 256 times, and another one.
   const auto image =
       decode_image(view(header("-Y 1 +X 260") + raw({128, 0, 0, 129, 1, 1, 1, 2, 1, 1, 1, 1, 0, 128, 0, 129})), "old");
   ASSERT_TRUE(image) << image.error().message;
@@ -122,7 +122,7 @@ TEST(Hdr, EveryTruncationIsAnError) {
     EXPECT_FALSE(decode_image(std::span(*stored).first(size), "cut")) << size;
 }
 
-TEST(Hdr, HeadersThatCannotBeUsedAreErrors) {
+TEST(Hdr, InvalidHeadersAreErrors) {
   const FileBytes pixels(64, '\x05');
   for (const char* resolution : {"-Y 99999999 +X 99999999", "-Y 16384 +X 16384", "-Y 0 +X 4", "-Y -4 +X 4", "+X 4 -Y 4",
                                  "-Y 4", "", "-Y 18446744073709551617 +X 1"})
@@ -130,16 +130,16 @@ TEST(Hdr, HeadersThatCannotBeUsedAreErrors) {
   EXPECT_FALSE(decode_image(view("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixels), "XYZ"));
 }
 
-TEST(Hdr, ReadsRealEnvironments) {
+TEST(Hdr, ReadsEnvironmentMaps) {
   const char* data = std::getenv("ETENDUE_TEST_DATA");
   if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
   const auto folder = std::filesystem::path(data) / "env";
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << folder << " is not there";
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << folder << " does not exist";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".hdr") continue;
     const auto image = image::read_linear(entry.path());
     ASSERT_TRUE(image) << image.error().message;
-    EXPECT_EQ(image->width, 2 * image->height) << entry.path() << " should be equirectangular";
+    EXPECT_EQ(image->width, 2 * image->height) << entry.path() << " must be equirectangular";
     double sum = 0;
     for (const float v : image->layers.front().pixels) sum += v;
     EXPECT_TRUE(std::isfinite(sum) && sum > 0) << entry.path();

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/file.h"
-#include "image/crafted.h"
+#include "image/file_bytes.h"
 #include "image/image.h"
 
 namespace etendue::test {
@@ -26,7 +26,7 @@ Result<LayeredImage> read_bytes(const std::string& name, const FileBytes& bytes)
   return read_linear(file.path());
 }
 
-Result<LayeredImage> through_exr(const LayeredImage& image) {
+Result<LayeredImage> write_and_read_exr(const LayeredImage& image) {
   const TemporaryFile file("a.exr");
   if (auto written = image::write_exr(file.path(), image); !written) return written.error();
   return read_linear(file.path());
@@ -34,12 +34,13 @@ Result<LayeredImage> through_exr(const LayeredImage& image) {
 
 LayeredImage one_pixel(std::vector<image::Layer> layers) {
   LayeredImage image;
-  image.width = image.height = 1;
+  image.width = 1;
+  image.height = 1;
   image.layers = std::move(layers);
   return image;
 }
 
-TEST(ReadLinear, EightBitCodesAreLinearised) {
+TEST(ReadLinear, DecodesSrgb) {
   FileBytes row;
   for (int code = 0; code < 255; ++code) row.push_back(static_cast<char>(code));
   const auto image = read_bytes("a.png", png_file(85, 8, kTrueColour, {row}));
@@ -50,7 +51,7 @@ TEST(ReadLinear, EightBitCodesAreLinearised) {
     EXPECT_NEAR(image->layers[0].pixels[static_cast<size_t>(code)], decode_srgb(code), 1e-6) << code;
 }
 
-TEST(ReadLinear, GreyIsSpreadAndAlphaDropped) {
+TEST(ReadLinear, CopiesGreyAndDropsAlpha) {
   const auto grey = read_bytes("a.png", png_file(1, 8, kGreyAlpha, {"\xff\x01"}));
   ASSERT_TRUE(grey) << grey.error().message;
   EXPECT_EQ(grey->layers[0].pixels, (std::vector<float>{1, 1, 1}));
@@ -59,15 +60,15 @@ TEST(ReadLinear, GreyIsSpreadAndAlphaDropped) {
   EXPECT_EQ(colour->layers[0].pixels, (std::vector<float>{1, 0, 1}));
 }
 
-TEST(ReadLinear, ContentCountsNotTheExtension) {
+TEST(ReadLinear, RecognisesFormatsByContent) {
   const auto image = read_bytes("a.jpg", png_file(1, 8, kGrey, {"\xff"}));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->layers[0].pixels, (std::vector<float>{1, 1, 1}));
 }
 
-TEST(ReadLinear, FloatsStayAsTheyAre) {
+TEST(ReadLinear, KeepsFloats) {
   const auto image =
-      through_exr(one_pixel({{"", {"R", "G", "B", "A"}, {-1, 0.5f, 1e9f, 0.25f}}, {"depth", {"Z"}, {7}}}));
+      write_and_read_exr(one_pixel({{"", {"R", "G", "B", "A"}, {-1, 0.5f, 1e9f, 0.25f}}, {"depth", {"Z"}, {7}}}));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->layers.front().channels, kRgb);
   EXPECT_EQ(image->layers.front().pixels, (std::vector<float>{-1, 0.5f, 1e9f}));
@@ -75,22 +76,22 @@ TEST(ReadLinear, FloatsStayAsTheyAre) {
   EXPECT_EQ(image->find("depth")->pixels, std::vector<float>{7});
 }
 
-TEST(ReadLinear, LuminanceIsSpread) {
-  const auto image = through_exr(one_pixel({{"", {"Y"}, {0.5f}}}));
+TEST(ReadLinear, CopiesLuminance) {
+  const auto image = write_and_read_exr(one_pixel({{"", {"Y"}, {0.5f}}}));
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->find("")->pixels, (std::vector<float>{0.5f, 0.5f, 0.5f}));
 }
 
-TEST(ReadLinear, FindsThePictureOfAnotherRenderer) {
-  const auto image = through_exr(one_pixel({{"View.AO", {"R", "G", "B"}, {1, 1, 1}},
-                                            {"View.Combined", {"R", "G", "B", "A"}, {2, 3, 4, 1}},
-                                            {"View.Depth", {"Z"}, {7}}}));
+TEST(ReadLinear, FindsTheCombinedLayerOfBlender) {
+  const auto image = write_and_read_exr(one_pixel({{"View.AO", {"R", "G", "B"}, {1, 1, 1}},
+                                                   {"View.Combined", {"R", "G", "B", "A"}, {2, 3, 4, 1}},
+                                                   {"View.Depth", {"Z"}, {7}}}));
   ASSERT_TRUE(image) << image.error().message;
   ASSERT_NE(image->find(""), nullptr);
   EXPECT_EQ(image->find("")->pixels, (std::vector<float>{2, 3, 4}));
 }
 
-TEST(ReadLinear, WithoutColourThereIsNoPicture) { EXPECT_FALSE(through_exr(one_pixel({{"depth", {"Z"}, {7}}}))); }
+TEST(ReadLinear, RejectsFilesWithoutColour) { EXPECT_FALSE(write_and_read_exr(one_pixel({{"depth", {"Z"}, {7}}}))); }
 
 }  // namespace
 }  // namespace etendue::test

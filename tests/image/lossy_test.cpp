@@ -1,4 +1,4 @@
-// JPEG and WebP, against pictures that their own reference encoders made.
+// Reading JPEG and WebP files made by the reference encoders.
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
 #include <webp/encode.h>
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "image/crafted.h"
+#include "image/file_bytes.h"
 #include "image/image.h"
 
 namespace etendue::test {
@@ -16,7 +16,7 @@ using image::decode_image;
 
 constexpr int kWidth = 40, kHeight = 24;
 
-// A smooth picture, which lossy coding keeps within a few codes.
+// A smooth image, which lossy compression changes by a few codes only.
 std::vector<uint8_t> gradient(int channels) {
   std::vector<uint8_t> pixels;
   for (int y = 0; y < kHeight; ++y)
@@ -58,8 +58,10 @@ int largest_difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>
 void set_jpeg_size(FileBytes& file, int width, int height) {
   const size_t frame = file.find("\xff\xc0");
   ASSERT_NE(frame, FileBytes::npos);
-  file[frame + 5] = static_cast<char>(height >> 8), file[frame + 6] = static_cast<char>(height);
-  file[frame + 7] = static_cast<char>(width >> 8), file[frame + 8] = static_cast<char>(width);
+  file[frame + 5] = static_cast<char>(height >> 8);
+  file[frame + 6] = static_cast<char>(height);
+  file[frame + 7] = static_cast<char>(width >> 8);
+  file[frame + 8] = static_cast<char>(width);
 }
 
 TEST(Jpeg, DecodesColour) {
@@ -81,7 +83,7 @@ TEST(Jpeg, DecodesGreyAsOneChannel) {
 }
 
 TEST(Jpeg, EveryTruncationIsAnError) {
-  // The last two bytes are the end marker, which holds no pixels.
+  // Without the last two bytes, which are the end marker, all pixels are present.
   for (const int flags : {0, TJFLAG_PROGRESSIVE}) {
     const FileBytes whole = jpeg_of(gradient(3), TJPF_RGB, TJSAMP_420, flags);
     for (size_t size = 0; size + 2 < whole.size(); ++size)
@@ -89,7 +91,7 @@ TEST(Jpeg, EveryTruncationIsAnError) {
   }
 }
 
-TEST(Jpeg, ClaimsOfHugeSizeAreRefused) {
+TEST(Jpeg, RejectsHugeSizes) {
   FileBytes file = jpeg_of(gradient(3), TJPF_RGB, TJSAMP_444);
   set_jpeg_size(file, 65535, 65535);
   EXPECT_FALSE(decode_image(view(file), "huge"));
@@ -97,13 +99,13 @@ TEST(Jpeg, ClaimsOfHugeSizeAreRefused) {
   EXPECT_FALSE(decode_image(view(file), "large and empty"));
 }
 
-TEST(Jpeg, CmykSaysWhatWouldBeRight) {
+TEST(Jpeg, CmykErrorNamesTheExpectedFormat) {
   const auto image = decode_image(view(jpeg_of(gradient(4), TJPF_CMYK, TJSAMP_444)), "a.jpg");
   ASSERT_FALSE(image);
   EXPECT_NE(image.error().message.find("RGB"), std::string::npos);
 }
 
-TEST(Jpeg, DamagedBytesNeverCrash) {
+TEST(Jpeg, DamagedBytesDoNotCrash) {
   const FileBytes whole = jpeg_of(gradient(3), TJPF_RGB, TJSAMP_420);
   for (size_t at = 2; at < whole.size(); ++at) {
     FileBytes damaged = whole;
@@ -119,7 +121,7 @@ TEST(WebP, LosslessIsExact) {
     const auto image = decode_image(view(webp_lossless(gradient(3 + (channels == 4)), channels)), "a.webp");
     ASSERT_TRUE(image) << image.error().message;
     EXPECT_EQ(image->channels, channels);
-    // Colours under zero alpha need not survive; the gradient has them in its first row.
+    // Colours of transparent pixels are not preserved; these are the first row of the gradient.
     const size_t first = channels == 4 ? static_cast<size_t>(kWidth) * 4 : 0;
     const auto expected = gradient(channels);
     EXPECT_TRUE(std::equal(image->bytes.begin() + static_cast<std::ptrdiff_t>(first), image->bytes.end(),
@@ -127,7 +129,7 @@ TEST(WebP, LosslessIsExact) {
   }
 }
 
-TEST(WebP, LossyIsClose) {
+TEST(WebP, LossyIsWithinTolerance) {
   uint8_t* data = nullptr;
   const auto pixels = gradient(3);
   const size_t size = WebPEncodeRGB(pixels.data(), kWidth, kHeight, kWidth * 3, 95, &data);
@@ -145,7 +147,7 @@ TEST(WebP, EveryTruncationIsAnError) {
     EXPECT_FALSE(decode_image(view(whole.substr(0, size)), "cut")) << size;
 }
 
-TEST(WebP, DamagedBytesNeverCrash) {
+TEST(WebP, DamagedBytesDoNotCrash) {
   const FileBytes whole = webp_lossless(gradient(3), 3);
   for (size_t at = 12; at < whole.size(); ++at) {
     FileBytes damaged = whole;
@@ -154,7 +156,7 @@ TEST(WebP, DamagedBytesNeverCrash) {
   }
 }
 
-TEST(Decode, UnknownContentIsNamed) {
+TEST(Decode, ErrorsOfUnknownFormatsNameTheFile) {
   for (const char* content : {"", "GIF89a", "\x89PN", "RIFF    WAVE", "\x76\x2f\x31\x01"}) {
     const auto image = decode_image(view(content), "thing");
     ASSERT_FALSE(image);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "image/crafted.h"
+#include "image/file_bytes.h"
 #include "image/image.h"
 
 namespace etendue::test {
@@ -14,7 +14,7 @@ std::vector<uint8_t> bytes(std::initializer_list<int> values) {
   return std::vector<uint8_t>(values.begin(), values.end());
 }
 
-// Bytes as chars, for rows of crafted files.
+// Bytes as characters, for the rows of a file.
 FileBytes raw(std::initializer_list<int> values) {
   FileBytes out;
   for (const int v : values) out.push_back(static_cast<char>(v));
@@ -36,7 +36,7 @@ TEST(Png, RoundTripIsExact) {
   EXPECT_EQ(image->bytes, rgb);
 }
 
-TEST(Png, TextsAreStoredUnderTheirKeywords) {
+TEST(Png, StoresTextChunks) {
   const TemporaryFile file("a.png");
   const std::vector<uint8_t> rgb(3);
   ASSERT_TRUE(image::write_png(file.path(), 1, 1, rgb, {{"etendue", "{\"a\":1}"}, {"title", "\xc3\x89tendue"}}));
@@ -47,7 +47,7 @@ TEST(Png, TextsAreStoredUnderTheirKeywords) {
   EXPECT_NE(text.find(std::string("iTXttitle\0", 10)), std::string::npos) << "UTF-8 needs an iTXt chunk";
 }
 
-TEST(Png, RefusesWhatCannotBeWritten) {
+TEST(Png, RejectsInvalidImages) {
   const TemporaryFile file("a.png");
   const std::vector<uint8_t> rgb(3);
   EXPECT_FALSE(image::write_png(file.path(), 2, 1, rgb));
@@ -57,7 +57,7 @@ TEST(Png, RefusesWhatCannotBeWritten) {
   EXPECT_FALSE(std::filesystem::exists(file.path()));
 }
 
-TEST(Png, PaletteWithTransparencyBecomesRgba) {
+TEST(Png, DecodesPaletteWithTransparencyAsRgba) {
   const FileBytes extra = png_chunk("PLTE", raw({10, 20, 30, 200, 100, 50})) + png_chunk("tRNS", raw({128}));
   const auto image = decode_image(view(png_file(3, 1, kPalette, {raw({0b01000000})}, extra)), "palette");
   ASSERT_TRUE(image) << image.error().message;
@@ -65,31 +65,31 @@ TEST(Png, PaletteWithTransparencyBecomesRgba) {
   EXPECT_EQ(image->bytes, bytes({10, 20, 30, 128, 200, 100, 50, 255, 10, 20, 30, 128}));
 }
 
-TEST(Png, LowBitGreyIsSpreadOverAllCodes) {
+TEST(Png, ScalesGreyOfLowBitDepth) {
   const auto image = decode_image(view(png_file(4, 2, kGrey, {raw({0b00011011})})), "grey");
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->channels, 1);
   EXPECT_EQ(image->bytes, bytes({0, 85, 170, 255}));
 }
 
-TEST(Png, GreyWithAlphaKeepsTwoChannels) {
+TEST(Png, KeepsGreyWithAlpha) {
   const auto image = decode_image(view(png_file(2, 8, kGreyAlpha, {raw({1, 2, 3, 4})})), "grey alpha");
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->channels, 2);
   EXPECT_EQ(image->bytes, bytes({1, 2, 3, 4}));
 }
 
-TEST(Png, SixteenBitsAreRoundedToEight) {
-  // v * 255 / 65535, to the nearest.
+TEST(Png, RoundsSixteenBitsToEight) {
+  // round(v * 255 / 65535)
   const auto image =
       decode_image(view(png_file(1, 16, kTrueColour, {raw({0xff, 0xff, 0x80, 0x00, 0x00, 0x81})})), "deep");
   ASSERT_TRUE(image) << image.error().message;
   EXPECT_EQ(image->bytes, bytes({255, 128, 1}));
 }
 
-TEST(Png, ColourChunksAreIgnored) {
+TEST(Png, IgnoresColourSpaceChunks) {
   FileBytes gamma;
-  append_big(gamma, 100000);  // linear
+  append_big_endian(gamma, 100000);  // linear
   const auto image =
       decode_image(view(png_file(1, 8, kTrueColour, {raw({10, 100, 200})}, png_chunk("gAMA", gamma))), "gamma");
   ASSERT_TRUE(image) << image.error().message;
@@ -104,8 +104,8 @@ TEST(Png, EveryTruncationIsAnError) {
     EXPECT_FALSE(decode_image(view(whole.substr(0, size)), "cut")) << size;
 }
 
-TEST(Png, DamagedBytesNeverGoUnnoticed) {
-  // Every chunk has a checksum; only IEND's and the signature's bytes are not pixels.
+TEST(Png, EveryDamagedByteIsAnError) {
+  // All bytes are covered by the checksums of the chunks or are part of the signature.
   const FileBytes whole = png_file(2, 8, kGrey, {raw({1, 2}), raw({3, 4})});
   for (size_t at = 0; at < whole.size(); ++at) {
     FileBytes damaged = whole;
@@ -114,7 +114,7 @@ TEST(Png, DamagedBytesNeverGoUnnoticed) {
   }
 }
 
-TEST(Png, ClaimsOfHugeSizeAreRefused) {
+TEST(Png, RejectsHugeSizes) {
   for (const auto& [width, height] :
        {std::pair{0x7fffffffU, 0x7fffffffU}, {16385U, 16384U}, {16384U, 16384U}, {0U, 5U}}) {
     const auto image = decode_image(
@@ -125,29 +125,34 @@ TEST(Png, ClaimsOfHugeSizeAreRefused) {
   }
 }
 
-TEST(Png, PicturesInMemoryKeepTheirChannels) {
+TEST(Png, EncodingKeepsChannels) {
   for (int channels = 1; channels <= 4; ++channels) {
-    image::Image picture;
-    picture.width = 5, picture.height = 3, picture.channels = channels;
-    for (int i = 0; i < 15 * channels; ++i) picture.bytes.push_back(static_cast<uint8_t>(53 * i + 7));
-    const auto png = image::encode_png(picture);
+    Image source;
+    source.width = 5;
+    source.height = 3;
+    source.channels = channels;
+    for (int i = 0; i < 15 * channels; ++i) source.bytes.push_back(static_cast<uint8_t>(53 * i + 7));
+    const auto png = image::encode_png(source);
     ASSERT_TRUE(png) << png.error().message;
-    const auto again = image::decode_image(*png, "picture");
+    const auto again = image::decode_image(*png, "image");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again->channels, channels);
-    EXPECT_EQ(again->bytes, picture.bytes);
+    EXPECT_EQ(again->bytes, source.bytes);
   }
-  EXPECT_FALSE(image::encode_png(image::Image{}));
+  EXPECT_FALSE(image::encode_png(Image{}));
 }
 
-TEST(Png, FloatsInMemoryHaveSixteenBits) {
-  image::Image picture;
-  picture.width = 2, picture.height = 2, picture.channels = 1, picture.type = image::PixelType::float32;
-  picture.floats = {0, 0.5f, 1, 7};
-  const auto png = image::encode_png(picture);
+TEST(Png, EncodesFloatsWithSixteenBits) {
+  Image source;
+  source.width = 2;
+  source.height = 2;
+  source.channels = 1;
+  source.type = image::PixelType::float32;
+  source.floats = {0, 0.5f, 1, 7};
+  const auto png = image::encode_png(source);
   ASSERT_TRUE(png) << png.error().message;
-  EXPECT_EQ(static_cast<int>((*png)[24]), 16) << "bits a sample, in the header";
-  EXPECT_EQ(image::decode_image(*png, "picture")->bytes, (std::vector<uint8_t>{0, 128, 255, 255}));
+  EXPECT_EQ(static_cast<int>((*png)[24]), 16) << "bit depth in the header";
+  EXPECT_EQ(image::decode_image(*png, "image")->bytes, (std::vector<uint8_t>{0, 128, 255, 255}));
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ TEST(Whitted, HasNoNoiseUnderPointLights) {
   d.seed = 12345;
   EXPECT_TRUE(same_bits(one, test::rendered(d, 2)));
   for (int y = 0; y < d.height; ++y)
-    for (int x = 0; x < d.width; ++x) EXPECT_EQ(one.mean_of_half(x, y, 0), one.mean_of_half(x, y, 1));
+    for (int x = 0; x < d.width; ++x) EXPECT_EQ(one.half_buffer_mean(x, y, 0), one.half_buffer_mean(x, y, 1));
 }
 
 // Between lossless mirrors that emit one, every edge adds one.

@@ -63,7 +63,7 @@ TEST(InstantGlobalIllumination, FullIsPathTracingOfItsClasses) {
 // triangles.
 TEST(InstantGlobalIllumination, GoldenSphere) {
   constexpr double kShare = 0.05, kAlbedo = 0.5;
-  auto d = test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
+  auto d = test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
   // Mean: whole sum. Walks end at random, so that the number of lights varies.
   const auto whole = test::mean_of(test::rendered(igi(d, {{"light-paths", "400"}}), 16));
   EXPECT_NEAR(whole.value, kAlbedo * kShare / (1 - kAlbedo), 0.02 * kShare);
@@ -75,7 +75,7 @@ TEST(InstantGlobalIllumination, GoldenSphere) {
 // In a sphere of radius one G is 1/4 everywhere: a bound g below scales the indirect light by 4 g.
 TEST(InstantGlobalIllumination, ABoundScalesTheGoldenSphere) {
   constexpr double kShare = 0.05, kAlbedo = 0.5;
-  auto d = test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
+  auto d = test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
   for (const double bound : {0.2, 0.1, 0.01}) {
     const auto cut =
         igi(d, {{"light-paths", "50"}, {"max-depth", "3"}, {"compensate", "off"}, {"bound", std::to_string(bound)}});

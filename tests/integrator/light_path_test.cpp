@@ -44,9 +44,9 @@ std::vector<std::pair<const char*, render::Document>> places() {
           {"glossy things", test::glossy_things()},
           {"lamp", test::under_a_lamp()},
           {"sky", test::under_a_sky()},
-          {"point", test::under(LightType::point)},
-          {"spot", test::under(LightType::spot)},
-          {"directional through a lens", test::through_a_lens(test::under(LightType::directional))}};
+          {"point", test::under("point")},
+          {"spot", test::under("spot")},
+          {"directional through a lens", test::through_a_lens(test::under("directional"))}};
 }
 
 constexpr integrator::Octaves kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
@@ -249,7 +249,7 @@ TEST(LightPaths, ChainsShareThePicture) {
 // chains give the error; 4.5 of them.
 TEST(LightPaths, LengthsInTheGoldenSphere) {
   constexpr double kRho = 0.5;
-  const Place place(test::golden_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
+  const Place place(test::integrating_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
   const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
   integrator::MutationRunner<M> runner(place.context, plan);
   constexpr int kBatches = 24, kSteps = 20000, kLongest = 5;

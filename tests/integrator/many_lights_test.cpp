@@ -11,7 +11,7 @@ using render::Document;
 
 Document hall(int lamps) {
   Document d = *render::new_document("many-lights");
-  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lamps(lamps));
+  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lights(lamps));
   d.width = d.height = test::kSize;
   return test::with(d, "film.paths", "E(D|G).*L");
 }

@@ -241,9 +241,7 @@ scene::Scene lights_on_the_move() {
   const Vec4 a = test::turn({1, 0, 0}, kPi - 0.8f), b = test::turn({1, 0, 0}, kPi + 0.8f);
   animate(scene, lamp, AnimatedPath::translation, {0, 1}, {-2, 2, 0, 2, 1.5f, 0});
   animate(scene, lamp, AnimatedPath::rotation, {0, 1}, {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w});
-  Light spot;
-  spot.type = LightType::spot, spot.intensity = 10, spot.inner_cone = 0.3f, spot.outer_cone = 0.5f;
-  scene.lights.push_back(spot);
+  scene.lights.push_back(make_light("spot", {{"intensity", 10.0}, {"inner-cone", 0.3}, {"outer-cone", 0.5}}));
   const auto node = scene.nodes.size();
   scene.nodes.emplace_back().light = 0;
   scene.roots.push_back(static_cast<int>(node));
@@ -267,17 +265,17 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingSurfaceLights) {
   Mat4 post(1);
   post[3] = Vec4(0, 0.5f, 0, 1);
   test::add(scene, test::cube(0.5f, false), test::diffuse({0.8f, 0.6f, 0.4f}), post);
-  const auto lamp = [&](LightType type, int points, float x) {
-    Light light;
-    light.type = type, light.intensity = 8, light.radius = 0.4f, light.width = 0.8f, light.height = 0.5f;
-    light.points = points;
+  const auto add_light = [&](Light light, float x) {
+    light.set("intensity", 8.0);
     const int node = test::add(scene, light, {});
     const Vec4 a = test::turn({1, 0, 0}, -kPi / 2 - 0.6f), b = test::turn({1, 0, 0}, -kPi / 2 + 0.6f);
     animate(scene, node, AnimatedPath::translation, {0, 1}, {x, 2, -1, x + 0.5f, 1.5f, 1});
     animate(scene, node, AnimatedPath::rotation, {0, 1}, {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w});
   };
-  lamp(LightType::quad, 0, -2), lamp(LightType::disk, 0, -1);
-  lamp(LightType::sphere, 0, 1), lamp(LightType::quad, 5, 0.3f);
+  add_light(make_light("quad", {{"width", 0.8}, {"height", 0.5}}), -2);
+  add_light(make_light("disk", {{"radius", 0.4}}), -1);
+  add_light(make_light("sphere", {{"radius", 0.4}}), 1);
+  add_light(make_light("quad", {{"width", 0.8}, {"height", 0.5}, {"points", 5}}), 0.3f);
   auto d = test::document(std::move(scene), look_at({0, 3, 4}, {0, 0, 0}, {0, 1, 0}, 0.9f), test::kSize, test::kSize);
   d.camera.shutter = 1;
   expect_mean_of_moments(d, 1024, 48, "surface lights");

@@ -43,7 +43,7 @@ struct Form {
 std::vector<std::string> other_values(const ParameterInfo& parameter) {
   std::vector<std::string> values;
   if (parameter.type == ParameterType::toggle) values = {"true", "false"};
-  if (parameter.type == ParameterType::choice && !parameter.accepts_text) values = parameter.options;
+  if (parameter.type == ParameterType::choice && !parameter.validate_text) values = parameter.options;
   std::erase(values, to_string(parameter.default_value));
   return values;
 }
@@ -62,7 +62,7 @@ std::vector<Form> forms_of(const IntegratorInfo& info, const Document& place) {
 }
 
 bool finds_all(const Document& d, const scene::CompiledScene& scene) {
-  return advisor::without(advisor::asked(d), advisor::declared(d, scene).paths).empty();
+  return advisor::without(advisor::requested_paths(d), advisor::declared_paths(d, scene).paths).empty();
 }
 
 // The forms of all methods that find every path of the class.
@@ -151,7 +151,7 @@ TEST(Pairwise, CausticBehindGlass) {
   scene::Scene pool = *d.scene;
   for (scene::Node& node : pool.nodes) {
     if (node.name == "fill light") node.visible = true;
-    if (node.name == "lamp") node.visible = false;
+    if (node.name == "light") node.visible = false;
   }
   d.scene = std::make_shared<const scene::Scene>(std::move(pool));
   expect_pairs_agree(d, "ES+DS+L", 40);

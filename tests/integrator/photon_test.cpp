@@ -64,7 +64,7 @@ TEST(Photons, StoredInAGoldenSphere) {
   constexpr double kShare = 0.02;
   constexpr int kPhotons = 20'000;
   for (const float albedo : {0.5f, 0.8f}) {
-    const Emitted emitted(scene::golden_sphere(kShare, albedo), plan_of(kPhotons));
+    const Emitted emitted(scene::integrating_sphere(kShare, albedo), plan_of(kPhotons));
     const double stored = 1 / (1 - double{albedo}), n = kPhotons;
     EXPECT_NEAR(static_cast<double>(emitted.photons().size()) / n, stored,
                 4.5 * std::sqrt(double{albedo} / n) * stored);
@@ -84,9 +84,7 @@ TEST(Photons, RouletteSplitsByAlbedo) {
   Mat4 above(1);
   above[3] = Vec4(0, 100, 0, 1);
   test::add(scene, test::quad(1000), test::diffuse(Rgb(1e-6f)), above);
-  Light spot;
-  spot.type = LightType::spot;
-  spot.intensity = 1, spot.inner_cone = 0, spot.outer_cone = 0.01f;
+  const Light spot = make_light("spot", {{"outer-cone", 0.01}});
   scene::Transform downwards;
   downwards.translation = {0, 50, 0};
   downwards.rotation = {-std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)};
@@ -135,7 +133,7 @@ TEST(Photons, OfCausticsHaveComeByMirrorsAlone) {
 
 // L = rho a / (1 - rho). A sphere has no bias of its own (O18); 2 % for the noise of the map and for triangles.
 TEST(PhotonMapping, GoldenSphere) {
-  const auto d = test::golden_sphere(0.05, 0.5f, scene::Cap::reflecting, 32);
+  const auto d = test::integrating_sphere(0.05, 0.5f, scene::Cap::reflecting, 32);
   const double expected = 0.5 * 0.05 / 0.5;
   for (const char* mode : {"direct", "classic"}) {
     const auto made = by(d, "photonmap", {{"mode", mode}, {"photons", "40000"}, {"renew", "on"}, {"nearest", "40"}});

@@ -71,7 +71,7 @@ TEST(Pssmlt, StochasticOpacity) {
 TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   for (const char* form : kForms) {
-    Document d = chains(test::golden_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16), form);
+    Document d = chains(test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16), form);
     d = with(with(with(d, "max-depth", "16"), "roulette-start", "64"), "candidates", "1024");
     double sum = 0, squares = 0;
     constexpr int kRounds = 12;

@@ -35,9 +35,9 @@ TEST(Registry, TechniquesAreChosenByParametersOfTheMethod) {
     ++methods;
     for (const auto& knob : {info.techniques.without, info.techniques.only}) {
       const auto* p = find_parameter(info.parameters, knob);
-      ASSERT_TRUE(p && p->accepts_text) << info.name << ' ' << knob;
-      EXPECT_TRUE(p->accepts_text("0,3 1,*")) << info.name;
-      EXPECT_FALSE(p->accepts_text("0;3")) << info.name;
+      ASSERT_TRUE(p && p->validate_text) << info.name << ' ' << knob;
+      EXPECT_TRUE(p->validate_text("0,3 1,*")) << info.name;
+      EXPECT_FALSE(p->validate_text("0;3")) << info.name;
     }
     const auto* weighted = find_parameter(info.parameters, info.techniques.weighted);
     ASSERT_TRUE(weighted) << info.name;

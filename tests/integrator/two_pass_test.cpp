@@ -92,7 +92,7 @@ TEST(TwoPass, PointsAreThereToBeLookedAt) {
     render::Session session({.threads = 2});
     session.submit(d);
     session.finish();
-    const auto points = session.points();
+    const auto points = session.stored_points();
     ASSERT_TRUE(points) << variant.integrator;
     EXPECT_GT(points->size(), 3U) << variant.integrator;
     EXPECT_LE(points->size(), integrator::RenderState::kMostPoints);
@@ -103,7 +103,7 @@ TEST(TwoPass, PointsAreThereToBeLookedAt) {
   d.limits = {1, 0, 0};
   session.submit(d);
   session.finish();
-  EXPECT_FALSE(session.points());
+  EXPECT_FALSE(session.stored_points());
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ std::vector<float> pixels_of(const film::Film& film) {
 
 // Counts what the film refused, and says so.
 uint64_t report_rejected(const std::string& name, const film::Film& film) {
-  const auto rejected = film.rejected();
+  const auto rejected = film.invalid_samples();
   if (rejected.total() > 0)
     std::printf("%s: %llu NaN, %llu infinite, %llu negative samples\n", name.c_str(),
                 static_cast<unsigned long long>(rejected.nan), static_cast<unsigned long long>(rejected.infinite),

@@ -51,7 +51,7 @@ TEST(Looks, EveryFileRenders) {
     }
     ASSERT_TRUE(document) << document.error().message;
     const film::Film film = test::rendered(*document, kSamples);
-    EXPECT_EQ(film.rejected().total(), 0U);
+    EXPECT_EQ(film.invalid_samples().total(), 0U);
     EXPECT_EQ(varies(film), shows_something(view.name, *document->scene));
   }
 }

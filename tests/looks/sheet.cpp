@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/file.h"
-#include "image/tiny_text.h"
+#include "image/bitmap_font.h"
 
 namespace etendue::looks {
 namespace {
@@ -20,7 +20,7 @@ void put(Picture& on, int x, int y, const uint8_t* rgb) {
 void write_text(Picture& on, int x, int y, const std::string& text) {
   constexpr uint8_t kInk[3] = {230, 230, 230};
   for (const char c : text) {
-    const uint16_t bits = image::tiny_glyph(c);
+    const uint16_t bits = image::bitmap_glyph(c);
     for (int i = 0; i < kGlyphWidth * kGlyphHeight; ++i)
       if (bits >> (kGlyphWidth * kGlyphHeight - 1 - i) & 1) put(on, x + i % kGlyphWidth, y + i / kGlyphWidth, kInk);
     x += kAdvance;

@@ -13,13 +13,13 @@ TEST(Clearcoat, IsAMirrorAboutItsNormal) {
   m.metallic = 0, m.specular = 0, m.base_color = Rgb(1), m.clearcoat = 0.5f;
   const Vec3 normal = direction(10, 1);
   const auto lobes = lobes_of(m, normal);
-  Deltas<Rgb> deltas;
-  lobes.add_deltas(normal, Transport::radiance, deltas);
+  DeltaSet<Rgb> deltas;
+  lobes.add_deltas(normal, TransportMode::radiance, deltas);
   ASSERT_EQ(deltas.count, 1);
   EXPECT_LT(glm::length(deltas.lobes[0].wi - normal), 1e-5f);
   EXPECT_NEAR(deltas.lobes[0].weight.r, 0.02f * normal.z, 1e-4f);
   const Vec3 wi = direction(15, 2);
-  EXPECT_NEAR(lobes.eval(normal, wi, Transport::radiance).r, kInvPi * 0.98f, 1e-4f);
+  EXPECT_NEAR(lobes.eval(normal, wi, TransportMode::radiance).r, kInvPi * 0.98f, 1e-4f);
 }
 
 TEST(Clearcoat, TakesTheGreaterOfBothSides) {
@@ -27,7 +27,7 @@ TEST(Clearcoat, TakesTheGreaterOfBothSides) {
   m.metallic = 0, m.specular = 0, m.base_color = Rgb(1), m.clearcoat = 1;
   const Vec3 steep = direction(20), flat = direction(80);
   const float kept = 0.04f + 0.96f * std::pow(1 - flat.z, 5.0f);
-  EXPECT_NEAR(lobes_of(m).eval(steep, flat, Transport::radiance).r, kInvPi * (1 - kept), 1e-4f);
+  EXPECT_NEAR(lobes_of(m).eval(steep, flat, TransportMode::radiance).r, kInvPi * (1 - kept), 1e-4f);
 }
 
 // E of the table against the mean of samples, and its ends: none when looking along the fibres of a narrow sheen.
@@ -42,7 +42,7 @@ TEST(Sheen, TableIsItsAlbedo) {
       constexpr int kN = 100'000;
       for (int i = 0; i < kN; ++i) {
         LobeSample<Rgb> s;
-        if (!sheen.sample(wo, draw.lobe(), Transport::radiance, s)) continue;
+        if (!sheen.sample(wo, draw.lobe(), TransportMode::radiance, s)) continue;
         sum += s.weight.r, squares += sqr(double{s.weight.r});
       }
       const double mean = sum / kN, error = std::sqrt((squares / kN - mean * mean) / kN);
@@ -102,8 +102,8 @@ TEST(DiffuseTransmission, SharesTheLightBetweenTheSides) {
   m.metallic = 0, m.specular = 0, m.base_color = {0.2f, 0.4f, 0.8f};
   m.diffuse_transmission = 0.25f, m.diffuse_transmission_color = {1, 0.5f, 0.1f};
   const auto lobes = lobes_of(m);
-  const Rgb front = lobes.eval(direction(20), direction(60), Transport::radiance);
-  const Rgb back = lobes.eval(direction(20), direction(120), Transport::radiance);
+  const Rgb front = lobes.eval(direction(20), direction(60), TransportMode::radiance);
+  const Rgb back = lobes.eval(direction(20), direction(120), TransportMode::radiance);
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(front[k], m.base_color[k] * 0.75f * kInvPi, 1e-5f);
     EXPECT_NEAR(back[k], m.diffuse_transmission_color[k] * 0.25f * kInvPi, 1e-5f);
@@ -114,8 +114,8 @@ TEST(DiffuseTransmission, LetsLightIntoAVolume) {
   Material m;
   m.metallic = 0, m.diffuse_transmission = 1, m.thickness = 1;
   m.attenuation_distance = 1, m.attenuation_color = {0.5f, 1, 1};
-  EXPECT_TRUE(m.solid());
-  EXPECT_TRUE(SurfaceMaterial(m, {}).absorbs);
+  EXPECT_TRUE(m.is_solid());
+  EXPECT_TRUE(SurfaceMaterial(m, {}).absorbs_inside);
 }
 
 // A metal and a plastic, each in both ways of saying it.
@@ -129,7 +129,8 @@ TEST(SpecularGlossiness, IsAMetalOrADielectric) {
   plastic_too.base_color = plastic.base_color * 0.96f, plastic_too.metallic = 0, plastic_too.roughness = 0.6f;
   const Vec3 o = direction(30, 0), i = direction(50, 2.5f);
   for (const auto& [one, other] : {std::pair(gold, gold_too), std::pair(plastic, plastic_too)}) {
-    const Rgb a = lobes_of(one).eval(o, i, Transport::radiance), b = lobes_of(other).eval(o, i, Transport::radiance);
+    const Rgb a = lobes_of(one).eval(o, i, TransportMode::radiance),
+              b = lobes_of(other).eval(o, i, TransportMode::radiance);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-4f * (1 + b[k]));
   }
 }
@@ -140,11 +141,11 @@ TEST(TintedGlass, ReflectsTotallyAllTheSame) {
   m.metallic = 0, m.roughness = 0, m.transmission = 1, m.thickness = 1;
   m.specular = 0.5f, m.specular_color = {1, 0.5f, 0};
   const auto lobes = lobes_of(m);
-  Deltas<Rgb> inside, outside;
-  lobes.add_deltas(-direction(60), Transport::radiance, inside);
+  DeltaSet<Rgb> inside, outside;
+  lobes.add_deltas(-direction(60), TransportMode::radiance, inside);
   ASSERT_EQ(inside.count, 1);
   EXPECT_EQ(inside.lobes[0].weight, Rgb(1));
-  lobes.add_deltas(direction(0), Transport::radiance, outside);
+  lobes.add_deltas(direction(0), TransportMode::radiance, outside);
   ASSERT_EQ(outside.count, 2);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(outside.lobes[0].weight[k], 0.02f * m.specular_color[k], 1e-5f);
 }

@@ -22,11 +22,11 @@ TEST_P(EveryLayer, IsSampledByItsDensity) {
     const auto result = chi_square_on_sphere(
         [&](Vec3& wi) {
           LobeSample<Rgb> s;
-          const bool ok = lobes.sample(wo, draw.lobe(), Transport::radiance, s);
+          const bool ok = lobes.sample(wo, draw.lobe(), TransportMode::radiance, s);
           wi = s.wi;
           return ok;
         },
-        [&](const Vec3& wi) { return lobes.pdf(wo, wi, Transport::radiance); }, 50'000);
+        [&](const Vec3& wi) { return lobes.pdf(wo, wi, TransportMode::radiance); }, 50'000);
     EXPECT_GT(result.p_value, significance)
         << c.name << " wo.z " << wo.z << " chi2 " << result.statistic << " dof " << result.degrees;
   }
@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Gltf, EveryLayer, testing::Range<size_t>(0, rough_gltf_
 
 TEST(GltfLayers, SampleWeightIsEvalOverPdf) {
   for (const auto& c : gltf_cases())
-    for (const auto mode : {Transport::radiance, Transport::importance}) {
+    for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       const auto lobes = lobes_of(c);
       Draw draw(3);
       for (int i = 0; i < 500; ++i) {
@@ -58,8 +58,8 @@ TEST(GltfLayers, AreReciprocal) {
     Draw draw(5);
     for (int i = 0; i < 2000; ++i) {
       const Vec3 a = direction(89.5f * draw.one(), 6 * draw.one()), b = draw.anywhere();
-      const Rgb forth = lobes.eval(a, b, Transport::radiance), back = lobes.eval(b, a, Transport::radiance);
-      const Rgb adjoint = lobes.eval(b, a, Transport::importance);
+      const Rgb forth = lobes.eval(a, b, TransportMode::radiance), back = lobes.eval(b, a, TransportMode::radiance);
+      const Rgb adjoint = lobes.eval(b, a, TransportMode::importance);
       const float scale = b.z < 0 ? eta2 : 1;
       for (int k = 0; k < 3; ++k) {
         ASSERT_GE(forth[k], 0) << c.name;
@@ -77,7 +77,7 @@ double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo, double& error) {
   constexpr int kN = 20'000;
   for (int i = 0; i < kN; ++i) {
     LobeSample<Rgb> s;
-    if (!lobes.sample(wo, draw.lobe(), Transport::importance, s)) continue;
+    if (!lobes.sample(wo, draw.lobe(), TransportMode::importance, s)) continue;
     const double most = max_component(s.weight);
     sum += most, squares += sqr(most);
   }
@@ -114,11 +114,11 @@ TEST(GltfLayers, PartsOfTheLettersAddUp) {
     const auto lobes = lobes_of(c);
     for (int i = 0; i < 200; ++i) {
       const Vec3 wo = draw.anywhere(), wi = draw.anywhere();
-      const Rgb f = lobes.eval(wo, wi, Transport::radiance);
+      const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
-      for (const Scatter letter : {Scatter::diffuse, Scatter::glossy, Scatter::specular}) {
-        const Rgb part = lobes.eval_part(letter, wo, wi, Transport::radiance);
-        EXPECT_TRUE(lobes.scatters(letter) || is_black(part)) << c.name;
+      for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
+        const Rgb part = lobes.eval_component(letter, wo, wi, TransportMode::radiance);
+        EXPECT_TRUE(lobes.has_component(letter) || is_black(part)) << c.name;
         sum += part;
       }
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(sum[k], f[k], 1e-5f * f[k]) << c.name;
@@ -132,15 +132,15 @@ TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
   for (const auto& c : gltf_cases())
     for (const Vec3& wo : {direction(10), direction(55), -direction(25), -direction(60)}) {
       const auto lobes = lobes_of(c);
-      Deltas<Rgb> deltas;
-      lobes.add_deltas(wo, Transport::radiance, deltas);
+      DeltaSet<Rgb> deltas;
+      lobes.add_deltas(wo, TransportMode::radiance, deltas);
       double listed = 0, sampled = 0, probability = 0, hits = 0;
       for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
         listed += average(deltas.lobes[k].weight), probability += deltas.probabilities[k];
       Draw draw(9);
       for (int i = 0; i < kSamples; ++i) {
         LobeSample<Rgb> s;
-        if (!lobes.sample(wo, draw.lobe(), Transport::radiance, s) || !s.delta) continue;
+        if (!lobes.sample(wo, draw.lobe(), TransportMode::radiance, s) || !s.delta) continue;
         bool known = false;
         for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
           known = known || (glm::length(deltas.lobes[k].wi - s.wi) < 1e-4f && s.eta == deltas.lobes[k].eta);
@@ -156,7 +156,7 @@ TEST(GltfLayers, WithoutAFactorNothingIsThere) {
   Material m;
   m.clearcoat_roughness = 0.5f, m.sheen_roughness = 0.5f, m.iridescence_ior = 2, m.thickness = 1;
   m.diffuse_transmission_color = {0, 1, 0};
-  EXPECT_TRUE(SurfaceMaterial(m, {}).standard);
+  EXPECT_TRUE(SurfaceMaterial(m, {}).uses_standard_lobes);
   for (auto change : std::initializer_list<void (*)(Material&)>{
            [](Material& x) { x.clearcoat = 0.1f; }, [](Material& x) { x.sheen_color.g = 0.1f; },
            [](Material& x) { x.iridescence = 0.1f; }, [](Material& x) { x.diffuse_transmission = 0.1f; },
@@ -164,9 +164,9 @@ TEST(GltfLayers, WithoutAFactorNothingIsThere) {
            [](Material& x) { x.transmission = 1, x.specular = 0.5f; }}) {
     Material with = m;
     change(with);
-    EXPECT_FALSE(SurfaceMaterial(with, {}).standard);
+    EXPECT_FALSE(SurfaceMaterial(with, {}).uses_standard_lobes);
     with.unlit = true;
-    EXPECT_TRUE(SurfaceMaterial(with, {}).standard);
+    EXPECT_TRUE(SurfaceMaterial(with, {}).uses_standard_lobes);
   }
 }
 

@@ -22,14 +22,14 @@ Rgb decoded() { return {srgb_to_linear(0.2f), srgb_to_linear(0.4f), srgb_to_line
 void expect_same(const Material& textured, const Material& plain, const std::string& name) {
   const std::vector<Texture> textures = texel();
   const SurfaceMaterial surface(textured, textures);
-  EXPECT_TRUE(surface.textured) << name;
+  EXPECT_TRUE(surface.has_textures) << name;
   AllLobes<Rgb> lobes;
   add_lobes(surface, {}, lobes);
   const auto expected = lobes_of(plain);
   Draw draw(7);
   for (int i = 0; i < 200; ++i) {
     const Vec3 o = draw.anywhere(), wi = draw.anywhere();
-    const Rgb a = lobes.eval(o, wi, Transport::radiance), b = expected.eval(o, wi, Transport::radiance);
+    const Rgb a = lobes.eval(o, wi, TransportMode::radiance), b = expected.eval(o, wi, TransportMode::radiance);
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(a[k], b[k], 1e-3f * (1e-3f + b[k])) << name;
   }
 }
@@ -112,14 +112,14 @@ TEST(GltfTextures, CoatHasANormalOfItsOwn) {
   Material m;
   m.clearcoat = 1, m.normal_texture.texture = 0;
   SurfaceMaterial surface(m, textures);
-  EXPECT_TRUE(surface.coat_normal_mapped);
+  EXPECT_TRUE(surface.has_coat_normal);
   EXPECT_EQ(surface.coat_normal_at({}), Vec3(0, 0, 1));
   m.clearcoat_normal_texture.texture = 0, m.clearcoat_normal_scale = 0.5f;
   surface = SurfaceMaterial(m, textures);
   const Vec3 expected = glm::normalize(Vec3((2 * kR - 1) * 0.5f, (2 * kG - 1) * 0.5f, 0.2f));
   EXPECT_LT(glm::length(surface.coat_normal_at({}) - expected), 1e-3f);
   m.normal_texture.texture = m.clearcoat_normal_texture.texture = -1;
-  EXPECT_FALSE(SurfaceMaterial(m, textures).coat_normal_mapped);
+  EXPECT_FALSE(SurfaceMaterial(m, textures).has_coat_normal);
 }
 
 }  // namespace

@@ -49,13 +49,13 @@ TEST(Adaptive, BeatsAnEvenHandAtTheSameNumberOfSamples) {
 // blocks of the picture, z-test, 1 % false alarms for the family of 36. What scatters is a small light that few paths
 // find.
 TEST(Adaptive, IsUnbiased) {
-  constexpr int kSize = 96, kCells = 6, kHalves = 150;
+  constexpr int kSize = 96, kCells = 6, kReplicates = 150;
   auto d = *render::with_text(adaptive_cornell("random"), "render.integrator", "path-pure");
   d = *render::with_text(d, "path-pure.max-depth", "3");
   const auto estimate = [&](render::Adaptive adaptive, uint64_t first_seed) {
     std::array<std::array<double, 2>, kCells * kCells> sums{};  // of means and of their squares
     d.method.adaptive = adaptive;
-    for (uint64_t r = 0; r < kHalves; ++r) {
+    for (uint64_t r = 0; r < kReplicates; ++r) {
       d.seed = first_seed + r;
       const auto film = test::rendered(d, 16);
       std::array<double, kCells * kCells> cells{};
@@ -68,8 +68,8 @@ TEST(Adaptive, IsUnbiased) {
   };
   const auto adaptive = estimate(render::Adaptive::rmse, 1), even = estimate(render::Adaptive::off, 10'000);
   for (size_t i = 0; i < adaptive.size(); ++i) {
-    const auto mean = [&](const auto& sum) { return sum[0] / kHalves; };
-    const auto variance = [&](const auto& sum) { return (sum[1] / kHalves - sqr(mean(sum))) / (kHalves - 1); };
+    const auto mean = [&](const auto& sum) { return sum[0] / kReplicates; };
+    const auto variance = [&](const auto& sum) { return (sum[1] / kReplicates - sqr(mean(sum))) / (kReplicates - 1); };
     const double z = (mean(adaptive[i]) - mean(even[i])) / std::sqrt(variance(adaptive[i]) + variance(even[i]));
     EXPECT_LT(std::abs(z), 3.64) << "cell " << i;
   }
@@ -106,9 +106,9 @@ TEST(SampleAllocation, SamplesAreProportionalToDeviations) {
   render::SampleAllocation allocation(render::Adaptive::rmse, {512, 512, 512});
   film::TileVariance spread(3);
   for (uint32_t half : {0U, 1U}) {
-    spread.keep(0, half, 2, {4, 1, true});
-    spread.keep(1, half, 2, {1, 1, true});
-    spread.keep(2, half, 2, {0, 1, true});
+    spread.record(0, half, 2, {4, 1, true});
+    spread.record(1, half, 2, {1, 1, true});
+    spread.record(2, half, 2, {0, 1, true});
   }
   while (allocation.target(0, 0) == 4) allocation.advance(spread);
   for (uint32_t half : {0U, 1U}) {
@@ -125,8 +125,8 @@ TEST(SampleAllocation, AHalfDoesNotDecideForItself) {
   const auto target = [](float own, float other) {
     render::SampleAllocation allocation(render::Adaptive::rmse, {512, 512});
     film::TileVariance spread(2);
-    for (uint32_t half : {0U, 1U}) spread.keep(1, half, 2, {1, 1, true});
-    spread.keep(0, 0, 2, {own, 1, true}), spread.keep(0, 1, 2, {other, 1, true});
+    for (uint32_t half : {0U, 1U}) spread.record(1, half, 2, {1, 1, true});
+    spread.record(0, 0, 2, {own, 1, true}), spread.record(0, 1, 2, {other, 1, true});
     while (allocation.target(0, 0) == 4 && allocation.target(1, 0) == 4) allocation.advance(spread);
     return allocation.target(0, 0);
   };

@@ -38,7 +38,7 @@ std::shared_ptr<const Reliability> health_of_made_up(int width, int height, uint
   std::vector<film::Tail> reports;
   for (const auto& tail : tails.tails()) reports.push_back(tail.report());
   const auto all = static_cast<uint64_t>(samples) * film.pixels().size();
-  return reliability_of(tails, reports, film.rejected(), all, [] { return true; });
+  return reliability_of(tails, reports, film.invalid_samples(), all, [] { return true; });
 }
 
 float even(double u) { return static_cast<float>(u); }
@@ -49,10 +49,10 @@ TEST(Reliability, WhatIsBrightButCertainIsNoTail) {
       health_of_made_up(40, 20, 64, [](int x, int y, double u) { return x == 7 && y == 3 ? 1e6f : even(u); });
   EXPECT_EQ(h->verdict, Verdict::healthy);
   EXPECT_LT(h->tail.vov, 1e-3);
-  EXPECT_LT(h->tail.brightest, 1e-4);
-  EXPECT_EQ(h->across, 2);
-  EXPECT_EQ(h->down, 2);
-  EXPECT_EQ(h->watched, 62U * 40 * 20);
+  EXPECT_LT(h->tail.brightest_share, 1e-4);
+  EXPECT_EQ(h->columns, 2);
+  EXPECT_EQ(h->rows, 2);
+  EXPECT_EQ(h->samples, 62U * 40 * 20);
 }
 
 // A hundred tiles, ten of which have k = 1. Missed are those whose vov happens to be below its limit, one in five.
@@ -104,7 +104,7 @@ TEST(Reliability, IsTheSameForAnyNumberOfThreads) {
     Session session({.threads = threads});
     session.submit(d);
     session.finish();
-    all.push_back(session.status().health);
+    all.push_back(session.status().reliability);
   }
   for (const auto& h : all) {
     EXPECT_EQ(h->reason, all[0]->reason);
@@ -125,17 +125,17 @@ TEST(Reliability, CoversTheSamplesOfThisPicture) {
     d.limits.samples = 12;
     session.submit(d);
     session.finish();
-    ASSERT_TRUE(session.status().health);
-    EXPECT_EQ(session.status().health->watched, 10U * size * size);
+    ASSERT_TRUE(session.status().reliability);
+    EXPECT_EQ(session.status().reliability->samples, 10U * size * size);
     session.restart();
     session.finish();
-    EXPECT_EQ(session.status().health->watched, 10U * size * size);
+    EXPECT_EQ(session.status().reliability->samples, 10U * size * size);
   }
   auto d = test::cornell(33);
   d.limits.samples = 25;
   session.submit(d, test::rendered(d, 12));
   session.finish();
-  EXPECT_EQ(session.status().health->watched, 13U * 33 * 33);
+  EXPECT_EQ(session.status().reliability->samples, 13U * 33 * 33);
 }
 
 Document nan_in_a_sky() {
@@ -150,19 +150,19 @@ Document nan_in_a_sky() {
 }
 
 TEST(InvalidSamples, TheFirstAreTheSameForAnyNumberOfThreadsAndInACheckpoint) {
-  const auto one = test::rendered(nan_in_a_sky(), 3, 1).rejected();
-  ASSERT_EQ(one.first.size(), film::kFirstRejections);
+  const auto one = test::rendered(nan_in_a_sky(), 3, 1).invalid_samples();
+  ASSERT_EQ(one.first.size(), film::kListedInvalidSamples);
   EXPECT_EQ(one.first[0].sample, 0U);
-  EXPECT_EQ(one.first[0].flaw, film::Flaw::nan);
+  EXPECT_EQ(one.first[0].reason, film::InvalidReason::nan);
   const auto film = test::rendered(nan_in_a_sky(), 3, 7);
-  EXPECT_EQ(film.rejected().first, one.first);
+  EXPECT_EQ(film.invalid_samples().first, one.first);
 
   const auto path = std::filesystem::temp_directory_path() / "etendue-rejected.checkpoint";
   ASSERT_TRUE(write_checkpoint(path, {"{}", film, 0}));
   const auto read = read_checkpoint(path);
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_EQ(read->film.rejected().first, one.first);
-  EXPECT_EQ(read->film.rejected().nan, one.nan);
+  EXPECT_EQ(read->film.invalid_samples().first, one.first);
+  EXPECT_EQ(read->film.invalid_samples().nan, one.nan);
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
   EXPECT_FALSE(read_checkpoint(path));
   std::filesystem::remove(path);

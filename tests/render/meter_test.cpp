@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "light/light_presets.h"
-#include "light/punctual.h"
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
 #include "spectrum/photometry.h"
@@ -24,14 +22,14 @@ Document over_floor(scene::Scene scene) {
 
 MeterReadings read(const Document& d, uint32_t samples = 512) {
   const auto scene = scene::compile(d.scene, d.camera, nullptr);
-  const auto spot = spot_at(d, *scene, Vec2(32));
+  const auto spot = meter_point_at(d, *scene, Vec2(32));
   EXPECT_TRUE(spot);
   MeterReadings last;
-  measure_spot(d, scene, *spot, samples, 1, [&](const MeterReadings& m) { return last = m, true; });
+  measure_light(d, scene, *spot, samples, 1, [&](const MeterReadings& m) { return last = m, true; });
   return last;
 }
 
-void expect(const Reading& r, double value) {
+void expect(const MeterReading& r, double value) {
   for (int c = 0; c < 3; ++c)
     EXPECT_NEAR(static_cast<double>(r.value[c]), value, 5 * r.standard_error + 2e-4 * value) << r.standard_error;
 }
@@ -39,8 +37,7 @@ void expect(const Reading& r, double value) {
 // Phi = 100 W two metres above: E = Phi / (4 pi r^2), L = rho E / pi.                            thesis, Example 4.2
 TEST(Meter, UnderAPointLight) {
   scene::Scene scene;
-  Light lamp;
-  lamp.intensity = static_cast<float>(100 / (4 * 3.14159265358979));
+  const Light lamp = make_light("point", {{"intensity", 100 / (4 * 3.14159265358979)}});
   scene::add(scene, lamp, {.translation = {0, 2, 0}});
   const auto m = read(over_floor(std::move(scene)));
   expect(m.irradiance, 1.989437);
@@ -88,39 +85,21 @@ TEST(Meter, OfAnySize) {
 TEST(Meter, NothingToMeasureInTheSky) {
   Document d = over_floor({});
   d.camera = look_at({0, 1, 0}, {0, 2, 0.1f}, {0, 0, 1}, 0.5f);
-  EXPECT_FALSE(spot_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
+  EXPECT_FALSE(meter_point_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
 }
 
-// The flux of every profile is the integral of its falloff over the sphere.
-TEST(Photometry, FluxOfSpots) {
-  for (const auto profile : {SpotProfile::squared, SpotProfile::smoothstep, SpotProfile::quartic, SpotProfile::cosine})
-    for (const float outer : {0.3f, 1.0f, 1.5f}) {
-      Light spot;
-      spot.type = LightType::spot, spot.profile = profile, spot.exponent = 5;
-      spot.inner_cone = 0.4f * outer, spot.outer_cone = outer, spot.intensity = 3;
-      constexpr int kSteps = 200'000;
-      double sum = 0;
-      for (int i = 0; i < kSteps; ++i)
-        sum += static_cast<double>(spot_falloff(spot, -1 + 2 * (static_cast<float>(i) + 0.5f) / kSteps));
-      const double expected = 3 * 2 * 3.14159265358979 * sum * 2 / kSteps;
-      EXPECT_NEAR(static_cast<double>(flux_of(spot).g), expected, 2e-3 * expected)
-          << static_cast<int>(profile) << ' ' << outer;
-    }
-}
-
-// A lamp whose light keeps to its axis sends less: 2 pi A L / (k + 2). The meter reads it off any kind of lamp.
-TEST(Meter, FluxOfLampsWithAFocus) {
-  for (const LightType type : {LightType::quad, LightType::disk, LightType::sphere}) {
-    scene::Scene scene;
-    Light lamp;
-    lamp.type = type, lamp.intensity = 2, lamp.focus = 6, lamp.width = lamp.height = 0.8f, lamp.radius = 0.4f;
+// The meter reads the flux 2 pi A L / (k + 2) of every area light with a cosine exponent k.
+TEST(Meter, FluxOfAreaLightsWithACosineExponent) {
+  for (const LightTypeInfo& type : light_type_infos()) {
+    if (type.description.light_class != LightClass::area) continue;
+    const Light light = make_light(type.description.name, {{"intensity", 2.0}, {"focus", 6.0}});
     // Facing up at the camera, above the floor.
-    scene::add(scene, lamp, {.translation = {0, 1, 0}, .rotation = {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}});
+    scene::Scene scene;
+    scene::add(scene, light, {.translation = {0, 1, 0}, .rotation = {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}});
     Document d = over_floor(std::move(scene));
     d.camera = look_at({0.3f, 4, 0.3f}, {0, 1, 0}, {0, 0, 1}, 0.1f);
-    const double area = type == LightType::quad ? 0.64 : (type == LightType::disk ? 1 : 4) * 3.14159265358979 * 0.16;
-    const double expected = 2 * 3.14159265358979 / 8 * area * 2;
-    EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), expected, 1e-3 * expected) << static_cast<int>(type);
+    const auto expected = static_cast<double>(light.flux().g);
+    EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), expected, 1e-3 * expected) << type.description.name;
   }
 }
 
@@ -128,18 +107,6 @@ TEST(Meter, FluxOfLampsWithAFocus) {
 TEST(Photometry, Efficacies) {
   EXPECT_NEAR(lumens_per_watt(Efficacy::equal_energy) * 500, 73081, 0.5);
   EXPECT_NEAR(photometric(Rgb(2), Efficacy::maximal), 1366, 0.1);
-}
-
-TEST(Photometry, PresetsHaveTheirAmount) {
-  for (const LightPreset& preset : kLightPresets)
-    for (const LightType type : {LightType::point, LightType::spot, LightType::directional, LightType::quad}) {
-      Light light;
-      light.type = type;
-      if (!fits(preset, light)) continue;
-      const Light set = with_preset(light, preset, Efficacy::standard);
-      const Rgb amount = preset.sun ? set.color * set.intensity : flux_of(set);
-      EXPECT_NEAR(photometric(amount, Efficacy::standard), preset.amount, 1e-4 * preset.amount) << preset.name;
-    }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class Editor {
                                                     "sampler", "film",   "camera", "material.0", "node.1", "model"};
     const std::string& kind = kSections[below(kSections.size())];
     const std::string section = kind == "method" ? d.method.integrator : kind == "sampler" ? d.method.sampler : kind;
-    const auto list = render::bindings(d, section);
+    const auto list = render::section_parameters(d, section);
     if (list.empty()) return d;
     const render::DocumentParameter& b = list[below(list.size())];
     const auto changed = render::with(d, b.info.name, value_of(b.info));

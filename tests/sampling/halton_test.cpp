@@ -1,4 +1,4 @@
-// Radical inverses are exact, and scrambling keeps their strata.                               digest 6-7: 2.7, S58-S59
+// The Halton sequence: exact radical inverses, stratification and nested scrambling   [Lang, eq. 7.31-7.39, table 7.1]
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,8 +8,8 @@
 namespace etendue {
 namespace {
 
-// Digest 6-7, O23: exact fractions, here in units of the last digit.
-TEST(Halton, RadicalInverses) {
+// Exact fractions; the first six of bases 2 and 3 are those of [Lang, table 7.1].
+TEST(Halton, RadicalInversesAreExact) {
   const auto expect = [](uint32_t base, const std::vector<double>& fractions) {
     for (uint32_t i = 0; i < fractions.size(); ++i)
       EXPECT_DOUBLE_EQ(HaltonSampler::radical_inverse(i, base), fractions[i]) << base << ' ' << i;
@@ -26,9 +26,9 @@ TEST(Halton, RadicalInverses) {
   EXPECT_LT(HaltonSampler::radical_inverse(0xffffffff, 2), 1);
 }
 
-// Any b^k successive samples fill the b^k intervals of a dimension with base b, scrambled: the first eight dimensions
-// up to a thousand intervals, and some later ones. A point may lie on the lower bound of its interval; rounding to
-// float then takes up to 2^-25 from it, which is given back.
+// Any b^k successive samples have one point in each of b^k intervals of a dimension with base b: the first eight
+// dimensions with up to 1000 intervals, and two later ones. A point may lie on the lower bound of its interval, where
+// rounding to float subtracts up to 2^-25; the test adds this back.
 TEST(Halton, DigitsAreStratified) {
   const HaltonSampler sampler;
   constexpr uint32_t kBases[] = {2, 3, 5, 7, 11, 13, 17, 19};
@@ -50,10 +50,10 @@ TEST(Halton, DigitsAreStratified) {
   }
 }
 
-// Scrambling a digit does not depend on the digits behind it, and does on those before it.
+// The permutation of a digit depends on the digits before it, and not on those after it.
 TEST(Halton, ScramblingIsNested) {
   const HaltonSampler sampler;
-  const auto digits = [&](uint32_t sample) {  // of base 3: the first and the second
+  const auto digits = [&](uint32_t sample) {  // the first two digits in base 3
     SampleBlock values;
     sampler.block(8, sample, 0, values);
     const auto nine = static_cast<int>(double{values[1]} * 9 + 1e-4);

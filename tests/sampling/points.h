@@ -1,4 +1,4 @@
-// The points of one pixel, as tests of samplers look at them.
+// The sample points of one pixel.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace etendue::test {
 
-// points[sample][dimension] of the first `count` samples and `blocks` blocks.
+// points[sample][dimension] for the first `count` samples and `blocks` blocks.
 inline std::vector<std::vector<float>> points(const Sampler& sampler, uint32_t seed, uint32_t count, uint32_t blocks) {
   std::vector<std::vector<float>> all(count);
   for (uint32_t s = 0; s < count; ++s)

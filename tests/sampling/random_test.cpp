@@ -1,4 +1,4 @@
-// Random numbers are independent from sample to sample.
+// Independence of the samples of the random sampler.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
@@ -7,9 +7,9 @@
 namespace etendue {
 namespace {
 
-// The mean of n independent numbers has exactly 1/n of their variance, whatever the function of the dimensions. Over 20
-// 000 pixels the ratio has a standard error of 1 %; 5 of them are allowed (6e-7 false alarms).
-TEST(Random, TheVarianceOfAMeanIsThatOfIndependentSamples) {
+// The mean of n independent samples has 1/n of the variance of one, for any function of the dimensions. For 20,000
+// pixels the ratio has a standard error of 1 %; the test allows 5 standard errors (6e-7 false alarms).
+TEST(Random, VarianceOfTheMeanIsThatOfIndependentSamples) {
   const auto sampler = make_sampler("random");
   constexpr uint32_t kPixels = 20'000, kSamples = 16;
   double squares = 0;

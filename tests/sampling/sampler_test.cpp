@@ -1,4 +1,4 @@
-// What every sampler owes: values in range, repeatable, uniform, independent over dimensions, samples and pixels.
+// Properties of every sampler: values in range, reproducible, uniform, independent over dimensions, samples and pixels.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -19,7 +19,7 @@ class EverySampler : public testing::TestWithParam<std::string> {
   std::unique_ptr<Sampler> sampler_;
 };
 
-TEST_P(EverySampler, ValuesAreInTheUnitIntervalAndRepeatable) {
+TEST_P(EverySampler, ValuesAreInTheUnitIntervalAndReproducible) {
   for (uint32_t seed : {0U, 1U, 0xffffffffU}) {
     const auto a = test::points(*sampler_, seed, 300, 12);
     EXPECT_EQ(a, test::points(*sampler_, seed, 300, 12));
@@ -28,7 +28,7 @@ TEST_P(EverySampler, ValuesAreInTheUnitIntervalAndRepeatable) {
   }
 }
 
-TEST_P(EverySampler, ManyPixelsAtOnceHaveTheirOwnNumbers) {
+TEST_P(EverySampler, TablesEqualSingleBlocks) {
   std::array<uint32_t, 53> seeds;
   for (size_t i = 0; i < seeds.size(); ++i) seeds[i] = mix_bits(static_cast<uint32_t>(i) + 3);
   const auto table = std::make_unique<SampleTable>();
@@ -43,7 +43,7 @@ TEST_P(EverySampler, ManyPixelsAtOnceHaveTheirOwnNumbers) {
     }
 }
 
-// Sixteen bins over many pixels, each dimension of a sample alone: 1 % false alarms over all dimensions and samples.
+// Chi-square test with 16 bins for each dimension of a sample over many pixels; 1 % false alarms in total.
 TEST_P(EverySampler, EachDimensionIsUniform) {
   constexpr int kBins = 16, kPixels = 4096, kDimensions = 96;
   constexpr uint32_t kSamples[] = {0, 1, 77};
@@ -64,9 +64,8 @@ TEST_P(EverySampler, EachDimensionIsUniform) {
   }
 }
 
-// The first samples of pairs of dimensions over many pixels: uncorrelated within 4.5 standard errors (4e-3 false alarms
-// over all pairs and samplers). This is what seeds in arithmetic progression break, here those of dimensions and of
-// pixels.
+// In the first samples of many pixels, pairs of dimensions and neighbouring pixels are uncorrelated within 4.5 standard
+// errors (4e-3 false alarms over all pairs and samplers). Seeds of dimensions or pixels in arithmetic progression fail.
 TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
   constexpr uint32_t kPixels = 20'000;
   std::vector<std::vector<float>> first;
@@ -83,9 +82,9 @@ TEST_P(EverySampler, DimensionsAndPixelsAreIndependent) {
   }
 }
 
-// No dimension of a sample is another dimension of the next samples, nor correlated with it, over many pixels: 5
-// standard errors (2e-3 false alarms over all pairs and samplers).
-TEST_P(EverySampler, SamplesOfAPixelShareNoNumbers) {
+// A dimension of a sample is not equal to another dimension of the next samples, nor correlated with it: 5 standard
+// errors over many pixels (2e-3 false alarms over all pairs and samplers).
+TEST_P(EverySampler, SamplesOfAPixelAreIndependent) {
   constexpr uint32_t kPixels = 10'000, kSamples = 4;
   constexpr size_t kDimensions = 16;
   std::array<std::array<std::array<double, kDimensions>, kDimensions>, kSamples> sums{};
@@ -103,7 +102,8 @@ TEST_P(EverySampler, SamplesOfAPixelShareNoNumbers) {
         EXPECT_LT(std::abs(sums[lag][a][b]), bound) << lag << ' ' << a << ' ' << b;
 }
 
-// The mean over pixels of a product over two vertices: what a path integral is made of. z-test, 1 % over the samplers.
+// The mean over pixels of a product over the dimensions of two blocks, as in a path integral. z-test, 1 % false alarms
+// over all samplers.
 TEST_P(EverySampler, ProductsOverManyDimensionsAreUnbiased) {
   constexpr int kPixels = 2000;
   double sum = 0, squares = 0;
@@ -114,27 +114,28 @@ TEST_P(EverySampler, ProductsOverManyDimensionsAreUnbiased) {
       for (const float v : p) product *= 0.5 + v;
       mean += product / 16;
     }
-    sum += mean, squares += mean * mean;
+    sum += mean;
+    squares += mean * mean;
   }
   const double mean = sum / kPixels, error = std::sqrt((squares / kPixels - mean * mean) / kPixels);
   EXPECT_LT(std::abs(mean - 1), 3.1 * error) << mean << " +- " << error;
 }
 
-// Blocks are asked for by many threads at once.
-TEST_P(EverySampler, ThreadsGetWhatOneThreadGets) {
+// Blocks are computed by several threads concurrently.
+TEST_P(EverySampler, IsThreadSafe) {
   const auto expected = test::points(*sampler_, 5, 200, 10);
-  std::vector<std::vector<std::vector<float>>> found(4);
+  std::vector<std::vector<std::vector<float>>> results(4);
   {
     std::vector<std::jthread> threads;
-    for (auto& f : found) threads.emplace_back([&] { f = test::points(*sampler_, 5, 200, 10); });
+    for (auto& result : results) threads.emplace_back([&] { result = test::points(*sampler_, 5, 200, 10); });
   }
-  for (const auto& f : found) EXPECT_EQ(f, expected);
+  for (const auto& result : results) EXPECT_EQ(result, expected);
 }
 
 INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::Values("sobol", "halton", "stratified", "random"),
                          [](const auto& instance) { return instance.param; });
 
-TEST(SamplerRegistry, ListsThemAllAndSobolFirst) {
+TEST(SamplerRegistry, ListsAllSamplersStartingWithSobol) {
   std::vector<std::string> names;
   for (const auto& info : sampler_infos()) names.push_back(info.name);
   EXPECT_EQ(names, (std::vector<std::string>{"sobol", "halton", "stratified", "random"}));

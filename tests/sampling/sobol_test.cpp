@@ -1,4 +1,4 @@
-// Scrambled Sobol' points are the nets that the unscrambled ones are; padding keeps them.      digest 6-7: 2.7, S65-S69
+// The Sobol' sequence: scrambling and padding preserve its net properties                     [Lang, sec. 7.2.4-7.3.3]
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,7 +10,7 @@
 namespace etendue {
 namespace {
 
-// 2^m points of every dimension fall one into each of 2^m intervals, scrambled.
+// 2^m scrambled points have one point in each of 2^m intervals of every dimension.
 TEST(Sobol, OneDimensionalProjectionsAreNets) {
   SobolSampler sampler;
   sampler.prepare(0, 64);
@@ -23,7 +23,7 @@ TEST(Sobol, OneDimensionalProjectionsAreNets) {
 }
 
 // Dimensions 1 and 2 form a (0, m, 2)-net: every elementary interval of area 1/64 holds one of 64 points.
-TEST(Sobol, TheFirstTwoDimensionsAreAZeroNet) {
+TEST(Sobol, FirstTwoDimensionsAreAZeroNet) {
   SobolSampler sampler;
   sampler.prepare(0, 64);
   for (uint32_t seed = 0; seed < 20; ++seed) {
@@ -37,8 +37,8 @@ TEST(Sobol, TheFirstTwoDimensionsAreAZeroNet) {
   }
 }
 
-// Neighbouring dimensions form (t, m, 2)-nets. With 1024 points t is at most 6, and 1 or less for 14 of the 63 pairs:
-// what the direction numbers promise before scrambling.
+// Pairs of neighbouring dimensions form (t, m, 2)-nets. For 1024 unscrambled points t is at most 6, and at most 1 for
+// 14 of the 63 pairs, as the direction numbers guarantee.
 TEST(Sobol, NeighbouringDimensionsAreNets) {
   constexpr uint32_t kLog = 10;
   const auto is_net = [](uint32_t d, uint32_t t) {
@@ -62,7 +62,7 @@ TEST(Sobol, NeighbouringDimensionsAreNets) {
   EXPECT_EQ(good, 14);
 }
 
-// Beyond the 64 dimensions a block is a net of its own, of every aligned stretch of samples.
+// Beyond 64 dimensions, each block is a net for every aligned group of samples.
 TEST(Sobol, PaddedBlocksAreNets) {
   SobolSampler sampler;
   for (uint32_t seed = 0; seed < 10; ++seed)
@@ -84,8 +84,8 @@ TEST(Sobol, PaddedBlocksAreNets) {
       }
 }
 
-// Blocks are put together at random: over 64 samples, a true and a padded block are uncorrelated on average.
-TEST(Sobol, PaddedBlocksAreIndependentOfEachOther) {
+// Blocks are combined at random: over 64 samples, pairs of blocks are uncorrelated on average.
+TEST(Sobol, PaddedBlocksAreIndependent) {
   const SobolSampler sampler;
   constexpr uint32_t kPixels = 500;
   for (const auto& [one, other] : {std::pair{0U, 8U}, {8U, 9U}, {9U, 40U}}) {
@@ -98,25 +98,27 @@ TEST(Sobol, PaddedBlocksAreIndependentOfEachOther) {
         sampler.block(mix_bits(pixel + 1), s, other, b);
         for (size_t d = 0; d < kBlockSize; ++d) correlation += (a[d] - 0.5) * (b[d] - 0.5) * 12 / (64 * kBlockSize);
       }
-      sum += correlation, squares += correlation * correlation;
+      sum += correlation;
+      squares += correlation * correlation;
     }
     EXPECT_LT(std::abs(sum), 4.5 * std::sqrt(squares)) << one << ' ' << other;
   }
 }
 
-TEST(Sobol, TableAndDirectionNumbersGiveTheSameValues) {
-  SobolSampler with, without;
-  with.prepare(64, 64);
+TEST(Sobol, TabulatedAndComputedValuesAreEqual) {
+  SobolSampler tabulated, computed;
+  tabulated.prepare(64, 64);
   for (const uint32_t s : {0U, 63U, 64U, 77U, 127U, 128U, 0xffffffffU})
     for (uint32_t b = 0; b < 10; ++b) {
       SampleBlock x, y;
-      with.block(9, s, b, x);
-      without.block(9, s, b, y);
+      tabulated.block(9, s, b, x);
+      computed.block(9, s, b, y);
       EXPECT_EQ(x, y);
     }
 }
 
-// Root mean square error over 200 scrambles of a smooth integrand: -1/2 for random points, much steeper for Sobol'.
+// The convergence rate of the RMSE for a smooth integrand over 200 scrambles: -1/2 for random points, below -0.8 for
+// Sobol' points.
 TEST(Sobol, ConvergesFasterThanRandomNumbers) {
   const auto rmse = [](const char* name, uint32_t n, size_t dimensions) {
     const auto sampler = make_sampler(name);

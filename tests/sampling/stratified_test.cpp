@@ -1,4 +1,4 @@
-// Every group of samples fills its strata.                                                     digest 6-7: 2.6, S38-S41
+// Every group of samples has one point in each stratum                                             [Lang, sec. 6.5.3]
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,7 +9,7 @@
 namespace etendue {
 namespace {
 
-// The cell of x among n whose bounds are rounded to float, as x is.
+// The interval of x among n intervals whose bounds are rounded to float.
 int cell_of(float x, int n) {
   auto cell = std::min(static_cast<int>(x * static_cast<float>(n)), n - 1);
   const auto bound = [&](int k) { return static_cast<float>(k) / static_cast<float>(n); };
@@ -18,9 +18,9 @@ int cell_of(float x, int n) {
   return cell;
 }
 
-// Every group: pairs 0-1 and 2-3 of a block fill the grid, the other dimensions the slices. Up to 4096 slices, which
-// are so thin that rounding would push a point into the next one.
-TEST(Stratified, AGroupFillsItsGridAndItsSlices) {
+// Dimensions 0-1 and 2-3 of a block fill the grid, the other dimensions the intervals. With 4096 intervals, rounding
+// without a limit would move points into the next interval.
+TEST(Stratified, GroupsFillAllStrata) {
   for (const int side : {1, 3, 4, 10, 63, 64}) {
     const auto sampler = make_sampler("stratified", {{"side", int64_t{side}}});
     const auto group = static_cast<size_t>(side * side);

@@ -1,5 +1,5 @@
-// The Cornell box stands as it was published. Every built-in scene is whole, closed where it is glass, lit, made the
-// same each time, and has light on the paths that it is there for.
+// The Cornell box matches the published data. Every built-in scene is complete and deterministic, has closed glass
+// meshes, is lit, and receives light along the paths that it demonstrates.
 #include "scene/builtin/builtin.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace etendue {
 namespace {
 
-// The mesh that the node of this name shows, and its material.
+// The mesh and the material of the node with this name.
 struct Part {
   const Mesh* mesh;
   const Material* material;
@@ -59,7 +59,7 @@ TEST(Cornell, SurfacesFaceInwardsAndBlocksOutwards) {
   }
   for (const char* name : {"short box", "tall box"}) {
     const Part p = part(scene, name);
-    EXPECT_EQ(p.mesh->triangles.size(), 10U) << "nothing stands on the floor upside down";
+    EXPECT_EQ(p.mesh->triangles.size(), 10U) << "blocks have no bottom face";
     const Vec3 center = bounds_of(*p.mesh, Mat4(1)).center();
     for (const auto& t : p.mesh->triangles)
       EXPECT_GT(glm::dot(normal(*p.mesh, t), p.mesh->positions[t[0]] - center), 0) << name;
@@ -91,7 +91,7 @@ TEST(Cornell, CameraAsPublished) {
   EXPECT_LT(glm::distance(-Vec3(camera->to_world[2]), Vec3(0, 0, 1)), 1e-6f);
   EXPECT_NEAR(std::tan(camera->yfov / 2), 12.5f / 35, 1e-6f);
   EXPECT_EQ(camera->aspect, 1);
-  // Seen from there +x is on the left, where the red wall stands.
+  // The camera looks along +z, so +x, where the red wall is, is on the left.
   EXPECT_LT(camera->to_world[0].x, 0);
 }
 
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EveryBuiltin, testing::Range<size_t>(0, scene::
                            return name;
                          });
 
-TEST_P(EveryBuiltin, IsSmallLitAndSeenThroughAPinhole) {
+TEST_P(EveryBuiltin, IsSmallAndLitAndHasAPinholeCamera) {
   const auto cameras = scene::placed_cameras(scene);
   ASSERT_EQ(cameras.size(), 1U);
   EXPECT_EQ(cameras[0].lens_radius, 0);
@@ -119,7 +119,7 @@ TEST_P(EveryBuiltin, IsSmallLitAndSeenThroughAPinhole) {
   EXPECT_NE(std::string(builtin.doc).back(), '.');
 }
 
-TEST_P(EveryBuiltin, NamesItsPartsAndUsesAllOfThem) {
+TEST_P(EveryBuiltin, NamesAllNodesAndUsesAllMeshesAndMaterials) {
   std::set<int> meshes, materials;
   for (const auto& node : scene.nodes) {
     EXPECT_FALSE(node.name.empty());
@@ -150,12 +150,12 @@ TEST_P(EveryBuiltin, HasNormalsOnTheSideOfItsTriangles) {
   }
 }
 
-// Every edge of a solid is walked along once in each direction; corners are told by their place.
-TEST_P(EveryBuiltin, ItsGlassIsClosed) {
+// In a closed mesh every edge occurs once in each direction. Vertices at the same position are equal.
+TEST_P(EveryBuiltin, HasClosedGlassMeshes) {
   using Place = std::array<float, 3>;
   for (const auto& group : scene.meshes) {
     const Mesh& mesh = *group.primitives[0].mesh;
-    if (!scene.materials[static_cast<size_t>(group.primitives[0].material)].solid()) continue;
+    if (!scene.materials[static_cast<size_t>(group.primitives[0].material)].is_solid()) continue;
     std::map<std::pair<Place, Place>, int> edges;
     const auto place = [&](uint32_t v) {
       const Vec3 p = mesh.positions[v];
@@ -167,7 +167,7 @@ TEST_P(EveryBuiltin, ItsGlassIsClosed) {
       ASSERT_EQ(count, 1) << group.name;
       ASSERT_EQ(edges.count({edge.second, edge.first}), 1U) << group.name;
     }
-    // Outwards: the volume is positive.
+    // The orientation is outwards: the signed volume is positive.
     double volume = 0;
     for (const auto& t : mesh.triangles)
       volume += glm::dot(mesh.positions[t[0]], glm::cross(mesh.positions[t[1]], mesh.positions[t[2]])) / 6;
@@ -175,7 +175,7 @@ TEST_P(EveryBuiltin, ItsGlassIsClosed) {
   }
 }
 
-TEST_P(EveryBuiltin, IsMadeTheSameEachTime) {
+TEST_P(EveryBuiltin, IsDeterministic) {
   const scene::Scene again = builtin.make();
   EXPECT_EQ(scene.nodes, again.nodes);
   EXPECT_EQ(scene.materials, again.materials);
@@ -203,8 +203,8 @@ double share(const char* name, const char* paths) {
          test::mean_of(test::rendered(small(name, ""), kSamples)).value;
 }
 
-// The seed is fixed; the shares of rare paths are known to about a third.
-TEST(Builtin, LightComesOnThePathsThatTheSceneIsThereFor) {
+// The seed is fixed. The shares of rare paths have a relative error of about one third.
+TEST(Builtin, ReceivesLightAlongItsCharacteristicPaths) {
   EXPECT_GT(share("cornell-spheres", "EDS+L"), 0.005);
   EXPECT_GT(share("cornell-spheres", "ES+.*L"), 0.05);
   EXPECT_GT(share("glossy-plates", "EGL"), 0.1);
@@ -214,18 +214,18 @@ TEST(Builtin, LightComesOnThePathsThatTheSceneIsThereFor) {
   EXPECT_GT(share("door-ajar", "EDD+L"), 0.2);
 }
 
-// What is under water is not lit but through it, and not seen but through it.
-TEST(Builtin, NoLightReachesThePoolWithoutItsWater) {
+// Surfaces under water are lit and seen only through the water surface.
+TEST(Builtin, PoolHasNoDirectLight) {
   auto d = small("caustic-pool", "EDL");
   auto scene = *d.scene;
   for (auto& node : scene.nodes)
-    node.visible = node.name == "lamp" || node.name == "water" || node.name.ends_with("tiles");
+    node.visible = node.name == "light" || node.name == "water" || node.name.ends_with("tiles");
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   EXPECT_EQ(test::mean_of(test::rendered(d, 4)).value, 0);
 }
 
-TEST(Builtin, TheLampIsNotSeenFromTheRoomOfTheDoor) {
-  // Direct light is to be seen of the next room alone, through the gap.
+TEST(Builtin, DoorAjarHasNoDirectLightInTheFrontRoom) {
+  // The only directly lit pixels show the next room through the gap.
   const film::Film direct = test::rendered(small("door-ajar", "E(D|G)L"), 16);
   int lit = 0;
   for (int y = 0; y < direct.height(); ++y)
@@ -234,12 +234,11 @@ TEST(Builtin, TheLampIsNotSeenFromTheRoomOfTheDoor) {
   EXPECT_LT(lit, 100) << "of 1024 pixels";
 }
 
-TEST(Builtin, TheRoomIsDarkWhenTheDoorIsShut) {
+TEST(Builtin, DoorAjarIsDarkWithAClosedDoor) {
   auto d = small("door-ajar", "");
   auto scene = *d.scene;
   for (auto& node : scene.nodes)
-    if (node.name == "door")
-      node.transform.rotation = {0, 0, 0, 1}, node.transform.translation = {1.05f, 1.025f, -0.12f};
+    if (node.name == "door") node.transform = {.translation = {1.05f, 1.025f, -0.12f}};
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   EXPECT_EQ(test::mean_of(test::rendered(d, 64)).value, 0);
 }
@@ -253,7 +252,7 @@ TEST(Load, ByNameOrFile) {
   EXPECT_EQ(missing.error().message, "/nowhere/scene.glb: there is no such file");
 }
 
-TEST(Load, AnUnknownNameIsToldTheKnownOnes) {
+TEST(Load, AnUnknownNameListsTheKnownOnes) {
   for (const auto& builtin : scene::builtins()) {
     EXPECT_EQ(scene::find_builtin(builtin.name), &builtin);
     EXPECT_TRUE(scene::load(builtin.name));

@@ -1,4 +1,4 @@
-// Every way in which numbers can be stored.
+// Accessors with all component types, layouts and sparse values.
 #include "scene/gltf_builder.h"
 
 namespace etendue::test {
@@ -94,7 +94,7 @@ TEST_F(Accessors, QuantisedAttributes) {
   const auto mesh = mesh_of(scene);
   EXPECT_EQ(mesh->positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, -1, 0}})) << "-32768 is -1 as well";
   EXPECT_EQ(mesh->normals[0], Vec3(0, 0, -1));
-  EXPECT_EQ(mesh->uvs[0][1], Vec2(3, 0)) << "integers that are not normalised stand for themselves";
+  EXPECT_EQ(mesh->uvs[0][1], Vec2(3, 0)) << "integers that are not normalised keep their values";
   EXPECT_EQ(mesh->uvs[0][2], Vec2(0, 65535));
   EXPECT_EQ(all(scene.warnings), "");
 }
@@ -113,10 +113,10 @@ TEST_F(Accessors, ColoursOfAllKinds) {
     const Vec4 c = mesh_of(scene, p)->colors.at(1);
     EXPECT_NEAR(glm::distance(c, Vec4(1, 0, 0.2f, 0.4f)), 0, 1e-6f) << p;
   }
-  EXPECT_EQ(mesh_of(scene, 2)->colors.at(1), Vec4(1, 0, 0.2f, 1)) << "three components are opaque";
+  EXPECT_EQ(mesh_of(scene, 2)->colors.at(1), Vec4(1, 0, 0.2f, 1)) << "colours with three components are opaque";
 }
 
-TEST_F(Accessors, UnusedVerticesAreLeftOut) {
+TEST_F(Accessors, UnusedVerticesAreRemoved) {
   Gltf gltf;
   std::vector<Vec3> many(100);
   for (size_t i = 0; i < many.size(); ++i) many[i] = Vec3(static_cast<float>(i), static_cast<float>(i * i), 0);
@@ -143,7 +143,7 @@ TEST_F(Accessors, EqualPrimitivesShareTheirMesh) {
   EXPECT_EQ(scene.meshes[1].primitives[0].material, 1);
 }
 
-TEST_F(Accessors, WhatShouldBeNormalisedIsReadSoWithAWarning) {
+TEST_F(Accessors, MissingNormalizedFlagIsRepairedWithAWarning) {
   Gltf gltf;
   const int color =
       gltf.accessor(gltf.view(std::vector<std::array<uint8_t, 4>>(3, {255, 0, 51, 255})), kUByte, "VEC4", 3);

@@ -1,4 +1,4 @@
-// What moves: interpolation, morph targets, skins.
+// Animations, morph targets and skins.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/gltf_builder.h"
@@ -39,7 +39,7 @@ TEST_F(Animations, Linear) {
   ASSERT_EQ(scene.animations.size(), 1U);
   EXPECT_EQ(scene.animations[0]->name, "move");
   EXPECT_EQ(scene.animations[0]->duration, 4);
-  EXPECT_EQ(place(scene, 0), Vec3(0)) << "before the first key its value holds";
+  EXPECT_EQ(place(scene, 0), Vec3(0)) << "constant before the first keyframe";
   EXPECT_EQ(place(scene, 1.25f), Vec3(2.5f, 0, 0));
   EXPECT_EQ(place(scene, 2), Vec3(10, 0, 0));
   EXPECT_EQ(place(scene, 3), Vec3(10, 10, 0));
@@ -54,7 +54,8 @@ TEST_F(Animations, Step) {
 }
 
 TEST_F(Animations, CubicSpline) {
-  // In-tangent, value, out-tangent; from 0 to 1 within two seconds, leaving with speed 3 and arriving with speed -1.
+  // In-tangent, value, out-tangent; from 0 to 1 within two seconds, with derivative 3 at the first keyframe and -1 at
+  // the second.
   Gltf gltf =
       animated("translation", "CUBICSPLINE", 3, {0, 2}, {0, 0, 0, 0, 0, 0, 3, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0});
   const auto scene = opened(gltf);
@@ -67,9 +68,9 @@ TEST_F(Animations, CubicSpline) {
   EXPECT_NEAR(place(scene, 1e-3f).x / 1e-3f, 3, 1e-2f);
 }
 
-TEST_F(Animations, RotationsTakeTheShortWayOnTheSphere) {
+TEST_F(Animations, RotationsUseTheShorterArc) {
   const float h = std::sqrt(0.5f);
-  for (const float sign : {1.0f, -1.0f}) {  // a quaternion and its negative are one rotation
+  for (const float sign : {1.0f, -1.0f}) {  // a quaternion and its negative are the same rotation
     Gltf gltf = animated("rotation", "LINEAR", 4, {0, 1}, {0, 0, 0, 1, 0, 0, sign * h, sign * h});
     const auto scene = opened(gltf);
     for (const float t : {0.0f, 0.2f, 0.5f, 1.0f}) {
@@ -90,7 +91,7 @@ TEST_F(Animations, RotationsInNormalisedIntegers) {
   EXPECT_LT(glm::distance(matrix(opened(gltf), 1)[0], Vec4(0, 1, 0, 0)), 1e-4f);
 }
 
-TEST_F(Animations, ScaleKeepsTheOtherParts) {
+TEST_F(Animations, ScaleKeepsTranslationAndRotation) {
   Gltf gltf = animated("scale", "LINEAR", 3, {0, 1}, {1, 1, 1, 3, 3, 3});
   gltf.root["nodes"][0]["translation"] = {1, 2, 3};
   const Mat4 m = matrix(opened(gltf), 0.5f);
@@ -98,7 +99,7 @@ TEST_F(Animations, ScaleKeepsTheOtherParts) {
   EXPECT_EQ(m[3], Vec4(1, 2, 3, 1));
 }
 
-TEST_F(Animations, WrongOnesAreLeftOut) {
+TEST_F(Animations, InvalidChannelsAreIgnored) {
   const auto refused = [&](Gltf gltf, const char* text) {
     const auto scene = opened(gltf);
     EXPECT_TRUE(scene.animations[0]->channels.empty());
@@ -119,7 +120,7 @@ TEST_F(Animations, WrongOnesAreLeftOut) {
   refused(std::move(gltf), "its node has a matrix");
 }
 
-TEST_F(Animations, OfSeveralTheFirstPlaysAndThoseThatDoNotDisturbIt) {
+TEST_F(Animations, AnimationsOfTheSameNodeDoNotPlayTogether) {
   Gltf gltf = animated("translation", "STEP", 3, {0}, {1, 0, 0});
   const int input = gltf.root["animations"][0]["samplers"][0]["input"];
   json second = gltf.root["animations"][0], third = second;
@@ -159,8 +160,8 @@ TEST_F(Morphs, WeightsOfMeshAndNode) {
   EXPECT_EQ(mesh->positions[1], Vec3(1.5f, 0, 2));
   EXPECT_LT(glm::distance(mesh->normals[0], glm::normalize(Vec3(0.25f, 0, 1))), 1e-6f);
   gltf.root["nodes"][0]["weights"] = {1, 0};
-  EXPECT_EQ(posed(opened(gltf))->positions[1], Vec3(1, 0, 4)) << "the node's weights count";
-  EXPECT_EQ(mesh_of(opened(gltf))->positions[1], Vec3(1, 0, 0)) << "the mesh at rest stays";
+  EXPECT_EQ(posed(opened(gltf))->positions[1], Vec3(1, 0, 4)) << "weights of the node take precedence";
+  EXPECT_EQ(mesh_of(opened(gltf))->positions[1], Vec3(1, 0, 0)) << "the undeformed mesh is unchanged";
 }
 
 TEST_F(Morphs, WeightsAreAnimated) {
@@ -174,14 +175,14 @@ TEST_F(Morphs, WeightsAreAnimated) {
   EXPECT_EQ(scene::world_bounds(scene).max, Vec3(1.5f, 1, 2));
 }
 
-TEST_F(Morphs, TrianglesThatAreEmptyAtRestStay) {
+TEST_F(Morphs, DegenerateTrianglesAreKept) {
   Gltf gltf;
   json& primitive = gltf.primitive({{"POSITION", gltf.vec3(std::vector<Vec3>(3, Vec3(0)))}});
   primitive["targets"] = {{{"POSITION", gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})}}};
   EXPECT_EQ(mesh_of(opened(gltf))->triangles.size(), 1U);
 }
 
-TEST_F(Morphs, FollowVerticesThatAreSplitForTangents) {
+TEST_F(Morphs, ApplyToVerticesThatAreSplitForTangents) {
   Gltf gltf;
   json& square = gltf.square();
   square["attributes"].erase("NORMAL");
@@ -197,7 +198,8 @@ TEST_F(Morphs, FollowVerticesThatAreSplitForTangents) {
 
 class Skins : public Morphs {
  protected:
-  // A strip between two joints: node 1 at the origin, node 2 above it. Node 0 shows it, moved away to no effect.
+  // A strip between two joints: node 1 at the origin and node 2 above it. The translation of node 0, which shows the
+  // mesh, has no effect.
   static Gltf skinned(const std::vector<Vec4>& weights, std::array<uint8_t, 4> joints = {0, 1, 0, 0}) {
     Gltf gltf;
     const json attributes = {
@@ -222,9 +224,9 @@ TEST_F(Skins, VerticesFollowTheirJoints) {
   EXPECT_EQ(all(scene.warnings), "");
   const auto result = scene::posed_mesh(scene, 0, scene.meshes[0].primitives[0], scene::world_matrices(scene));
   EXPECT_TRUE(result.in_world);
-  // The second joint is a quarter turn about z at (0,1,0): what stood one above it now lies one to its left.
+  // The second joint rotates by 90 degrees about z at (0, 1, 0): a point one unit above it moves one unit to its left.
   EXPECT_LT(glm::distance(result.mesh->positions[2], Vec3(-1, 1, 0)), 1e-5f);
-  EXPECT_EQ(result.mesh->positions[1], Vec3(1, 0, 0)) << "the node's own transform does not count";
+  EXPECT_EQ(result.mesh->positions[1], Vec3(1, 0, 0)) << "the transform of the node has no effect";
   EXPECT_LT(glm::distance(result.mesh->normals[2], Vec3(0, 0, 1)), 1e-5f);
 }
 
@@ -236,10 +238,10 @@ TEST_F(Skins, WeightsAreNormalised) {
       << all(scene.warnings);
   const auto& weights = scene.meshes[0].primitives[0].deformation->weights;
   EXPECT_EQ(weights[0], Vec4(0.5f, 0.5f, 0, 0));
-  EXPECT_EQ(weights[1], Vec4(1, 0, 0, 0)) << "a vertex without weights hangs on its first joint";
+  EXPECT_EQ(weights[1], Vec4(1, 0, 0, 0)) << "a vertex without weights belongs to its first joint";
 }
 
-TEST_F(Skins, JointsBeyondTheSkinAreIgnored) {
+TEST_F(Skins, MissingJointsAreIgnored) {
   Gltf gltf = skinned({{0.5f, 0.5f, 0, 0}, {1, 0, 0, 0}, {1, 0, 0, 0}}, {0, 9, 0, 0});
   const auto scene = opened(gltf);
   EXPECT_TRUE(warns(scene, "nodes[0]: vertices of its mesh hang on joints that its skin does not have (it has 2)"))

@@ -1,5 +1,4 @@
-// Small glTF files made by the tests that read them: arrays become accessors of one buffer, the rest is JSON to be
-// changed at will before it is written.
+// Builds small glTF files for tests. Arrays become accessors of one buffer; the rest is JSON that tests edit.
 #pragma once
 #include <cstring>
 #include <filesystem>
@@ -11,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/vec.h"
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 
 namespace etendue::test {
 
@@ -24,7 +23,7 @@ class Gltf {
   json root = {
       {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", {0}}}}}, {"nodes", {{{"mesh", 0}}}}};
 
-  // Bytes as a bufferView; its index.
+  // Adds a buffer view; returns its index.
   int view(const void* data, size_t size, int stride = 0) {
     bytes_.resize((bytes_.size() + 3) / 4 * 4);
     json v = {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", size}};
@@ -54,7 +53,7 @@ class Gltf {
   int mat4(const std::vector<Mat4>& v) { return accessor(view(v), kFloat, "MAT4", v.size()); }
   int indices(const std::vector<uint16_t>& v) { return accessor(view(v), kUShort, "SCALAR", v.size()); }
 
-  // Adds to mesh 0, which node 0 shows.
+  // Adds a primitive to mesh 0, the mesh of node 0.
   json& primitive(const json& attributes, int indices = -1) {
     json p = {{"attributes", attributes}};
     if (indices >= 0) p["indices"] = indices;
@@ -101,7 +100,7 @@ class Gltf {
   std::vector<char> bytes_;
 };
 
-// A folder of its own for every test.
+// Each test has its own folder.
 class GltfTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -123,7 +122,7 @@ class GltfTest : public testing::Test {
     return scene::load_gltf(write("test.glb", gltf.glb()), options);
   }
 
-  // Loads what has to be loadable.
+  // Loads a file that must be valid.
   scene::Scene opened(Gltf& gltf) const {
     auto scene = load(gltf);
     if (scene) return std::move(*scene);
@@ -137,7 +136,7 @@ class GltfTest : public testing::Test {
     return std::make_shared<Mesh>();
   }
 
-  // The message without the file's name; empty if it loaded.
+  // The error message without the file name; empty if the file loads.
   std::string error_of(Gltf& gltf) const { return stripped(load(gltf)); }
   std::string error_of(const std::string& content) const {
     return stripped(scene::load_gltf(write("test.gltf", content)));

@@ -1,4 +1,4 @@
-// Compressed geometry: what comes out is what went in, and damaged data end in one line.
+// Compressed geometry is decoded to the original, and damaged data are rejected with one line.
 #include <draco/compression/expert_encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 #include <meshoptimizer.h>
@@ -11,7 +11,7 @@
 namespace etendue::test {
 namespace {
 
-// A bumpy grid, as files would compress one.
+// A grid with a height field.
 struct Grid {
   static constexpr uint32_t kSide = 24;
   std::vector<Vec3> positions, normals;
@@ -35,7 +35,7 @@ struct Grid {
   }
 };
 
-// The greatest distance between a corner of one mesh and the same corner of the triangle of the other that is nearest.
+// The largest distance between corresponding corners of a triangle of one mesh and the nearest triangle of the other.
 float distance(const Mesh& a, const Mesh& b) {
   float worst = 0;
   const auto corner = [](const Mesh& m, const Triangle& t, size_t k) { return m.positions[t[k % 3]]; };
@@ -95,7 +95,7 @@ class Draco : public GltfTest {
   }
 };
 
-TEST_F(Draco, BothMethodsGiveBackTheMesh) {
+TEST_F(Draco, BothMethodsRestoreTheMesh) {
   const Grid grid;
   for (const int method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
     Gltf gltf = file(encoded(method));
@@ -111,7 +111,7 @@ TEST_F(Draco, BothMethodsGiveBackTheMesh) {
     EXPECT_LT(distance(original, *mesh), 1e-4f);
     EXPECT_LT(distance(*mesh, original), 1e-4f);
     for (size_t v = 0; v < mesh->positions.size(); ++v) {
-      EXPECT_LT(glm::length(mesh->uvs[0][v] - Vec2(mesh->positions[v])), 1e-3f) << "uv is the place in the grid";
+      EXPECT_LT(glm::length(mesh->uvs[0][v] - Vec2(mesh->positions[v])), 1e-3f) << "uv is the position in the grid";
       const auto x = static_cast<size_t>(std::lround(mesh->uvs[0][v].x * Grid::kSide)),
                  y = static_cast<size_t>(std::lround(mesh->uvs[0][v].y * Grid::kSide));
       EXPECT_LT(glm::length(mesh->normals[v] - grid.normals[y * (Grid::kSide + 1) + x]), 1e-2f);
@@ -127,7 +127,7 @@ TEST_F(Draco, AnUncompressedCopyIsPreferred) {
   EXPECT_EQ(mesh_of(opened(gltf))->positions.size(), 4U);
 }
 
-TEST_F(Draco, PrimitivesThatDifferInMaterialAloneShareTheMesh) {
+TEST_F(Draco, PrimitivesThatDifferOnlyInMaterialShareTheMesh) {
   Gltf gltf = file(encoded(draco::MESH_EDGEBREAKER_ENCODING));
   json& primitives = gltf.root["meshes"][0]["primitives"];
   primitives.push_back(primitives[0]);
@@ -137,7 +137,7 @@ TEST_F(Draco, PrimitivesThatDifferInMaterialAloneShareTheMesh) {
   EXPECT_EQ(mesh_of(scene, 0), mesh_of(scene, 1));
 }
 
-TEST_F(Draco, CountsOfAccessorsThatLieAreCorrected) {
+TEST_F(Draco, WrongAccessorCountsAreCorrected) {
   Gltf gltf = file(encoded(draco::MESH_EDGEBREAKER_ENCODING));
   gltf.root["accessors"][0]["count"] = 7;
   const auto scene = opened(gltf);
@@ -148,7 +148,7 @@ TEST_F(Draco, CountsOfAccessorsThatLieAreCorrected) {
 
 constexpr const char* kDracoWhere = "meshes[0].primitives[0].extensions.KHR_draco_mesh_compression";
 
-TEST_F(Draco, WhatIsWrongIsSaid) {
+TEST_F(Draco, DefectsAreReported) {
   const std::string bytes = encoded(draco::MESH_EDGEBREAKER_ENCODING);
   const auto error = [&](const std::string& data) {
     Gltf gltf = file(data);
@@ -170,12 +170,12 @@ TEST_F(Draco, WhatIsWrongIsSaid) {
   EXPECT_TRUE(error_of(view).starts_with(where + ": ends at byte 1048576, but buffers[0] has ")) << error_of(view);
 }
 
-// Counts that would need gigabytes are found before memory is taken.
-TEST_F(Draco, HugeCountsAreRefused) {
+// Counts that would need gigabytes are rejected before memory is allocated.
+TEST_F(Draco, HugeCountsAreRejected) {
   const std::string varint = "\xff\xff\xff\xff\x0f";
   for (const int method : {draco::MESH_SEQUENTIAL_ENCODING, draco::MESH_EDGEBREAKER_ENCODING}) {
     std::string bytes = encoded(method);
-    // Behind the header of eleven bytes: the kind of the traversal (Edgebreaker only), two counts.
+    // After the header of eleven bytes: the traversal type (Edgebreaker only) and two counts.
     bytes.replace(method == draco::MESH_EDGEBREAKER_ENCODING ? 12 : 11, 4, varint + varint);
     Gltf gltf = file(bytes);
     const std::string error = error_of(gltf);
@@ -185,7 +185,7 @@ TEST_F(Draco, HugeCountsAreRefused) {
 
 class Meshopt : public GltfTest {
  protected:
-  // A view whose bytes are `in`, compressed, and come out as `count` elements of `stride` bytes.
+  // A buffer view with the compressed bytes `in`, which decode to `count` elements of `stride` bytes.
   static int view(Gltf& gltf, const std::string& in, size_t count, size_t stride, const char* mode,
                   const char* filter = nullptr) {
     gltf.view(in.data(), in.size());
@@ -254,7 +254,7 @@ class Meshopt : public GltfTest {
   }
 };
 
-TEST_F(Meshopt, EveryModeGivesBackTheMesh) {
+TEST_F(Meshopt, EveryModeRestoresTheMesh) {
   const Grid grid;
   for (const char* mode : {"TRIANGLES", "INDICES"}) {
     Gltf gltf = file(mode);
@@ -298,7 +298,7 @@ TEST_F(Meshopt, QuaternionsOfAnimations) {
   }
 }
 
-TEST_F(Meshopt, WhatIsWrongIsSaid) {
+TEST_F(Meshopt, DefectsAreReported) {
   const auto error = [&](const char* member, const json& value, int view = 0) {
     Gltf gltf = file();
     gltf.root["bufferViews"][view]["extensions"]["EXT_meshopt_compression"][member] = value;
@@ -306,7 +306,7 @@ TEST_F(Meshopt, WhatIsWrongIsSaid) {
   };
   const std::string first = "bufferViews[0].extensions.EXT_meshopt_compression: ",
                     last = "bufferViews[3].extensions.EXT_meshopt_compression: ";
-  EXPECT_EQ(error("buffer", 7), first + "there is no buffers[7]; the file has 2");
+  EXPECT_EQ(error("buffer", 7), first + "refers to buffers[7], which does not exist; the file has 2");
   EXPECT_EQ(error("buffer", 1), first + "buffers[1] is a placeholder for what is compressed");
   EXPECT_TRUE(error("byteOffset", 1 << 30).starts_with(first + "ends at byte "));
   EXPECT_EQ(error("count", -1), first + "count has to be there and to be a whole number that is not negative");
@@ -319,12 +319,12 @@ TEST_F(Meshopt, WhatIsWrongIsSaid) {
   EXPECT_EQ(error("count", 100, 3), last + "count 100 has to be a multiple of three for triangles");
   EXPECT_EQ(error("filter", "EXPONENTIAL", 3), last + "has a filter, which only attributes can have");
   EXPECT_TRUE(error("count", 700).starts_with(first + "its ")) << error("count", 700);
-  EXPECT_TRUE(error("count", uint64_t{1} << 50).starts_with(first)) << "without taking memory for it";
+  EXPECT_TRUE(error("count", uint64_t{1} << 50).starts_with(first)) << "without allocating memory for it";
   EXPECT_TRUE(error("count", 40'000'000).starts_with(first + "would need more than ")) << error("count", 40'000'000);
 }
 
-// Bytes flipped, cut off and made up: an answer in one line or a mesh, never anything else. What comes out of damaged
-// data is still bounded by what the loader checks of any mesh.
+// Flipped, truncated and random bytes give a message of one line or a mesh. Meshes from damaged data still pass the
+// checks of the loader.
 class CompressedDamage : public Draco {
  protected:
   void expect_survives(const std::function<std::string(const std::string&)>& glb_of, const std::string& good) {
@@ -361,7 +361,7 @@ TEST_F(CompressedDamage, DracoEdgebreaker) {
 
 class MeshoptDamage : public Meshopt {};
 
-TEST_F(MeshoptDamage, OfTheBinaryChunk) {
+TEST_F(MeshoptDamage, BinaryChunk) {
   Gltf gltf = file();
   const std::string good = glb(gltf);
   const size_t first = good.find(std::string("BIN\0", 4)) + 4;
@@ -379,7 +379,7 @@ TEST_F(MeshoptDamage, OfTheBinaryChunk) {
 // Published files and the same models uncompressed.
 class CompressedData : public testing::TestWithParam<std::array<const char*, 2>> {};
 
-TEST_P(CompressedData, IsTheModel) {
+TEST_P(CompressedData, EqualsTheUncompressedFile) {
   const std::filesystem::path folder = data_folder();
   if (folder.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
   std::array<Mesh, 2> meshes;
@@ -387,7 +387,7 @@ TEST_P(CompressedData, IsTheModel) {
     const auto scene = scene::load_gltf(folder / "gltf" / GetParam()[i]);
     ASSERT_TRUE(scene) << scene.error().message;
     meshes[i] = *scene->meshes.at(0).primitives.at(0).mesh;
-    // gltfpack puts the scale into the node.
+    // gltfpack stores the scale in the node.
     const auto world = scene::world_matrices(*scene);
     for (size_t n = 0; n < scene->nodes.size(); ++n)
       if (scene->nodes[n].mesh == 0)
@@ -395,7 +395,8 @@ TEST_P(CompressedData, IsTheModel) {
   }
   ASSERT_EQ(meshes[0].triangles.size(), meshes[1].triangles.size());
   const Bounds bounds = bounds_of(meshes[1], Mat4(1));
-  const float steps = max_component(bounds.max - bounds.min) / 1024;  // ten bits, the coarsest that encoders use
+  const float steps =
+      max_component(bounds.max - bounds.min) / 1024;  // quantisation to 10 bits, the coarsest that encoders use
   EXPECT_LT(distance(meshes[0], meshes[1]), 2 * steps);
   EXPECT_LT(distance(meshes[1], meshes[0]), 2 * steps);
 }

@@ -1,10 +1,10 @@
-// Real files: everything valid opens, nothing invalid crashes, and messages are one line.
+// Files of the test data: valid ones open, invalid ones do not crash, and messages are one line.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "scene/compiled_scene.h"
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -29,7 +29,7 @@ class GltfData : public testing::Test {
   fs::path folder_;
 };
 
-// What needs a decoder that is not there, or a later glTF, has to say so by name.
+// Files that need an unsupported extension or a later glTF version; the message names it.
 bool names_what_is_missing(const std::string& message) {
   return message.find("requires the extension ") != std::string::npos ||
          message.find("needs glTF 2.1") != std::string::npos;
@@ -52,7 +52,7 @@ TEST_F(GltfData, ValidFilesOpenAndCompile) {
   EXPECT_GT(opened, 120);
 }
 
-TEST_F(GltfData, InvalidFilesAreRefusedOrRepairedInOneLine) {
+TEST_F(GltfData, InvalidFilesAreRejectedOrRepairedInOneLine) {
   int refused = 0, seen = 0;
   for (const auto& file : gltf_files(folder_ / "gltf-invalid")) {
     ++seen;

@@ -1,4 +1,4 @@
-// The shell of a file: JSON, GLB chunks, URIs, versions, extensions.
+// File structure: JSON, GLB chunks, URIs, versions, extensions.
 #include "scene/gltf_builder.h"
 
 namespace etendue::test {
@@ -47,7 +47,7 @@ TEST_F(Files, ExternalFilesWithSpacesPercentsAndUnicode) {
   }
 }
 
-TEST_F(Files, MissingBuffersSayWhere) {
+TEST_F(Files, MissingBuffersAreReported) {
   EXPECT_EQ(error_of(described("gone.bin").dump()),
             "meshes[0].primitives[0].attributes.POSITION: buffers[0] its file 'gone.bin' cannot be had: there is no "
             "such file");
@@ -69,7 +69,7 @@ TEST_F(Files, BuffersMayBeLongerButNotShorterThanNeeded) {
             "meshes[0].primitives[0].attributes.POSITION: bufferView 0 ends at byte 36, but buffer 0 has 30");
 }
 
-TEST_F(Files, NoFileNoJsonNoGltf) {
+TEST_F(Files, FilesThatAreNotGltf) {
   const auto message = [](const std::filesystem::path& path) {
     const auto scene = scene::load_gltf(path);
     return scene ? "" : scene.error().message;
@@ -83,7 +83,7 @@ TEST_F(Files, NoFileNoJsonNoGltf) {
   EXPECT_EQ(error_of("{}"), "is no glTF: asset.version is missing");
 }
 
-TEST_F(Files, DeepNestingIsRefused) {
+TEST_F(Files, DeepNestingIsRejected) {
   const std::string deep =
       "{\"asset\":{\"version\":\"2.0\"},\"extras\":" + std::string(100000, '[') + std::string(100000, ']') + "}";
   EXPECT_EQ(error_of(deep), "the JSON is nested more than 64 levels deep");
@@ -92,7 +92,8 @@ TEST_F(Files, DeepNestingIsRefused) {
 TEST_F(Files, Versions) {
   const auto with_asset = [&](const char* asset) { return error_of(std::string("{\"asset\":") + asset + "}"); };
   EXPECT_EQ(with_asset("{\"version\":\"2.0\"}"), "");
-  EXPECT_EQ(with_asset("{\"version\":\"2.1\"}"), "") << "later minor versions are compatible unless they say otherwise";
+  EXPECT_EQ(with_asset("{\"version\":\"2.1\"}"), "")
+      << "later minor versions are compatible unless minVersion excludes 2.0";
   EXPECT_EQ(with_asset("{\"version\":\"1.0\"}"), "is glTF of version 1.0 (asset.version); 2.0 is what can be read");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\",\"minVersion\":\"2.1\"}"),
             "needs glTF 2.1 (asset.minVersion); 2.0 is what can be read");
@@ -119,19 +120,19 @@ TEST_F(Files, GlbHeader) {
   EXPECT_EQ(error_of(patched(16, 0x004e4942)), "chunk 0: is no JSON; a GLB begins with a chunk of JSON");
 }
 
-TEST_F(Files, GlbOddities) {
+TEST_F(Files, GlbWithUnusualChunks) {
   Gltf gltf;
   gltf.triangle();
   const auto trailing = scene::load_gltf(write("test.glb", gltf.glb() + "tail"));
   ASSERT_TRUE(trailing);
   EXPECT_TRUE(warns(*trailing, "4 bytes after the end of the GLB are ignored"));
-  // Chunks of other types are ignored, wherever the file adds them.
+  // Chunks of unknown types are ignored at any position.
   std::string file = gltf.glb() + Gltf::word(4) + "XTRA" + "abcd";
   file.replace(8, 4, Gltf::word(file.size()));
   EXPECT_EQ(error_of(file), "");
 }
 
-TEST_F(Files, ByteOrderMarkIsForgiven) {
+TEST_F(Files, ByteOrderMarkIsIgnored) {
   const auto scene = scene::load_gltf(write("bom.gltf", "\xef\xbb\xbf{\"asset\":{\"version\":\"2.0\"}}"));
   ASSERT_TRUE(scene) << scene.error().message;
   EXPECT_TRUE(warns(*scene, "byte order mark"));
@@ -148,7 +149,7 @@ TEST_F(Files, Extensions) {
   EXPECT_EQ(error_of(gltf), "requires the extension KHR_materials_dispersion, which is not supported");
 }
 
-TEST_F(Files, ScenesAreChosen) {
+TEST_F(Files, SceneSelection) {
   Gltf gltf;
   gltf.triangle();
   gltf.root["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"children", {2}}}, {{"mesh", 0}}};
@@ -165,10 +166,10 @@ TEST_F(Files, ScenesAreChosen) {
   gltf.root.erase("scene");
   EXPECT_EQ(opened(gltf).roots, std::vector<int>{0});
   gltf.root.erase("scenes");
-  EXPECT_EQ(opened(gltf).roots, (std::vector<int>{0, 1})) << "without scenes, everything that has no parent is shown";
+  EXPECT_EQ(opened(gltf).roots, (std::vector<int>{0, 1})) << "without scenes, all nodes without a parent are roots";
 }
 
-TEST_F(Files, LoadingReportsAndStops) {
+TEST_F(Files, ProgressAndCancellation) {
   Gltf gltf;
   gltf.triangle();
   std::vector<std::string> phases;

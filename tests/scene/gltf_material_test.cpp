@@ -25,7 +25,7 @@ class Materials : public GltfTest {
   }
 };
 
-TEST_F(Materials, DefaultsAreTheSpecifications) {
+TEST_F(Materials, DefaultsFollowTheSpecification) {
   const Material m = material(json::object());
   EXPECT_EQ(m, Material{});
   EXPECT_EQ(m.metallic, 1);
@@ -34,7 +34,7 @@ TEST_F(Materials, DefaultsAreTheSpecifications) {
   none.triangle();
   const auto scene = opened(none);
   ASSERT_EQ(scene.materials.size(), 1U);
-  EXPECT_EQ(scene.meshes[0].primitives[0].material, 0) << "primitives without a material share the default at the end";
+  EXPECT_EQ(scene.meshes[0].primitives[0].material, 0) << "the last material is the default";
 }
 
 TEST_F(Materials, Factors) {
@@ -80,7 +80,7 @@ TEST_F(Materials, Unlit) { EXPECT_TRUE(extended("KHR_materials_unlit", json::obj
 TEST_F(Materials, Ior) {
   EXPECT_EQ(extended("KHR_materials_ior", {{"ior", 1.33}}).ior, 1.33f);
   EXPECT_EQ(extended("KHR_materials_ior", json::object()).ior, 1.5f);
-  EXPECT_EQ(extended("KHR_materials_ior", {{"ior", 0}}).ior, 0) << "zero means a Fresnel term of one";
+  EXPECT_EQ(extended("KHR_materials_ior", {{"ior", 0}}).ior, 0) << "0 means a Fresnel term of 1";
   EXPECT_EQ(extended("KHR_materials_ior", {{"ior", 0.5}}).ior, 1);
 }
 
@@ -101,13 +101,13 @@ TEST_F(Materials, TransmissionAndVolume) {
       extended("KHR_materials_transmission", {{"transmissionFactor", 0.75}, {"transmissionTexture", {{"index", 1}}}});
   EXPECT_EQ(thin.transmission, 0.75f);
   EXPECT_EQ(thin.transmission_texture.texture, 1);
-  EXPECT_FALSE(thin.solid());
+  EXPECT_FALSE(thin.is_solid());
   const Material solid =
       material({{"extensions",
                  {{"KHR_materials_transmission", {{"transmissionFactor", 1}}},
                   {"KHR_materials_volume",
                    {{"thicknessFactor", 2}, {"attenuationDistance", 0.5}, {"attenuationColor", {0.1, 0.2, 1}}}}}}});
-  EXPECT_TRUE(solid.solid());
+  EXPECT_TRUE(solid.is_solid());
   EXPECT_EQ(solid.attenuation_distance, 0.5f);
   EXPECT_EQ(solid.attenuation_color, Rgb(0.1f, 0.2f, 1));
   EXPECT_EQ(extended("KHR_materials_volume", {{"thicknessFactor", 1}}).attenuation_distance, kInfinity);
@@ -123,7 +123,7 @@ TEST_F(Materials, Anisotropy) {
   EXPECT_EQ(m.anisotropy_texture.uv_set, 1);
 }
 
-// A reference that uses everything a reference can say.
+// A texture reference with all members.
 json moved_texture(int index) {
   return {{"index", index},
           {"texCoord", 1},
@@ -173,7 +173,7 @@ TEST_F(Materials, Iridescence) {
                                                             {"iridescenceThicknessTexture", moved_texture(1)}});
   EXPECT_EQ(m.iridescence, 0.5f);
   EXPECT_EQ(m.iridescence_ior, 1.75f);
-  EXPECT_EQ(m.iridescence_thickness_min, 300) << "thickness may fall where the texture grows";
+  EXPECT_EQ(m.iridescence_thickness_min, 300) << "the minimum may exceed the maximum";
   EXPECT_EQ(m.iridescence_thickness_max, 200);
   expect_moved(m.iridescence_texture, 0);
   expect_moved(m.iridescence_thickness_texture, 1);
@@ -192,7 +192,7 @@ TEST_F(Materials, DiffuseTransmission) {
 }
 
 TEST_F(Materials, SpecularGlossiness) {
-  // The metallic-roughness values beside it are for those who cannot read it.
+  // The metallic-roughness values are a fallback for readers without the extension.
   const Material m = material({{"pbrMetallicRoughness", {{"baseColorFactor", {1, 0, 0, 1}}, {"metallicFactor", 1}}},
                                {"extensions",
                                 {{"KHR_materials_pbrSpecularGlossiness",
@@ -216,7 +216,7 @@ TEST_F(Materials, SpecularGlossiness) {
   EXPECT_EQ(usual.roughness, 0) << "the default is a perfect mirror";
 }
 
-TEST_F(Materials, ExtensionsOutsideTheirRangeAreRepairedAndSaidToBe) {
+TEST_F(Materials, ValuesOutOfRangeAreRepairedWithAWarning) {
   Gltf gltf = with({{"extensions",
                      {{"KHR_materials_clearcoat", {{"clearcoatFactor", 2}, {"clearcoatRoughnessFactor", -1}}},
                       {"KHR_materials_sheen", {{"sheenColorFactor", {0, 1.5, 0}}}},
@@ -238,7 +238,7 @@ TEST_F(Materials, ExtensionsOutsideTheirRangeAreRepairedAndSaidToBe) {
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
 }
 
-TEST_F(Materials, ExtensionsOfTheWrongTypeAreRefused) {
+TEST_F(Materials, ExtensionsOfTheWrongTypeAreRejected) {
   for (const auto& [extension, member] :
        {std::pair("KHR_materials_clearcoat", "clearcoatFactor"), std::pair("KHR_materials_sheen", "sheenColorFactor"),
         std::pair("KHR_materials_pbrSpecularGlossiness", "diffuseFactor"),
@@ -256,8 +256,8 @@ TEST_F(Materials, TextureTransform) {
   EXPECT_EQ(use.offset, Vec2(0.5f, -1));
   EXPECT_EQ(use.scale, Vec2(2, 3));
   EXPECT_EQ(use.rotation, 0.25f);
-  EXPECT_EQ(use.uv_set, 1) << "the transform's set overrides";
-  // Inside another extension, without a set of its own.
+  EXPECT_EQ(use.uv_set, 1) << "the set of the transform takes precedence";
+  // Inside another extension, without texCoord in the transform.
   const auto inner =
       extended("KHR_materials_specular",
                {{"specularTexture",
@@ -268,14 +268,14 @@ TEST_F(Materials, TextureTransform) {
   EXPECT_EQ(inner.uv_set, 1);
 }
 
-TEST_F(Materials, ThirdSetOfCoordinates) {
+TEST_F(Materials, ThirdTextureCoordinateSet) {
   Gltf gltf = with({{"emissiveTexture", {{"index", 0}, {"texCoord", 2}}}});
   const auto scene = opened(gltf);
   EXPECT_EQ(scene.materials[0].emission_texture.uv_set, 0);
   EXPECT_TRUE(warns(scene, "materials[0]: emissiveTexture uses TEXCOORD_2"));
 }
 
-TEST_F(Materials, NumbersOutsideTheirRange) {
+TEST_F(Materials, FactorsOutOfRange) {
   const Material m = material(
       {{"pbrMetallicRoughness", {{"baseColorFactor", {2, -1, 0.5, 7}}, {"metallicFactor", -3}, {"roughnessFactor", 9}}},
        {"emissiveFactor", {-1, 0, 3}},
@@ -290,13 +290,13 @@ TEST_F(Materials, NumbersOutsideTheirRange) {
 
 class Textures : public Materials {
  protected:
-  // A PNG of one line.
+  // A PNG file with one row.
   static std::string png(const std::vector<uint8_t>& rgb) {
     return png_file(static_cast<uint32_t>(rgb.size() / 3), 8, kTrueColour, {std::string(rgb.begin(), rgb.end())});
   }
 };
 
-TEST_F(Textures, FromFileViewAndData) {
+TEST_F(Textures, FromFileBufferViewAndDataUri) {
   const std::string picture = png({255, 0, 0, 0, 0, 255});
   write("red blue.png", picture);
   Gltf gltf = with({{"emissiveTexture", {{"index", 0}}}});
@@ -320,7 +320,7 @@ TEST_F(Textures, FromFileViewAndData) {
     EXPECT_EQ(texture.image->width, 2);
     EXPECT_EQ(texture.image->bytes, (std::vector<uint8_t>{255, 0, 0, 0, 0, 255}));
   }
-  EXPECT_EQ(scene.textures[0].image, scene.textures[3].image) << "a picture is decoded once";
+  EXPECT_EQ(scene.textures[0].image, scene.textures[3].image) << "each image is decoded once";
 }
 
 TEST_F(Textures, Samplers) {
@@ -340,7 +340,7 @@ TEST_F(Textures, Samplers) {
   }
 }
 
-TEST_F(Textures, PicturesThatCannotBeHadLeaveTheFactors) {
+TEST_F(Textures, MissingImagesFallBackToFactors) {
   write("broken.png", png({1, 2, 3}).substr(0, 40));
   write("text.png", "no picture");
   Gltf gltf = with({{"emissiveTexture", {{"index", 0}}}});
@@ -355,13 +355,13 @@ TEST_F(Textures, PicturesThatCannotBeHadLeaveTheFactors) {
   for (const Texture& texture : scene.textures) EXPECT_FALSE(texture.image);
   for (const char* text :
        {"images[0] 'broken.png': ", "images[1] 'text.png': ",
-        "images[2] 'https://example.com/a.png': its uri names no local file",
+        "images[2] 'https://example.com/a.png': has a uri that is not a local file",
         "images[3]: has neither uri nor bufferView", "images[4]: ", "images[5]: bufferView 99 does not exist",
         "images[6] 'data:image/png...': its data URI is malformed", "textures[7]: has no picture"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
 }
 
-TEST_F(Textures, ViewsOfPicturesMayLie) {
+TEST_F(Textures, InvalidBufferViewsOfImages) {
   Gltf gltf = with({{"emissiveTexture", {{"index", 0}}}});
   const int view = gltf.view(std::vector<uint8_t>(8));
   gltf.root["bufferViews"][view]["byteLength"] = 1 << 30;
@@ -371,9 +371,9 @@ TEST_F(Textures, ViewsOfPicturesMayLie) {
   EXPECT_TRUE(warns(scene, "images[0]: bufferView 1 ends at byte")) << all(scene.warnings);
 }
 
-TEST_F(Textures, WebpIsPreferredWhereTheFileOffersIt) {
+TEST_F(Textures, WebpTakesPrecedence) {
   write("fallback.png", png({9, 9, 9}));
-  write("better.png", png({7, 7, 7}));  // the content decides, not the name
+  write("better.png", png({7, 7, 7}));  // the format follows from the content, not from the file name
   Gltf gltf = with({{"emissiveTexture", {{"index", 0}}}});
   gltf.root["images"] = {{{"uri", "fallback.png"}}, {{"uri", "better.png"}}};
   gltf.root["textures"] = {{{"source", 0}, {"extensions", {{"EXT_texture_webp", {{"source", 1}}}}}}};
@@ -381,7 +381,7 @@ TEST_F(Textures, WebpIsPreferredWhereTheFileOffersIt) {
   EXPECT_EQ(opened(gltf).textures[0].image->bytes, (std::vector<uint8_t>{7, 7, 7}));
 }
 
-// No library here reads KTX2: the extension is named as ignored, and the plain picture beside it is used.
+// KTX2 is not supported: the extension is reported as ignored, and the PNG or JPEG fallback is used.
 TEST_F(Textures, BasisUniversalFallsBack) {
   write("fallback.png", png({9, 9, 9}));
   Gltf gltf = with({{"emissiveTexture", {{"index", 0}}}});
@@ -393,7 +393,8 @@ TEST_F(Textures, BasisUniversalFallsBack) {
   EXPECT_EQ(scene.unsupported, std::vector<std::string>{"KHR_texture_basisu"});
   EXPECT_EQ(scene.textures[0].image->bytes, (std::vector<uint8_t>{9, 9, 9}));
   EXPECT_FALSE(scene.textures[1].image);
-  EXPECT_TRUE(warns(scene, "textures[1]: has no picture in a format that can be read; the factors alone are used"));
+  EXPECT_TRUE(
+      warns(scene, "textures[1]: has no picture in a format that can be read; constant factors are used instead"));
 }
 
 }  // namespace

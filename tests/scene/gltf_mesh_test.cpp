@@ -1,4 +1,4 @@
-// Primitives: modes, repairs, what a material asks of the mesh.
+// Primitives: topologies, repairs, and attributes that materials need.
 #include "scene/gltf_builder.h"
 
 namespace etendue::test {
@@ -15,7 +15,7 @@ class Meshes : public GltfTest {
   }
 };
 
-TEST_F(Meshes, StripsTurnEverySecondTriangle) {
+TEST_F(Meshes, StripsAlternateTheWinding) {
   Gltf gltf;
   gltf.primitive({{"POSITION", gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}})}})["mode"] = 5;
   const auto mesh = mesh_of(opened(gltf));
@@ -33,7 +33,7 @@ TEST_F(Meshes, FansShareTheFirstVertex) {
   for (const auto& t : mesh->triangles) EXPECT_EQ(normal_of(*mesh, t), Vec3(0, 0, 1));
 }
 
-TEST_F(Meshes, PointsAndLinesAreNotShown) {
+TEST_F(Meshes, PointsAndLinesAreNotRendered) {
   const char* const names[] = {"points", "lines", "line loops", "line strips"};
   for (int mode = 0; mode < 4; ++mode) {
     Gltf gltf;
@@ -44,7 +44,7 @@ TEST_F(Meshes, PointsAndLinesAreNotShown) {
   }
 }
 
-TEST_F(Meshes, CornersThatMakeNoTriangle) {
+TEST_F(Meshes, IncompleteTriangles) {
   Gltf gltf;
   gltf.primitive({{"POSITION", gltf.vec3(quad_)}});
   const auto scene = opened(gltf);
@@ -64,7 +64,7 @@ TEST_F(Meshes, TrianglesWithoutAreaAreDropped) {
   EXPECT_TRUE(warns(scene, "meshes[0].primitives[0]: 3 triangles without area were dropped")) << all(scene.warnings);
 }
 
-TEST_F(Meshes, SmallTrianglesStay) {
+TEST_F(Meshes, SmallTrianglesAreKept) {
   for (const float size : {1e-9f, 1e-6f, 1.0f, 1e6f, 1e15f}) {
     Gltf gltf;
     gltf.primitive({{"POSITION", gltf.vec3({{0, 0, 0}, {size, 0, 0}, {0, size * 1e-3f, 0}})}});
@@ -72,9 +72,10 @@ TEST_F(Meshes, SmallTrianglesStay) {
   }
 }
 
-TEST_F(Meshes, TrianglesThatStandTwiceAreDropped) {
+TEST_F(Meshes, DuplicateTrianglesAreDropped) {
   Gltf gltf;
-  // Once more with the same corners, turned, and with equal corners of other numbers; the back side is another surface.
+  // Duplicates with the same indices, with rotated indices, and with other indices of equal positions. A triangle with
+  // the opposite winding is a different surface.
   std::vector<Vec3> corners = quad_;
   corners.insert(corners.end(), quad_.begin(), quad_.end());
   const int position = gltf.vec3(corners);
@@ -84,17 +85,17 @@ TEST_F(Meshes, TrianglesThatStandTwiceAreDropped) {
   EXPECT_TRUE(warns(scene, "2 triangles that lie exactly on others were dropped")) << all(scene.warnings);
 }
 
-TEST_F(Meshes, PositionsThatAreNoNumbers) {
+TEST_F(Meshes, PositionsThatAreNotFinite) {
   Gltf gltf;
   const int position = gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {kNaN, 0, 0}, {kInfinity, 0, 0}});
   gltf.primitive({{"POSITION", position}}, gltf.indices({0, 1, 2, 0, 1, 3, 0, 4, 2}));
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->triangles.size(), 1U);
   EXPECT_TRUE(warns(scene, "2 triangles with positions that are no finite numbers were dropped"));
-  EXPECT_EQ(scene::world_bounds(scene).max, Vec3(1, 1, 0)) << "vertices that nothing uses must not blow up the bounds";
+  EXPECT_EQ(scene::world_bounds(scene).max, Vec3(1, 1, 0)) << "unused vertices do not affect the bounds";
 }
 
-TEST_F(Meshes, NormalsAreMadeUnitOrMadeAnew) {
+TEST_F(Meshes, NormalsAreNormalisedOrReplaced) {
   Gltf gltf;
   const json attributes = {{"POSITION", gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
                            {"NORMAL", gltf.vec3({{0, 0, 3}, {kNaN, 0, 1}, {0, 0, 0}})}};
@@ -113,7 +114,7 @@ TEST_F(Meshes, WithoutNormalsShadingIsFlat) {
   EXPECT_TRUE(mesh->tangents.empty()) << "section 3.7.2.1: tangents without normals are ignored";
 }
 
-TEST_F(Meshes, CoordinatesAndColoursThatAreNoNumbers) {
+TEST_F(Meshes, CoordinatesAndColoursThatAreNotFinite) {
   Gltf gltf;
   const json attributes = {{"POSITION", gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})},
                            {"TEXCOORD_1", gltf.vec2({{kNaN, 0}, {1, 1}, {0, 0}})},
@@ -135,25 +136,25 @@ class NormalMaps : public Meshes {
   }
 };
 
-TEST_F(NormalMaps, AreMadeForNormalMapsOnly) {
+TEST_F(NormalMaps, TangentsAreGeneratedForNormalMapsOnly) {
   Gltf gltf;
   gltf.square();
   EXPECT_TRUE(mesh_of(opened(gltf))->tangents.empty());
   add_normal_map(gltf);
   const auto mesh = mesh_of(opened(gltf));
-  // u grows along x; y of the map points up in the picture, which is against v: the positive sign.
+  // u increases along x. y of the normal map points up in the image, opposite to v: handedness +1.
   ASSERT_EQ(mesh->tangents.size(), 4U);
   for (const Vec4& t : mesh->tangents) EXPECT_EQ(t, Vec4(1, 0, 0, 1));
 }
 
-TEST_F(NormalMaps, OfTheFileAreKept) {
+TEST_F(NormalMaps, TangentsOfTheFileAreKept) {
   Gltf gltf;
   gltf.square()["attributes"]["TANGENT"] = gltf.vec4(std::vector<Vec4>(4, Vec4(0, 1, 0, -1)));
   add_normal_map(gltf);
   EXPECT_EQ(mesh_of(opened(gltf))->tangents, std::vector<Vec4>(4, Vec4(0, 1, 0, -1)));
 }
 
-TEST_F(NormalMaps, OfTheFileThatAreWrongAreReplaced) {
+TEST_F(NormalMaps, InvalidTangentsAreReplaced) {
   Gltf gltf;
   gltf.square()["attributes"]["TANGENT"] = gltf.vec4({{0, 1, 0, -1}, {0, 0, 0, 1}, {0, 1, 0, 1}, {0, 1, 0, 1}});
   add_normal_map(gltf);
@@ -162,7 +163,7 @@ TEST_F(NormalMaps, OfTheFileThatAreWrongAreReplaced) {
   EXPECT_TRUE(warns(scene, "TANGENT has vectors without direction; all are ignored"));
 }
 
-TEST_F(NormalMaps, FollowTheTransformOfTheTexture) {
+TEST_F(NormalMaps, TangentsFollowTheTextureTransform) {
   Gltf gltf;
   gltf.square();
   add_normal_map(gltf, {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {-1, 1}}}}}}});
@@ -179,7 +180,7 @@ TEST_F(NormalMaps, WithoutNormalsVerticesAreSplit) {
   EXPECT_EQ(mesh->tangents, std::vector<Vec4>(6, Vec4(1, 0, 0, 1)));
 }
 
-TEST_F(NormalMaps, AreMissedWhereThereAreNoCoordinates) {
+TEST_F(NormalMaps, MissingTextureCoordinatesAreReported) {
   Gltf gltf;
   gltf.square();
   add_normal_map(gltf, {{"index", 0}, {"texCoord", 1}});

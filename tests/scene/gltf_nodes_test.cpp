@@ -13,10 +13,10 @@ class Nodes : public GltfTest {
   }
 };
 
-TEST_F(Nodes, TransformsMultiplyDownTheTree) {
+TEST_F(Nodes, TransformsAreRelativeToTheParent) {
   Gltf gltf;
   gltf.triangle();
-  // A quarter turn about z, then the parent's move and stretch.
+  // A rotation by 90 degrees about z, then the translation and scale of the parent.
   const double h = std::sqrt(0.5);
   gltf.root["nodes"] = {{{"children", {1}}, {"translation", {1, 2, 3}}, {"scale", {2, -1, 1}}},
                         {{"mesh", 0}, {"rotation", {0, 0, h, h}}, {"translation", {5, 0, 0}}}};
@@ -48,7 +48,7 @@ TEST_F(Nodes, RotationsAreNormalised) {
   EXPECT_TRUE(warns(scene, "nodes[1].rotation: is no quaternion"));
 }
 
-TEST_F(Nodes, SingularTransformsShowNothing) {
+TEST_F(Nodes, SingularTransformsAreNotRendered) {
   Gltf gltf;
   gltf.triangle();
   gltf.root["nodes"] = {{{"mesh", 0}, {"scale", {1, 0, 1}}}, {{"mesh", 0}, {"scale", {1e-4, 1e-4, 1e-4}}}};
@@ -59,11 +59,11 @@ TEST_F(Nodes, SingularTransformsShowNothing) {
   const auto world = scene::world_matrices(scene);
   const auto& primitive = scene.meshes[0].primitives[0];
   EXPECT_TRUE(scene::posed_mesh(scene, 0, primitive, world).mesh->triangles.empty());
-  EXPECT_EQ(scene::posed_mesh(scene, 1, primitive, world).mesh, primitive.mesh) << "small is not singular";
+  EXPECT_EQ(scene::posed_mesh(scene, 1, primitive, world).mesh, primitive.mesh) << "a small scale is not singular";
   EXPECT_EQ(scene::world_bounds(scene).max, Vec3(1e-4f, 1e-4f, 0));
 }
 
-TEST_F(Nodes, LongChainsNeedNoStack) {
+TEST_F(Nodes, LongChainsOfNodes) {
   Gltf gltf;
   gltf.triangle();
   constexpr int kLength = 50000;
@@ -112,7 +112,7 @@ TEST_F(Nodes, PerspectiveCameras) {
   ASSERT_EQ(placed.size(), 3U);
   EXPECT_EQ(placed[0].name, "far");
   expect_near(placed[0].to_world, glm::translate(Mat4(1), Vec3(0, 0, 5)));
-  EXPECT_EQ(placed[1].name, "eye") << "a camera without a name has its node's";
+  EXPECT_EQ(placed[1].name, "eye") << "a camera without a name has that of its node";
   EXPECT_EQ(scene::choose_camera(scene, "eye")->yfov, 1);
   EXPECT_EQ(scene::choose_camera(scene, "0")->yfov, 0.5f);
   EXPECT_EQ(scene::choose_camera(scene, "")->yfov, 0.5f);
@@ -134,7 +134,7 @@ TEST_F(Nodes, OrthographicCameras) {
   EXPECT_EQ(camera.far_clip, 10);
 }
 
-TEST_F(Nodes, CamerasOutsideTheSceneAreNotOffered) {
+TEST_F(Nodes, CamerasOutsideTheSceneAreNotListed) {
   Gltf gltf;
   gltf.triangle();
   gltf.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.01}}}}};
@@ -142,7 +142,7 @@ TEST_F(Nodes, CamerasOutsideTheSceneAreNotOffered) {
   const auto scene = opened(gltf);
   EXPECT_TRUE(scene::placed_cameras(scene).empty());
   const auto camera = scene::choose_camera(scene, "");
-  ASSERT_TRUE(camera) << "then one is made that shows everything";
+  ASSERT_TRUE(camera) << "a framing camera replaces missing cameras";
   EXPECT_EQ(camera->name, "framing");
 }
 
@@ -161,7 +161,7 @@ TEST_F(Nodes, FramingShowsEverything) {
       EXPECT_LT(std::abs(seen.x), -seen.z * std::tan(camera.yfov / 2));
     }
   }
-  EXPECT_TRUE(std::isfinite(scene::framing_camera(Bounds{}).to_world[3].x)) << "an empty scene has a camera, too";
+  EXPECT_TRUE(std::isfinite(scene::framing_camera(Bounds{}).to_world[3].x)) << "an empty scene has a framing camera";
 }
 
 TEST_F(Nodes, Lights) {
@@ -178,20 +178,24 @@ TEST_F(Nodes, Lights) {
   const auto scene = opened(gltf);
   EXPECT_EQ(scene.nodes[0].light, 2);
   EXPECT_EQ(scene.lights[0].name, "bulb");
-  EXPECT_EQ(scene.lights[0].type, LightType::point);
+  EXPECT_EQ(&scene.lights[0].info(), find_light_type("point"));
   EXPECT_EQ(scene.lights[0].color, Rgb(1, 0.5f, 0));
-  EXPECT_EQ(scene.lights[0].intensity, 20);
-  EXPECT_EQ(scene.lights[0].range, 4);
-  EXPECT_EQ(scene.lights[1].type, LightType::directional);
-  EXPECT_EQ(scene.lights[1].intensity, 1);
-  EXPECT_EQ(scene.lights[1].range, kInfinity);
-  EXPECT_EQ(scene.lights[2].inner_cone, 0.25f);
-  EXPECT_EQ(scene.lights[2].outer_cone, 0.5f);
-  EXPECT_NEAR(scene.lights[3].outer_cone, kPi / 4, 1e-6f);
-  EXPECT_LE(scene.lights[4].inner_cone, scene.lights[4].outer_cone);
+  EXPECT_EQ(scene.lights[0].intensity(), 20);
+  const auto number = [&](size_t light, const char* parameter) {
+    return std::get<double>(*scene.lights[light].parameter(parameter));
+  };
+  EXPECT_EQ(number(0, "range"), 4);
+  EXPECT_EQ(&scene.lights[1].info(), find_light_type("directional"));
+  EXPECT_EQ(scene.lights[1].intensity(), 1);
+  EXPECT_EQ(number(2, "range"), 0);
+  EXPECT_EQ(number(2, "inner-cone"), 0.25);
+  EXPECT_EQ(number(2, "outer-cone"), 0.5);
+  EXPECT_NEAR(number(3, "outer-cone"), double{kPi} / 4, 1e-6);
+  EXPECT_LE(number(4, "inner-cone"), number(4, "outer-cone"));
   EXPECT_TRUE(warns(scene, "lights[4]: its cones"));
   gltf.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 9;
-  EXPECT_EQ(error_of(gltf), "nodes[0].extensions.KHR_lights_punctual.light: there is no lights[9]; the file has 5");
+  EXPECT_EQ(error_of(gltf),
+            "nodes[0].extensions.KHR_lights_punctual.light: refers to lights[9], which does not exist; the file has 5");
   gltf.root["extensions"]["KHR_lights_punctual"]["lights"][1].erase("type");
   EXPECT_EQ(error_of(gltf), "extensions.KHR_lights_punctual.lights[1]: has no type");
 }
@@ -211,20 +215,20 @@ class Instances : public GltfTest {
   }
 };
 
-TEST_F(Instances, AreNodesBelowTheirs) {
+TEST_F(Instances, AreChildrenOfTheirNode) {
   Gltf gltf = three();
   const auto scene = opened(gltf);
   EXPECT_EQ(all(scene.warnings) + all(scene.unsupported), "");
   ASSERT_EQ(scene.nodes.size(), 4U);
-  EXPECT_EQ(scene.nodes[0].mesh, -1) << "the mesh itself is not shown";
+  EXPECT_EQ(scene.nodes[0].mesh, -1) << "the node itself has no mesh";
   EXPECT_EQ(scene.nodes[0].children, (std::vector<int>{1, 2, 3}));
   const auto world = scene::world_matrices(scene);
   for (size_t i = 1; i < 4; ++i) {
     EXPECT_EQ(scene.nodes[i].mesh, 0);
     EXPECT_EQ(Vec3(world[i][3]), Vec3(i, 10, 0));
   }
-  EXPECT_EQ(Vec3(world[2][0]), Vec3(-1, 0, 0)) << "half a turn about z";
-  EXPECT_EQ(Vec3(world[3][0]), Vec3(2, 0, 0)) << "a quaternion of length 0 turns nothing";
+  EXPECT_EQ(Vec3(world[2][0]), Vec3(-1, 0, 0)) << "rotation by 180 degrees about z";
+  EXPECT_EQ(Vec3(world[3][0]), Vec3(2, 0, 0)) << "a quaternion of length 0 is no rotation";
 }
 
 TEST_F(Instances, AttributesHaveToAgree) {
@@ -234,7 +238,7 @@ TEST_F(Instances, AttributesHaveToAgree) {
   const std::string where = "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE: ";
   EXPECT_EQ(error_of(gltf), where + "has 1 elements, but there are 3 instances");
   attributes["SCALE"] = 99;
-  EXPECT_EQ(error_of(gltf), where + "accessor 99 does not exist; there are 5");
+  EXPECT_EQ(error_of(gltf), where + "accessor 99 does not exist; the file has 5");
 }
 
 TEST_F(Instances, WithoutAMeshAreIgnored) {

@@ -1,10 +1,10 @@
-// What is saved and opened again is what it was.
+// A scene that is saved and loaded again is unchanged.
 #include "bsdf/bsdf_model.h"
 #include "image/image.h"
 #include "render/scene_saving.h"
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/shapes.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 #include "scene/gltf_builder.h"
 #include "scene/scene_compare.h"
 #include "scene/variants.h"
@@ -33,7 +33,7 @@ class Saving : public GltfTest {
   }
 };
 
-TEST_F(Saving, TheComparisonSees) {
+TEST_F(Saving, ComparisonFindsDifferences) {
   const scene::Scene a = scene::find_builtin("cornell")->make();
   EXPECT_EQ(difference(a, a), "");
   scene::Scene b = a;
@@ -60,7 +60,7 @@ TEST_F(Saving, BuiltInScenesInBothForms) {
   }
 }
 
-// A material with nothing as it usually is, each number another.
+// A material without default values; all numbers differ.
 Material rich_material() {
   Material m;
   float next = 0.01f;
@@ -156,12 +156,12 @@ TEST_F(Saving, LensShutterEnvironmentAndTimeAreKept) {
   EXPECT_EQ(description(before)["extensions"]["ETENDUE_transport"]["environment"]["file"], "sky.exr");
   fs::remove(folder_ / "sky.exr");
   const auto lost = scene::load_gltf(folder_ / "saved.glb");
-  ASSERT_TRUE(lost) << "a map that is gone is no reason to open nothing";
+  ASSERT_TRUE(lost) << "a missing environment map is a warning";
   EXPECT_TRUE(warns(*lost, "extensions.ETENDUE_transport.environment.file: ")) << all(lost->warnings);
 }
 
-TEST_F(Saving, NothingToSayMeansNoExtension) {
-  // What new_document adds to a scene without light does not get into its file.
+TEST_F(Saving, DefaultValuesNeedNoExtension) {
+  // The environment that new_document adds to a scene without light is not saved.
   Gltf gltf;
   gltf.triangle();
   const auto document = render::new_document(write("dark.glb", gltf.glb()).string());
@@ -169,7 +169,7 @@ TEST_F(Saving, NothingToSayMeansNoExtension) {
   EXPECT_FALSE(document->scene->environment.black());
   const json plain = description(render::scene_to_save(*document));
   EXPECT_FALSE(plain.contains("extensionsUsed")) << plain.dump();
-  EXPECT_FALSE(plain.contains("cameras")) << "nor does the camera that frames everything";
+  EXPECT_FALSE(plain.contains("cameras")) << "the framing camera is not saved";
 }
 
 TEST_F(Saving, AMovedCameraComesFirst) {
@@ -179,7 +179,7 @@ TEST_F(Saving, AMovedCameraComesFirst) {
   ASSERT_EQ(cameras.size(), 2U);
   EXPECT_EQ(cameras[0].name, "view");
   EXPECT_EQ(cameras[0].to_world, document.camera.to_world);
-  // Moved once more it is still one.
+  // Moving it again does not add another camera.
   document = *render::new_document((folder_ / "saved.glb").string());
   document = *render::with_text(document, "camera.eye.x", "0.75");
   EXPECT_EQ(scene::placed_cameras(saved(render::scene_to_save(document), "twice.glb")).size(), 2U);
@@ -204,9 +204,9 @@ TEST_F(Saving, VariantsAndHiddenNodes) {
   scene.variants = {"one", "two"};
   scene.meshes[0].primitives[0].choices = {scene.meshes[0].primitives[0].material, 1, 0};
   scene.nodes[2].visible = false;
-  scene::show_variant(scene, 0);
+  scene::select_variant(scene, 0);
   EXPECT_EQ(difference(scene, saved(scene)), "");
-  scene::keep_variant(scene, 1);
+  scene::keep_only_variant(scene, 1);
   const scene::Scene after = saved(scene);
   EXPECT_TRUE(after.variants.empty());
   EXPECT_EQ(after.meshes[0].primitives[0].material, 0);
@@ -219,7 +219,7 @@ TEST_F(Saving, SharedMeshesStayShared) {
   EXPECT_EQ(root["meshes"][0]["primitives"][0]["attributes"], root["meshes"][1]["primitives"][0]["attributes"]);
 }
 
-TEST_F(Saving, FloatPicturesAreLimitedAndSaidToBe) {
+TEST_F(Saving, FloatImagesAreClampedWithAWarning) {
   scene::Scene scene = with_material(rich_material());
   auto picture = std::make_shared<image::Image>();
   picture->width = 2, picture->height = 1, picture->channels = 3, picture->type = image::PixelType::float32;
@@ -233,7 +233,7 @@ TEST_F(Saving, FloatPicturesAreLimitedAndSaidToBe) {
   EXPECT_EQ(again->textures[0].image->bytes, (std::vector<uint8_t>{0, 188, 255, 255, 0, 137})) << "as sRGB";
 }
 
-TEST_F(Saving, WhatCannotBeWrittenIsSaid) {
+TEST_F(Saving, ErrorsAreReported) {
   const scene::Scene scene = scene::find_builtin("cornell")->make();
   const auto nowhere = scene::save_gltf(scene, folder_ / "no/such/folder.glb");
   ASSERT_FALSE(nowhere);
@@ -243,7 +243,7 @@ TEST_F(Saving, WhatCannotBeWrittenIsSaid) {
   EXPECT_EQ(wrong.error().fault, Fault::usage);
 }
 
-TEST_F(Saving, NumbersOutsideTheirRangeInTheExtension) {
+TEST_F(Saving, ExtensionValuesOutOfRange) {
   Gltf gltf;
   gltf.triangle();
   gltf.root["extensionsUsed"] = {"ETENDUE_transport"};
@@ -261,7 +261,8 @@ TEST_F(Saving, NumbersOutsideTheirRangeInTheExtension) {
         "extensions.ETENDUE_transport.environment.tint:", "extensions.ETENDUE_transport.environment.rotation:"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
   gltf.root["extensions"]["ETENDUE_transport"] = {{"variant", 3}};
-  EXPECT_EQ(error_of(gltf), "extensions.ETENDUE_transport: there is no variants[3]; the file has 0");
+  EXPECT_EQ(error_of(gltf),
+            "extensions.ETENDUE_transport: refers to variants[3], which does not exist; the file has 0");
 }
 
 TEST_F(Saving, EveryAssetOfTheData) {
@@ -278,7 +279,7 @@ TEST_F(Saving, EveryAssetOfTheData) {
   EXPECT_GT(seen, 120);
 }
 
-TEST_F(Saving, PicturesAreTheSameToTheBit) {
+TEST_F(Saving, ImagesAreBitIdentical) {
   std::vector<std::string> scenes{"cornell"};
   if (const std::string data = data_folder(); !data.empty())
     for (const char* file : {"BoxTextured.glb", "RiggedSimple.glb", "LightsPunctualLamp/glTF/LightsPunctualLamp.gltf"})
@@ -297,7 +298,7 @@ TEST_F(Saving, PicturesAreTheSameToTheBit) {
   }
 }
 
-// Every reflection model with every preset and both ends of each parameter, as values of their own.
+// All reflection models with all presets and both limits of each parameter.
 TEST_F(Saving, BsdfModels) {
   scene::Scene before = scene::find_builtin("cornell")->make();
   const auto add = [&](std::shared_ptr<const BsdfModel> model) {
@@ -318,7 +319,7 @@ TEST_F(Saving, BsdfModels) {
   EXPECT_EQ(difference(before, saved(before)), "");
 }
 
-TEST_F(Saving, ReflectionModelsThatAreNotKnown) {
+TEST_F(Saving, UnknownReflectionModels) {
   scene::Scene before = scene::find_builtin("cornell")->make();
   before.materials[0].model.model = make_bsdf_model("phong");
   json file = description(before);
@@ -339,17 +340,29 @@ TEST_F(Saving, ReflectionModelsThatAreNotKnown) {
   EXPECT_NE(opened->warnings[0].find("fong"), std::string::npos);
 }
 
-// Lights that glTF has no words for; others see points of their power.
+// A value that is not the default.
+Value other_value(const ParameterInfo& p) {
+  switch (p.type) {
+    case ParameterType::toggle:
+      return !std::get<bool>(p.default_value);
+    case ParameterType::integer:
+      return int64_t{9};
+    case ParameterType::number:
+      return double{static_cast<float>(p.min + 0.1 * (p.max - p.min))};
+    default:
+      return p.options.back();
+  }
+}
+
+// ETENDUE_transport keeps what KHR_lights_punctual cannot hold; other readers find point lights of the same power.
 TEST_F(Saving, LightsOfEveryType) {
   scene::Scene before = scene::find_builtin("cornell")->make();
-  for (int type = 0; type <= static_cast<int>(LightType::ambient); ++type) {
-    Light light;
-    light.name = "light " + std::to_string(type);
-    light.type = static_cast<LightType>(type);
-    light.intensity = 3, light.color = {1, 0.5f, 0.25f};
-    light.width = 2, light.radius = 0.25f, light.focus = 4, light.two_sided = true, light.points = 9;
-    light.profile = SpotProfile::cosine, light.exponent = 7, light.quantity = SurfaceQuantity::power;
-    if (light.type == LightType::spot) light.inner_cone = 0.2f;
+  for (const LightTypeInfo& type : light_type_infos()) {
+    Light light = make_light(type.description.name);
+    light.name = type.description.label;
+    light.color = {1, 0.5f, 0.25f};
+    scene::add(before, light, {});
+    for (const ParameterInfo& p : type.parameters) light.set(p.name, other_value(p));
     scene::add(before, light, {});
   }
   EXPECT_EQ(difference(before, saved(before)), "");

@@ -37,7 +37,7 @@ class Comparison {
   void same(const char* what, const T& x, const T& y) {
     if (!(x == y)) differ(what);
   }
-  // Negative zeros are zeros that files keep.
+  // Compares the bits, because files keep negative zeros.
   template <class T>
   void bits(const std::string& what, const std::vector<T>& x, const std::vector<T>& y) {
     if (x.size() != y.size()) return differ(what + ": " + std::to_string(x.size()) + " or " + std::to_string(y.size()));

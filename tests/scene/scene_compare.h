@@ -1,7 +1,7 @@
-// Where two scenes differ, as a file of glTF can tell them apart: one line, empty if nowhere.
+// The first difference between two scenes that a glTF file can express, as one line; empty if there is none.
 //
-// Not compared: the name of the file and of its other scenes, warnings, what the loader puts at the end for primitives
-// without a material, meshes without triangles, strengths of normal maps that are not there.
+// Not compared: the names of the file and of its other scenes, warnings, the appended default material, meshes without
+// triangles, and the scale of missing normal maps.
 #pragma once
 #include <string>
 

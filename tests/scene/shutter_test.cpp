@@ -1,4 +1,4 @@
-// Where things are while the shutter is open: as many steps as the movement needs, and no more.
+// Motion while the shutter is open: the number of time steps and the positions.
 #include "scene/shutter.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ float farthest_from_truth(const Animated& a, float seconds) {
   return worst;
 }
 
-TEST(Shutter, SeesNothingWhileClosedOrWhenAllIsOver) {
+TEST(Shutter, NoMotionIfClosedOrAfterTheAnimation) {
   Animated a = turning(1);
   EXPECT_FALSE(a.moving(0));
   EXPECT_TRUE(a.moving(0.1f));
@@ -57,28 +57,28 @@ TEST(Shutter, SeesNothingWhileClosedOrWhenAllIsOver) {
   EXPECT_FALSE(a.moving(5));
 }
 
-TEST(Shutter, TakesTwoStepsForAStraightWay) {
+TEST(Shutter, LinearMotionHasTwoSteps) {
   Animated a;
   animate(a.scene, a.node, AnimatedPath::translation, {0, 1}, {0, 0, 0, 3, 2, 1});
   EXPECT_EQ(a.steps(1), 2U);
   EXPECT_EQ(a.steps(0.1f), 2U);
 }
 
-TEST(Shutter, TakesMoreStepsTheMoreItTurns) {
+TEST(Shutter, RotationsHaveMoreSteps) {
   EXPECT_LT(turning(0.1f).steps(1), turning(1).steps(1));
   EXPECT_LT(turning(1).steps(0.1f), turning(1).steps(1));
-  EXPECT_EQ(turning(6).steps(1), Motion::kMostSteps);
-  // The box around a turned cube has a radius of the square root of five at most.
+  EXPECT_EQ(turning(6).steps(1), Motion::kMaxSteps);
+  // The bounding box of a rotated cube has a radius of at most sqrt(5).
   for (const float radians : {0.1f, 1.0f, 3.0f}) EXPECT_LT(farthest_from_truth(turning(radians), 1), 2.24f / 4096);
   EXPECT_LT(farthest_from_truth(turning(6), 1), 1e-3f);
 }
 
-// There and back between two moments far apart.
-TEST(Shutter, SeesEveryKey) {
+// A movement that returns to its start between two coarse samples.
+TEST(Shutter, ResolvesEveryKeyframe) {
   Animated a;
   animate(a.scene, a.node, AnimatedPath::translation, {0, 0.40f, 0.41f, 0.42f, 0.43f, 1},
           {0, 0, 0, 0, 0, 0, 5, 0, 0, 5, 0, 0, 0, 0, 0, 0, 0, 0});
-  EXPECT_EQ(a.steps(1), Motion::kMostSteps);
+  EXPECT_EQ(a.steps(1), Motion::kMaxSteps);
   Animated tremble;
   std::vector<float> times, values;
   for (int i = 0; i <= 32; ++i) {
@@ -90,7 +90,7 @@ TEST(Shutter, SeesEveryKey) {
   EXPECT_LT(farthest_from_truth(tremble, 1), 1e-5f);
 }
 
-TEST(Shutter, MovesChildrenWithTheirParents) {
+TEST(Shutter, ChildrenMoveWithTheirParents) {
   Animated a;
   a.scene.nodes.emplace_back();
   a.scene.nodes[1].children = {0}, a.scene.nodes[0].parent = 1;
@@ -99,7 +99,7 @@ TEST(Shutter, MovesChildrenWithTheirParents) {
   EXPECT_TRUE(a.moving(1));
 }
 
-TEST(Shutter, WhatGrowsFromNothingGoesVertexByVertex) {
+TEST(Shutter, TemporarilySingularNodesDeform) {
   Animated a;
   animate(a.scene, a.node, AnimatedPath::scale, {0, 1}, {0, 0, 0, 1, 1, 1});
   const auto moving = a.moving(1);
@@ -107,15 +107,15 @@ TEST(Shutter, WhatGrowsFromNothingGoesVertexByVertex) {
   ASSERT_TRUE(moving->motion->deforms());
   EXPECT_EQ(moving->motion->steps(), 2U);
   EXPECT_EQ(moving->motion->vertices[1].positions, a.primitive().mesh->positions);
-  // And what is flat all the time is not there.
+  // A node that is singular at all times is not rendered.
   Animated flat;
   animate(flat.scene, flat.node, AnimatedPath::translation, {0, 1}, {0, 0, 0, 1, 1, 1});
   flat.scene.nodes[0].transform.scale = {1, 0, 1};
   EXPECT_FALSE(flat.moving(1));
 }
 
-// A morph that bends: weights of two targets in turn.
-TEST(Shutter, DeformsInWorldSpace) {
+// A nonlinear morph: the weights of two targets in succession.
+TEST(Shutter, DeformationIsInWorldSpace) {
   Animated a(test::sphere(1, 8, false));
   const size_t n = a.primitive().mesh->positions.size();
   auto deformation = std::make_shared<Deformation>();
@@ -133,7 +133,7 @@ TEST(Shutter, DeformsInWorldSpace) {
   EXPECT_EQ(moving->motion->vertices.back().positions, last->positions);
 }
 
-TEST(Shutter, TakesACameraAlongThatStandsWhereItsNodeIs) {
+TEST(Shutter, CamerasMoveWithTheirNode) {
   Scene scene;
   const int eye = test::add_camera(scene, look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1));
   animate(scene, eye, AnimatedPath::translation, {0, 1}, {0, 0, 5, 1, 0, 5});
@@ -143,10 +143,10 @@ TEST(Shutter, TakesACameraAlongThatStandsWhereItsNodeIs) {
   EXPECT_LT(glm::distance(Vec3(motion->at(1)[3]), Vec3(0.5f, 0, 5)), 1e-6f);
   EXPECT_FALSE(Shutter(scene, 0).motion_of(camera));
   camera.to_world[3].x += 0.1f;
-  EXPECT_FALSE(Shutter(scene, 0.5f).motion_of(camera)) << "moved by hand";
+  EXPECT_FALSE(Shutter(scene, 0.5f).motion_of(camera)) << "moved away from its node";
 }
 
-TEST(Shutter, OnlyRebuildsWhatItChanges) {
+TEST(Shutter, RebuildsOnlyWhatItChanges) {
   Animated a = turning(1);
   const auto scene = std::make_shared<const Scene>(a.scene);
   Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);

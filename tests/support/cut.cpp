@@ -25,15 +25,15 @@ void expect_same_bits_after_a_cut(render::Document d, const std::string& what) {
       while (first.status().samples < 2) std::this_thread::yield();
     else
       first.finish();
-    render::ResumePoint copy = first.start_copy();
-    ASSERT_TRUE(
-        render::write_checkpoint(path, {render::state_json(d, 4), std::move(copy.film), 1, std::move(copy.work)}));
+    render::ResumePoint copy = first.resume_point();
+    ASSERT_TRUE(render::write_checkpoint(
+        path, {render::state_json(d, 4), std::move(copy.film), 1, std::move(copy.integrator_state)}));
     auto read = render::read_checkpoint(path);
     ASSERT_TRUE(read);
-    EXPECT_FALSE(read->work.empty());
+    EXPECT_FALSE(read->integrator_state.empty());
     d.limits = {9, 0, 0};
     render::Session second({.threads = 2});
-    second.submit(d, {std::move(read->film), std::move(read->work)});
+    second.submit(d, {std::move(read->film), std::move(read->integrator_state)});
     second.finish();
     expect_same_bits(whole, second.film_copy(), what);
   }

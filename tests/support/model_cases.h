@@ -1,4 +1,4 @@
-// Every reflection model of the registry at the ends of all its knobs: what a test of all models goes through.
+// The cases of tests over all BSDF models: every model of the registry with each parameter at the ends of its range.
 #pragma once
 #include <random>
 #include <string>
@@ -12,9 +12,10 @@
 namespace etendue::test {
 
 using ModelPtr = std::shared_ptr<const BsdfModel>;
+using Settings = std::vector<std::pair<std::string, std::string>>;  // names and values of parameters
 
 struct ModelCase {
-  std::string name;  // the model's and what was set
+  std::string name;  // of the model, and the parameter that was set
   ModelPtr model;
   AllLobes<Rgb> lobes;
 };
@@ -27,21 +28,23 @@ inline AllLobes<Rgb> lobes_of(const BsdfModel& model, const Rgb& base = kModelBa
   return lobes;
 }
 
-// A model with some of its knobs set; an unknown name or value is a mistake of the test.
-inline ModelPtr model_with(std::string_view name, const std::vector<std::pair<std::string, std::string>>& settings) {
-  ModelPtr model = make_bsdf_model(name);
-  for (const auto& [knob, text] : settings) {
+// The model with these parameters; throws if a name or a value is not valid.
+inline ModelPtr with_settings(ModelPtr model, const Settings& settings) {
+  for (const auto& [name, text] : settings) {
     const auto parameters = model->parameters();
-    const ParameterInfo* p = find_parameter(parameters, knob);
-    if (!p) throw std::runtime_error(std::string(name) + " has no knob " + knob);
+    const ParameterInfo* p = find_parameter(parameters, name);
+    if (!p) throw std::runtime_error(std::string(model->info().description.name) + " has no parameter " + name);
     const auto value = parse_value(*p, text);
     if (!value) throw std::runtime_error(value.error().message);
-    model = model->with(knob, *value);
+    model = model->with(name, *value);
   }
   return model;
 }
+inline ModelPtr model_with(std::string_view name, const Settings& settings) {
+  return with_settings(make_bsdf_model(name), settings);
+}
 
-// Sets a number, and all three parts of a triple for its first.
+// Sets a parameter; for the first component of a triple, all three.
 inline ModelPtr with_number(ModelPtr model, const std::string& name, const Value& value) {
   model = model->with(name, value);
   if (name.ends_with(".r")) {
@@ -51,44 +54,46 @@ inline ModelPtr with_number(ModelPtr model, const std::string& name, const Value
   return model;
 }
 
-// Calls use(name, model) for a model as it is, with each knob at both its ends or at each of its options, and with each
-// of its presets.
+// Calls use(name, model) for the default model, for each parameter at both ends of its range or at each option, and for
+// each preset.
 template <class Use>
 void for_each_setting(const BsdfModelInfo& info, Use&& use) {
   const std::string name = info.description.name;
-  const ModelPtr usual = make_bsdf_model(name);
-  use(name, usual);
+  const ModelPtr default_model = make_bsdf_model(name);
+  use(name, default_model);
   for (const auto& p : info.parameters) {
     if (p.name.ends_with(".g") || p.name.ends_with(".b")) continue;
-    const auto set = [&](const Value& v) {
-      if (v != p.default_value) use(name + " " + p.name + " " + to_string(v), with_number(usual, p.name, v));
+    const auto use_value = [&](const Value& v) {
+      if (v != p.default_value) use(name + " " + p.name + " " + to_string(v), with_number(default_model, p.name, v));
     };
     switch (p.type) {
       case ParameterType::toggle:
-        set(!std::get<bool>(p.default_value));
+        use_value(!std::get<bool>(p.default_value));
         break;
       case ParameterType::integer:
-        set(static_cast<int64_t>(p.min)), set(static_cast<int64_t>(p.max));
+        use_value(static_cast<int64_t>(p.min));
+        use_value(static_cast<int64_t>(p.max));
         break;
       case ParameterType::number:
-        set(p.min), set(p.max);
+        use_value(p.min);
+        use_value(p.max);
         break;
       case ParameterType::choice:
-        for (const auto& option : p.options) set(option);
+        for (const auto& option : p.options) use_value(option);
     }
   }
-  for (const auto& preset : info.presets) use(name + " preset " + preset.name, with_preset(usual, preset.name));
+  for (const auto& preset : info.presets) use(name + " preset " + preset.name, with_preset(default_model, preset.name));
 }
 
 inline std::vector<ModelCase> cases_of(std::string_view model) {
   std::vector<ModelCase> cases;
-  for_each_setting(*find_bsdf_model(model), [&](const std::string& name, const ModelPtr& set) {
-    cases.push_back({name, set, lobes_of(*set)});
+  for_each_setting(*find_bsdf_model(model), [&](const std::string& name, const ModelPtr& variant) {
+    cases.push_back({name, variant, lobes_of(*variant)});
   });
   return cases;
 }
 
-// Of all models together.
+// The number of cases of all models.
 inline size_t count_cases() {
   size_t count = 0;
   for (const auto& info : bsdf_model_infos())

@@ -57,12 +57,13 @@ Document under_a_sky() {
   return seen(std::move(scene));
 }
 
-Document under(LightType type) {
+Document under(const char* light_type) {
   auto scene = balls();
-  Light light;
-  light.type = type;
-  light.intensity = type == LightType::directional ? 3 : 12;
-  light.outer_cone = 0.6f, light.inner_cone = 0.3f, light.range = type == LightType::point ? 5.0f : kInfinity;
+  Light light = make_light(light_type);
+  light.set("intensity", light.info().description.light_class == LightClass::delta_direction ? 3.0 : 12.0);
+  light.set("inner-cone", 0.3);
+  light.set("outer-cone", 0.6);
+  if (!light.parameter("outer-cone")) light.set("range", 5.0);
   scene::Transform place;
   place.matrix = look_at({0.8f, 3, 1}, {0, 0, 0}, {0, 1, 0}, 1).to_world;
   add(scene, light, place);
@@ -71,18 +72,17 @@ Document under(LightType type) {
 
 Document under_surface_lights() {
   auto scene = balls();
-  const auto lamp = [&](LightType type, const Rgb& color, const Vec3& from, const Vec3& to) {
-    Light light;
-    light.type = type, light.color = color, light.intensity = 9;
-    light.width = 0.9f, light.height = 0.6f, light.radius = 0.5f;
-    light.two_sided = type == LightType::disk, light.focus = type == LightType::quad ? 2.0f : 0;
+  const auto add_light = [&](Light light, const Rgb& color, const Vec3& from, const Vec3& to) {
+    light.color = color;
+    light.set("intensity", 9.0);
     scene::Transform place;
     place.matrix = look_at(from, to, {0, 0.99f, 0.1f}, 1).to_world;
     add(scene, light, place);
   };
-  lamp(LightType::quad, {1, 0.6f, 0.4f}, {-1.5f, 2.2f, 1}, {-0.5f, 0, 0});
-  lamp(LightType::disk, {0.5f, 1, 0.6f}, {0.3f, 2.5f, -0.8f}, {0.2f, 0, 0.1f});
-  lamp(LightType::sphere, {0.5f, 0.7f, 1}, {1.7f, 1.6f, 0.9f}, {0, 0, 0});
+  add_light(make_light("quad", {{"width", 0.9}, {"height", 0.6}, {"focus", 2.0}}), {1, 0.6f, 0.4f}, {-1.5f, 2.2f, 1},
+            {-0.5f, 0, 0});
+  add_light(make_light("disk", {{"two-sided", true}}), {0.5f, 1, 0.6f}, {0.3f, 2.5f, -0.8f}, {0.2f, 0, 0.1f});
+  add_light(make_light("sphere"), {0.5f, 0.7f, 1}, {1.7f, 1.6f, 0.9f}, {0, 0, 0});
   return seen(std::move(scene));
 }
 

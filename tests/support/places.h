@@ -17,7 +17,7 @@ scene::Scene balls();
 render::Document seen(scene::Scene scene);
 render::Document under_a_lamp();
 render::Document under_a_sky();
-render::Document under(LightType type);
+render::Document under(const char* light_type);
 // A quad, a disk and a sphere that shine.
 render::Document under_surface_lights();
 // Reflection models, reciprocal and not, brushed, layered, measured, rough glass, in a room with a lamp.

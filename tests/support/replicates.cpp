@@ -8,7 +8,7 @@ namespace etendue::test {
 namespace {
 
 constexpr int kBlock = 4, kBlocks = kSize / kBlock;
-constexpr int kHalves = 12;
+constexpr int kReplicates = 12;
 
 // What Student's t stays below, on both sides, but with probability `alarms` (Cornish and Fisher's expansion).
 double quantile_of_t(double alarms, double degrees) {
@@ -23,7 +23,7 @@ double quantile_of_t(double alarms, double degrees) {
 
 // 1 % for the family: Sidak over blocks and the mean of each comparison.
 double threshold(int comparisons) {
-  return quantile_of_t(1 - std::pow(0.99, 1.0 / (comparisons * (kBlocks * kBlocks + 1))), 2 * (kHalves - 1));
+  return quantile_of_t(1 - std::pow(0.99, 1.0 / (comparisons * (kBlocks * kBlocks + 1))), 2 * (kReplicates - 1));
 }
 
 double block_mean(const film::Film& film, size_t block) {
@@ -59,15 +59,15 @@ Estimate replicated(render::Document d, uint32_t samples, uint64_t first_seed) {
 Estimate replicated(const std::function<Blocks(uint64_t seed)>& picture, uint64_t first_seed) {
   constexpr size_t n = kBlocks * kBlocks;
   std::vector<double> sum(n, 0), squares(n, 0);
-  for (int r = 0; r < kHalves; ++r) {
+  for (int r = 0; r < kReplicates; ++r) {
     const Blocks means = picture(first_seed + static_cast<uint64_t>(r));
     for (size_t i = 0; i < n; ++i) sum[i] += means[i], squares[i] += means[i] * means[i];
   }
   Estimate e;
   for (size_t i = 0; i < n; ++i) {
-    const double mean = sum[i] / kHalves;
+    const double mean = sum[i] / kReplicates;
     e.mean.push_back(mean);
-    e.variance.push_back(std::max(0.0, squares[i] / kHalves - mean * mean) / (kHalves - 1));
+    e.variance.push_back(std::max(0.0, squares[i] / kReplicates - mean * mean) / (kReplicates - 1));
   }
   return e;
 }

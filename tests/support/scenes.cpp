@@ -19,8 +19,8 @@ render::Document document(scene::Scene scene, const Camera& camera, int width, i
   return d;
 }
 
-render::Document golden_sphere(double share, float albedo, scene::Cap cap, int size) {
-  auto d = document(scene::golden_sphere(share, albedo, cap), scene::golden_sphere_camera(), size, size);
+render::Document integrating_sphere(double share, float albedo, scene::Cap cap, int size) {
+  auto d = document(scene::integrating_sphere(share, albedo, cap), scene::integrating_sphere_camera(), size, size);
   d.filter = film::FilterKind::box;
   d.method.sampler = "random";
   const auto depth = static_cast<int64_t>(std::ceil(std::log(1e-6) / std::log(albedo)));

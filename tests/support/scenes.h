@@ -6,7 +6,7 @@
 
 #include "film/film_mean.h"
 #include "render/session.h"
-#include "scene/builtin/golden_sphere.h"
+#include "scene/builtin/integrating_sphere.h"
 #include "scene/builtin/shapes.h"
 
 namespace etendue::test {
@@ -23,9 +23,9 @@ using scene::sphere;
 // A scene as a document with a camera.
 render::Document document(scene::Scene scene, const Camera& camera, int width, int height);
 
-// The golden sphere (scene/golden_sphere.h): a square picture of its wall with random numbers. No roulette: walks
+// The golden sphere (scene/integrating_sphere.h): a square picture of its wall with random numbers. No roulette: walks
 // end where less than a millionth is missing.
-render::Document golden_sphere(double share, float albedo, scene::Cap cap = scene::Cap::reflecting, int size = 64);
+render::Document integrating_sphere(double share, float albedo, scene::Cap cap = scene::Cap::reflecting, int size = 64);
 
 // The built-in box as a square picture.
 render::Document cornell(int size);

@@ -60,7 +60,7 @@ TEST_F(Methods, WhatStandsInTheWayIsSaidUntilItIsGone) {
 
 TEST_F(Methods, AdaptiveSamplingCannotBeTurnedOnWhereItDoesNothing) {
   expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), set("render.adaptive", "rmse")})),
-                 "does not work pixel by pixel");
+                 "does not sample pixel by pixel");
 }
 
 TEST_F(Methods, PixelsOfAMethodThatHasNoneCannotBeWaitedFor) {

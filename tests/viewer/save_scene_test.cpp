@@ -1,7 +1,7 @@
 // Saving the scene from the window: through the dialog, with the edits in it.
 #include "scene/builtin/builtin.h"
-#include "scene/gltf/gltf.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/load_gltf.h"
+#include "scene/gltf/save_gltf.h"
 #include "viewer/scripted.h"
 
 namespace etendue {

@@ -14,7 +14,7 @@ namespace {
 constexpr double kCertificateSeconds = 0.5;
 
 std::string certificate_of(const render::Session& session, const render::Document& document,
-                           const advisor::Evidence& evidence) {
+                           const advisor::RenderStatistics& evidence) {
   render::Session separate_session({.threads = 1, .scene = session.scene()});
   const auto keep_going = [](double, const std::string&) { return true; };
   return advisor::certificate_json(
@@ -28,8 +28,8 @@ Result<std::string> write(const std::string& file, render::Session& session, con
   const film::Film film = session.film_copy();
   auto displayed = session.reweighted_copy();
   const render::Status status = session.status();
-  const advisor::Evidence evidence{film.error(), film::relative_error(film), status.rejected, session.model(),
-                                   status.health ? status.health->tail.khat : std::nullopt};
+  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), status.rejected, session.model(),
+                                           status.reliability ? status.reliability->tail.khat : std::nullopt};
   // If the document was edited before the copy, the film belongs to other settings.
   if (session.status().version != version) return std::string();
   const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence),

@@ -85,8 +85,8 @@ void draw_parts(AppState& state, StatusLine& line) {
   line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
            "Samples per pixel");
   line.add(clock_text(status.seconds), "Rendering time of this image");
-  if (status.left && !status.finished)
-    line.add(remaining_time(*status.left),
+  if (status.time_left && !status.finished)
+    line.add(remaining_time(*status.time_left),
              "Predicted time to the limit. With an error limit, the range is an 80 % prediction interval");
   line.add(formatted("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
   line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
@@ -95,7 +95,7 @@ void draw_parts(AppState& state, StatusLine& line) {
       status.error.known ? formatted("RMSE %.2g", status.error.rmse) : "RMSE ?",
       "Root mean square error, estimated from the two half-buffers of the film. Known when all pixels have samples "
       "in both");
-  if (status.health) line.add_reliability(*status.health);
+  if (status.reliability) line.add_reliability(*status.reliability);
   if (status.rejected.total() > 0)
     line.add(formatted("%llu invalid", static_cast<unsigned long long>(status.rejected.total())),
              "Samples that were not finite or negative; they are left out", true);

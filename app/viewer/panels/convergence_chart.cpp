@@ -16,7 +16,7 @@ namespace {
 
 using metrics::MethodCurves;
 
-metrics::Ink with_opacity(metrics::Ink ink, double opacity) {
+metrics::Color with_opacity(metrics::Color ink, double opacity) {
   ink.opacity *= opacity;
   return ink;
 }
@@ -25,16 +25,16 @@ metrics::ChartOptions panel_chart_options(const UiContext& ui, const Convergence
   metrics::ChartOptions options = task.chart_options();
   options.width = static_cast<int>(size.x / ui.scale);
   options.height = static_cast<int>(size.y / ui.scale);
-  options.panel = true;
-  const metrics::Ink border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
+  options.embedded = true;
+  const metrics::Color border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
   options.palette = {.text = ink_of(ui.theme.text),
                      .quiet = ink_of(ui.theme.secondary_text),
                      .line = border,
                      .thin_line = with_opacity(border, 0.45)};
   const auto* snapshot = task.result();
   const bool equal_time = snapshot && snapshot->rule == bench::Rule::equal_time;
-  if (snapshot && equal_time == (options.along == metrics::Abscissa::seconds))
-    options.reach = equal_time ? snapshot->seconds : snapshot->samples;
+  if (snapshot && equal_time == (options.abscissa == metrics::Abscissa::seconds))
+    options.x_extent = equal_time ? snapshot->seconds : snapshot->samples;
   return options;
 }
 
@@ -48,7 +48,7 @@ std::vector<Reading> read_curves(const std::vector<MethodCurves>& curves, const 
                                  double x) {
   std::vector<Reading> readings;
   for (size_t i = 0; i < curves.size(); ++i) {
-    const auto points = metrics::band_of(curves[i], options.along, options.kind, std::array{x});
+    const auto points = metrics::error_band(curves[i], options.abscissa, options.kind, std::array{x});
     if (!points.empty()) readings.push_back({.method = i, .point = points.front()});
   }
   return readings;
@@ -73,7 +73,7 @@ class CrossHair {
         corner_(corner),
         curves_(curves),
         options_(options),
-        frame_(metrics::frame_of_chart(curves, options)),
+        frame_(metrics::chart_frame(curves, options)),
         scale_(ui.scale) {}
 
   void draw() {
@@ -82,7 +82,7 @@ class CrossHair {
     if (x < frame_.left || x > frame_.right || y < frame_.top || y > frame_.bottom) return;
     readings_ = read_curves(curves_, options_, frame_.x.value(x));
     draw_lines(x, y);
-    const bool over_time = options_.along == metrics::Abscissa::seconds;
+    const bool over_time = options_.abscissa == metrics::Abscissa::seconds;
     std::string title = metrics::short_number(frame_.x.value(x)) + (over_time ? " s" : " spp");
     if (readings_.empty()) title += ", " + metrics::short_number(frame_.y.value(y));
     draw_box(x, title, lines());
@@ -99,8 +99,8 @@ class CrossHair {
     draw_->AddLine(at(x, frame_.top), at(x, frame_.bottom), color);
     if (readings_.empty()) draw_->AddLine(at(frame_.left, y), at(frame_.right, y), color);
     for (const auto& r : readings_)
-      draw_->AddCircleFilled(at(x, frame_.y.place(r.point.median)), 3.5f * scale_,
-                             color_of(metrics::ink_of_method(r.method)));
+      draw_->AddCircleFilled(at(x, frame_.y.position(r.point.median)), 3.5f * scale_,
+                             color_of(metrics::method_color(r.method)));
   }
 
   std::vector<std::string> lines() const {
@@ -122,7 +122,7 @@ class CrossHair {
     for (int i = 0; i <= kSteps; ++i) {
       const double x = (box.x + size.x * static_cast<float>(i) / kSteps - corner_.x) / scale_;
       for (const auto& r : read_curves(curves_, options_, frame_.x.value(x))) {
-        const float y = at(0, frame_.y.place(r.point.median)).y;
+        const float y = at(0, frame_.y.position(r.point.median)).y;
         if (y > box.y && y < box.y + size.y) ++count;
       }
     }
@@ -162,7 +162,7 @@ class CrossHair {
     for (size_t i = 0; i < text.size(); ++i) {
       next.y += line_height;
       draw_->AddRectFilled({next.x, next.y + font_size * 0.2f}, {next.x + font_size * 0.7f, next.y + font_size * 0.9f},
-                           color_of(metrics::ink_of_method(readings_[i].method)), 2);
+                           color_of(metrics::method_color(readings_[i].method)), 2);
       draw_->AddText(font, font_size, {next.x + swatch, next.y}, ImGui::GetColorU32(ui_.theme.text), text[i].c_str());
     }
   }
@@ -208,8 +208,8 @@ void draw_convergence_chart(UiContext& ui, const ConvergenceTask& task) {
   const bool has_points = std::ranges::any_of(curves, [](const MethodCurves& c) { return !c.repeats.empty(); });
   if (!has_points) return draw_placeholder(ui, task.running(), corner, size);
   const metrics::ChartOptions options = panel_chart_options(ui, task, size);
-  paint(*ImGui::GetWindowDrawList(), metrics::chart_of(curves, options), corner, ui.scale, ui.fonts.small);
-  if (!task.is_current()) draw_outdated_label(ui, corner, metrics::frame_of_chart(curves, options));
+  paint(*ImGui::GetWindowDrawList(), metrics::convergence_chart(curves, options), corner, ui.scale, ui.fonts.small);
+  if (!task.is_current()) draw_outdated_label(ui, corner, metrics::chart_frame(curves, options));
   if (hovered) CrossHair(ui, corner, curves, options).draw();
 }
 

@@ -90,7 +90,7 @@ void color_swatch(size_t method) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float top = corner.y + (ImGui::GetTextLineHeight() - size) * 0.5f;
   ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + size, top + size},
-                                            color_of(metrics::ink_of_method(method)), 2);
+                                            color_of(metrics::method_color(method)), 2);
   ImGui::Dummy({size, ImGui::GetTextLineHeight()});
   ImGui::SameLine(0, size * 0.6f);
 }
@@ -100,7 +100,7 @@ void cell(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-std::string slope_text(const metrics::Figure& slope) {
+std::string slope_text(const metrics::Estimate& slope) {
   if (!slope.known) return "?";
   if (slope.degrees == 0) return formatted("%.2f", slope.value);
   return formatted("%.2f \u00b1%.2f", slope.value, slope.standard_error);
@@ -113,7 +113,8 @@ double best_efficiency(const bench::LiveBenchmarkSnapshot& snapshot) {
   return best;
 }
 
-void value_cells(const bench::LiveBenchmarkSnapshot& snapshot, const bench::Standing& method, metrics::Abscissa axis) {
+void value_cells(const bench::LiveBenchmarkSnapshot& snapshot, const bench::MethodStatus& method,
+                 metrics::Abscissa axis) {
   if (method.samples == 0) {
     for (size_t i = 0; i < kValueColumns; ++i) cell("");
     return;
@@ -383,7 +384,7 @@ std::vector<WaitCondition> ConvergencePanel::wait_conditions() {
       const bool at_rest = snapshot->phase == Phase::stopped || snapshot->phase == Phase::done;
       return {.done = !task_.running() && at_rest && !task_.is_saving()};
     }
-    const auto has_samples = [&](const bench::Standing& method) { return method.samples >= *samples; };
+    const auto has_samples = [&](const bench::MethodStatus& method) { return method.samples >= *samples; };
     if (std::ranges::all_of(snapshot->methods, has_samples)) return {.done = true};
     if (task_.running()) return {};
     return {.error = "the comparison has ended with fewer samples; increase its budget"};

@@ -41,7 +41,7 @@ void list_lights(AppState& state, const scene::Scene& scene) {
 
 void list_emissive_materials(AppState& state, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.materials.size(); ++i) {
-    if (!scene.materials[i].emits()) continue;
+    if (!scene.materials[i].is_emissive()) continue;
     const std::string text = object_name(scene.materials[i].name, "material", i) + "  (emissive material)";
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::Selectable(text.c_str()))
@@ -169,7 +169,7 @@ class LightPanel final : public Panel {
 
  private:
   void draw_lights(AppState& state, const scene::Scene& scene) {
-    const bool has_emissive = std::ranges::any_of(scene.materials, [](const Material& m) { return m.emits(); });
+    const bool has_emissive = std::ranges::any_of(scene.materials, [](const Material& m) { return m.is_emissive(); });
     if (scene.lights.empty() && !has_emissive)
       note(state.ui, "The scene has no light sources. It is lit by the environment only.");
     if (scene.lights.empty() && has_emissive && scene.environment.black())

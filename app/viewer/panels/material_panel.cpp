@@ -62,7 +62,7 @@ bool has_textures(const Material& m) {
 // The names of all parameters of a section that begin with a prefix, without the section.
 Names names_with_prefix(const AppState& state, const std::string& section, const std::string& prefix) {
   Names names;
-  for (const auto& parameter : render::bindings(state.document(), section))
+  for (const auto& parameter : render::section_parameters(state.document(), section))
     if (parameter.info.name.starts_with(section + "." + prefix))
       names.push_back(parameter.info.name.substr(section.size() + 1));
   return names;
@@ -94,7 +94,7 @@ void model_widgets(AppState& state, const std::string& section, const BsdfModelR
   if (const auto* measurement = state.tasks.surface_analysis->result(0)) draw_surface_checks(state.ui, *measurement);
   if (!model) return;
   const BsdfModelDescription& description = model->info().description;
-  note(state.ui, description.doc);
+  note(state.ui, description.summary);
   const std::string prefix = std::string(description.name) + ".";
   Names names{prefix + "preset"};
   for (const auto& info : model->parameters()) names.push_back(prefix + info.name);
@@ -137,7 +137,7 @@ class MaterialPanel final : public Panel {
     if (group(state.ui, "Model", prefix)) model_widgets(state, section, material.model);
     if (material.model) {
       section_widgets_for(state, section, kCommonNames);
-      if (material.model->solid() && group(state.ui, "Attenuation", prefix))
+      if (material.model->is_solid() && group(state.ui, "Attenuation", prefix))
         section_widgets_for(state, section, kAttenuationNames);
     } else {
       gltf_widgets(state, section, material);

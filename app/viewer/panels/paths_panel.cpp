@@ -304,8 +304,8 @@ class PathsPanel final : public Panel {
 
   static void draw_coverage(const AppState& state, const PathClasses& classes, const IntegratorCoverage& coverage) {
     const UiContext& ui = state.ui;
-    const std::string sentence =
-        integrator_label(state.document().method.integrator) + " " + advisor::sentence_of(coverage.missing_paths) + ".";
+    const std::string sentence = integrator_label(state.document().method.integrator) + " " +
+                                 advisor::missing_paths_text(coverage.missing_paths) + ".";
     if (coverage.missing_paths.none())
       ImGui::TextWrapped("%s", sentence.c_str());
     else

@@ -34,7 +34,7 @@ void error_values(const UiContext& ui, const film::ErrorEstimate& error) {
       error.known ? formatted("%.3g (%.3g to %.3g)", error.rmse, error.rmse_interval.low, error.rmse_interval.high)
                   : unknown,
       "Root mean square error, estimated from the two half-buffers of the film, with its 95 % confidence interval");
-  labelled_value(ui, "relMSE", error.known ? formatted("about %.1g", error.rough_relmse) : unknown,
+  labelled_value(ui, "relMSE", error.known ? formatted("about %.1g", error.approximate_relmse) : unknown,
                  "Relative mean square error. A rough estimate, up to a third too low, because it is relative to the "
                  "noisy image. The certificate of `etendue render` states it with a confidence interval");
 }
@@ -49,8 +49,8 @@ void tail_values(const UiContext& ui, const render::Reliability& reliability) {
                  "unreliable regions marks these tiles");
   labelled_value(ui, "Variance of variance", formatted("%.2g", tail.vov),
                  "Relative variance of the variance estimate. Above 0.1 the error is not known yet");
-  const char* bound = tail.brightest_is_bound ? "more than " : "";
-  labelled_value(ui, "Brightest 0.01 %", formatted("%s%.2g %% of the light", bound, 100 * tail.brightest),
+  const char* bound = tail.brightest_share_is_lower_bound ? "more than " : "";
+  labelled_value(ui, "Brightest 0.01 %", formatted("%s%.2g %% of the light", bound, 100 * tail.brightest_share),
                  "Share of the total radiance in the brightest 0.01 % of the samples");
 }
 
@@ -61,9 +61,9 @@ void invalid_sample_values(const UiContext& ui, const film::InvalidSamples& inva
                  formatted("%llu NaN, %llu infinite, %llu negative", static_cast<Count>(invalid.nan),
                            static_cast<Count>(invalid.infinite), static_cast<Count>(invalid.negative)),
                  description);
-  for (const film::Rejection& sample : invalid.first)
+  for (const film::InvalidSample& sample : invalid.first)
     note(ui, formatted("pixel %d, %d, sample %u: %s", sample.x, sample.y, sample.sample,
-                       std::string(film::flaw_name(sample.flaw)).c_str()));
+                       std::string(film::reason_name(sample.reason)).c_str()));
 }
 
 class ReliabilityPanel final : public Panel {
@@ -78,14 +78,14 @@ class ReliabilityPanel final : public Panel {
   void draw(AppState& state) override {
     const UiContext& ui = state.ui;
     const render::Status status = state.session->status();
-    verdict_line(ui, status.health.get());
+    verdict_line(ui, status.reliability.get());
     ImGui::Spacing();
     if (!ImGui::BeginTable("##reliability", 2, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableNextColumn();
     error_values(ui, status.error);
     invalid_sample_values(ui, status.rejected);
     ImGui::TableNextColumn();
-    if (status.health) tail_values(ui, *status.health);
+    if (status.reliability) tail_values(ui, *status.reliability);
     action_button(state, "view.reliability-map");
     ImGui::EndTable();
   }
@@ -93,8 +93,8 @@ class ReliabilityPanel final : public Panel {
   void report(AppState& state, nlohmann::json& json) override {
     const render::Status status = state.session->status();
     if (status.error.known) json["rmse"] = status.error.rmse;
-    if (!status.health) return;
-    const auto& reliability = *status.health;
+    if (!status.reliability) return;
+    const auto& reliability = *status.reliability;
     json["health"] = {{"verdict", render::verdict_name(reliability.verdict)}, {"reason", reliability.reason}};
   }
 };

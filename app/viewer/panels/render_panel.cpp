@@ -156,7 +156,7 @@ class RenderPanel final : public Panel {
     if (const std::string incompatibility = state.incompatibility(); !incompatibility.empty())
       warning(ui, sentence(incompatibility));
     else if (missing && !missing->none())
-      warning(ui, "In this view, the integrator " + advisor::sentence_of(*missing) + ".");
+      warning(ui, "In this view, the integrator " + advisor::missing_paths_text(*missing) + ".");
     state.ui.items.add("render.misses");
   }
 

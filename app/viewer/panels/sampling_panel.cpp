@@ -274,7 +274,7 @@ class SamplingPanel final : public Panel {
 
   std::vector<WaitCondition> wait_conditions() override {
     const auto check = [this](AppState& state, std::optional<uint32_t>) -> StepStatus {
-      if (!render::PixelSamples::possible(state.document()))
+      if (!render::PixelSamples::supports(state.document()))
         return {.error = "no sample of this integrator belongs to one pixel"};
       if (!task_.pixel()) return {.error = "no pixel is selected; click sampling.pick and then the image first"};
       return {.done = !task_.is_incomplete()};
@@ -371,7 +371,7 @@ class SamplingPanel final : public Panel {
 
   void draw_charts(AppState& state) {
     const UiContext& ui = state.ui;
-    if (!render::PixelSamples::possible(state.document()))
+    if (!render::PixelSamples::supports(state.document()))
       return warning(ui, "The samples of " + integrator_label(state.document().method.integrator) +
                              " do not belong to single pixels, because its paths contribute to any pixel. Integrators "
                              "with samples per pixel: " +
@@ -403,7 +403,7 @@ class SamplingPanel final : public Panel {
                         ImGui::GetColorU32(ImGuiCol_FrameBg, 0.4f));
     // A (0, m, 2)-net has the same number of points of each half-buffer in all cells of this grid.
     int cells = 1;
-    while (4 * cells * cells <= static_cast<int>(settings_.points / film::kHalves)) cells *= 2;
+    while (4 * cells * cells <= static_cast<int>(settings_.points / film::kHalfBuffers)) cells *= 2;
     const ImU32 grid = ImGui::GetColorU32(ImGuiCol_Border, 0.8f);
     for (int i = 0; i <= cells; ++i) {
       const float at = side * static_cast<float>(i) / static_cast<float>(cells);
@@ -414,7 +414,7 @@ class SamplingPanel final : public Panel {
     const auto& points = sample_points(state, pixel);
     for (size_t i = 0; i < points.size(); ++i)
       draw->AddCircleFilled({corner.x + side * points[i].x, corner.y + side * (1 - points[i].y)}, radius,
-                            half_buffer_color(ui, static_cast<int>(i % film::kHalves)), 8);
+                            half_buffer_color(ui, static_cast<int>(i % film::kHalfBuffers)), 8);
   }
 
   const std::vector<Vec2>& sample_points(const AppState& state, Vec2i pixel) {

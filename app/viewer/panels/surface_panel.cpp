@@ -28,11 +28,11 @@ constexpr float kControlWidth = 20;  // times the font size
 metrics::ChartPalette chart_palette(const Theme& theme) {
   metrics::ChartPalette palette;
   palette.text = ink_of(theme.text);
-  palette.quiet = ink_of(theme.secondary_text);
-  palette.line = palette.quiet;
-  palette.line.opacity = 0.7;
-  palette.thin_line = palette.quiet;
-  palette.thin_line.opacity = 0.25;
+  palette.secondary_text = ink_of(theme.secondary_text);
+  palette.grid = palette.secondary_text;
+  palette.grid.opacity = 0.7;
+  palette.minor_grid = palette.secondary_text;
+  palette.minor_grid.opacity = 0.25;
   return palette;
 }
 
@@ -127,7 +127,7 @@ class SurfacePanel final : public Panel {
       const SurfaceMeasurement* measurement = analysis.result(side);
       if (!measurement) continue;
       auto checks = nlohmann::json::object();
-      for (const auto& check : measurement->audit.badges) checks[check.name] = check.holds;
+      for (const auto& check : measurement->audit.checks) checks[check.name] = check.holds;
       surface["sides"].push_back({{"model", measurement->model},
                                   {"badges", checks},
                                   {"albedo", bsdf_analysis::hemispherical_albedo(measurement->audit.albedo)},
@@ -213,7 +213,7 @@ class SurfacePanel final : public Panel {
       const SurfaceMeasurement* measurement = analysis.result(side);
       if (!measurement) continue;
       ImGui::PushID(static_cast<int>(side));
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::ink_of_method(side))), "%s%s",
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(color_of(metrics::method_color(side))), "%s%s",
                          measurement->model.c_str(), side == 1 ? " (pinned)" : "");
       draw_values(state.ui, *measurement);
       ImGui::PopID();
@@ -231,20 +231,20 @@ class SurfacePanel final : public Panel {
     for (const auto& quality : measurement.audit.sampling)
       if (quality.degrees == 45)
         labelled_value(ui, "Std. dev. at 45\u00b0",
-                       formatted("%.2f (cosine %.2f)", quality.deviation, quality.by_cosine),
+                       formatted("%.2f (cosine %.2f)", quality.deviation, quality.cosine_deviation),
                        "Relative standard deviation of one sample at 45\u00b0: BSDF sampling, and cosine-weighted "
                        "sampling for comparison");
   }
 
-  bsdf_analysis::Look look_of(const AppState& state, const Vec2& size) const {
-    bsdf_analysis::Look look;
+  bsdf_analysis::DrawingOptions look_of(const AppState& state, const Vec2& size) const {
+    bsdf_analysis::DrawingOptions look;
     // In units of the interface, so that lines have the same width on all displays.
     look.width = static_cast<int>(size.x / state.ui.scale);
     look.height = static_cast<int>(size.y / state.ui.scale);
     look.palette = chart_palette(state.ui.theme);
-    look.length = state.tasks.surface_analysis->parameters.length;
-    look.turn = azimuth_;
-    look.tilt = elevation_;
+    look.length_scale = state.tasks.surface_analysis->parameters.length;
+    look.azimuth = azimuth_;
+    look.elevation = elevation_;
     return look;
   }
 

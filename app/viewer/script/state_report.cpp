@@ -38,7 +38,7 @@ json document_parameters(const AppState& state) {
   if (!state.has_document()) return parameters;
   const auto& d = state.document();
   for (const auto& section : render::sections(d))
-    for (const auto& parameter : render::bindings(d, section))
+    for (const auto& parameter : render::section_parameters(d, section))
       parameters[parameter.info.name] = to_json(parameter.info.default_value);
   return parameters;
 }

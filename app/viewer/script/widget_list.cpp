@@ -81,7 +81,8 @@ void append_document_parameters(json& list) {
   for (const auto& section : render::sections(document)) {
     const size_t dot = section.find('.');
     if (dot != std::string::npos && section.substr(dot + 1) != "0") continue;
-    for (const auto& parameter : render::bindings(document, section)) list.push_back(parameter_entry(parameter.info));
+    for (const auto& parameter : render::section_parameters(document, section))
+      list.push_back(parameter_entry(parameter.info));
     if (!section.starts_with("node.")) continue;
     for (const auto& info : euler_parameters(section, Vec3(0))) list.push_back(parameter_entry(info));
   }

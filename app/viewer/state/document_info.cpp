@@ -15,7 +15,7 @@ bool same_view(const render::Document& a, const render::Document& b) {
 std::optional<render::DocumentParameter> document_parameter(const render::Document& document, const std::string& name) {
   for (const auto& section : render::sections(document)) {
     if (!name.starts_with(section + ".")) continue;
-    for (auto& parameter : render::bindings(document, section))
+    for (auto& parameter : render::section_parameters(document, section))
       if (parameter.info.name == name) return std::move(parameter);
   }
   return std::nullopt;

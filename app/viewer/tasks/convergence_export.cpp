@@ -42,11 +42,11 @@ Result<std::string> write_convergence_chart(const std::string& file, const bench
     const std::string text = csv_of(snapshot);
     written = write_file(file, text.data(), text.size());
   } else if (extension == ".svg") {
-    const std::string text = metrics::svg_of(metrics::chart_of(curves, options));
+    const std::string text = metrics::to_svg(metrics::convergence_chart(curves, options));
     written = write_file(file, text.data(), text.size());
   } else if (extension == ".png") {
-    const auto drawing = metrics::chart_of(curves, options);
-    written = image::write_png(file, drawing.width, drawing.height, metrics::raster_of(drawing));
+    const auto drawing = metrics::convergence_chart(curves, options);
+    written = image::write_png(file, drawing.width, drawing.height, metrics::rasterize(drawing));
   } else {
     return usage_error(file + ": '" + extension + "' is not a chart format; use .svg, .png or .csv");
   }

@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "bench/live_benchmark.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 
 namespace etendue::viewer {
 

@@ -44,7 +44,7 @@ void ConvergenceTask::remove_method(size_t index) {
 
 std::optional<size_t> ConvergenceTask::index_in_result(const std::string& spec) const {
   if (!snapshot_) return std::nullopt;
-  const auto found = std::ranges::find(snapshot_->methods, spec, &bench::Standing::name);
+  const auto found = std::ranges::find(snapshot_->methods, spec, &bench::MethodStatus::name);
   if (found == snapshot_->methods.end()) return std::nullopt;
   return static_cast<size_t>(found - snapshot_->methods.begin());
 }
@@ -160,7 +160,7 @@ void ConvergenceTask::show_images(Comparison& comparison) const {
 
 metrics::ChartOptions ConvergenceTask::chart_options() const {
   metrics::ChartOptions options;
-  options.along = parameters.axis;
+  options.abscissa = parameters.axis;
   options.kind = parameters.error;
   if (!snapshot_) return options;
   const bool equal_time = snapshot_->rule == bench::Rule::equal_time;

@@ -11,7 +11,7 @@
 
 #include "base/parameter.h"
 #include "bench/live_benchmark.h"
-#include "metrics/svg_chart.h"
+#include "metrics/convergence_chart.h"
 #include "render/document.h"
 #include "viewer/tasks/background_task.h"
 #include "viewer/tasks/task.h"

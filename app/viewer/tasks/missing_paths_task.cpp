@@ -35,7 +35,7 @@ void MissingPathsTask::update(const TaskContext& context, bool allowed) {
     edit_time_ = Clock::now();
   }
   if (task_.update() && task_.result()->finished) {
-    results_.push_front({document_, task_.result()->spots});
+    results_.push_front({document_, task_.result()->missing});
     if (results_.size() > kMaxResults) results_.pop_back();
   }
   if (task_.running() && !(allowed && same_question(editor.document(), document_))) task_.cancel();
@@ -48,7 +48,7 @@ void MissingPathsTask::update(const TaskContext& context, bool allowed) {
     advisor::TableOptions options;
     options.samples = kSamples;
     options.seconds = kSeconds;
-    publish(advisor::measured_missing_paths(session, document, options, progress));
+    publish(advisor::measure_missing_paths(session, document, options, progress));
   };
   task_.start(work, context.wake);
 }

@@ -12,7 +12,7 @@ namespace {
 // Time limit of the measurement after its coarsest classes, seconds.
 constexpr double kSeconds = 3;
 
-IntegratorCoverage::Found found_part(const advisor::Found& declared, const advisor::ClassTable& table,
+IntegratorCoverage::Found found_part(const advisor::DeclaredPaths& declared, const advisor::ClassTable& table,
                                      const advisor::ClassRow& row) {
   advisor::ClassTable single_row;
   single_row.total = table.total;
@@ -70,7 +70,7 @@ const IntegratorCoverage& PathClassTask::coverage(const TaskContext& context) {
   covered_method_ = method;
   covered_incompatible_ = incompatible;
   coverage_ = {};
-  const auto declared = incompatible ? advisor::Found() : advisor::declared(method);
+  const auto declared = incompatible ? advisor::DeclaredPaths() : advisor::declared_paths(method);
   const auto& table = covered_table_->table;
   for (const auto& row : table.rows) coverage_.rows.push_back(found_part(declared, table, row));
   coverage_.missing_paths = advisor::missing_paths(declared, table);

@@ -18,8 +18,8 @@ namespace {
 constexpr size_t kReplicas = 8;
 constexpr double kStudentQuantile = 2.3646;  // 97.5 % quantile of Student's t distribution with kReplicas - 1 degrees
 
-constexpr uint32_t kWindow = film::kHalves * render::kTableSamples;  // samples that are drawn together
-constexpr double kSliceSeconds = 0.15;                               // between two results
+constexpr uint32_t kWindow = film::kHalfBuffers * render::kTableSamples;  // samples that are drawn together
+constexpr double kSliceSeconds = 0.15;                                    // between two results
 
 // The next sample count for the running mean: an even number, about 9 % larger, or the next power of two.
 uint32_t next_recorded_count(uint32_t samples) {
@@ -144,7 +144,7 @@ void PixelSamplesTask::update(const TaskContext& context, uint32_t target_sample
     pixel_.reset();
     pause();
   }
-  if (!render::PixelSamples::possible(d)) {
+  if (!render::PixelSamples::supports(d)) {
     pause();
     result_.reset();
     return;

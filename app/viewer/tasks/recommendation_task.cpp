@@ -64,7 +64,7 @@ void RecommendationTask::start(const TaskContext& context) {
   context.exclusive.begin(
       {.status = "piloting", .measures_path_classes = true, .cancel = [this, context] { cancel(context); }});
   task_.reset();
-  advisor::Question question;
+  advisor::AdviceRequest question;
   question.target = double{target_error(document_)};
   question.pilot_seconds = double{parameters.pilot.value};
   question.seed = document_.seed;

@@ -21,10 +21,10 @@ std::shared_ptr<const SurfaceMeasurement> measure_material(const Material& mater
   const bsdf_analysis::Lobes lobes = bsdf_analysis::lobes_of(material);
   result->material = material;
   result->model = model_label(material);
-  result->audit = bsdf_analysis::audit(lobes);
+  result->audit = bsdf_analysis::analyze(lobes);
   result->slice = bsdf_analysis::slice(lobes, angle, cosine);
   result->lobes.push_back(lobe_surface(lobes, angle, Side::upper, cosine));
-  if (bsdf_analysis::passes_light(lobes)) result->lobes.push_back(lobe_surface(lobes, angle, Side::lower, cosine));
+  if (bsdf_analysis::transmits_light(lobes)) result->lobes.push_back(lobe_surface(lobes, angle, Side::lower, cosine));
   return result;
 }
 

@@ -27,7 +27,7 @@ namespace etendue::viewer {
 struct SurfaceMeasurement {
   Material material;
   std::string model;  // label of its reflection model
-  bsdf_analysis::Audit audit;
+  bsdf_analysis::SurfaceAnalysis audit;
   bsdf_analysis::Slice slice;
   std::vector<bsdf_analysis::LobeSurface> lobes;  // reflection; then transmission, if there is any
 };
@@ -40,8 +40,8 @@ class SurfaceAnalysis final : public Task {
         "\u00b0"};
     Toggle cosine{"surface.cosine", "Show f cos \u03b8", true,
                   "On: f cos \u03b8, the radiance reflected from uniform light. Off: the BSDF f"};
-    Choice<bsdf_analysis::Length> length{
-        "surface.length", "Lobe scale", bsdf_analysis::Length::linear,
+    Choice<bsdf_analysis::LengthScale> length{
+        "surface.length", "Lobe scale", bsdf_analysis::LengthScale::linear,
         "Radius of lobes: proportional to f, or to its fourth root, which shows details next to a peak"};
     Choice<scene::PreviewLight> light{
         "surface.light", "Preview light", scene::PreviewLight::studio,

@@ -114,7 +114,7 @@ class TechniqueRenderer {
     const auto keep_going = [&](const render::Status&) { return progress_(0, "techniques"); };
     if (!bench::wait_for(session_, version, keep_going)) return false;
     film = session_.film_copy();
-    const auto energy = advisor::energy_of(film);
+    const auto energy = advisor::class_energy(film);
     image.samples = samples;
     image.mean = energy.mean;
     image.standard_error = energy.standard_error;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t kSamples = 2048;
 
-void draw_reading(const UiContext& ui, const char* label, const render::Reading& reading, double lumens,
+void draw_reading(const UiContext& ui, const char* label, const render::MeterReading& reading, double lumens,
                   const char* unit, const char* photometric_unit, const char* tooltip_text) {
   const auto value = static_cast<double>(luminance(reading.value));
   const double error = reading.standard_error;
@@ -44,11 +44,11 @@ void LightMeter::update(const TaskContext& context) {
   if (!raster_ || !scene || version_ == version || context.session.status().version != version) return;
   version_ = version;
   const auto& document = context.editor.document();
-  const auto spot = render::spot_at(document, *scene, *raster_);
+  const auto spot = render::meter_point_at(document, *scene, *raster_);
   if (!spot) return task_.reset();
   // One thread, because the main rendering continues.
   const auto work = [document, scene, spot = *spot](const auto& publish, const bench::Progress& progress) {
-    render::measure_spot(document, scene, spot, kSamples, 1, [&](const render::MeterReadings& readings) {
+    render::measure_light(document, scene, spot, kSamples, 1, [&](const render::MeterReadings& readings) {
       publish(readings);
       return progress(static_cast<double>(readings.samples) / kSamples, "");
     });
@@ -95,7 +95,7 @@ void LightMeter::draw_marker(const AppState& state, ImDrawList& draw) const {
 nlohmann::json LightMeter::report(uint64_t document_version) const {
   const render::MeterReadings* readings = result();
   if (!readings) return nullptr;
-  const auto to_json = [](const render::Reading& r) {
+  const auto to_json = [](const render::MeterReading& r) {
     return nlohmann::json{{"value", {r.value.r, r.value.g, r.value.b}}, {"standard_error", r.standard_error}};
   };
   return {{"whole", is_complete(document_version)},

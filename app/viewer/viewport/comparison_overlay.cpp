@@ -97,7 +97,7 @@ void draw_map_labels(const AppState& state, ImDrawList* draw) {
     const double value = static_cast<double>(map->scale) * (static_cast<double>(i) / 2 - 1);
     labels[i] = i == 2 ? "0" : formatted("%+.3g", value);
   }
-  const auto color = [](float x) { return signed_colors(2 * x - 1); };
+  const auto color = [](float x) { return diverging_color(2 * x - 1); };
   draw_scale_bar(ui, draw, image, color, labels, "luminance, W/(m\u00b2 sr)");
 }
 

@@ -45,7 +45,7 @@ void compute_difference(DifferenceMap& map) {
   constexpr int kColors = 512;
   std::array<Rgb, kColors + 1> colors;
   for (int i = 0; i <= kColors; ++i)
-    colors[static_cast<size_t>(i)] = linear_from_srgb(signed_colors(2.0f * static_cast<float>(i) / kColors - 1));
+    colors[static_cast<size_t>(i)] = linear_from_srgb(diverging_color(2.0f * static_cast<float>(i) / kColors - 1));
   const float slope = map.scale > 0 ? 0.5f / map.scale : 0;
   std::ranges::transform(map.values, map.pixels.begin(), [&](float v) {
     return colors[static_cast<size_t>(std::clamp(v * slope + 0.5f, 0.0f, 1.0f) * kColors + 0.5f)];

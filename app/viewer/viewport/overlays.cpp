@@ -121,7 +121,8 @@ void draw_viewport_overlays(AppState& state) {
                      {region.corner.x + region.size.x, region.corner.y + region.size.y});
   if (state.interface.visible) draw_selection(state, draw);
   if (viewport.show_reliability)
-    if (const auto reliability = state.session->status().health) draw_reliability_overlay(state, *reliability, draw);
+    if (const auto reliability = state.session->status().reliability)
+      draw_reliability_overlay(state, *reliability, draw);
   if (viewport.show_stored_points) draw_stored_points(state, draw);
   const Comparison& comparison = *viewport.comparison;
   const bool shows_map = comparison.map() && !comparison.reference_is_shown();

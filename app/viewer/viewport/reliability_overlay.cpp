@@ -30,7 +30,7 @@ void draw_reliability_overlay(const AppState& state, const render::Reliability& 
   const Vec2 pixel = image.size / image_size;
   const Vec2 tile_size(render::TailStatistics::kWidth, render::TailStatistics::kHeight);
   for (int i = 0; i < static_cast<int>(reliability.tiles.size()); ++i) {
-    const Vec2 first = Vec2(i % reliability.across, i / reliability.across) * tile_size;
+    const Vec2 first = Vec2(i % reliability.columns, i / reliability.columns) * tile_size;
     const Vec2 end = glm::min(first + tile_size, image_size);
     const Vec2 a = image.corner + first * pixel;
     const Vec2 b = image.corner + end * pixel;

@@ -25,7 +25,7 @@ std::shared_ptr<const VisiblePoints> find_visible(render::Session& session, cons
   auto result = std::make_shared<VisiblePoints>();
   result->version = version;
   result->samples = session.status().samples;
-  const auto points = session.points();
+  const auto points = session.stored_points();
   const auto scene = session.scene();
   // After an edit the points may belong to another camera.
   if (session.status().version != version) result->version = 0;

@@ -28,8 +28,8 @@ OptionDescription describe_option(const ParameterInfo& info, const std::string& 
     }
   if (info.name.ends_with(".model"))
     if (const auto* model = find_bsdf_model(option)) {
-      const auto kind = static_cast<size_t>(model->description.kind);
-      return {.group = Options<ModelClass>::kOptions[kind].label, .tooltip = model->description.doc};
+      const auto kind = static_cast<size_t>(model->description.model_class);
+      return {.group = Options<ModelClass>::kOptions[kind].label, .tooltip = model->description.summary};
     }
   return {};
 }

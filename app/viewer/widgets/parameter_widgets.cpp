@@ -57,7 +57,7 @@ WidgetEdit text_widget(AppState& state, const ParameterInfo& info) {
   describe_item(ui, info);
   ValidatedText& validated = ui.validated_text;
   if (validated.parameter != info.name || validated.text != text)
-    validated = {info.name, text, text == current ? Result<void>() : info.accepts_text(text)};
+    validated = {info.name, text, text == current ? Result<void>() : info.validate_text(text)};
   const Result<void> accepted = text == current ? Result<void>() : validated.result;
   if (entered && accepted) edit.value = text;
   if (entered && !accepted) state.notices.add_error(info.label + ": " + accepted.error().message);
@@ -84,7 +84,7 @@ WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
       edit = toggle_widget(state.ui, info);
       break;
     case ParameterType::choice:
-      edit = info.accepts_text ? text_widget(state, info) : choice_widget(state.ui, info);
+      edit = info.validate_text ? text_widget(state, info) : choice_widget(state.ui, info);
       break;
     case ParameterType::integer:
     case ParameterType::number:
@@ -102,16 +102,16 @@ WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
 // A parameter without effect: its widget is disabled, and the tooltip says why.
 void disabled_widget(AppState& state, const render::DocumentParameter& parameter) {
   const ParameterInfo& info = parameter.info;
-  if (state.ui.items.take_request(info.name)) state.ui.items.answer(info.name + ": " + parameter.idle);
+  if (state.ui.items.take_request(info.name)) state.ui.items.answer(info.name + ": " + parameter.inactive_reason);
   ParameterInfo explained = info;
-  explained.doc += "\nNot available: " + parameter.idle;
+  explained.doc += "\nNot available: " + parameter.inactive_reason;
   ImGui::BeginDisabled();
   any_widget(state, explained);
   ImGui::EndDisabled();
 }
 
 void document_widget(AppState& state, const render::DocumentParameter& parameter) {
-  if (!parameter.idle.empty()) return disabled_widget(state, parameter);
+  if (!parameter.inactive_reason.empty()) return disabled_widget(state, parameter);
   const WidgetEdit edit = any_widget(state, parameter.info);
   apply_edit(state, parameter, edit);
   const ParameterType type = parameter.info.type;
@@ -185,7 +185,7 @@ template <class Predicate>
 void widgets_if(AppState& state, const std::string& section, Predicate is_shown) {
   constexpr const char* kColorEndings[] = {".r", ".g", ".b"};
   constexpr const char* kVectorEndings[] = {".x", ".y", ".z", ".w"};
-  const Parameters list = render::bindings(state.document(), section);
+  const Parameters list = render::section_parameters(state.document(), section);
   for (size_t i = 0; i < list.size(); ++i) {
     if (!is_shown(list[i].info.name.substr(section.size() + 1))) continue;
     const size_t color_length = length_of_group(list, i, kColorEndings);

@@ -27,7 +27,7 @@ Ticks linear_ticks(double low, double high, int max_count) {
 
 double PlotAxis::position(double value) const {
   if (!logarithmic) return (value - low) / (high - low);
-  return metrics::LogAxis(low, high, 0, 1).place(std::max(value, low * 1e-3));
+  return metrics::LogAxis(low, high, 0, 1).position(std::max(value, low * 1e-3));
 }
 
 Ticks PlotAxis::ticks(int max_labels) const {

@@ -9,7 +9,7 @@
 namespace etendue::viewer {
 
 void draw_surface_checks(UiContext& ui, const SurfaceMeasurement& measurement) {
-  for (const bsdf_analysis::Check& check : measurement.audit.badges) {
+  for (const bsdf_analysis::Check& check : measurement.audit.checks) {
     status_icon(ui, check.holds ? Status::good : Status::doubtful);
     ImGui::SameLine();
     ImGui::TextColored(check.holds ? ui.theme.text : ui.theme.warning, "%s", check.label());

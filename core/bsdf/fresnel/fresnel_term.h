@@ -1,15 +1,16 @@
-// Fresnel reflectance of a facet by band of colour: exact, or one of the approximations whose error can be seen so.
+// Fresnel reflectance of a microfacet for each colour component: exact or approximate.
 //
-// Unpolarised light from vacuum onto an index eta + i kappa.          thesis 4.1.3, items 22-26, errata E3, E5, E20
+// Unpolarised light from vacuum onto a medium of index eta + i kappa. The cosine is that between the direction and the
+// normal of the microfacet, not of the surface [Lang, eq. 4.289, corrected].
 //
-//   dielectric     (4.83)-(4.85) squared; kappa is not looked at
-//   conductor      the same for the complex index (Born and Wolf, 14.2)
-//   approximate    (4.87), (4.88), which are intensities already and are not squared again (E3): exact at 0 and 90
-//                  degrees, between them at most 0.0054 too high (gold of table 4.2, at 69 degrees)
-//   schlick        F0 + (1 - F0)(1 - cos)^5, F0 exact. Against glass of 1.5 at most 0.0357 off, at 85 degrees. From the
-//                  denser side with the refracted cosine, and 1 beyond the critical angle (E5)
-//
-// "One" is a perfect mirror at every facet. The cosine is that to the facet's normal, not to the surface's (E20).
+//   one          1, a perfect mirror
+//   dielectric   exact; kappa is ignored                                              [Lang, eq. 4.67, 4.68, 4.72]
+//   conductor    exact, for the complex index                                       [Born and Wolf 1999, sec. 14.2]
+//   approximate  conductor, exact at 0 and 90 degrees and in between at most 0.0054 too high (gold of table 4.2, at 69
+//                degrees). The two terms are reflectances and are not squared again  [Lang, eq. 4.69-4.72, corrected]
+//   schlick      F0 + (1 - F0)(1 - cos)^5 with the exact F0. At most 0.0357 off for glass of index 1.5, at 85 degrees.
+//                From the denser side it uses the refracted cosine, and is 1 beyond the critical angle
+//                                                                   [Schlick 1993; Lang, eq. 4.75, corrected]
 #pragma once
 #include <array>
 #include <cmath>
@@ -23,6 +24,7 @@ namespace etendue {
 
 enum class FresnelKind : uint8_t { one, dielectric, conductor, approximate, schlick };
 
+// The exact reflectance of a conductor.
 inline float fresnel_conductor(float cosine, float eta, float kappa) {
   const float cos2 = sqr(cosine), sin2 = std::max(0.0f, 1 - cos2);
   const float real = sqr(eta) - sqr(kappa) - sin2;
@@ -34,6 +36,7 @@ inline float fresnel_conductor(float cosine, float eta, float kappa) {
   return 0.5f * (parallel + perpendicular);
 }
 
+// The approximation of [Lang, eq. 4.69-4.70].
 inline float fresnel_conductor_approximate(float cosine, float eta, float kappa) {
   const float squares = sqr(eta) + sqr(kappa), twice = 2 * eta * cosine;
   const float parallel = (squares * sqr(cosine) - twice + 1) / (squares * sqr(cosine) + twice + 1);
@@ -41,10 +44,12 @@ inline float fresnel_conductor_approximate(float cosine, float eta, float kappa)
   return 0.5f * (parallel + perpendicular);
 }
 
+// Reflectance at normal incidence.
 inline float fresnel_at_normal(float eta, float kappa) {
   return (sqr(eta - 1) + sqr(kappa)) / (sqr(eta + 1) + sqr(kappa));
 }
 
+// Schlick's approximation, extended to incidence from the denser side (eta < 1).
 inline float fresnel_schlick(float cosine, float eta, float kappa) {
   const float f0 = fresnel_at_normal(eta, kappa);
   if (eta < 1 && kappa == 0) {
@@ -63,11 +68,11 @@ struct FresnelTerm {
   Color operator()(float cosine) const {
     Color f(1);
     if (kind == FresnelKind::one) return f;
-    for (int k = 0; k < 3; ++k) f[k] = of_band(cosine, eta[k], kappa[k]);
+    for (int k = 0; k < 3; ++k) f[k] = component(cosine, eta[k], kappa[k]);
     return f;
   }
 
-  // The mean over the hemisphere, weighted by the cosine: Gauss points in the cosine, to 1e-6.
+  // The mean over the hemisphere, weighted by the cosine. Gauss-Legendre quadrature in the cosine; error below 1e-6.
   Color mean() const {
     static constexpr std::array<std::pair<float, float>, 5> kGauss{{{0.0130467357f, 0.0333356722f},
                                                                     {0.0674683167f, 0.0747256746f},
@@ -80,7 +85,7 @@ struct FresnelTerm {
   }
 
  private:
-  float of_band(float cosine, float n, float k) const {
+  float component(float cosine, float n, float k) const {
     float refracted;
     switch (kind) {
       case FresnelKind::dielectric:
@@ -95,22 +100,20 @@ struct FresnelTerm {
   }
 };
 
-// The knobs of the models that let one choose.
-struct FresnelKnobs {
-  Choice<FresnelKind> kind{
-      "fresnel", "Fresnel", FresnelKind::conductor,
-      "Exact for a dielectric or for a metal, the thesis's approximation for metals, Schlick's, or "
-      "1: a perfect mirror"};
+// The parameters of a model with a selectable Fresnel term. The default is measured gold (optical_constants.h).
+struct FresnelParameters {
+  Choice<FresnelKind> kind{"fresnel", "Fresnel", FresnelKind::conductor,
+                           "Fresnel term of the microfacets: exact, approximate, or 1 (perfect mirror)"};
   Triple eta{"eta",
-             "Index",
+             "IOR \u03b7",
              Vec3(0.10475f, 0.49154f, 1.47733f),
              {0.01f, 10},
-             "Index of refraction (real part) by band, over that of the vacuum"};
+             "Index of refraction relative to vacuum, real part"};
   Triple kappa{"kappa",
-               "Extinction",
+               "Extinction \u03ba",
                Vec3(3.51907f, 2.32971f, 1.81014f),
                {0, 20},
-               "Imaginary part of the index by band; 0 for a dielectric"};
+               "Imaginary part of the index of refraction; 0 for dielectrics"};
 
   auto parameters() { return std::tie(kind, eta, kappa); }
   FresnelTerm<Rgb> term() const { return {kind, rgb_of(eta), rgb_of(kappa)}; }

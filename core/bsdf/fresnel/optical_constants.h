@@ -1,10 +1,11 @@
-// Indices of refraction with names: tables 4.1 and 4.2 of the thesis, and measured ones.
+// Optical constants of named materials, offered as presets of BSDF models.
 //
-// Table 4.2 gives one number for all bands, which is a grey metal. Copper's 0.167 is probably 0.617 with two digits
-// changed (E4), and stands beside it. The measured metals are n and k of Johnson and Christy 1972 (silver, gold,
-// copper) and of Rakic 1995 (aluminium), averaged over 380 .. 780 nm with the CIE 1931 observer turned to the sRGB
-// primaries as weights, each band's weights adding to one. The measured dielectrics are at 587.6 nm, the yellow
-// helium line.
+// [Lang, table 4.1] lists dielectrics. [Lang, table 4.2] lists metals with one value for all colours, which makes a
+// grey metal; copper's eta of 0.167 is probably 0.617 with two digits exchanged, so both are offered [Lang, table 4.2,
+// corrected].
+// The coloured metals are the measured n and k of [Johnson and Christy 1972] (silver, gold, copper) and [Rakic 1995]
+// (aluminium), averaged over 380 .. 780 nm. The weights of a colour component are the CIE 1931 observer transformed to
+// the sRGB primaries, normalised to the sum 1. Further dielectrics are measured at 587.6 nm, the helium d line.
 #pragma once
 #include <array>
 #include <vector>
@@ -13,26 +14,26 @@
 
 namespace etendue {
 
+// Index of refraction eta + i kappa for red, green and blue.
 struct ConductorConstants {
   const char *name, *label, *source;
   Vec3 eta, kappa;
 };
 
+// Index of refraction, real and equal for all colours.
 struct DielectricConstants {
   const char *name, *label, *source;
   float eta;
 };
 
-inline constexpr const char *kTable41 = "Thesis, table 4.1", *kTable42 = "Thesis, table 4.2";
+inline constexpr const char *kTable41 = "Lang, table 4.1", *kTable42 = "Lang, table 4.2";
 
 inline const std::array<ConductorConstants, 9> kConductors{{
-    {"gold", "Gold (table 4.2, grey)", kTable42, Vec3(0.370f), Vec3(2.820f)},
-    {"silver", "Silver (table 4.2, grey)", kTable42, Vec3(0.177f), Vec3(3.638f)},
-    {"copper", "Copper (table 4.2 corrected, grey)", "Thesis, table 4.2, with 0.617 for 0.167 (E4)", Vec3(0.617f),
-     Vec3(2.63f)},
-    {"copper-printed", "Copper (table 4.2 as printed, grey)", "Thesis, table 4.2, as printed", Vec3(0.167f),
-     Vec3(2.63f)},
-    {"steel", "Steel (table 4.2, grey)", kTable42, Vec3(2.485f), Vec3(3.433f)},
+    {"gold", "Gold (grey)", kTable42, Vec3(0.370f), Vec3(2.820f)},
+    {"silver", "Silver (grey)", kTable42, Vec3(0.177f), Vec3(3.638f)},
+    {"copper", "Copper (grey, corrected)", "Lang, table 4.2, corrected", Vec3(0.617f), Vec3(2.63f)},
+    {"copper-printed", "Copper (grey, as printed)", "Lang, table 4.2, as printed", Vec3(0.167f), Vec3(2.63f)},
+    {"steel", "Steel (grey)", kTable42, Vec3(2.485f), Vec3(3.433f)},
     {"silver-measured", "Silver", "Johnson and Christy 1972", Vec3(0.05528f, 0.05471f, 0.04271f),
      Vec3(4.30240f, 3.53638f, 2.53525f)},
     {"aluminium-measured", "Aluminium", "Rakic 1995", Vec3(1.44804f, 0.98394f, 0.58580f),
@@ -53,13 +54,13 @@ inline const std::array<DielectricConstants, 13> kDielectrics{{
     {"glass-dense", "Glass, dense", kTable41, 1.6f},
     {"sapphire", "Sapphire", kTable41, 1.77f},
     {"diamond", "Diamond", kTable41, 2.42f},
-    {"n-bk7", "Schott N-BK7", "Schott, at 587.6 nm", 1.51680f},
-    {"n-sf11", "Schott N-SF11", "Schott, at 587.6 nm", 1.78472f},
+    {"n-bk7", "Schott N-BK7", "Schott glass catalogue, at 587.6 nm", 1.51680f},
+    {"n-sf11", "Schott N-SF11", "Schott glass catalogue, at 587.6 nm", 1.78472f},
     {"fused-silica", "Fused silica", "Malitson 1965, at 587.6 nm", 1.45846f},
     {"water-measured", "Water at 20 degrees", "Daimon and Masumura 2007, at 587.6 nm", 1.33340f},
 }};
 
-// Settings of the knobs `eta`, `kappa` and `fresnel` of FresnelKnobs.
+// Values of the parameters `fresnel`, `eta` and `kappa` of FresnelParameters.
 inline std::vector<ModelPreset> fresnel_presets() {
   std::vector<ModelPreset> presets;
   for (const ConductorConstants& metal : kConductors) {
@@ -73,7 +74,7 @@ inline std::vector<ModelPreset> fresnel_presets() {
   return presets;
 }
 
-// Settings of a single knob `eta`.
+// Values of a parameter `eta`.
 inline std::vector<ModelPreset> dielectric_presets() {
   std::vector<ModelPreset> presets;
   for (const DielectricConstants& d : kDielectrics)

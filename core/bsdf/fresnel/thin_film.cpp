@@ -6,10 +6,10 @@
 namespace etendue {
 namespace {
 
-// Between two dielectrics, at normal incidence.
+// Reflectance at normal incidence between two dielectrics.
 float f0_between(float n1, float n2) { return sqr((n2 - n1) / (n2 + n1)); }
 
-// Of a base that reflects this much in air. Metals count as dielectrics of a high index.
+// The index of refraction of a base with reflectance f0 in air. A metal is treated as a dielectric of a high index.
 float ior_of(float f0) {
   const float root = std::sqrt(std::clamp(f0, 0.0f, 0.9999f));
   return (1 + root) / (1 - root);
@@ -17,21 +17,21 @@ float ior_of(float f0) {
 
 float schlick(float f0, float cosine) { return f0 + (1 - f0) * schlick_weight(cosine); }
 
-// A Gaussian of the observer's curves in the Fourier domain.
-float bump(float value, float position, float variance, float phase, float shift) {
+// The Fourier transform of one Gaussian of the observer's sensitivity curves.
+float fourier_gaussian(float value, float position, float variance, float phase, float shift) {
   return value * std::sqrt(2 * kPi * variance) * std::cos(position * phase + shift) * std::exp(-sqr(phase) * variance);
 }
 
-// What the observer makes of a cosine over all wavelengths: of light that has come so many nanometres further, with so
-// much of a phase.
+// The linear sRGB response to a cosine over all wavelengths, for a difference of optical path lengths in nanometres and
+// a phase shift for each colour component.
 Rgb sensitivity(float path, const Rgb& shift) {
   const float phase = 2 * kPi * path * 1e-9f;
   constexpr float kNorm = 1.0685e-7f;
-  const float x = (bump(5.4856e-13f, 1.6810e6f, 4.3278e9f, phase, shift.r) +
-                   bump(9.7470e-14f, 2.2399e6f, 4.5282e9f, phase, shift.r)) /
+  const float x = (fourier_gaussian(5.4856e-13f, 1.6810e6f, 4.3278e9f, phase, shift.r) +
+                   fourier_gaussian(9.7470e-14f, 2.2399e6f, 4.5282e9f, phase, shift.r)) /
                   kNorm;
-  const float y = bump(4.4201e-13f, 1.7953e6f, 9.3046e9f, phase, shift.g) / kNorm;
-  const float z = bump(5.2481e-13f, 2.2084e6f, 6.6121e9f, phase, shift.b) / kNorm;
+  const float y = fourier_gaussian(4.4201e-13f, 1.7953e6f, 9.3046e9f, phase, shift.g) / kNorm;
+  const float z = fourier_gaussian(5.2481e-13f, 2.2084e6f, 6.6121e9f, phase, shift.b) / kNorm;
   return {3.2404542f * x - 1.5371385f * y - 0.4985314f * z, -0.9692660f * x + 1.8760108f * y + 0.0415560f * z,
           0.0556434f * x - 0.2040259f * y + 1.0572252f * z};
 }
@@ -49,8 +49,8 @@ Rgb ThinFilm::reflectance(float cosine, const Rgb& base_f0) const {
     const float r23 = schlick(f0_between(ior, base), inner);
     const float r123 = std::min(r12 * r23, 0.9999f);
     const float rs = sqr(t121) * r23 / (1 - r123);
-    // The first boundary turns what comes back from inside by pi, as the film is denser than air; the second what it
-    // reflects, if the base is not as dense as the film.
+    // Internal reflection at the boundary to air shifts the phase by pi, because the film is denser than air.
+    // Reflection at the base shifts it by pi if the base has the lower index.
     phase[c] = kPi + (base < ior ? kPi : 0);
     amplitude[c] = std::sqrt(r123);
     f[c] = r12 + rs;

@@ -1,37 +1,36 @@
-// The boundary of a solid dielectric, smooth or rough: reflection and refraction with exact Fresnel terms.
+// The boundary of a solid dielectric, smooth or rough: reflection and refraction.                [Walter et al. 2007]
 //
 //   f_r = F D G2 / (4 |cos_o cos_i|)
-//   f_t = (1 - F) D G2 |wo.h| |wi.h| / (|cos_o cos_i| (wo.h + eta wi.h)^2)  [x 1/eta'^2 for radiance]   Walter et al.
-//   2007
+//   f_t = (1 - F) D G2 |<wo, h> <wi, h>| / (|cos_o cos_i| (<wi, h> + <wo, h> / eta')^2)    [x 1 / eta'^2 for radiance]
 //
-// F is exact, or what a film and KHR_materials_specular make of it (boundary.h). `eta` is inside (z < 0) over outside
-// (z > 0). Radiance is compressed on refraction, power is not: thesis (4.128), (4.137), erratum E8. Smooth boundaries
-// are a pair of deltas. Reciprocal up to the eta^2 law; conserves energy (facets lose what is scattered more than
-// once). Sampling: visible normals, then reflection or refraction by F.
+// F is exact, or modified by a thin film and KHR_materials_specular (dielectric_boundary.h). eta is the index of
+// refraction inside (z < 0) over that outside (z > 0), eta' that on the side of wi over that on the side of wo.
+// Refraction scales radiance by eta'^2, not power [Lang, eq. 4.127, 4.130 (corrected), 4.131]. A smooth boundary is a
+// pair of deltas. Reciprocal up to the eta^2 law [Lang, eq. 4.301]. Conserves energy; microfacets lose what is
+// scattered more than once. Sampling: visible normals, then reflection or refraction in proportion to F.
 #pragma once
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric_boundary.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/microfacet/ggx.h"
 
 namespace etendue {
 
 template <class Color, class Boundary = ClearBoundary<Color>>
 struct Dielectric : Boundary {
-  Color tint{1};  // of what passes through the boundary
+  Color tint{1};  // multiplies the transmitted light
   float eta = 1.5f;
-  float share = 1;  // the weight of this lobe in the surface's mix
+  float share = 1;  // weight of this lobe in the surface's mixture
   Ggx facets;
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth() || eta == 1; }
-  float weight(const Vec3&) const { return share; }
+  float sampling_weight(const Vec3&) const { return share; }
 
   float relative_eta(const Vec3& wo) const { return wo.z > 0 ? eta : 1 / eta; }
   Color reflected(const Incidence& at) const { return this->reflectance(at) * share; }
   Color passed(const Incidence& at) const { return tint * ((1 - this->kept(at)) * share); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport mode) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode mode) const {
     Vec3 h;
     Incidence at;
     if (is_delta() || !half_vector(wo, wi, h, at)) return Color(0);
@@ -39,16 +38,16 @@ struct Dielectric : Boundary {
     if (wo.z * wi.z > 0) return reflected(at) * (common / 4);
     const float e = relative_eta(wo);
     const float oh = glm::dot(wo, h), ih = glm::dot(wi, h);
-    const float scale = mode == Transport::radiance ? 1 / sqr(e) : 1;
+    const float scale = mode == TransportMode::radiance ? 1 / sqr(e) : 1;
     return passed(at) * (common * std::abs(oh * ih) / sqr(ih + oh / e) * scale);
   }
 
-  bool scatters(Scatter letter) const { return letter == Scatter::glossy && !is_delta(); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return letter == Scatter::glossy ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType type) const { return type == ScatterType::glossy && !is_delta(); }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return type == ScatterType::glossy ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     Vec3 h;
     Incidence at;
     if (is_delta() || !half_vector(wo, wi, h, at)) return 0;
@@ -60,18 +59,18 @@ struct Dielectric : Boundary {
     return (1 - f) * visible * std::abs(ih) / sqr(ih + glm::dot(wo, h) / relative_eta(wo));
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo.z < 0 ? -1.0f : 1.0f;
     const bool delta = is_delta();
-    const Vec3 h = delta ? Vec3(0, 0, side) : facets.sample_visible(wo * side, draw.u) * side;
+    const Vec3 h = delta ? Vec3(0, 0, side) : facets.sample_visible(wo * side, random.u) * side;
     const float e = relative_eta(wo);
     const float oh = glm::dot(wo, h);
     if (!(oh > 0)) return false;
     const Incidence at = incidence(wo, oh, e);
     const float f = this->reflect_share(at);
     s.delta = delta;
-    s.scatter = delta ? Scatter::specular : Scatter::glossy;
-    if (draw.choice < f) {
+    s.type = delta ? ScatterType::specular : ScatterType::glossy;
+    if (random.choice < f) {
       s.wi = reflect(wo, h);
       if (s.wi.z * wo.z <= 0) return false;
       if (delta) return s.weight = reflected(at) / f, true;
@@ -80,7 +79,7 @@ struct Dielectric : Boundary {
       s.transmitted = true;
       s.eta = e;
       if (s.wi.z * wo.z >= 0) return false;
-      if (delta) return s.weight = passed(at) * ((mode == Transport::radiance ? 1 / sqr(e) : 1) / (1 - f)), true;
+      if (delta) return s.weight = passed(at) * ((mode == TransportMode::radiance ? 1 / sqr(e) : 1) / (1 - f)), true;
     }
     s.pdf_solid_angle = pdf(wo, s.wi, mode);
     if (!(s.pdf_solid_angle > 0)) return false;
@@ -88,16 +87,16 @@ struct Dielectric : Boundary {
     return true;
   }
 
-  void add_deltas(const Vec3& wo, Transport mode, Deltas<Color>& deltas) const {
+  void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Color>& deltas) const {
     if (!is_delta()) return;
     const Vec3 h(0, 0, wo.z < 0 ? -1.0f : 1.0f);
     const float e = relative_eta(wo), oh = std::abs(wo.z);
     const Incidence at = incidence(wo, oh, e);
     const float f = this->reflect_share(at);
-    deltas.reflect(reflect(wo, h), reflected(at), f);
+    deltas.add_reflection(reflect(wo, h), reflected(at), f);
     if (f < 1)
-      deltas.transmit(-wo / e + h * (oh / e - at.refracted),
-                      passed(at) * (mode == Transport::radiance ? 1 / sqr(e) : 1), e, 1 - f);
+      deltas.add_transmission(-wo / e + h * (oh / e - at.refracted),
+                              passed(at) * (mode == TransportMode::radiance ? 1 / sqr(e) : 1), e, 1 - f);
   }
 
  private:
@@ -108,7 +107,7 @@ struct Dielectric : Boundary {
     return at;
   }
 
-  // The facet normal, on the outside, that takes wo to wi, and how wo meets it; false if there is none.
+  // The microfacet normal, on the outer side, that scatters wo to wi, and the incidence on it; false if there is none.
   bool half_vector(const Vec3& wo, const Vec3& wi, Vec3& h, Incidence& at) const {
     const bool reflection = wo.z * wi.z > 0;
     if (wo.z == 0 || wi.z == 0) return false;
@@ -118,10 +117,10 @@ struct Dielectric : Boundary {
     if (!(squared > 0)) return false;
     h /= std::sqrt(squared);
     if (h.z < 0) h = -h;
-    // Facets seen from behind contribute nothing.
+    // Back-facing microfacets do not contribute.
     if (glm::dot(wo, h) * wo.z <= 0 || glm::dot(wi, h) * wi.z <= 0) return false;
     const float oh = std::abs(glm::dot(wo, h)), ih = std::abs(glm::dot(wi, h));
-    // Near total reflection the refracted cosine is known far better than it follows from the other.
+    // Near total reflection, the given refracted cosine is more accurate than one computed from the other cosine.
     at = reflection ? incidence(wo, oh, e) : Incidence{fresnel_of_cosines(oh, ih, e), ih, wo.z > 0 ? oh : ih};
     return true;
   }

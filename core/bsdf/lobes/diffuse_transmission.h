@@ -1,9 +1,9 @@
-// Light that leaves on the other side in all directions alike, under the specular layer.
-//                                                                             KHR_materials_diffuse_transmission
-//   f = color/pi (1 - max(F(cos_o), F(cos_i)))
+// Diffuse transmission below a specular layer.                                   [KHR_materials_diffuse_transmission]
 //
-// F is what the layer above keeps. The extension leaves open which angle that is across a surface: with the angles to
-// the normal f is reciprocal and gains no energy. Sampled by the cosine.
+//   f = color / pi (1 - max(F(cos_o), F(cos_i)))
+//
+// F is the reflectance of the specular layer. The extension does not define the angle for directions on opposite sides;
+// the angles to the normal make f reciprocal and energy conserving. Sampled by the cosine on the other side.
 #pragma once
 #include "base/warp.h"
 #include "bsdf/lobe.h"
@@ -16,34 +16,35 @@ struct DiffuseTransmission {
   Fresnel layer;
 
   bool is_delta() const { return false; }
-  float weight(const Vec3& wo) const { return average(color) * (1 - layer.kept(std::abs(wo.z))); }
+  float sampling_weight(const Vec3& wo) const { return average(color) * (1 - layer.layer_reflectance(std::abs(wo.z))); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const {
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (!(wo.z * wi.z < 0)) return Color(0);
-    return color * (kInvPi * (1 - std::max(layer.kept(std::abs(wo.z)), layer.kept(std::abs(wi.z)))));
+    return color *
+           (kInvPi * (1 - std::max(layer.layer_reflectance(std::abs(wo.z)), layer.layer_reflectance(std::abs(wi.z)))));
   }
 
-  bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(color); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType type) const { return type == ScatterType::diffuse && !is_black(color); }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return type == ScatterType::diffuse ? eval(wo, wi, mode) : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     return wo.z * wi.z < 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
-    s.wi = draw.cosine_direction;
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
+    s.wi = random.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (!(s.pdf_solid_angle > 0)) return false;
     if (wo.z > 0) s.wi.z = -s.wi.z;
     s.weight = eval(wo, s.wi, mode) * (std::abs(s.wi.z) / s.pdf_solid_angle);
     s.transmitted = true;
-    s.scatter = Scatter::diffuse;
+    s.type = ScatterType::diffuse;
     return true;
   }
 
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 };
 
 }  // namespace etendue

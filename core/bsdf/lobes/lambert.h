@@ -1,6 +1,8 @@
-// Ideal diffuse reflection.                                         thesis (4.146), (4.202)
+// Ideal diffuse reflection.                                                        [Lang, eq. 4.108, 4.217-4.219]
 //
-//   f = albedo / pi      reciprocal; conserves energy for albedo <= 1; sampled by cosine, weight = albedo
+//   f = albedo / pi
+//
+// Reciprocal. Conserves energy for albedo <= 1. Sampled by the cosine: the weight of every sample is the albedo.
 #pragma once
 #include "base/warp.h"
 #include "bsdf/lobe.h"
@@ -12,29 +14,31 @@ struct Lambert {
   Color albedo{0};
 
   bool is_delta() const { return false; }
-  float weight(const Vec3&) const { return average(albedo); }
+  float sampling_weight(const Vec3&) const { return average(albedo); }
 
-  Color eval(const Vec3& wo, const Vec3& wi, Transport) const { return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0); }
-
-  bool scatters(Scatter letter) const { return letter == Scatter::diffuse && !is_black(albedo); }
-  Color eval_part(Scatter letter, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return letter == Scatter::diffuse ? eval(wo, wi, mode) : Color(0);
+  Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
+    return wo.z * wi.z > 0 ? albedo * kInvPi : Color(0);
   }
 
-  float pdf(const Vec3& wo, const Vec3& wi, Transport) const {
+  bool has_component(ScatterType type) const { return type == ScatterType::diffuse && !is_black(albedo); }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return type == ScatterType::diffuse ? eval(wo, wi, mode) : Color(0);
+  }
+
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     return wo.z * wi.z > 0 ? cosine_hemisphere_pdf(std::abs(wi.z)) : 0;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport, LobeSample<Color>& s) const {
-    s.wi = draw.cosine_direction;
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode, LobeSample<Color>& s) const {
+    s.wi = random.cosine_direction;
     s.pdf_solid_angle = cosine_hemisphere_pdf(s.wi.z);
     if (wo.z < 0) s.wi.z = -s.wi.z;
     s.weight = albedo;
-    s.scatter = Scatter::diffuse;
+    s.type = ScatterType::diffuse;
     return s.pdf_solid_angle > 0;
   }
 
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 };
 
 }  // namespace etendue

@@ -1,9 +1,9 @@
-// Reflection by facets that are mirrors, masked after Smith.                Torrance and Sparrow 1967; Heitz 2014
+// Reflection by mirror microfacets with Smith masking.                          [Torrance and Sparrow 1967; Heitz 2014]
 //
-//   f = tint F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i),     G2 = 1 / (1 + lambda(o) + lambda(i))
+//   f = tint F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i),     G2 = 1 / (1 + Lambda(o) + Lambda(i))
 //
-// drawn by the normals that o sees; the weight of a sample is tint F G2 / G1. Reciprocal. What is scattered between
-// facets more than once is lost, or given back by FacetCompensation (facet_energy.h).
+// Reciprocal. Sampled by the normals visible from o; the weight of a sample is tint F G2 / G1. Light that microfacets
+// scatter more than once is lost unless EnergyCompensation (energy_compensation.h) restores it.
 #pragma once
 #include "bsdf/fresnel/fresnel_term.h"
 #include "bsdf/lobes/opaque_lobe.h"
@@ -26,18 +26,18 @@ struct MicrofacetReflection : OpaqueLobe<ColorType, MicrofacetReflection<ColorTy
   FacetsType facets;
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     return tint * fresnel(half.cosine) * (facets.d(half.h) * facet_visibility(facets, o, i));
   }
   float density(const Vec3& o, const Vec3& i) const {
-    return facets.d(HalfWay(o, i).h) / (4 * (o.z + facets.projected_lambda(o)));
+    return facets.d(HalfVector(o, i).h) / (4 * (o.z + facets.projected_lambda(o)));
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
-    i = reflect(o, facets.sample_visible(o, draw.u));
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    i = reflect(o, facets.sample_visible(o, random.u));
     return true;
   }
-  float weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))); }
-  float slope() const { return std::max(facets.alpha_x, facets.alpha_y); }
+  float sampling_weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))); }
+  float alpha() const { return std::max(facets.alpha_x, facets.alpha_y); }
 };
 
 }  // namespace etendue

@@ -1,29 +1,31 @@
-// A plane mirror: one delta.                                     thesis (4.116)-(4.123), items 33, 34, erratum E6
+// Specular reflection: a single delta.                                    [Lang, eq. 4.91-4.94, 4.102-4.104, corrected]
 //
-//   f = tint F(cos) delta(wi - mirrored wo) / cos
+//   f = tint F(cos_i) delta(wi - r) / cos_i,       r the mirror direction of wo about the shading normal
+//
+// Reciprocal. The albedo is tint F.
 #pragma once
 #include "bsdf/fresnel/fresnel_term.h"
 #include "bsdf/lobes/delta_lobe.h"
 
 namespace etendue {
 
-// Fresnel: from the cosine to a reflectance by band.
+// Fresnel is a function object that returns the reflectance for a cosine, as FresnelTerm does.
 template <class Color, class Fresnel = FresnelTerm<Color>>
 struct Mirror : DeltaLobe<Color> {
   Color tint{1};
   Fresnel fresnel;
 
-  float weight(const Vec3& wo) const { return average(reflected(wo)); }
+  float sampling_weight(const Vec3& wo) const { return average(reflected(wo)); }
 
-  bool sample(const Vec3& wo, const LobeDraw&, Transport, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo, const LobeRandom&, TransportMode, LobeSample<Color>& s) const {
     s.wi = this->mirrored(wo);
     s.weight = reflected(wo);
-    s.scatter = Scatter::specular;
+    s.type = ScatterType::specular;
     s.delta = true;
     return true;
   }
-  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
-    deltas.reflect(this->mirrored(wo), reflected(wo), 1);
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
+    deltas.add_reflection(this->mirrored(wo), reflected(wo), 1);
   }
 
  private:

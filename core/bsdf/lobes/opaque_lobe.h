@@ -1,38 +1,38 @@
-// What the lobes of opaque models have in common, so that a model's own file holds its formulas and nothing else.
+// The base of opaque lobes that reflect alike on both sides. It turns formulas for the upper side into a lobe.
 //
-// A lobe derives from OpaqueLobe<Color, Itself> and offers, for directions above the surface (z > 0),
+// A lobe derives from OpaqueLobe<Color, Itself, type> and defines, for directions above the surface (z > 0),
 //
-//   Color f(o, i) const;                    // for light that comes from i and leaves to o
-//   float density(o, i) const;              // with which `draw` finds i, per solid angle
-//   bool  draw(o, LobeDraw, Vec3& i) const; // false, or an i below the surface: absorbed
-//   float weight(wo) const;                 // about its albedo
-//   float slope() const;                    // how wide it is, as the slope of facets
+//   Color f(o, i) const;              // f(i -> o): light comes from i and leaves to o; 1/sr, without the cosine
+//   float density(o, i) const;        // density of `sample_direction` per solid angle of i
+//   bool  sample_direction(o, random, Vec3& i) const;
+//                                     // false, or an i below the surface: the sample is absorbed
+//   float sampling_weight(wo) const;  // estimate of the directional albedo; wo on either side
+//   float alpha() const;              // equivalent microfacet roughness, 1 for a diffuse lobe
 //
-// and becomes a lobe with two equal sides. A model that is not reciprocal is told apart by the order of its arguments:
-// importance that comes from wo stands for light that leaves to wo.
+// For models that are not reciprocal the order of the arguments of f matters: the adjoint is f(i, o).
 #pragma once
 #include "bsdf/lobe.h"
 
 namespace etendue {
 
-template <class ColorType, class Lobe, Scatter letter = Scatter::glossy>
+template <class ColorType, class Lobe, ScatterType scatter_type = ScatterType::glossy>
 struct OpaqueLobe {
   using Color = ColorType;
 
   bool is_delta() const { return false; }
 
-  Color eval(Vec3 wo, Vec3 wi, Transport mode) const {
-    if (!raise(wo, wi)) return Color(0);
-    return mode == Transport::radiance ? self().f(wo, wi) : self().f(wi, wo);
+  Color eval(Vec3 wo, Vec3 wi, TransportMode mode) const {
+    if (!to_upper_side(wo, wi)) return Color(0);
+    return mode == TransportMode::radiance ? self().f(wo, wi) : self().f(wi, wo);
   }
 
-  float pdf(Vec3 wo, Vec3 wi, Transport) const { return raise(wo, wi) ? self().density(wo, wi) : 0; }
+  float pdf(Vec3 wo, Vec3 wi, TransportMode) const { return to_upper_side(wo, wi) ? self().density(wo, wi) : 0; }
 
-  bool sample(const Vec3& wo_any, const LobeDraw& draw, Transport mode, LobeSample<Color>& s) const {
+  bool sample(const Vec3& wo_any, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const float side = wo_any.z < 0 ? -1.0f : 1.0f;
     const Vec3 wo(wo_any.x, wo_any.y, wo_any.z * side);
-    if (!self().draw(wo, draw, s.wi) || !(s.wi.z > 0)) return false;
-    s.scatter = letter;
+    if (!self().sample_direction(wo, random, s.wi) || !(s.wi.z > 0)) return false;
+    s.type = scatter_type;
     s.pdf_solid_angle = self().density(wo, s.wi);
     if (!(s.pdf_solid_angle > 0)) return false;
     s.weight = eval(wo, s.wi, mode) * (s.wi.z / s.pdf_solid_angle);
@@ -40,18 +40,21 @@ struct OpaqueLobe {
     return true;
   }
 
-  bool scatters(Scatter part) const { return part == letter; }
-  Color eval_part(Scatter part, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return part == letter ? eval(wo, wi, mode) : Color(0);
+  bool has_component(ScatterType type) const { return type == scatter_type; }
+  Color eval_component(ScatterType type, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return type == scatter_type ? eval(wo, wi, mode) : Color(0);
   }
-  void add_deltas(const Vec3&, Transport, Deltas<Color>&) const {}
+  void add_deltas(const Vec3&, TransportMode, DeltaSet<Color>&) const {}
 
  private:
   const Lobe& self() const { return static_cast<const Lobe&>(*this); }
-  // Turns both to the upper side; false if they are on different ones.
-  static bool raise(Vec3& wo, Vec3& wi) {
+  // Mirrors both directions to the upper side; false if they are on opposite sides.
+  static bool to_upper_side(Vec3& wo, Vec3& wi) {
     if (!(wo.z * wi.z > 0)) return false;
-    if (wo.z < 0) wo.z = -wo.z, wi.z = -wi.z;
+    if (wo.z < 0) {
+      wo.z = -wo.z;
+      wi.z = -wi.z;
+    }
     return true;
   }
 };

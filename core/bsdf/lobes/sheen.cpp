@@ -6,15 +6,18 @@
 namespace etendue {
 namespace {
 
-// The fit of L is given at the two ends of a = 1 and a = 0.
+// The fit of L, interpolated between its coefficients for a = 1 and a = 0.
 struct Fit {
   float a, b, c, d, e;
 
   explicit Fit(float alpha) {
     const float t = sqr(1 - alpha);
     const auto between = [t](float rough, float smooth) { return rough + (smooth - rough) * t; };
-    a = between(21.5473f, 25.3245f), b = between(3.82987f, 3.32435f), c = between(0.19823f, 0.16801f);
-    d = between(-1.97760f, -1.27393f), e = between(-4.32054f, -4.85967f);
+    a = between(21.5473f, 25.3245f);
+    b = between(3.82987f, 3.32435f);
+    c = between(0.19823f, 0.16801f);
+    d = between(-1.97760f, -1.27393f);
+    e = between(-4.32054f, -4.85967f);
   }
   float exponent(float x) const { return a / (1 + b * std::pow(x, c)) + d * x + e; }
   float lambda(float cosine) const {
@@ -22,7 +25,7 @@ struct Fit {
   }
 };
 
-float alpha_of(float roughness) { return sqr(std::clamp(roughness, kLeastSheenRoughness, 1.0f)); }
+float alpha_of(float roughness) { return sqr(std::clamp(roughness, kMinSheenRoughness, 1.0f)); }
 
 float distribution(const Vec3& o, const Vec3& i, float alpha) {
   const Vec3 h = o + i;
@@ -30,12 +33,12 @@ float distribution(const Vec3& o, const Vec3& i, float alpha) {
   return (2 + 1 / alpha) * std::pow(sin2, 0.5f / alpha) * (0.5f * kInvPi);
 }
 
-Vec3 at(float cosine, float phi) {
+Vec3 direction_at(float cosine, float phi) {
   const float sine = safe_sqrt(1 - sqr(cosine));
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
-// E by the midpoint rule. Most of it happens at grazing angles: cosines are squares.
+// E by the midpoint rule. Nodes are the squares of equidistant numbers, because E varies most at grazing angles.
 class AlbedoTable {
  public:
   AlbedoTable() {
@@ -45,9 +48,9 @@ class AlbedoTable {
   float at(float cosine, float roughness) const {
     const float x = std::sqrt(std::clamp(cosine, 0.0f, 1.0f)) * (kCosines - 1);
     const float y =
-        std::clamp((roughness - kLeastSheenRoughness) / (1 - kLeastSheenRoughness), 0.0f, 1.0f) * (kRoughnesses - 1);
-    const auto x0 = std::min(static_cast<size_t>(x), kCosines - 2),
-               y0 = std::min(static_cast<size_t>(y), kRoughnesses - 2);
+        std::clamp((roughness - kMinSheenRoughness) / (1 - kMinSheenRoughness), 0.0f, 1.0f) * (kRoughnesses - 1);
+    const auto x0 = std::min(static_cast<size_t>(x), kCosines - 2);
+    const auto y0 = std::min(static_cast<size_t>(y), kRoughnesses - 2);
     const float u = x - static_cast<float>(x0), v = y - static_cast<float>(y0);
     return (values_[y0][x0] * (1 - u) + values_[y0][x0 + 1] * u) * (1 - v) +
            (values_[y0 + 1][x0] * (1 - u) + values_[y0 + 1][x0 + 1] * u) * v;
@@ -58,22 +61,21 @@ class AlbedoTable {
   static constexpr int kSteps = 64, kAngles = 48;
 
   void fill(size_t r) {
-    const float roughness =
-        kLeastSheenRoughness + (1 - kLeastSheenRoughness) * static_cast<float>(r) / (kRoughnesses - 1);
+    const float roughness = kMinSheenRoughness + (1 - kMinSheenRoughness) * static_cast<float>(r) / (kRoughnesses - 1);
     const float alpha = alpha_of(roughness);
     const Fit fit(alpha);
     std::array<float, kSteps> lambda;
     for (int k = 0; k < kSteps; ++k) lambda[static_cast<size_t>(k)] = fit.lambda(cosine_of(k));
     for (size_t c = 0; c < kCosines; ++c) {
       const float cosine = sqr(std::max(static_cast<float>(c) / (kCosines - 1), 1e-2f));
-      const float own = fit.lambda(cosine);
+      const float lambda_o = fit.lambda(cosine);
       double sum = 0;
       for (int k = 0; k < kSteps; ++k) {
         double ring = 0;
         for (int a = 0; a < kAngles; ++a)
-          ring += distribution(etendue::at(cosine, 0),
-                               etendue::at(cosine_of(k), kPi * (static_cast<float>(a) + 0.5f) / kAngles), alpha);
-        sum += ring * std::sqrt(cosine_of(k)) / (1 + own + lambda[static_cast<size_t>(k)]);
+          ring += distribution(direction_at(cosine, 0),
+                               direction_at(cosine_of(k), kPi * (static_cast<float>(a) + 0.5f) / kAngles), alpha);
+        sum += ring * std::sqrt(cosine_of(k)) / (1 + lambda_o + lambda[static_cast<size_t>(k)]);
       }
       values_[r][c] = static_cast<float>(sum * kPi / (cosine * kSteps * kAngles));
     }

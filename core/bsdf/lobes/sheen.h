@@ -1,25 +1,25 @@
-// The sheen of glTF: light that fibres along the normal scatter back.                             KHR_materials_sheen
+// The sheen of glTF: backscattering by fibres along the normal.                                  [KHR_materials_sheen]
 //
-//   f = color D V / max(1, E(cos_o), E(cos_i)),   D = (2 + 1/a) sin^(1/a)(theta_h) / (2 pi),   a = roughness^2
-//   V = 1 / (4 cos_o cos_i (1 + L(cos_o) + L(cos_i)))               Estevez and Kulla, 2017, with their fit of L
+//   f = color D V / max(1, E(cos_o), E(cos_i)),   D = (2 + 1 / a) sin_h^(1 / a) / (2 pi),   a = roughness^2
+//   V = 1 / (4 cos_o cos_i (1 + L(cos_o) + L(cos_i)))                              fit of L: [Estevez and Kulla 2017]
 //
-// E is the albedo of D V. It is above one at grazing angles below a roughness of 0.3 (2.9 at 0.07), for L is fitted;
-// the divisor takes that away and leaves all other directions alone. Reciprocal. Sampled uniformly over the hemisphere:
-// the relative variance of the albedo's estimate is 0.2 to 2.5 for roughnesses of 0.3 and more, that of sampling by D
-// 0.6 to 47, by the cosine 0.3 to 8.5.
+// E is the directional albedo of D V. The fit of L makes it exceed 1 at grazing angles for roughnesses below 0.3 (2.9
+// for 0.07); the divisor removes that excess and changes no other direction. Reciprocal. Sampled uniformly over the
+// hemisphere: the relative variance of the estimated albedo is 0.2 to 2.5 for roughnesses of at least 0.3, against 0.6
+// to 47 when sampling by D and 0.3 to 8.5 when sampling by the cosine.
 #pragma once
 #include "bsdf/lobes/opaque_lobe.h"
 #include "bsdf/microfacet/cosine_exponent.h"
 
 namespace etendue {
 
-// Below this the lobe is narrower than its table resolves, and has next to no albedo but at the rim.
-inline constexpr float kLeastSheenRoughness = 0.07f;
+// Smaller roughnesses are clamped: the table does not resolve the lobe, whose albedo vanishes except at grazing angles.
+inline constexpr float kMinSheenRoughness = 0.07f;
 
-// E of a colour of one; a table made when it is first asked for.
+// E, from a table that is computed at first use. Thread-safe.
 float sheen_albedo(float cosine, float roughness);
 
-// D V of two directions above the surface.
+// D V for two directions above the surface.
 float sheen_shape(const Vec3& o, const Vec3& i, float roughness);
 
 template <class ColorType>
@@ -28,23 +28,26 @@ struct Sheen : OpaqueLobe<ColorType, Sheen<ColorType>> {
   float roughness = 1;
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const float most = std::max(sheen_albedo(o.z, roughness), sheen_albedo(i.z, roughness));
-    return color * (sheen_shape(o, i, roughness) / std::max(1.0f, most));
+    const float largest = std::max(sheen_albedo(o.z, roughness), sheen_albedo(i.z, roughness));
+    return color * (sheen_shape(o, i, roughness) / std::max(1.0f, largest));
   }
   float density(const Vec3&, const Vec3&) const { return 0.5f * kInvPi; }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const { return i = square_to_cosine_power(draw.u, 0), true; }
-  float weight(const Vec3& wo) const {
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = square_to_cosine_power(random.u, 0);
+    return true;
+  }
+  float sampling_weight(const Vec3& wo) const {
     return average(color) * std::min(1.0f, sheen_albedo(std::abs(wo.z), roughness));
   }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 };
 
-// What it takes from the layers below: `max(color)` of what a white one sends back.
+// The attenuation of the lobes below a sheen (coating_layers.h).
 struct SheenCoating {
-  float strength = 0;
+  float strength = 0;  // largest component of the sheen colour
   float roughness = 1;
 
-  float kept(const Vec3& w) const { return strength * std::min(1.0f, sheen_albedo(std::abs(w.z), roughness)); }
+  float albedo(const Vec3& w) const { return strength * std::min(1.0f, sheen_albedo(std::abs(w.z), roughness)); }
 };
 
 }  // namespace etendue

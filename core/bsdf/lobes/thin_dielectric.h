@@ -1,11 +1,11 @@
-// A pane of clear or tinted glass too thin to shift a ray: two interfaces, and all reflections between them.
+// A pane of clear or tinted glass, too thin to displace a ray: two interfaces and all reflections between them.
 //
-//   R = F + (1 - F)^2 F t^2 / (1 - F^2 t^2),   T = (1 - F)^2 t / (1 - F^2 t^2)         by polarisation; item 39 [D]
+//   R = F + (1 - F)^2 F t^2 / (1 - F^2 t^2),   T = (1 - F)^2 t / (1 - F^2 t^2),     averaged over both polarisations
 //
-// F is the reflectance of one interface, t what is left of light that crosses the glass once: tint^(1 / cos_t), Beer's
-// law for a tint given at normal incidence. Clear glass at normal incidence lets (1 - F) / (1 + F) through, 0.923077
-// for an index of 1.5. Polarisations do not mix between parallel interfaces, so the mean is taken at the end. Without
-// interference. Two deltas; reciprocal; R + T = 1 where the tint is white.
+// F is the reflectance of one interface and t the transmittance of one crossing of the glass, tint^(1 / cos_t) by
+// Beer's law; the tint is that at normal incidence. Clear glass transmits (1 - F) / (1 + F) at normal incidence,
+// 0.923077 for an index of 1.5. Parallel interfaces do not mix the polarisations, so the mean is taken last. No
+// interference. Two deltas. Reciprocal; R + T = 1 for a white tint.
 #pragma once
 #include <cmath>
 
@@ -18,17 +18,17 @@ struct ThinDielectric : DeltaLobe<Color> {
   Color tint{1};
   float eta = 1.5f;
 
-  float weight(const Vec3&) const { return 1; }
+  float sampling_weight(const Vec3&) const { return 1; }
 
-  struct Parts {
-    Color reflected{0}, passed{0};
-    float reflect_share() const {
-      const float r = average(reflected), t = average(passed);
+  struct Coefficients {
+    Color reflected{0}, transmitted{0};  // R and T
+    float reflection_probability() const {
+      const float r = average(reflected), t = average(transmitted);
       return t > 0 ? r / (r + t) : 1;
     }
   };
-  Parts parts(float cosine) const {
-    Parts sum;
+  Coefficients coefficients(float cosine) const {
+    Coefficients sum;
     const float sin2_t = (1 - sqr(cosine)) / sqr(eta);
     if (sin2_t >= 1) return {Color(1), Color(0)};
     const float cos_t = std::sqrt(1 - sin2_t);
@@ -37,30 +37,30 @@ struct ThinDielectric : DeltaLobe<Color> {
     for (int k = 0; k < 3; ++k) {
       const float t = tint[k] > 0 ? std::pow(tint[k], 1 / cos_t) : 0.0f;
       for (const float f : {sqr(parallel), sqr(perpendicular)}) {
-        // At 90 degrees f is one, and nothing passes.
-        const float left = 1 - sqr(f * t), passed = left > 0 ? sqr(1 - f) * t / left : 0;
-        sum.reflected[k] += 0.5f * (f + passed * f * t);
-        sum.passed[k] += 0.5f * passed;
+        // At 90 degrees f is 1 and nothing is transmitted.
+        const float remaining = 1 - sqr(f * t), transmitted = remaining > 0 ? sqr(1 - f) * t / remaining : 0;
+        sum.reflected[k] += 0.5f * (f + transmitted * f * t);
+        sum.transmitted[k] += 0.5f * transmitted;
       }
     }
     return sum;
   }
 
-  bool sample(const Vec3& wo, const LobeDraw& draw, Transport, LobeSample<Color>& s) const {
-    const Parts both = parts(std::abs(wo.z));
-    const float share = both.reflect_share();
-    s.transmitted = draw.choice >= share;
+  bool sample(const Vec3& wo, const LobeRandom& random, TransportMode, LobeSample<Color>& s) const {
+    const Coefficients both = coefficients(std::abs(wo.z));
+    const float reflection = both.reflection_probability();
+    s.transmitted = random.choice >= reflection;
     s.wi = s.transmitted ? -wo : this->mirrored(wo);
-    s.weight = s.transmitted ? both.passed / (1 - share) : both.reflected / share;
-    s.scatter = Scatter::specular;
+    s.weight = s.transmitted ? both.transmitted / (1 - reflection) : both.reflected / reflection;
+    s.type = ScatterType::specular;
     s.delta = true;
     return true;
   }
-  void add_deltas(const Vec3& wo, Transport, Deltas<Color>& deltas) const {
-    const Parts both = parts(std::abs(wo.z));
-    const float share = both.reflect_share();
-    deltas.reflect(this->mirrored(wo), both.reflected, share);
-    if (share < 1) deltas.transmit(-wo, both.passed, 1, 1 - share);
+  void add_deltas(const Vec3& wo, TransportMode, DeltaSet<Color>& deltas) const {
+    const Coefficients both = coefficients(std::abs(wo.z));
+    const float reflection = both.reflection_probability();
+    deltas.add_reflection(this->mirrored(wo), both.reflected, reflection);
+    if (reflection < 1) deltas.add_transmission(-wo, both.transmitted, 1, 1 - reflection);
   }
 };
 

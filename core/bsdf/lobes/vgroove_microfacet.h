@@ -1,10 +1,10 @@
-// Reflection by facets in symmetric V-shaped grooves.                  Cook, Torrance 1982; thesis (4.270)-(4.289)
+// Reflection by mirror microfacets in symmetric V-grooves.              [Cook and Torrance 1982; Lang, eq. 4.272-4.289]
 //
-//   f = tint F(<o, h>) G sum(w_k D_k(h)) / (4 cos_o cos_i),   G = min(1, 2 cos_h cos_o / <o, h>, 2 cos_h cos_i / <o,
-//   h>)
+//   f = tint F(<o, h>) G sum(W_k D_k(h)) / (4 cos_o cos_i)
+//   G = min(1, 2 cos_h cos_o / <o, h>, 2 cos_h cos_i / <o, h>)
 //
-// A distribution is chosen by its weight, a normal by it; the weight of a sample with a single distribution is
-// tint F G <o, h> / (cos_h cos_o). Reciprocal.
+// Reciprocal. Sampling selects a distribution by its weight and samples a normal from it. The weight of a sample with
+// one Beckmann distribution is tint F G <o, h> / (cos_h cos_o), which is not bounded at grazing angles.
 #pragma once
 #include "bsdf/fresnel/fresnel_term.h"
 #include "bsdf/lobes/opaque_lobe.h"
@@ -15,53 +15,54 @@ namespace etendue {
 
 template <class ColorType>
 struct VGrooveMicrofacet : OpaqueLobe<ColorType, VGrooveMicrofacet<ColorType>> {
-  static constexpr int kMost = 3;
+  static constexpr int kMaxDistributions = 3;
 
   ColorType tint{1};
   FresnelTerm<ColorType> fresnel;
-  std::array<SlopeDistribution, kMost> slopes;
+  std::array<SlopeDistribution, kMaxDistributions> slopes;
   int count = 0;
-  bool masked = true;  // G, or 1 in its place
+  bool masked = true;  // false: G = 1
 
   void add(const SlopeDistribution& d) { slopes[static_cast<size_t>(count++)] = d; }
 
   ColorType f(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
+    const HalfVector half(o, i);
     return tint * fresnel(half.cosine) * (sum([&](const auto& s) { return s.d(half.h); }) * visibility(o, i, half));
   }
   float density(const Vec3& o, const Vec3& i) const {
-    const HalfWay half(o, i);
-    return half.cosine > 0 ? sum([&](const auto& s) { return s.density(half.h); }) / (4 * half.cosine * total()) : 0;
+    const HalfVector half(o, i);
+    return half.cosine > 0 ? sum([&](const auto& s) { return s.density(half.h); }) / (4 * half.cosine * total_weight())
+                           : 0;
   }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
-    float choice = draw.choice * total();
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    float choice = random.choice * total_weight();
     size_t k = 0;
-    while (k + 1 < static_cast<size_t>(count) && choice >= slopes[k].share) choice -= slopes[k++].share;
-    const Vec3 h = slopes[k].draw(draw.u);
+    while (k + 1 < static_cast<size_t>(count) && choice >= slopes[k].weight) choice -= slopes[k++].weight;
+    const Vec3 h = slopes[k].sample(random.u);
     i = reflect(o, h);
     return glm::dot(o, h) > 0;
   }
-  float weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))) * total(); }
-  float slope() const {
+  float sampling_weight(const Vec3& wo) const { return average(tint * fresnel(std::abs(wo.z))) * total_weight(); }
+  float alpha() const {
     float least = 1;
     for (size_t k = 0; k < static_cast<size_t>(count); ++k) least = std::min(least, slopes[k].m);
     return least;
   }
 
  private:
-  // G / (4 cos_o cos_i), without dividing by the smaller cosine where G holds it.
-  float visibility(const Vec3& o, const Vec3& i, const HalfWay& half) const {
+  // G / (4 cos_o cos_i), without dividing by the smaller cosine where G contains it.
+  float visibility(const Vec3& o, const Vec3& i, const HalfVector& half) const {
     const float low = std::min(o.z, i.z), high = std::max(o.z, i.z);
-    const float open = 1 / low;
-    return (masked ? std::min(open, 2 * half.h.z / half.cosine) : open) / (4 * high);
+    const float unmasked = 1 / low;
+    return (masked ? std::min(unmasked, 2 * half.h.z / half.cosine) : unmasked) / (4 * high);
   }
   template <class F>
   float sum(F&& of_distribution) const {
     float total = 0;
-    for (size_t k = 0; k < static_cast<size_t>(count); ++k) total += slopes[k].share * of_distribution(slopes[k]);
+    for (size_t k = 0; k < static_cast<size_t>(count); ++k) total += slopes[k].weight * of_distribution(slopes[k]);
     return total;
   }
-  float total() const {
+  float total_weight() const {
     return sum([](const auto&) { return 1.0f; });
   }
 };

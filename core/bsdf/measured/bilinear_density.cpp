@@ -3,7 +3,7 @@
 namespace etendue {
 namespace {
 
-// The patch that x in [0, 1] falls into, of so many nodes.
+// The interval between two of `nodes` equidistant nodes that contains x in [0, 1], and the position in it.
 struct Patch {
   size_t index;
   float t;
@@ -17,11 +17,12 @@ struct Patch {
 
 float lerp(float a, float b, float t) { return a + (b - a) * t; }
 
-// t with a t + (b - a) t^2 / 2 = area.
-float inverted(float a, float b, float area) {
+// The t for which area_below(a, b, t) is `area`.
+float inverse_area(float a, float b, float area) {
   const float root = a + safe_sqrt(a * a + 2 * (b - a) * area);
   return root > 0 ? std::clamp(2 * area / root, 0.0f, 1.0f) : 0.5f;
 }
+// The integral from 0 to t of a linear function with the values a at 0 and b at 1.
 float area_below(float a, float b, float t) { return t * (a + 0.5f * (b - a) * t); }
 
 }  // namespace
@@ -29,14 +30,14 @@ float area_below(float a, float b, float t) { return t * (a + 0.5f * (b - a) * t
 BilinearGrid::BilinearGrid(std::span<const float> values, size_t width, size_t height)
     : values_(values.begin(), values.end()), width_(width), height_(height) {}
 
-float BilinearGrid::at(const Vec2& p, const SliceBlend& blend, size_t slices_apart) const {
+float BilinearGrid::at(const Vec2& p, const SliceBlend& blend, size_t slice_stride) const {
   const Patch x(p.x, width_), y(p.y, height_);
   const auto slice = [&](size_t k) {
     const float* v = &values_[(k * height_ + y.index) * width_ + x.index];
     return lerp(lerp(v[0], v[1], x.t), lerp(v[width_], v[width_ + 1], x.t), y.t);
   };
   const float first = slice(blend.first);
-  return blend.t > 0 ? lerp(first, slice(blend.first + slices_apart), blend.t) : first;
+  return blend.t > 0 ? lerp(first, slice(blend.first + slice_stride), blend.t) : first;
 }
 
 BilinearDensity::BilinearDensity(std::span<const float> values, size_t width, size_t height)
@@ -54,45 +55,49 @@ BilinearDensity::BilinearDensity(std::span<const float> values, size_t width, si
     };
     for (size_t y = 0; y + 1 < height; ++y) total += 0.5 * dy * (row_total(y) + row_total(y + 1));
     for (size_t i = 0; i < width * height; ++i) v[i] = total > 0 ? static_cast<float>(v[i] / total) : 1;
-    double below = 0, last = row_total(0);
+    double below = 0, previous = row_total(0);
     for (size_t y = 0; y < height; ++y) {
       double sum = 0;
       for (size_t x = 0; x < width; ++x) {
         if (x > 0) sum += 0.5 * dx * (double{v[y * width + x - 1]} + v[y * width + x]);
         row_sums_[(k * height + y) * width + x] = static_cast<float>(sum);
       }
-      if (y > 0) below += 0.5 * dy * (last + sum);
-      last = sum;
+      if (y > 0) below += 0.5 * dy * (previous + sum);
+      previous = sum;
       marginal_[k * height + y] = static_cast<float>(below);
     }
   }
 }
 
-// Two blended slices as one.
+// Two blended slices, read as one.
 struct BilinearDensity::View {
-  const BilinearDensity& of;
+  const BilinearDensity& density;
   size_t first, second;
   float t;
 
-  View(const BilinearDensity& density, const SliceBlend& blend)
-      : of(density), first(blend.first), second(blend.t > 0 ? blend.first + 1 : blend.first), t(blend.t) {}
+  View(const BilinearDensity& density_, const SliceBlend& blend)
+      : density(density_), first(blend.first), second(blend.t > 0 ? blend.first + 1 : blend.first), t(blend.t) {}
 
-  float value(size_t y, size_t x) const { return from(of.values_, of.height_ * of.width_, y * of.width_ + x); }
-  float row_sum(size_t y, size_t x) const { return from(of.row_sums_, of.height_ * of.width_, y * of.width_ + x); }
-  float row_total(size_t y) const { return row_sum(y, of.width_ - 1); }
-  float below(size_t y) const { return from(of.marginal_, of.height_, y); }
+  float value(size_t y, size_t x) const {
+    return blended(density.values_, density.height_ * density.width_, y * density.width_ + x);
+  }
+  float row_sum(size_t y, size_t x) const {
+    return blended(density.row_sums_, density.height_ * density.width_, y * density.width_ + x);
+  }
+  float row_total(size_t y) const { return row_sum(y, density.width_ - 1); }
+  float below(size_t y) const { return blended(density.marginal_, density.height_, y); }
 
  private:
-  float from(const std::vector<float>& data, size_t stride, size_t at) const {
+  float blended(const std::vector<float>& data, size_t stride, size_t at) const {
     return lerp(data[first * stride + at], data[second * stride + at], t);
   }
 };
 
 namespace {
 
-// The last node but the very last whose sum does not exceed u.
+// The largest index below nodes - 1 whose cumulative sum does not exceed u.
 template <class Sum>
-size_t found(size_t nodes, float u, Sum&& sum) {
+size_t find_interval(size_t nodes, float u, Sum&& sum) {
   size_t low = 0, high = nodes - 1;
   while (high - low > 1) {
     const size_t middle = (low + high) / 2;
@@ -106,17 +111,17 @@ size_t found(size_t nodes, float u, Sum&& sum) {
 BilinearDensity::Sample BilinearDensity::sample(const Vec2& u, const SliceBlend& blend) const {
   const View view(*this, blend);
   const auto rows = static_cast<float>(height_ - 1), columns = static_cast<float>(width_ - 1);
-  const float wanted_y = u.y * view.below(height_ - 1);
-  const size_t y = found(height_, wanted_y, [&](size_t k) { return view.below(k); });
+  const float target_y = u.y * view.below(height_ - 1);
+  const size_t y = find_interval(height_, target_y, [&](size_t k) { return view.below(k); });
   const float a = view.row_total(y), b = view.row_total(y + 1);
-  const float t = inverted(a, b, (wanted_y - view.below(y)) * rows);
+  const float t = inverse_area(a, b, (target_y - view.below(y)) * rows);
 
-  const float wanted_x = u.x * lerp(a, b, t);
+  const float target_x = u.x * lerp(a, b, t);
   const auto sum = [&](size_t k) { return lerp(view.row_sum(y, k), view.row_sum(y + 1, k), t); };
-  const size_t x = found(width_, wanted_x, sum);
+  const size_t x = find_interval(width_, target_x, sum);
   const float v0 = lerp(view.value(y, x), view.value(y + 1, x), t);
   const float v1 = lerp(view.value(y, x + 1), view.value(y + 1, x + 1), t);
-  const float s = inverted(v0, v1, (wanted_x - sum(x)) * columns);
+  const float s = inverse_area(v0, v1, (target_x - sum(x)) * columns);
   return {Vec2((static_cast<float>(x) + s) / columns, (static_cast<float>(y) + t) / rows), lerp(v0, v1, s)};
 }
 

@@ -3,21 +3,24 @@
 namespace etendue {
 namespace {
 
-constexpr float kSpread = 0.05f;
+constexpr float kUniformPart = 0.05f;
 
 Vec3 at_cosine(float cosine, float phi) {
   const float sine = safe_sqrt(1 - sqr(cosine));
   return {sine * std::cos(phi), sine * std::sin(phi), cosine};
 }
 
-// A point of the grid for o as a direction.
+// The direction of a point of the grid; phi_o is the azimuth of o.
 Vec3 direction_at(const Vec2& p, float phi_o) { return at_cosine(std::sqrt(p.y), phi_o + 2 * kPi * p.x); }
 
 }  // namespace
 
 DirectionTable::DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int azimuths, bool coarse)
     : azimuths_(azimuths) {
-  if (coarse) columns_ /= 2, rows_ /= 2;
+  if (coarse) {
+    columns_ /= 2;
+    rows_ /= 2;
+  }
   std::vector<float> values(static_cast<size_t>(columns_ * rows_));
   for (int c = 0; c < kCosines; ++c)
     for (int a = 0; a < azimuths; ++a) {
@@ -40,16 +43,16 @@ DirectionTable::DirectionTable(const std::function<Rgb(const Vec3&, const Vec3&)
       double squares = 0;
       for (float& v : values) {
         v = mean > 0 ? v / mean : 1;
-        v = (1 - kSpread) * v + kSpread;
+        v = (1 - kUniformPart) * v + kUniformPart;
         squares += sqr(double{v}) / (columns_ * rows_);
       }
       grids_.emplace_back(values, columns_, rows_);
       albedos_.push_back(mean * kPi);
-      slope_ = std::min(1.0f, static_cast<float>(std::sqrt(1 / squares)));
+      alpha_ = std::min(1.0f, static_cast<float>(std::sqrt(1 / squares)));
     }
 }
 
-DirectionTable::Near DirectionTable::near(const Vec3& o) const {
+DirectionTable::GridWeights DirectionTable::grids_near(const Vec3& o) const {
   const float x = std::clamp(o.z * kCosines - 0.5f, 0.0f, kCosines - 1.0f);
   const int c = std::min(static_cast<int>(x), kCosines - 2);
   const float t = x - static_cast<float>(c);
@@ -58,7 +61,8 @@ DirectionTable::Near DirectionTable::near(const Vec3& o) const {
   if (azimuths_ > 1) {
     const float phi = std::atan2(o.y, o.x) / (2 * kPi);
     const float y = (phi - std::floor(phi)) * static_cast<float>(azimuths_);
-    first = static_cast<int>(y) % azimuths_, second = (first + 1) % azimuths_;
+    first = static_cast<int>(y) % azimuths_;
+    second = (first + 1) % azimuths_;
     s = y - std::floor(y);
   }
   const auto grid = [&](int cosine, int azimuth) { return static_cast<size_t>(cosine * azimuths_ + azimuth); };
@@ -69,24 +73,24 @@ DirectionTable::Near DirectionTable::near(const Vec3& o) const {
 float DirectionTable::density(const Vec3& o, const Vec3& i) const {
   const float turn = (std::atan2(i.y, i.x) - std::atan2(o.y, o.x)) / (2 * kPi);
   const Vec2 p(std::min(turn - std::floor(turn), kOneMinusEpsilon), std::min(sqr(i.z), kOneMinusEpsilon));
-  const Near grids = near(o);
+  const GridWeights grids = grids_near(o);
   float sum = 0;
   for (int k = 0; k < 4; ++k)
     if (grids.weights[k] > 0) sum += grids.weights[k] * grids_[grids.grids[k]].pdf(p);
   return sum * i.z * kInvPi;
 }
 
-bool DirectionTable::draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const {
-  const Near grids = near(o);
-  float choice = draw.choice;
+bool DirectionTable::sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+  const GridWeights grids = grids_near(o);
+  float choice = random.choice;
   int k = 0;
   while (k < 3 && choice >= grids.weights[k]) choice -= grids.weights[k++];
-  i = direction_at(grids_[grids.grids[k]].sample(draw.u).uv, std::atan2(o.y, o.x));
+  i = direction_at(grids_[grids.grids[k]].sample(random.u).uv, std::atan2(o.y, o.x));
   return true;
 }
 
 float DirectionTable::albedo(const Vec3& o) const {
-  const Near grids = near(Vec3(o.x, o.y, std::abs(o.z)));
+  const GridWeights grids = grids_near(Vec3(o.x, o.y, std::abs(o.z)));
   float sum = 0;
   for (int k = 0; k < 4; ++k) sum += grids.weights[k] * albedos_[grids.grids[k]];
   return sum;

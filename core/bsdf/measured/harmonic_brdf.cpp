@@ -5,48 +5,53 @@
 namespace etendue {
 namespace {
 
-constexpr int kMost = HarmonicBrdf::kMostBands;
+constexpr int kMaxBands = HarmonicBrdf::kMaxBands;
 
-// p(l, m, z) for all l >= m of one m, with the integral of p^2 from -1 to 1 being one.
+// p(l, m, z) for all l >= m of one m, normalised so that the integral of p^2 over [-1, 1] is 1. `diagonal` is p(m, m,
+// z).
 template <class T>
-void legendre(int bands, int m, T z, T diagonal, std::array<T, kMost>& p) {
+void legendre(int bands, int m, T z, T diagonal, std::array<T, kMaxBands>& p) {
   p[static_cast<size_t>(m)] = diagonal;
-  T before = 0, now = diagonal;
+  T previous = 0, current = diagonal;
   for (int l = m + 1; l < bands; ++l) {
     const T l2 = static_cast<T>(l * l), m2 = static_cast<T>(m * m), b2 = static_cast<T>((l - 1) * (l - 1));
     const T a = std::sqrt((4 * l2 - 1) / (l2 - m2));
     const T c = l > m + 1 ? std::sqrt((b2 - m2) / (4 * b2 - 1)) : T(0);
-    const T next = a * (z * now - c * before);
-    before = now, now = next;
-    p[static_cast<size_t>(l)] = now;
+    const T next = a * (z * current - c * previous);
+    previous = current;
+    current = next;
+    p[static_cast<size_t>(l)] = current;
   }
 }
 
-// p(m, m, z) from p(m - 1, m - 1, z).
+// p(m, m, z) from `previous` = p(m - 1, m - 1, z), with sine = sqrt(1 - z^2).
 template <class T>
-T next_diagonal(int m, T sine, T last) {
-  return last * sine * std::sqrt(static_cast<T>(2 * m + 1) / static_cast<T>(2 * m));
+T next_diagonal(int m, T sine, T previous) {
+  return previous * sine * std::sqrt(static_cast<T>(2 * m + 1) / static_cast<T>(2 * m));
 }
 
-// Gauss points on [0, 1]: roots of the Legendre polynomial by Newton's steps.
-struct Gauss {
+// Gauss-Legendre quadrature with n points on [0, 1]. The points are roots of the Legendre polynomial, found by Newton's
+// method.
+struct GaussLegendre {
   std::vector<double> x, weight;
 
-  explicit Gauss(int n) {
+  explicit GaussLegendre(int n) {
     for (int k = 0; k < n; ++k) {
       double z = std::cos(M_PI * (k + 0.75) / (n + 0.5)), slope = 1;
       for (int step = 0; step < 50; ++step) {
         double p0 = 1, p1 = z;
         for (int l = 2; l <= n; ++l) {
           const double p2 = ((2 * l - 1) * z * p1 - (l - 1) * p0) / l;
-          p0 = p1, p1 = p2;
+          p0 = p1;
+          p1 = p2;
         }
         slope = n * (z * p1 - p0) / (z * z - 1);
         const double move = p1 / slope;
         z -= move;
         if (std::abs(move) < 1e-15) break;
       }
-      x.push_back(0.5 * (1 + z)), weight.push_back(1 / ((1 - z * z) * slope * slope));
+      x.push_back(0.5 * (1 + z));
+      weight.push_back(1 / ((1 - z * z) * slope * slope));
     }
   }
 };
@@ -57,38 +62,38 @@ Vec3 at_cosine(double cosine, double phi) {
           static_cast<float>(cosine)};
 }
 
-// How many l of one m have l + m even.
+// The number of l of one m with even l + m.
 int even_count(int bands, int m) { return (bands - m + 1) / 2; }
 
 }  // namespace
 
 HarmonicBrdf::HarmonicBrdf(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int bands)
-    : bands_(std::clamp(bands, 1, kMost)) {
-  constexpr int kCosines = 48, kAzimuths = 128;  // azimuths over half a turn
-  const Gauss gauss(kCosines);
-  // f by m and both cosines.
+    : bands_(std::clamp(bands, 1, kMaxBands)) {
+  constexpr int kCosines = 48, kAzimuths = 128;  // azimuths over 180 degrees
+  const GaussLegendre gauss(kCosines);
+  // The Fourier coefficients of f in the azimuth, by m and both cosines.
   const auto n = static_cast<size_t>(kCosines);
-  std::vector<std::array<double, 3>> waves(static_cast<size_t>(bands_) * n * n);
+  std::vector<std::array<double, 3>> fourier(static_cast<size_t>(bands_) * n * n);
   for (size_t o = 0; o < n; ++o)
     for (size_t i = 0; i <= o; ++i) {
-      const Vec3 wo = at_cosine(gauss.x[o], 0), wi_up = at_cosine(gauss.x[i], 0);
+      const Vec3 o_at_zero = at_cosine(gauss.x[o], 0), i_at_zero = at_cosine(gauss.x[i], 0);
       for (int k = 0; k < kAzimuths; ++k) {
         const double phi = M_PI * (k + 0.5) / kAzimuths;
-        // Both orders: what is not reciprocal is made so.
-        const Vec3 wi = at_cosine(gauss.x[i], phi), turned = at_cosine(gauss.x[o], phi);
-        const Rgb value = 0.5f * (f(wo, wi) + f(wi_up, turned));
+        // The mean of both orders makes the result reciprocal.
+        const Vec3 i_at_phi = at_cosine(gauss.x[i], phi), o_at_phi = at_cosine(gauss.x[o], phi);
+        const Rgb value = 0.5f * (f(o_at_zero, i_at_phi) + f(i_at_zero, o_at_phi));
         for (int m = 0; m < bands_; ++m)
           for (size_t band = 0; band < 3; ++band)
-            waves[(static_cast<size_t>(m) * n + o) * n + i][band] +=
+            fourier[(static_cast<size_t>(m) * n + o) * n + i][band] +=
                 double{value[static_cast<int>(band)]} * std::cos(m * phi) * (m == 0 ? 1.0 : 2.0) / kAzimuths;
       }
       if (i < o)
         for (size_t m = 0; m < static_cast<size_t>(bands_); ++m)
-          waves[(m * n + i) * n + o] = waves[(m * n + o) * n + i];
+          fourier[(m * n + i) * n + o] = fourier[(m * n + o) * n + i];
     }
   std::vector<double> diagonals(n, std::sqrt(0.5));
   for (int m = 0; m < bands_; ++m) {
-    std::vector<std::array<double, kMost>> p(n);
+    std::vector<std::array<double, kMaxBands>> p(n);
     for (size_t k = 0; k < n; ++k) {
       if (m > 0) diagonals[k] = next_diagonal(m, std::sqrt(1 - sqr(gauss.x[k])), diagonals[k]);
       legendre(bands_, m, gauss.x[k], diagonals[k], p[k]);
@@ -101,37 +106,40 @@ HarmonicBrdf::HarmonicBrdf(const std::function<Rgb(const Vec3&, const Vec3&)>& f
           for (size_t o = 0; o < n; ++o)
             for (size_t i = 0; i < n; ++i)
               sum += 4 * gauss.weight[o] * gauss.weight[i] * p[o][static_cast<size_t>(l)] *
-                     p[i][static_cast<size_t>(l2)] * waves[(static_cast<size_t>(m) * n + o) * n + i][band];
+                     p[i][static_cast<size_t>(l2)] * fourier[(static_cast<size_t>(m) * n + o) * n + i][band];
           c[static_cast<int>(band)] = static_cast<float>(sum);
         }
         coefficients_.push_back(c);
       }
   }
-  double cut = 0, left = 0;
+  double clamped = 0, remaining = 0;
   for (size_t o = 0; o < n; o += 2)
     for (size_t i = 0; i < n; i += 2)
       for (int k = 0; k < kAzimuths; k += 4) {
         const Rgb value = sum(at_cosine(gauss.x[o], 0), at_cosine(gauss.x[i], M_PI * (k + 0.5) / kAzimuths));
         const double weight = gauss.weight[o] * gauss.weight[i] * gauss.x[o] * gauss.x[i];
-        for (int band = 0; band < 3; ++band) (value[band] < 0 ? cut : left) += weight * std::abs(double{value[band]});
+        for (int band = 0; band < 3; ++band)
+          (value[band] < 0 ? clamped : remaining) += weight * std::abs(double{value[band]});
       }
-  clamped_ = left > 0 ? static_cast<float>(cut / left) : 0;
+  clamped_part_ = remaining > 0 ? static_cast<float>(clamped / remaining) : 0;
 }
 
 Rgb HarmonicBrdf::sum(const Vec3& o, const Vec3& i) const {
   const float sine_o = std::sqrt(sqr(o.x) + sqr(o.y)), sine_i = std::sqrt(sqr(i.x) + sqr(i.y));
-  const float both = sine_o * sine_i;
-  const float turn = both > 0 ? std::clamp((o.x * i.x + o.y * i.y) / both, -1.0f, 1.0f) : 1;
-  float wave = 1, last_wave = turn;  // cos(m dphi), and that of m - 1
+  const float sines = sine_o * sine_i;
+  const float cos_dphi = sines > 0 ? std::clamp((o.x * i.x + o.y * i.y) / sines, -1.0f, 1.0f) : 1;
+  float cos_m = 1, previous_cos_m = cos_dphi;  // cos(m dphi) and cos((m - 1) dphi)
   float diagonal_o = std::sqrt(0.5f), diagonal_i = diagonal_o;
-  std::array<float, kMost> p_o{}, p_i{};
+  std::array<float, kMaxBands> p_o{}, p_i{};
   Rgb total(0);
   const Rgb* c = coefficients_.data();
   for (int m = 0; m < bands_; ++m) {
     if (m > 0) {
-      diagonal_o = next_diagonal(m, sine_o, diagonal_o), diagonal_i = next_diagonal(m, sine_i, diagonal_i);
-      const float next = 2 * turn * wave - last_wave;
-      last_wave = wave, wave = next;
+      diagonal_o = next_diagonal(m, sine_o, diagonal_o);
+      diagonal_i = next_diagonal(m, sine_i, diagonal_i);
+      const float next = 2 * cos_dphi * cos_m - previous_cos_m;
+      previous_cos_m = cos_m;
+      cos_m = next;
     }
     legendre(bands_, m, o.z, diagonal_o, p_o);
     legendre(bands_, m, i.z, diagonal_i, p_i);
@@ -142,7 +150,7 @@ Rgb HarmonicBrdf::sum(const Vec3& o, const Vec3& i) const {
       for (int l2 = 0; l2 < count; ++l2) row += *c++ * p_i[static_cast<size_t>(m + 2 * l2)];
       part += row * p_o[static_cast<size_t>(m + 2 * l)];
     }
-    total += part * wave;
+    total += part * cos_m;
   }
   return total;
 }

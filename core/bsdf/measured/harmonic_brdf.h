@@ -1,11 +1,11 @@
-// A reflectance function in spherical harmonics.                                          thesis (4.150), item 46
+// An isotropic BRDF in spherical harmonics.                                                   [Lang, eq. 4.202-4.205]
 //
 //   f(o, i) ~ sum over m, l, l' of c(m, l, l') p(l, m, cos_o) p(l', m, cos_i) cos(m dphi),     l, l' < bands
 //
-// with p the Legendre functions normalised to one. That is <C(o), Y(i)> with C itself in harmonics, so that what is
-// reciprocal stays so. Both directions are continued below the horizon as mirrored there: a diffuse surface is then a
-// constant, and one band is enough for it. Isotropic functions that do not tell left from right. Where few bands are
-// not enough the sum rings, and is negative in places: that is cut off, and how much it was is known.
+// p are normalised associated Legendre functions. This is <C(o), Y(i)> with C expanded in harmonics as well, so that a
+// reciprocal function stays reciprocal. Both directions are continued below the horizon as mirror images: a diffuse
+// surface is then constant and needs one band. The function must be isotropic and symmetric under reflection. With too
+// few bands the sum rings and is negative in places; negative values are clamped, and the clamped part is reported.
 #pragma once
 #include <functional>
 #include <vector>
@@ -17,21 +17,23 @@ namespace etendue {
 
 class HarmonicBrdf {
  public:
-  static constexpr int kMostBands = 24;
+  static constexpr int kMaxBands = 24;
 
   HarmonicBrdf() = default;
+  // Projects f on `bands` bands, from 1 to kMaxBands. The mean of f(o, i) and f(i, o) is used.
   HarmonicBrdf(const std::function<Rgb(const Vec3&, const Vec3&)>& f, int bands);
 
+  // Both directions above the surface; not negative.
   Rgb f(const Vec3& o, const Vec3& i) const;
-  // Before anything was cut off.
+  // The same before clamping.
   Rgb sum(const Vec3& o, const Vec3& i) const;
-  // What was cut off, over what is left: both averaged over all pairs of directions, weighted by their cosines.
-  float clamped() const { return clamped_; }
+  // The clamped part over the remaining part, both averaged over all pairs of directions with cosine weights.
+  float clamped_part() const { return clamped_part_; }
 
  private:
   int bands_ = 1;
-  std::vector<Rgb> coefficients_;  // by m, l, l' where l + m and l' + m are even
-  float clamped_ = 0;
+  std::vector<Rgb> coefficients_;  // by m, l, l'; only even l + m and l' + m
+  float clamped_part_ = 0;
 };
 
 }  // namespace etendue

@@ -1,13 +1,14 @@
-// Measured and tabulated reflectance: made or read once, shared by all surfaces, kept for good.
+// Measured and tabulated BRDFs: loaded or computed once, shared by all surfaces, kept until the program ends.
 //
-// A source of a table is the name of a reflection model, with settings after it that are parted by spaces, or the path
-// of a table's own text file (brdf_table.h):
+// The source of a table is the name of a BSDF model with parameters, separated by spaces, or the path of a table file
+// (brdf_table.h):
 //
-//   ward alpha-x=0.1 alpha-y=0.1          measured here, its base colour white
-//   rgl file=/data/paper_white_rgb.bsdf   measured elsewhere
-//   brushed.brdf
+//   ward alpha-x=0.1 alpha-y=0.1          measured by the virtual gonioreflectometer with a white base colour
+//   rgl file=/data/paper_white_rgb.bsdf   a table of a measured material
+//   brushed.brdf                          a table file
 //
-// What of a model are deltas is left out. A file that changes on disk is read again by the next run of the program.
+// Deltas of a model are left out. A file that changes on disk is read again only by another run of the program. All
+// functions are thread-safe.
 #pragma once
 #include <string>
 #include <string_view>
@@ -21,7 +22,7 @@
 
 namespace etendue {
 
-// A function and the directions drawn for it.
+// A BRDF with tabulated sampling: the Data of a MeasuredLobe.
 template <class Function>
 class SampledBrdf {
  public:
@@ -32,28 +33,30 @@ class SampledBrdf {
   const Function& function() const { return function_; }
   Rgb f(const Vec3& o, const Vec3& i) const { return function_.f(o, i); }
   float density(const Vec3& o, const Vec3& i) const { return directions_.density(o, i); }
-  bool draw(const Vec3& o, const LobeDraw& draw, Vec3& i) const { return directions_.draw(o, draw, i); }
+  bool sample_direction(const Vec3& o, const LobeRandom& random, Vec3& i) const {
+    return directions_.sample_direction(o, random, i);
+  }
   float albedo(const Vec3& o) const { return directions_.albedo(o); }
-  float slope() const { return directions_.slope(); }
+  float alpha() const { return directions_.alpha(); }
 
  private:
   Function function_;
   DirectionTable directions_;
 };
 
-// No file was named yet.
+// The value of a file parameter that names no file.
 inline constexpr const char* kNoFile = "none";
 
-// Whether the text can be used; the error says what is wrong with it. A file is read for that.
+// Checks the value of a parameter; the error says what is wrong with it. Files are read.
 Result<void> accepts_rgl_file(std::string_view path);
 Result<void> accepts_merl_file(std::string_view path);
 Result<void> accepts_table_source(std::string_view source);
 Result<void> accepts_harmonic_source(std::string_view source);
 
-// Null where the text cannot be used.
+// The data; null if the value is not accepted or is kNoFile.
 const RglBrdf* rgl_data(const std::string& path);
 const SampledBrdf<MerlBrdf>* merl_data(const std::string& path);
-// Polar angles and azimuths are those of a model that is measured; a file has its own.
+// The numbers of polar angles and azimuths apply to a model; a file has its own.
 const SampledBrdf<BrdfTable>* table_data(const std::string& source, int polar, int azimuths);
 const SampledBrdf<HarmonicBrdf>* harmonic_data(const std::string& source, int bands);
 

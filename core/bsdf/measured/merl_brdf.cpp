@@ -8,19 +8,19 @@
 namespace etendue {
 namespace {
 
-constexpr int kMostCells = 1000;  // along one axis
+constexpr int kMaxCells = 1000;  // along one axis
 
-// Between the middles of cells: the first, and how far to the next.
-struct Between {
+// Interpolation between the midpoints of two cells: t = 0 at `first`, 1 at `second`.
+struct CellPair {
   int first, second;
   float t;
 
-  static Between clamped(float x, int cells) {
+  static CellPair clamped(float x, int cells) {
     const float at = std::clamp(x - 0.5f, 0.0f, static_cast<float>(cells - 1));
     const int first = std::min(static_cast<int>(at), std::max(0, cells - 2));
     return {first, std::min(first + 1, cells - 1), at - static_cast<float>(first)};
   }
-  static Between around(float x, int cells) {
+  static CellPair periodic(float x, int cells) {
     const float at = x - 0.5f, floor = std::floor(at);
     const int first = (static_cast<int>(floor) % cells + cells) % cells;
     return {first, (first + 1) % cells, at - floor};
@@ -34,46 +34,51 @@ Result<MerlBrdf> MerlBrdf::read(const std::filesystem::path& path) {
   if (!bytes) return bytes.error();
   const auto wrong = [&](const std::string& what) { return input_error(path.string() + ": " + what); };
   int32_t sizes[3] = {};
-  if (bytes->size() < sizeof sizes) return wrong("it is too short for a MERL measurement (.binary)");
+  if (bytes->size() < sizeof sizes) return wrong("the file is too short for a MERL measurement (.binary)");
   std::memcpy(sizes, bytes->data(), sizeof sizes);
   for (const int32_t size : sizes)
-    if (size < 1 || size > kMostCells) return wrong("its sizes are not those of a MERL measurement (90, 90, 180)");
+    if (size < 1 || size > kMaxCells)
+      return wrong("the sizes in the header are not those of a MERL measurement (90, 90, 180)");
   const size_t cells = static_cast<size_t>(sizes[0]) * static_cast<size_t>(sizes[1]) * static_cast<size_t>(sizes[2]);
   if (bytes->size() != sizeof sizes + 3 * cells * sizeof(double))
-    return wrong("its length is not that of " + std::to_string(cells) + " cells in three bands");
+    return wrong("the length of the file does not match the " + std::to_string(cells) +
+                 " cells in three colours that its header declares");
 
   MerlBrdf brdf;
-  brdf.halves_ = sizes[0], brdf.differences_ = sizes[1], brdf.azimuths_ = sizes[2];
+  brdf.theta_h_count_ = sizes[0];
+  brdf.theta_d_count_ = sizes[1];
+  brdf.phi_d_count_ = sizes[2];
   brdf.values_.resize(cells);
   const double scales[3] = {1.0 / 1500, 1.15 / 1500, 1.66 / 1500};
   for (size_t band = 0; band < 3; ++band)
     for (size_t k = 0; k < cells; ++k) {
       double value;
       std::memcpy(&value, bytes->data() + sizeof sizes + (band * cells + k) * sizeof value, sizeof value);
-      if (!std::isfinite(value)) return wrong("it holds a number that is not finite");
+      if (!std::isfinite(value)) return wrong("a value is not finite");
       brdf.values_[k][static_cast<int>(band)] = static_cast<float>(std::max(0.0, value * scales[band]));
     }
   return brdf;
 }
 
 Rgb MerlBrdf::f(const Vec3& o, const Vec3& i) const {
-  const HalfWay half(o, i);
+  const HalfVector half(o, i);
   const Vec3& h = half.h;
   const float planar = std::sqrt(sqr(h.x) + sqr(h.y));
   const Vec2 azimuth = planar > 0 ? Vec2(h.x, h.y) / planar : Vec2(1, 0);
-  // What the difference has across the half vector, in axes that lie as those of the surface do where h is upright.
+  // The tangential part of the difference vector, in the frame whose z axis is h and whose x axis lies in the plane of
+  // h and the normal. The sign chooses phi_d in [0, pi].
   const Vec3 across = 0.5f * (i - o);
-  const float along = h.z * (azimuth.x * across.x + azimuth.y * across.y) - planar * across.z;
-  const float beside = azimuth.x * across.y - azimuth.y * across.x;
-  const float sign = beside < 0 || (beside == 0 && along < 0) ? -1.0f : 1.0f;
-  const float phi = std::atan2(sign * beside, sign * along);
+  const float x_d = h.z * (azimuth.x * across.x + azimuth.y * across.y) - planar * across.z;
+  const float y_d = azimuth.x * across.y - azimuth.y * across.x;
+  const float sign = y_d < 0 || (y_d == 0 && x_d < 0) ? -1.0f : 1.0f;
+  const float phi_d = std::atan2(sign * y_d, sign * x_d);
 
   const float theta_h = std::atan2(planar, h.z), theta_d = std::acos(std::min(half.cosine, 1.0f));
-  const auto x = Between::clamped(std::sqrt(theta_h * (2 / kPi)) * static_cast<float>(halves_), halves_);
-  const auto y = Between::clamped(theta_d * (2 / kPi) * static_cast<float>(differences_), differences_);
-  const auto z = Between::around(phi * kInvPi * static_cast<float>(azimuths_), azimuths_);
+  const auto x = CellPair::clamped(std::sqrt(theta_h * (2 / kPi)) * static_cast<float>(theta_h_count_), theta_h_count_);
+  const auto y = CellPair::clamped(theta_d * (2 / kPi) * static_cast<float>(theta_d_count_), theta_d_count_);
+  const auto z = CellPair::periodic(phi_d * kInvPi * static_cast<float>(phi_d_count_), phi_d_count_);
   const auto at = [&](int a, int b, int c) {
-    return values_[static_cast<size_t>((a * differences_ + b) * azimuths_ + c)];
+    return values_[static_cast<size_t>((a * theta_d_count_ + b) * phi_d_count_ + c)];
   };
   const auto line = [&](int a, int b) { return mix(at(a, b, z.first), at(a, b, z.second), z.t); };
   const auto plane = [&](int a) { return mix(line(a, y.first), line(a, y.second), y.t); };

@@ -1,9 +1,11 @@
-// Measured materials of the MERL database (`.binary`).                     Matusik, Pfister, Brand and McMillan, 2003
+// A measured material of the MERL database (`.binary`).                                       [Matusik et al. 2003]
 //
-// Three 32 bit sizes, and for red, green and blue as many doubles as their product: by the angle of the half vector
-// (its root is divided evenly), of the difference to it, and the azimuth of the difference over half a turn. Values are
-// scaled by 1 / 1500, 1.15 / 1500 and 1.66 / 1500; negative ones mark what was not measured and count as 0. Between the
-// middles of cells values are interpolated. Reciprocal, because half a turn is all there is.
+// The file has three 32 bit sizes and, for red, green and blue, as many doubles as their product, all little-endian.
+// Entries are ordered by theta_h, theta_d and phi_d, the angle of the half vector, the angle of the difference vector
+// and its azimuth [Rusinkiewicz 1998]. theta_h is divided evenly in its square root, phi_d covers 180 degrees and
+// varies fastest. Values are scaled by 1 / 1500, 1.15 / 1500 and 1.66 / 1500. Negative values mark missing measurements
+// and count as 0. Values are interpolated between the midpoints of cells. Reciprocal, because phi_d covers 180 degrees
+// only.
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -16,12 +18,14 @@ namespace etendue {
 
 class MerlBrdf {
  public:
+  // Input errors name the file and what is wrong with it.
   static Result<MerlBrdf> read(const std::filesystem::path& path);
 
+  // 1/sr; both directions above the surface.
   Rgb f(const Vec3& o, const Vec3& i) const;
 
  private:
-  int halves_ = 0, differences_ = 0, azimuths_ = 0;
+  int theta_h_count_ = 0, theta_d_count_ = 0, phi_d_count_ = 0;
   std::vector<Rgb> values_;
 };
 

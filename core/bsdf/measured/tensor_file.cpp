@@ -10,9 +10,9 @@ namespace {
 
 constexpr char kMagic[12] = "tensor_file";
 constexpr uint8_t kFloat32 = 10;
-constexpr uint16_t kMostDimensions = 16;
+constexpr uint16_t kMaxDimensions = 16;
 
-// Reads numbers one after the other; `ok` stays false once the bytes have run out.
+// Reads consecutive values. `ok` becomes false when the bytes run out; values are then 0.
 struct Reader {
   const std::vector<std::byte>& bytes;
   size_t at = 0;
@@ -47,7 +47,7 @@ Result<TensorFile> TensorFile::read(const std::filesystem::path& path) {
   const auto major = reader.next<uint8_t>();
   reader.next<uint8_t>();
   if (!reader.ok || std::memcmp(magic, kMagic, sizeof magic) != 0 || major != 1)
-    return file.wrong("this is not a tensor file of version 1, as the RGL database has them (.bsdf)");
+    return file.wrong("not a tensor file of version 1 as in the RGL database (.bsdf)");
   const auto count = reader.next<uint32_t>();
   for (uint32_t k = 0; k < count && reader.ok; ++k) {
     Field field;
@@ -56,8 +56,8 @@ Result<TensorFile> TensorFile::read(const std::filesystem::path& path) {
     const auto dimensions = reader.next<uint16_t>();
     field.type = reader.next<uint8_t>();
     field.offset = reader.next<uint64_t>();
-    if (!reader.ok || dimensions > kMostDimensions) return file.wrong("the directory of its fields is damaged");
-    // No field has more elements than the file has bytes.
+    if (!reader.ok || dimensions > kMaxDimensions) return file.wrong("the directory of fields is damaged");
+    // A field cannot have more elements than the file has bytes.
     field.count = 1;
     for (uint16_t d = 0; d < dimensions; ++d) {
       const auto size = reader.next<uint64_t>();
@@ -68,7 +68,7 @@ Result<TensorFile> TensorFile::read(const std::filesystem::path& path) {
     }
     file.fields_.push_back(std::move(field));
   }
-  if (!reader.ok) return file.wrong("it ends in the middle of the directory of its fields");
+  if (!reader.ok) return file.wrong("the file ends within the directory of fields");
   return file;
 }
 
@@ -82,17 +82,17 @@ Result<Tensor> TensorFile::floats(std::string_view name, size_t dimensions) cons
   const std::string named = "field " + std::string(name);
   const Field* field = find(name);
   if (!field) return wrong(named + " is missing");
-  if (field->type != kFloat32) return wrong(named + " does not hold 32 bit floats");
+  if (field->type != kFloat32) return wrong(named + " does not contain 32 bit floats");
   if (field->shape.size() != dimensions)
     return wrong(named + " has " + std::to_string(field->shape.size()) + " dimensions, not " +
                  std::to_string(dimensions));
   const uint64_t size = field->count * sizeof(float);
   if (field->offset > bytes_.size() || size > bytes_.size() - field->offset)
-    return wrong(named + " reaches beyond the end of the file");
+    return wrong(named + " extends beyond the end of the file");
   Tensor tensor{field->shape, std::vector<float>(field->count)};
   if (size > 0) std::memcpy(tensor.values.data(), bytes_.data() + field->offset, size);
   for (const float x : tensor.values)
-    if (!std::isfinite(x)) return wrong(named + " holds a number that is not finite");
+    if (!std::isfinite(x)) return wrong(named + " contains a value that is not finite");
   return tensor;
 }
 

@@ -1,9 +1,9 @@
-// Tensor files, in which the RGL material database keeps its measurements (`.bsdf`).
+// The tensor files of the RGL material database (`.bsdf`).
 //
-//   "tensor_file\0"  version: u8 1, u8 0  fields: u32
+//   "tensor_file\0"  version: u8 1, u8 0  number of fields: u32
 //   each field       name: u16 length and bytes, dimensions: u16, type: u8, offset in the file: u64, sizes: u64 each
 //
-// Little-endian. Types are 1 (u8) .. 9, 10 (f32), 11 (f64); only those read here are looked at.
+// Little-endian. Types are 1 (u8) .. 9, 10 (f32), 11 (f64); only f32 is read.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -14,6 +14,7 @@
 
 namespace etendue {
 
+// Row-major: the last dimension varies fastest.
 struct Tensor {
   std::vector<size_t> shape;
   std::vector<float> values;
@@ -21,11 +22,12 @@ struct Tensor {
 
 class TensorFile {
  public:
-  // Whatever is damaged in the directory of fields is an error. Nothing is allocated by what the file claims alone.
+  // A damaged directory of fields is an input error. Allocations are bounded by the size of the file.
   static Result<TensorFile> read(const std::filesystem::path& path);
 
   bool has(std::string_view name) const { return find(name) != nullptr; }
-  // A field of 32 bit floats, all of them finite, with so many dimensions.
+  // A field of 32 bit floats with this number of dimensions. A missing field, another type or a value that is not
+  // finite is an input error.
   Result<Tensor> floats(std::string_view name, size_t dimensions) const;
 
  private:

@@ -1,10 +1,12 @@
-// What facets lose by scattering light more than once, and a lobe that gives it back.
+// A lobe that restores the energy which microfacets lose by multiple scattering.               [Kulla and Conty 2017]
 //
-//   f = tint F_ms (1 - E(o)) (1 - E(i)) / (pi (1 - <E>)),   F_ms = <F>^2 <E> / (1 - <F> (1 - <E>))    Kulla, Conty 2017
+//   f = tint F_ms (1 - E(o)) (1 - E(i)) / (pi (1 - <E>)),   F_ms = <F>^2 <E> / (1 - <F> (1 - <E>))
 //
-// E is the albedo of the facets with F = 1, <E> and <F> are means over the hemisphere. Reciprocal; with F = 1 the whole
-// surface gives back all light. E comes from a table by cos_o and, for facets of two widths, by the azimuth: made once
-// for each pair of widths (5 ms of one width, 20 of two; Beckmann's 20 and 100), and kept for good (at most 2.3 kB).
+// E is the directional albedo of the microfacets with F = 1; <E> and <F> are cosine-weighted means over the hemisphere.
+// Reciprocal. With F = 1 the microfacets and this lobe together reflect all light. Sampled by the cosine.
+// E is tabulated by cos_o and, for anisotropic microfacets, by azimuth. A table is computed once per pair of
+// roughnesses (GGX: 5 ms if isotropic, else 20 ms; Beckmann: 20 and 100 ms) and kept until the program ends (at
+// most 2.3 kB).
 #pragma once
 #include <vector>
 
@@ -16,55 +18,57 @@ enum class MicrofacetDistribution : uint8_t { ggx, beckmann };
 
 class MicrofacetEnergy {
  public:
-  // Any thread may ask. Widths must not be below kSmoothAlpha.
+  // The shared table for a pair of roughnesses, which must be at least kSmoothAlpha. Thread-safe.
   static const MicrofacetEnergy& of(MicrofacetDistribution kind, float alpha_x, float alpha_y);
 
   MicrofacetEnergy(MicrofacetDistribution kind, float alpha_x, float alpha_y);
 
-  // 1 - E for a direction above the surface in the axes of the widths, and the mean of that, weighted by the cosine.
-  float lost(const Vec3& w) const;
-  float mean_lost() const { return mean_lost_; }
+  // 1 - E for a direction above the surface, in the frame whose x axis is the axis of alpha_x.
+  float missing_energy(const Vec3& w) const;
+  // 1 - <E>.
+  float mean_missing_energy() const { return mean_missing_; }
 
  private:
   static constexpr int kCosines = 33;  // nodes at cos = (k / 32)^2
 
-  int azimuths_ = 1;  // nodes by the part of the tangential direction that is along the wider axis
-  bool x_is_wider_ = true;
-  std::vector<float> lost_;
-  float mean_lost_ = 0;
+  int azimuths_ = 1;  // nodes in |cos| of the angle between the tangential direction and the rougher axis
+  bool x_is_rougher_ = true;
+  std::vector<float> missing_;  // 1 - E, by azimuth and cosine
+  float mean_missing_ = 0;
 };
 
 template <class ColorType>
-struct FacetCompensation : OpaqueLobe<ColorType, FacetCompensation<ColorType>, Scatter::diffuse> {
+struct EnergyCompensation : OpaqueLobe<ColorType, EnergyCompensation<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};  // tint F_ms / (pi (1 - <E>))
   const MicrofacetEnergy* energy = nullptr;
   Vec2 along{1, 0};
 
-  static FacetCompensation of(const MicrofacetEnergy& energy, const Vec2& along, const ColorType& tint,
-                              const FresnelTerm<ColorType>& fresnel) {
-    FacetCompensation lobe;
-    lobe.energy = &energy, lobe.along = along;
-    const float lost = energy.mean_lost();
+  static EnergyCompensation of(const MicrofacetEnergy& energy, const Vec2& along, const ColorType& tint,
+                               const FresnelTerm<ColorType>& fresnel) {
+    EnergyCompensation lobe;
+    lobe.energy = &energy;
+    lobe.along = along;
+    const float missing = energy.mean_missing_energy();
     const ColorType f = fresnel.mean();
     for (int k = 0; k < 3; ++k)
-      lobe.scale[k] = lost > 0 ? tint[k] * sqr(f[k]) * (1 - lost) / ((1 - f[k] * lost) * kPi * lost) : 0;
+      lobe.scale[k] = missing > 0 ? tint[k] * sqr(f[k]) * (1 - missing) / ((1 - f[k] * missing) * kPi * missing) : 0;
     return lobe;
   }
 
-  ColorType f(const Vec3& o, const Vec3& i) const { return scale * (lost(o) * lost(i)); }
+  ColorType f(const Vec3& o, const Vec3& i) const { return scale * (missing(o) * missing(i)); }
   float density(const Vec3&, const Vec3& i) const { return cosine_hemisphere_pdf(i.z); }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
-    i = draw.cosine_direction;
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = random.cosine_direction;
     return true;
   }
-  float weight(const Vec3& wo) const {
-    return average(scale) * kPi * energy->mean_lost() * lost(Vec3(wo.x, wo.y, std::abs(wo.z)));
+  float sampling_weight(const Vec3& wo) const {
+    return average(scale) * kPi * energy->mean_missing_energy() * missing(Vec3(wo.x, wo.y, std::abs(wo.z)));
   }
-  float slope() const { return 1; }
+  float alpha() const { return 1; }
 
  private:
-  float lost(const Vec3& w) const {
-    return energy->lost(Vec3(along.x * w.x + along.y * w.y, along.x * w.y - along.y * w.x, w.z));
+  float missing(const Vec3& w) const {
+    return energy->missing_energy(Vec3(along.x * w.x + along.y * w.y, along.x * w.y - along.y * w.x, w.z));
   }
 };
 

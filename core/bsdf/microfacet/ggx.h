@@ -1,32 +1,38 @@
 // The GGX distribution of microfacet normals with Smith's height-correlated masking and shadowing, anisotropic.
 //
-// Walter et al. 2007; Heitz, "Understanding the Masking-Shadowing Function", 2014; visible normals are sampled as in
-// Heitz, "Sampling the GGX Distribution of Visible Normals", 2018. All directions are local, z is the macroscopic
-// normal.
+//   D(h)      = 1 / (pi a_x a_y (h_x^2 / a_x^2 + h_y^2 / a_y^2 + h_z^2)^2)
+//   Lambda(w) = (sqrt(1 + (a_x^2 w_x^2 + a_y^2 w_y^2) / w_z^2) - 1) / 2
+//   G1(w)     = 1 / (1 + Lambda(w)),   G2(o, i) = 1 / (1 + Lambda(o) + Lambda(i))
+//
+// [Walter et al. 2007; Heitz 2014]; normals are sampled in proportion to their visible area [Heitz 2018]. Directions
+// are in the shading frame, z is the macroscopic normal.
 #pragma once
 #include "base/vec.h"
 
 namespace etendue {
 
+// Surfaces of a smaller roughness are treated as smooth: float directions do not resolve a narrower lobe.
+inline constexpr float kSmoothAlpha = 1e-4f;
+
 struct Ggx {
   float alpha_x = 1, alpha_y = 1;
-  Vec2 along{1, 0};  // the direction of alpha_x in the tangent plane
+  Vec2 along{1, 0};  // unit direction of alpha_x in the tangent plane
 
-  // Density of facet normals per solid angle, times nothing: the integral of D(h) cos(theta_h) is one.
+  // D, area of microfacets per solid angle of their normal and unit surface area: the integral of D(h) cos_h is 1.
   float d(const Vec3& any_h) const {
     const Vec3 h = turned(any_h);
     const float e = sqr(h.x / alpha_x) + sqr(h.y / alpha_y) + sqr(h.z);
     return 1 / (kPi * alpha_x * alpha_y * sqr(e));
   }
 
-  // Smith's auxiliary function for a direction on either side.
+  // Smith's Lambda, for directions on either side of the surface.
   float lambda(const Vec3& any_w) const {
     const Vec3 w = turned(any_w);
     const float slope2 = (sqr(alpha_x * w.x) + sqr(alpha_y * w.y)) / sqr(w.z);
     return 0.5f * (std::sqrt(1 + slope2) - 1);
   }
 
-  // |cos| lambda, which stays finite at grazing angles.
+  // |cos| Lambda, which stays finite at grazing angles.
   float projected_lambda(const Vec3& any_w) const {
     const Vec3 w = turned(any_w);
     const float spread2 = sqr(alpha_x * w.x) + sqr(alpha_y * w.y), z = std::abs(w.z);
@@ -35,14 +41,15 @@ struct Ggx {
 
   float g1(const Vec3& w) const { return 1 / (1 + lambda(w)); }
 
-  // Height-correlated masking-shadowing of two directions, on one side of the surface or on both.
+  // Masking and shadowing of two directions, on the same or on opposite sides of the surface.
   float g2(const Vec3& wo, const Vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
 
-  // Density, per solid angle of h, of the normals that wo sees (wo.z > 0).
+  // Density of the normals visible from wo, per solid angle of h. wo.z must be positive.
   float visible_pdf(const Vec3& wo, const Vec3& h) const {
     return g1(wo) * std::max(0.0f, glm::dot(wo, h)) * d(h) / wo.z;
   }
 
+  // Samples a normal with density visible_pdf(wo, h).
   Vec3 sample_visible(const Vec3& any_wo, Vec2 u) const {
     const Vec3 wo = turned(any_wo);
     const Vec3 v = glm::normalize(Vec3(alpha_x * wo.x, alpha_y * wo.y, wo.z));
@@ -60,10 +67,11 @@ struct Ggx {
   }
 
  private:
-  // In the axes of the two widths.
+  // The direction in the frame whose x axis is the axis of alpha_x.
   Vec3 turned(const Vec3& w) const { return Vec3(along.x * w.x + along.y * w.y, along.x * w.y - along.y * w.x, w.z); }
 };
 
+// The mirror direction of wo about h.
 inline Vec3 reflect(const Vec3& wo, const Vec3& h) { return 2 * glm::dot(wo, h) * h - wo; }
 
 }  // namespace etendue

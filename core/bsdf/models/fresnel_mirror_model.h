@@ -1,6 +1,12 @@
-// A polished surface: the ideal mirror with Fresnel's reflectance.         thesis (4.83)-(4.90), (4.123), item 34, E3
+// A polished surface: an ideal mirror with a Fresnel term.                    [Lang, eq. 4.102-4.104, corrected]
 //
-//   f = F(cos_i) delta(wi - mirrored wo) / cos_i          reciprocal, albedo F(cos_i)
+//   f = rho F(cos_i) delta(wi - r) / cos_i,       r the mirror direction of wo about the shading normal
+//
+//   Parameters   fresnel, eta, kappa: the Fresnel term and the index of refraction (fresnel_term.h); rho is the base
+//                colour
+//   Properties   Reciprocal. Conserves energy; the albedo is rho F.
+//   Sampling     The mirror direction; the weight is rho F.
+//   Limitations  A dielectric absorbs the refracted light; dielectric_model.h transmits it.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/fresnel/optical_constants.h"
@@ -10,14 +16,20 @@ namespace etendue {
 
 struct FresnelMirrorModel {
   static constexpr BsdfModelDescription kDescription{
-      "fresnel-mirror", "Mirror, Fresnel", ModelClass::idealised,
-      "f = F(cos_i) delta(wi - mirrored wo)/cos_i: polished metal, or the reflection of a polished dielectric whose "
-      "inside is black. Reciprocal; its albedo is F.",
-      "the one direction there is"};
+      .name = "fresnel-mirror",
+      .label = "Mirror, Fresnel",
+      .model_class = ModelClass::idealised,
+      .summary = "Polished metal, or the specular reflection of a polished dielectric with a black interior.",
+      .formula = "f = rho F(cos_i) delta(wi - r) / cos_i",
+      .properties = "Reciprocal. Conserves energy; the albedo is rho F.",
+      .sampling = "The mirror direction.",
+      .limitations = "Light that a dielectric refracts is absorbed.",
+      .source = "[Lang, eq. 4.102-4.104, corrected]",
+  };
   template <class Color>
   using Lobes = std::tuple<Mirror<Color>>;
 
-  FresnelKnobs fresnel;
+  FresnelParameters fresnel;
   auto parameters() { return fresnel.parameters(); }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 

@@ -1,7 +1,12 @@
-// Measured materials of the MERL database.                                    Matusik et al. 2003; thesis item 45
+// Measured materials of the MERL database.                                                   [Matusik et al. 2003]
 //
-// The format is described in material/merl_brdf.h. Reciprocal; energy is as it was measured. Without a file it is
-// Lambert's model.
+// measured/merl_brdf.h describes the file format.
+//
+//   Parameters   file: path of a .binary file. The values are multiplied by the base colour. Without a file the model
+//                is Lambert's.
+//   Properties   Reciprocal. Energy is that of the measurement.
+//   Sampling     A table of f cos_i, 24 x 96 x 64 cells, mixed with 5 % cosine (measured/direction_table.h).
+//   Limitations  Isotropic materials only.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/lobes/lambert.h"
@@ -12,16 +17,23 @@ namespace etendue {
 
 struct MerlModel {
   static constexpr BsdfModelDescription kDescription{
-      "merl", "Measured (MERL database)", ModelClass::measured,
-      "A measured isotropic material from a .binary file (Matusik et al. 2003), times the base colour. Reciprocal.",
-      "by a table of its own values, 24 x 96 x 64 cells, with a twentieth by the cosine"};
+      .name = "merl",
+      .label = "Measured (MERL database)",
+      .model_class = ModelClass::measured,
+      .summary = "A measured isotropic material from a .binary file of the MERL database, times the base colour.",
+      .formula = "f = table(theta_h, theta_d, phi_d), linearly interpolated",
+      .properties = "Reciprocal. Energy is that of the measurement.",
+      .sampling = "A table of f cos_i, 24 x 96 x 64 cells, mixed with 5 % cosine.",
+      .limitations = "Isotropic materials only. Without a file it is Lambert's model.",
+      .source = "[Matusik et al. 2003]",
+  };
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, MeasuredLobe<Color, SampledBrdf<MerlBrdf>>>;
 
-  Text file{"file", "File", kNoFile, "Path of a .binary file", accepts_merl_file, {{kNoFile, "No file"}}};
+  Text file{"file", "File", kNoFile, "Path of a measurement, NAME.binary", accepts_merl_file, {{kNoFile, "No file"}}};
   auto parameters() { return std::tie(file); }
 
-  const SampledBrdf<MerlBrdf>* data = nullptr;  // kept for good
+  const SampledBrdf<MerlBrdf>* data = nullptr;  // null without a file; valid until the program ends
   void prepare() { data = merl_data(file); }
 
   template <class LobeSet>

@@ -1,6 +1,11 @@
-// The ideal mirror.                                                                 thesis (4.116), item 33, E6
+// The ideal mirror.                                                              [Lang, eq. 4.91-4.94, corrected]
 //
-//   f = delta(wi - mirrored wo) / cos_i          reciprocal, loses nothing
+//   f = rho delta(wi - r) / cos_i,       r the mirror direction of wo about the shading normal
+//
+//   Parameters   reflectance: a factor of the base colour; rho is their product
+//   Properties   Reciprocal. Conserves energy; the albedo is rho.
+//   Sampling     The mirror direction; the weight is rho.
+//   Limitations  No Fresnel term; fresnel_mirror_model.h has one.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/lobes/mirror.h"
@@ -9,13 +14,21 @@ namespace etendue {
 
 struct MirrorModel {
   static constexpr BsdfModelDescription kDescription{
-      "mirror", "Mirror, ideal", ModelClass::idealised,
-      "f = delta(wi - mirrored wo)/cos_i, times the base colour. Reciprocal, loses nothing where that is white.",
-      "the one direction there is"};
+      .name = "mirror",
+      .label = "Mirror, ideal",
+      .model_class = ModelClass::idealised,
+      .summary = "A perfect mirror that reflects the base colour. Lossless for a white base colour.",
+      .formula = "f = rho delta(wi - r) / cos_i",
+      .properties = "Reciprocal. Conserves energy; the albedo is rho.",
+      .sampling = "The mirror direction.",
+      .limitations = "The reflectance does not depend on the angle.",
+      .source = "[Lang, eq. 4.91-4.94, corrected]",
+  };
   template <class Color>
   using Lobes = std::tuple<Mirror<Color>>;
 
-  Number<float> reflectance{"reflectance", "Reflectance", 1, {0, 1}, "A factor on the base colour"};
+  Number<float> reflectance{
+      "reflectance", "Reflectance", 1, {0, 1}, "Reflected part of the light; multiplies the base colour"};
   auto parameters() { return std::tie(reflectance); }
 
   template <class LobeSet>

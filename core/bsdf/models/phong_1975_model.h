@@ -1,9 +1,14 @@
-// Phong's shading as he wrote it in 1975, for intensities and not for radiance.              thesis (4.228), item 51
+// Phong's shading of 1975, a formula for intensities instead of radiance.         [Phong 1975; Lang, eq. 4.230]
 //
-//   S = C (cos_i (1 - d) + d) + W cos^n(theta_ro)          pi f cos_i = S of light of unit irradiance across the beam
+//   pi f cos_i = C (cos_i (1 - d) + d) + W <r, wi>^n,       r the mirror direction of wo about the normal
 //
-// Neither reciprocal nor energy conserving: d lights what faces away from the light as much as what faces it, and W is
-// added whatever the angle, so that f grows as 1 / cos_i. He gives 1 < n < 10, 0.1 < W < 0.8.
+// The right side is the printed shading under a light of unit irradiance perpendicular to its direction.
+//
+//   Parameters   diffuse: C as a factor of the base colour; even: d, the part of C that ignores the angle of
+//                incidence; weight: W; exponent: n. Phong gives 0.1 < W < 0.8 and 1 < n < 10.
+//   Properties   Neither reciprocal nor energy conserving: the terms of d and W make f grow as 1 / cos_i.
+//   Sampling     Cosine, uniform directions and cos^n for the three terms, each the exact shape of its term.
+//   Limitations  Of historical interest; phong_model.h is the form for radiance.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/lobes/cosine_power.h"
@@ -11,36 +16,42 @@
 
 namespace etendue {
 
-// f = scale / cos_i, which reflects as much of a beam from any direction.
+// f = scale / cos_i: every beam is reflected in the same amount, whatever its angle of incidence.
 template <class ColorType>
-struct EvenShade : OpaqueLobe<ColorType, EvenShade<ColorType>, Scatter::diffuse> {
+struct InverseCosine : OpaqueLobe<ColorType, InverseCosine<ColorType>, ScatterType::diffuse> {
   ColorType scale{0};
 
   ColorType f(const Vec3&, const Vec3& i) const { return scale / i.z; }
   float density(const Vec3&, const Vec3&) const { return 0.5f * kInvPi; }
-  bool draw(const Vec3&, const LobeDraw& draw, Vec3& i) const {
-    i = square_to_sphere(Vec2(0.5f * draw.u.x, draw.u.y));
+  bool sample_direction(const Vec3&, const LobeRandom& random, Vec3& i) const {
+    i = square_to_sphere(Vec2(0.5f * random.u.x, random.u.y));
     return true;
   }
-  float weight(const Vec3&) const { return 2 * kPi * average(scale); }
-  float slope() const { return 1; }
+  float sampling_weight(const Vec3&) const { return 2 * kPi * average(scale); }
+  float alpha() const { return 1; }
 };
 
 struct Phong1975Model {
   static constexpr BsdfModelDescription kDescription{
-      "phong-1975", "Phong shading (1975)", ModelClass::phenomenological,
-      "pi f cos_i = C (cos_i (1 - d) + d) + W cos^n: the historical shading of intensities. Neither reciprocal nor "
-      "energy "
-      "conserving.",
-      "cosine, uniform directions and cos^n for its three terms, each its own lobe exactly"};
+      .name = "phong-1975",
+      .label = "Phong shading (1975)",
+      .model_class = ModelClass::phenomenological,
+      .summary = "The historical shading of intensities, used as a BRDF.",
+      .formula = "pi f cos_i = C (cos_i (1 - d) + d) + W <r, wi>^n",
+      .properties = "Neither reciprocal nor energy conserving.",
+      .sampling = "Cosine, uniform directions and cos^n for the three terms, each the exact shape of its term.",
+      .limitations = "f grows as 1 / cos_i at grazing incidence.",
+      .source = "[Phong 1975], [Lang, eq. 4.230]",
+  };
   template <class Color>
-  using Lobes = std::tuple<Lambert<Color>, EvenShade<Color>, CosinePower<Color>>;
+  using Lobes = std::tuple<Lambert<Color>, InverseCosine<Color>, CosinePower<Color>>;
 
-  Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "C, as a factor on the base colour"};
+  Number<float> diffuse{"diffuse", "Diffuse", 0.5f, {0, 1}, "C: diffuse reflection, multiplies the base colour"};
   Number<float> even{
-      "even", "Even shade", 0, {0, 1}, "d: the part of C that does not depend on the angle of incidence"};
-  Number<float> weight{"weight", "Highlight", 0.3f, {0, 1}, "W: the height of the highlight"};
-  Number<float> exponent{"exponent", "Exponent", 5, {0, 1e5f}, "n, between 1 and 10 in 1975", "", Scale::logarithmic};
+      "even", "Ambient share", 0, {0, 1}, "d: the part of C that does not depend on the angle of incidence"};
+  Number<float> weight{"weight", "Highlight", 0.3f, {0, 1}, "W: height of the highlight"};
+  Number<float> exponent{"exponent", "Exponent",        5, {0, 1e5f}, "n: higher is glossier; 1 to 10 in 1975",
+                         "",         Scale::logarithmic};
   auto parameters() { return std::tie(diffuse, even, weight, exponent); }
 
   template <class LobeSet>
@@ -48,14 +59,16 @@ struct Phong1975Model {
     const Rgb c = base * diffuse;
     lobes.add(Lambert<Rgb>{c * (1 - even)});
     if (even > 0) {
-      EvenShade<Rgb> shade;
-      shade.scale = c * (even * kInvPi);
-      lobes.add(shade);
+      InverseCosine<Rgb> ambient;
+      ambient.scale = c * (even * kInvPi);
+      lobes.add(ambient);
     }
-    CosinePower<Rgb> lobe;
-    lobe.scale = Rgb(weight * kInvPi), lobe.exponent = exponent, lobe.over_cosine = true;
-    lobe.albedo = 2 * weight / (exponent + 2);
-    lobes.add(lobe);
+    CosinePower<Rgb> highlight;
+    highlight.scale = Rgb(weight * kInvPi);
+    highlight.exponent = exponent;
+    highlight.over_cosine = true;
+    highlight.albedo = 2 * weight / (exponent + 2);
+    lobes.add(highlight);
   }
 };
 

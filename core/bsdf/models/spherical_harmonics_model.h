@@ -1,9 +1,15 @@
-// Any other isotropic model in spherical harmonics.                                             thesis (4.150), item 46
+// An isotropic model or table in spherical harmonics.                                  [Lang, eq. 4.202-4.205]
 //
-// The formulas are in material/harmonic_brdf.h. Reciprocal, also where its source is not: both orders are averaged. One
-// band holds Lambert's model exactly; narrow lobes need many bands, and ring with few. What is negative is cut off and
-// adds as much energy: of the modified Phong lobe of n = 100 alone 35 %, 39 % and 8 % with 6, 12 and 24 bands; nothing
-// with the diffuse part of the model's default under it.
+// measured/harmonic_brdf.h has the formulas.
+//
+//   Parameters   source: an isotropic model with parameters, "ward alpha-x=0.2 alpha-y=0.2", or the path of a table;
+//                bands: the number of bands. The values are multiplied by the base colour.
+//   Properties   Reciprocal, also if the source is not: both orders of the directions are averaged. Clamping negative
+//                values adds energy.
+//   Sampling     A table of f cos_i, 24 x 48 x 32 cells, mixed with 5 % cosine (measured/direction_table.h).
+//   Limitations  One band represents Lambert's model exactly; narrow lobes need many bands and ring with few.
+//                Clamping adds 35 %, 39 % and 8 % of energy with 6, 12 and 24 bands for a modified Phong lobe of n =
+//                100 without a diffuse term, and nothing for that model's default diffuse term.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/lobes/lambert.h"
@@ -14,28 +20,34 @@ namespace etendue {
 
 struct SphericalHarmonicsModel {
   static constexpr BsdfModelDescription kDescription{
-      "spherical-harmonics", "Spherical harmonics", ModelClass::measured,
-      "An isotropic model or table projected on so many bands of spherical harmonics in both directions, times the "
-      "base "
-      "colour. Reciprocal; what rings below zero is cut off.",
-      "by a table of its own values, 24 x 48 x 32 cells, with a twentieth by the cosine"};
+      .name = "spherical-harmonics",
+      .label = "Spherical harmonics",
+      .model_class = ModelClass::measured,
+      .summary =
+          "An isotropic model or table projected on spherical harmonics in both directions, times the base colour.",
+      .formula = "f(o, i) = max(0, sum over m, l, l' of c(m, l, l') p(l, m, cos_o) p(l', m, cos_i) cos(m dphi))",
+      .properties = "Reciprocal. Clamping negative values adds energy.",
+      .sampling = "A table of f cos_i, 24 x 48 x 32 cells, mixed with 5 % cosine.",
+      .limitations = "Narrow lobes need many bands and ring with few.",
+      .source = "[Lang, eq. 4.202-4.205]",
+  };
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, MeasuredLobe<Color, SampledBrdf<HarmonicBrdf>>>;
 
   Text source{"source",
               "Source",
               "modified-phong",
-              "An isotropic model, with settings after it as KNOB=VALUE, or the path of a table",
+              "Isotropic model with parameters as NAME=VALUE, or the path of a table",
               accepts_harmonic_source,
               {{"modified-phong", "Modified Phong"},
                {"lambert", "Lambert"},
                {"ward", "Ward"},
-               {"tabulated", "The table that Tabulated makes at first"},
+               {"tabulated", "Tabulated (default table)"},
                {"oren-nayar", "Oren-Nayar"}}};
-  Number<int> bands{"bands", "Bands", 8, {1, 24}, "Bands of the harmonics: l below this number"};
+  Number<int> bands{"bands", "Bands", 8, {1, 24}, "Number of bands; more resolve narrower lobes"};
   auto parameters() { return std::tie(source, bands); }
 
-  const SampledBrdf<HarmonicBrdf>* data = nullptr;  // kept for good
+  const SampledBrdf<HarmonicBrdf>* data = nullptr;  // valid until the program ends
   void prepare() { data = harmonic_data(source, bands); }
 
   template <class LobeSet>

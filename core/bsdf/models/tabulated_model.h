@@ -1,8 +1,14 @@
-// The virtual gonioreflectometer: any other model as a table.                                   thesis 4.2.2.4, item 45
+// The virtual gonioreflectometer: a table of another model or of a file.                    [Lang, sec. 4.2.2.4]
 //
-// The table is described in material/brdf_table.h. Reciprocal where its source is. Lambert's model is exact at any
-// size; a lobe that is narrower than the steps is washed out, and its energy may be more or less than that of the
-// source.
+// measured/brdf_table.h describes the table and its file format.
+//
+//   Parameters   source: a model with parameters, "ward alpha-x=0.1", or the path of a table; polar-steps,
+//                azimuth-steps: the size of a table that is made from a model. The values are multiplied by the base
+//                colour.
+//   Properties   Reciprocal if the source is. Energy is about that of the source.
+//   Sampling     A table of f cos_i, 24 x 96 x 64 cells, mixed with 5 % cosine (measured/direction_table.h).
+//   Limitations  A lobe narrower than the steps is blurred and its energy changed. Lambert's model is exact at every
+//                size. Deltas of the source are left out.
 #pragma once
 #include "bsdf/bsdf_model_info.h"
 #include "bsdf/lobes/lambert.h"
@@ -13,17 +19,25 @@ namespace etendue {
 
 struct TabulatedModel {
   static constexpr BsdfModelDescription kDescription{
-      "tabulated", "Tabulated (virtual gonioreflectometer)", ModelClass::measured,
-      "A model measured at equal steps of its angles and read back by interpolation, or a table from a file, times the "
-      "base colour. Reciprocal where its source is.",
-      "by a table of its own values, 24 x 96 x 64 cells, with a twentieth by the cosine"};
+      .name = "tabulated",
+      .label = "Tabulated (virtual gonioreflectometer)",
+      .model_class = ModelClass::measured,
+      .summary =
+          "A table of another model, measured at equal steps of its angles and interpolated, or of a file, times the "
+          "base colour.",
+      .formula = "f = table(theta_o, theta_i, phi_i - phi_o), or table(theta_o, phi_o, theta_i, phi_i) if anisotropic",
+      .properties = "Reciprocal if the source is. Energy is about that of the source.",
+      .sampling = "A table of f cos_i, 24 x 96 x 64 cells, mixed with 5 % cosine.",
+      .limitations = "A lobe narrower than the steps is blurred and its energy changed.",
+      .source = "[Lang, sec. 4.2.2.4]",
+  };
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, MeasuredLobe<Color, SampledBrdf<BrdfTable>>>;
 
   Text source{"source",
               "Source",
               "modified-phong",
-              "A model, with settings after it as KNOB=VALUE, or the path of a table",
+              "Model to measure, with parameters as NAME=VALUE, or the path of a table",
               accepts_table_source,
               {{"modified-phong", "Modified Phong"},
                {"lambert", "Lambert"},
@@ -31,11 +45,19 @@ struct TabulatedModel {
                {"cook-torrance", "Cook-Torrance"},
                {"torrance-sparrow", "Torrance-Sparrow"},
                {"oren-nayar", "Oren-Nayar"}}};
-  Number<int> polar{"polar-steps", "Polar steps", 24, {2, 90}, "Steps of both polar angles over 90 degrees"};
-  Number<int> azimuths{"azimuth-steps", "Azimuth steps", 72, {8, 360}, "Steps of the azimuth over the circle"};
+  Number<int> polar{"polar-steps",
+                    "Polar steps",
+                    24,
+                    {2, 90},
+                    "Steps of each polar angle over 90 degrees; more resolve narrower lobes"};
+  Number<int> azimuths{"azimuth-steps",
+                       "Azimuth steps",
+                       72,
+                       {8, 360},
+                       "Steps of the azimuth over 360 degrees; more resolve narrower lobes"};
   auto parameters() { return std::tie(source, polar, azimuths); }
 
-  const SampledBrdf<BrdfTable>* data = nullptr;  // kept for good
+  const SampledBrdf<BrdfTable>* data = nullptr;  // valid until the program ends
   void prepare() { data = table_data(source, polar, azimuths); }
 
   template <class LobeSet>

@@ -1,13 +1,20 @@
-// Torrance and Sparrow's facets as they are used today.      Torrance, Sparrow 1967; Heitz 2014; thesis item 66 (by
-// name)
+// The Torrance-Sparrow model in its present form: mirror microfacets with Smith masking.
+//                             [Torrance and Sparrow 1967; Walter et al. 2007; Heitz 2014, 2018; Kulla and Conty 2017]
+//   f = rho_d / pi + rho_s F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i) [+ f_ms]
 //
-// The formulas are in material/facet_reflection.h and facet_energy.h. Reciprocal. Without the light that is scattered
-// again, F = 1 keeps at normal incidence 0.877, 0.687, 0.307 of all light for GGX with alpha = 0.3, 0.5, 1, and 1.000,
-// 0.943, 0.461 for Beckmann; with it, all to 1 %.
+// f_ms restores the light that microfacets scatter more than once (energy_compensation.h).
+//
+//   Parameters   diffuse: rho_d as a factor of the base colour; specular: rho_s; distribution: GGX or Beckmann;
+//                alpha-x, alpha-y: roughness along two axes, both 0 is a mirror; rotation: of the axes,
+//                counter-clockwise from the tangent; multiple-scattering: f_ms; fresnel, eta, kappa: the Fresnel term
+//   Properties   Reciprocal. Conserves energy for rho_d + rho_s <= 1, to 1 % with f_ms.
+//   Sampling     Visible normals; the weight is rho_s F G2 / G1. Samples below the surface are absorbed. f_ms by the
+//                cosine.
+//   Limitations  Without f_ms and with F = 1 the albedo at normal incidence is 0.877, 0.687, 0.307 for GGX with alpha
+//                = 0.3, 0.5, 1, and 1.000, 0.943, 0.461 for Beckmann.
 #pragma once
 #include "bsdf/fresnel/optical_constants.h"
 #include "bsdf/lobes/lambert.h"
-#include "bsdf/lobes/layered.h"
 #include "bsdf/lobes/mirror.h"
 #include "bsdf/microfacet/energy_compensation.h"
 
@@ -15,37 +22,47 @@ namespace etendue {
 
 struct TorranceSparrowModel {
   static constexpr BsdfModelDescription kDescription{
-      "torrance-sparrow", "Torrance-Sparrow (GGX, Beckmann)", ModelClass::physical,
-      "f = rho_d/pi + rho_s F D G2/(4 cos_o cos_i) with Smith's height-correlated masking, and a lobe for light that "
-      "is "
-      "scattered between facets again (Kulla and Conty 2017). Reciprocal.",
-      "normals that the viewer sees, F G2/G1 is the weight; what leaves below the surface is absorbed. The lobe of "
-      "multiple scattering falls back to the cosine"};
+      .name = "torrance-sparrow",
+      .label = "Torrance-Sparrow (GGX, Beckmann)",
+      .model_class = ModelClass::physical,
+      .summary =
+          "Mirror microfacets with Smith masking, isotropic or anisotropic, with energy compensation for multiple "
+          "scattering, over a diffuse term.",
+      .formula = "f = rho_d / pi + rho_s F(<o, h>) D(h) G2(o, i) / (4 cos_o cos_i) + f_ms",
+      .properties = "Reciprocal. Conserves energy for rho_d + rho_s <= 1, to 1 %.",
+      .sampling =
+          "Visible normals, weight rho_s F G2 / G1; samples below the surface are absorbed. Multiple scattering by "
+          "the cosine.",
+      .limitations = "Without energy compensation, rough surfaces lose up to 70 % of the light.",
+      .source = "[Torrance and Sparrow 1967], [Walter et al. 2007], [Heitz 2014], [Heitz 2018], [Kulla and Conty 2017]",
+  };
   template <class Color>
   using Lobes = std::tuple<Lambert<Color>, Mirror<Color>, MicrofacetReflection<Color, Ggx>,
-                           MicrofacetReflection<Color, Beckmann>, FacetCompensation<Color>>;
+                           MicrofacetReflection<Color, Beckmann>, EnergyCompensation<Color>>;
 
-  Number<float> diffuse{"diffuse", "Diffuse", 0, {0, 1}, "rho_d, as a factor on the base colour"};
-  Triple specular{"specular", "Specular", Vec3(1), {0, 1}, "rho_s: a factor on what the facets reflect"};
-  Choice<MicrofacetDistribution> distribution{"distribution", "Facets", MicrofacetDistribution::ggx,
-                                              "GGX has longer tails than Beckmann"};
-  Number<float> alpha_x{"alpha-x", "Slope along", 0.3f, {0, 1}, "alpha of the facets along the tangent; 0 is a mirror"};
-  Number<float> alpha_y{"alpha-y", "Slope across", 0.3f, {0, 1}, "alpha of the facets across the tangent"};
-  Number<float> rotation{"rotation", "Rotation", 0, {-180, 180}, "Of the two axes, counter-clockwise from the tangent",
-                         "deg"};
+  Number<float> diffuse{"diffuse", "Diffuse", 0, {0, 1}, "Diffuse reflectance, multiplies the base colour"};
+  Triple specular{"specular", "Specular", Vec3(1), {0, 1}, "Factor of the light that the microfacets reflect"};
+  Choice<MicrofacetDistribution> distribution{"distribution", "Distribution", MicrofacetDistribution::ggx,
+                                              "Distribution of the microfacet normals; GGX has longer tails"};
+  Number<float> alpha_x{"alpha-x", "Roughness \u03b1_x", 0.3f, {0, 1}, "Roughness along the tangent; 0 is a mirror"};
+  Number<float> alpha_y{"alpha-y", "Roughness \u03b1_y", 0.3f, {0, 1}, "Roughness across the tangent; 0 is a mirror"};
+  Number<float> rotation{
+      "rotation", "Rotation", 0, {-180, 180}, "Rotates the axes of the roughness, counter-clockwise from the tangent",
+      "deg"};
   Toggle multiple{"multiple-scattering", "Multiple scattering", true,
-                  "Give back what is scattered between facets again"};
-  FresnelKnobs fresnel;
+                  "Restore the energy of light that microfacets scatter more than once"};
+  FresnelParameters fresnel;
   auto parameters() {
     return std::tuple_cat(std::tie(diffuse, specular, distribution, alpha_x, alpha_y, rotation, multiple),
                           fresnel.parameters());
   }
   static std::vector<ModelPreset> presets() { return fresnel_presets(); }
 
-  const MicrofacetEnergy* energy = nullptr;  // where multiple scattering is given back; kept for good
+  const MicrofacetEnergy* energy = nullptr;  // of f_ms, else null; valid until the program ends
   void prepare() {
     const bool smooth = alpha_x < kSmoothAlpha && alpha_y < kSmoothAlpha;
-    energy = multiple && !smooth ? &MicrofacetEnergy::of(distribution, groove(alpha_x), groove(alpha_y)) : nullptr;
+    energy =
+        multiple && !smooth ? &MicrofacetEnergy::of(distribution, resolvable(alpha_x), resolvable(alpha_y)) : nullptr;
   }
 
   template <class LobeSet>
@@ -60,17 +77,19 @@ struct TorranceSparrowModel {
   }
 
  private:
-  static float groove(float alpha) { return std::max(alpha, kLeastGroove); }
+  static float resolvable(float alpha) { return std::max(alpha, kMinAlpha); }
 
   template <class Facets, class LobeSet>
   void add_facets(LobeSet& lobes) const {
     MicrofacetReflection<Rgb, Facets> lobe;
-    lobe.tint = rgb_of(specular), lobe.fresnel = fresnel.term();
-    lobe.facets.alpha_x = groove(alpha_x), lobe.facets.alpha_y = groove(alpha_y);
-    const float turn = rotation * (kPi / 180);
-    lobe.facets.along = Vec2(std::cos(turn), std::sin(turn));
+    lobe.tint = rgb_of(specular);
+    lobe.fresnel = fresnel.term();
+    lobe.facets.alpha_x = resolvable(alpha_x);
+    lobe.facets.alpha_y = resolvable(alpha_y);
+    const float angle = rotation * (kPi / 180);
+    lobe.facets.along = Vec2(std::cos(angle), std::sin(angle));
     lobes.add(lobe);
-    if (energy) lobes.add(FacetCompensation<Rgb>::of(*energy, lobe.facets.along, lobe.tint, lobe.fresnel));
+    if (energy) lobes.add(EnergyCompensation<Rgb>::of(*energy, lobe.facets.along, lobe.tint, lobe.fresnel));
   }
 };
 

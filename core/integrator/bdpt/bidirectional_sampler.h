@@ -65,7 +65,7 @@ class BidirectionalSampler {
     pixels_ = Plane(context).area();
     Splatter splatter(context, found);
     light_.begin(*context.scene, *given.light, 0, task_context.keep_going, context.model->moving);
-    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_bits()));
+    for (const uint32_t seed : given.seeds) light_.add(seed ^ (given.light_salt & ~given.light->lane_mask()));
     walks_.launch_added(
         context, light_,
         [&](const Start& start, Vec2 lens) {
@@ -107,7 +107,7 @@ class BidirectionalSampler {
   void draw_ends(const PixelBlock& block, const PixelOrder& order) {
     const int least = context_->camera->can_be_hit() ? 0 : 1;
     for (int i = 0; i < order.size(); ++i) {
-      const uint32_t half_buffer = block.sample % film::kHalves;
+      const uint32_t half_buffer = block.sample % film::kHalfBuffers;
       const uint32_t seed = pixel_seed(context_->seed, block.x + order.x(i), block.y + order.y(i), half_buffer);
       const uint32_t first = mix_bits(path_seed(seed, block.sample) + 0x2545f491U);
       const auto path = static_cast<size_t>(i);
@@ -141,11 +141,11 @@ class BidirectionalSampler {
     while (light_.trace()) {
       if (context_->camera->can_be_hit())
         escape_through_lens(*context_, walks_, light_, splatter,
-                            [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
+                            [&](int path, const CameraRays::LensHit& a) { return weight_on_lens(path, a); });
       while (light_.next_hits()) {
         if (context_->camera->can_be_hit())
           pass_through_lens(*context_, walks_, light_, splatter,
-                            [&](int path, const CameraRays::Arrival& a) { return weight_on_lens(path, a); });
+                            [&](int path, const CameraRays::LensHit& a) { return weight_on_lens(path, a); });
         if (light_.length() == 1) walks_.dim_first_vertices(light_);
         note_arrivals(light_, light_chains_, rule);
         if (plan_->too_long(light_.length() + 1)) continue;
@@ -155,7 +155,7 @@ class BidirectionalSampler {
             [&](int i) { return counts(light_.path_at(i), light_.length() + 1, 1); });
         keep_vertices();
         transport::sample_bsdf_where(
-            light_, plan_->roulette_start, Transport::importance,
+            light_, plan_->roulette_start, TransportMode::importance,
             [&](int i) { return techniques_.empty() || light_.length() + 1 < technique(light_.path_at(i)).s; },
             [&](int i, const auto& s) { note_scatter(light_, light_chains_, rule, i, s); });
       }
@@ -189,11 +189,11 @@ class BidirectionalSampler {
   // Of a direction in which a triangle shines, per solid angle.
   float side_density(const Start& start, const Vec3& wi) const {
     const Emission& e = start.emission;
-    return context_->scene->lights().density_of_triangle(e.light, glm::dot(start.point->ng, wi), e.time).second;
+    return context_->scene->lights().emission_density(e.light, glm::dot(start.point->ng, wi), e.time).second;
   }
 
   // The walk fell onto the lens: t = 0.
-  float weight_on_lens(int path, const CameraRays::Arrival& a) {
+  float weight_on_lens(int path, const CameraRays::LensHit& a) {
     const int s = light_.length() + 1;
     if (plan_->too_long(light_.length()) || !counts(path, s, 0)) return 0;
     MisChain chain = light_chains_[static_cast<size_t>(path)];
@@ -222,7 +222,7 @@ class BidirectionalSampler {
 
   void keep_vertices() {
     for (int i = 0; i < light_.hit_count(); ++i) {
-      if (!light_.bsdf(i).has_non_delta()) {
+      if (!light_.bsdf(i).has_non_delta_lobe()) {
         // What cannot be connected still belongs to the densities of what comes after.
         if (plan_->without.empty()) continue;
       }
@@ -231,7 +231,7 @@ class BidirectionalSampler {
       const Vertex*& last = last_[static_cast<size_t>(path)];
       Vertex& v = pool_.add();
       v.point = light_.point(i), v.bsdf = light_.bsdf(i), v.wo = light_.wo(i);
-      v.bsdf.refer_to(v.point.shading, v.point.ng);
+      v.bsdf.rebind(v.point.shading, v.point.ng);
       v.flux = light_.state(path).throughput * walks_.flux(path);
       v.mis = light_vertices_[static_cast<size_t>(i)];
       v.length = light_.length(), v.before = last;
@@ -265,7 +265,7 @@ class BidirectionalSampler {
             [&](int i) { return counts(camera_.path_at(i), 1, camera_.length() + 1); });
         connect_vertices();
         transport::sample_bsdf_where(
-            camera_, plan_->roulette_start, Transport::radiance,
+            camera_, plan_->roulette_start, TransportMode::radiance,
             [&](int i) { return techniques_.empty() || camera_.length() + 1 < technique(camera_.path_at(i)).t; },
             [&](int i, const auto& s) { note_scatter(camera_, camera_chains_, rule, i, s); });
       }
@@ -299,8 +299,8 @@ class BidirectionalSampler {
     const scene::SurfacePoint& point = camera_.point(i);
     const uint32_t light = context_->scene->light_at(point);
     if (light == scene::InstanceData::kNotALight) return weight(path, 0, t, 0, 0);
-    const auto d = context_->scene->lights().density_of_triangle(light, glm::dot(point.ng, camera_.wo(i)),
-                                                                 camera_.state_at(i).time);
+    const auto d =
+        context_->scene->lights().emission_density(light, glm::dot(point.ng, camera_.wo(i)), camera_.state_at(i).time);
     return weight(path, 0, t, 0,
                   camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, d.first, d.second, 0));
   }
@@ -309,12 +309,12 @@ class BidirectionalSampler {
     const int t = camera_.length() + 1, path = camera_.path_of_miss(i);
     if (plan_->too_long(t - 1) || !counts(path, 0, t)) return 0;
     const Vec3& direction = camera_.miss_direction(i);
-    const auto d = context_->scene->lights().density_of_escape(direction);
+    const auto d = context_->scene->lights().environment_emission_density(direction);
     MisChain chain = camera_chains_[static_cast<size_t>(path)];
     if (camera_.length() == 1) {
       // From the lens to infinity: (1, 1) is the only other one.
       const float pixels = context_->camera->pixels_per_area(direction, 1, camera_.missed_path(i).time) / pixels_;
-      const bool seen = context_->camera->can_see_infinity() && possible(1, 1);
+      const bool seen = context_->camera->sees_environment() && possible(1, 1);
       return weight(path, 0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
     }
     const MisVertex far = chain.arrive_at_infinity(camera_rule());
@@ -326,7 +326,7 @@ class BidirectionalSampler {
     const int t = camera_.length() + 1, path = camera_.path_at(i);
     const scene::SurfacePoint& point = camera_.point(i);
     const float cosine = std::abs(glm::dot(point.ng, light.wi));
-    const EmissionDensity d = context_->scene->lights().density_of(light, camera_.state_at(i).time);
+    const EmissionDensity d = context_->scene->lights().emission_density(light, camera_.state_at(i).time);
     const float hits = light.delta || !possible(0, t + 1) ? 0.0f : light_rule().ratio(pdf / light.pdf);
     const float back = d.second * (d.infinite ? cosine : cosine / sqr(light.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, back,
@@ -337,9 +337,9 @@ class BidirectionalSampler {
   // Every vertex of the walk from the light with the present one of the camera's.
   void connect_vertices() {
     for (int i = 0; i < camera_.hit_count(); ++i) {
-      if (!camera_.bsdf(i).has_non_delta()) continue;
+      if (!camera_.bsdf(i).has_non_delta_lobe()) continue;
       for (const Vertex* v = last_[static_cast<size_t>(camera_.path_at(i))]; v; v = v->before)
-        if (v->bsdf.has_non_delta() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
+        if (v->bsdf.has_non_delta_lobe() && !plan_->too_long(v->length + camera_.length() + 1)) connect(i, *v);
     }
   }
 
@@ -352,9 +352,9 @@ class BidirectionalSampler {
     if (!(squared > 0)) return;
     const float distance = std::sqrt(squared), over_distance = 1 / distance;
     const Vec3 wi = to_y * over_distance;
-    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, Transport::radiance);
+    const auto at_z = camera_.bsdf(i).evaluate(camera_.wo(i), wi, TransportMode::radiance);
     if (is_black(at_z.f_cos)) return;
-    const auto at_y = y.bsdf.evaluate(y.wo, -wi, Transport::importance);
+    const auto at_y = y.bsdf.evaluate(y.wo, -wi, TransportMode::importance);
     if (is_black(at_y.f_cos)) return;
     const float to_area = sqr(over_distance);
     const float lights =

@@ -48,7 +48,7 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
         if (paths.length() == 1) walks.dim_first_vertices(paths);
         if (at_max_depth(paths.length())) continue;
         connect_to_camera(context, walks, paths, splatter, [](int, const auto&) { return 1.0f; });
-        sample_bsdf(paths, roulette_start, Transport::importance);
+        sample_bsdf(paths, roulette_start, TransportMode::importance);
       }
   }
 };

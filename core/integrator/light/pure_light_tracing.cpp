@@ -51,7 +51,7 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
         pass_through_lens(context, walks, paths, splatter, all);
         if (at_max_depth(paths.length())) continue;
         if (paths.length() == 1) walks.dim_first_vertices(paths);
-        sample_bsdf(paths, roulette_start, Transport::importance);
+        sample_bsdf(paths, roulette_start, TransportMode::importance);
       }
     }
   }

@@ -93,7 +93,7 @@ class MarkovChainRenderState final : public RenderState {
   }();
 
   MarkovChainRenderState(const RenderContext& context, Kernel kernel)
-      : context_(context), kernel_(std::move(kernel)), halves_(film::kHalves, Half(kernel_.epoch())) {
+      : context_(context), kernel_(std::move(kernel)), halves_(film::kHalfBuffers, Half(kernel_.epoch())) {
     const int groups = (kernel_.chains() + kGroupSize - 1) / kGroupSize;
     for (Half& half : halves_) half.groups.resize(static_cast<size_t>(groups));
   }
@@ -101,7 +101,7 @@ class MarkovChainRenderState final : public RenderState {
   std::vector<Phase> phases(uint32_t sample) override {
     Half& half = half_of(sample);
     half.before = half.now, half.sample = sample;
-    const uint32_t step = sample / film::kHalves;
+    const uint32_t step = sample / film::kHalfBuffers;
     if (half.now.drawn == 0) open(half, sample);
     mutations_ = mutations_of(step);
     std::vector<Phase> list;
@@ -203,12 +203,12 @@ class MarkovChainRenderState final : public RenderState {
     std::vector<Member> groups;
   };
 
-  Half& half_of(uint32_t sample) { return halves_[sample % film::kHalves]; }
+  Half& half_of(uint32_t sample) { return halves_[sample % film::kHalfBuffers]; }
 
   // The key knows the sample, so that a half that starts anew (a film goes on whose chains are lost) does not repeat
   // itself.
   void open(Half& half, uint32_t sample) {
-    half.now.since = sample / film::kHalves;
+    half.now.since = sample / film::kHalfBuffers;
     half.now.key = mix_bits(mix_bits(context_.seed + 0x3c6ef372fe94f82bULL) ^ sample);
   }
 

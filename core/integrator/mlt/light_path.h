@@ -52,7 +52,7 @@ struct PathVertex : PathVertexData<M> {
   }
 
  private:
-  void refer() { this->bsdf.refer_to(this->point.shading, this->point.ng); }
+  void refer() { this->bsdf.rebind(this->point.shading, this->point.ng); }
 };
 
 template <class M>

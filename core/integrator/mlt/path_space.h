@@ -11,7 +11,6 @@
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_random.h"
 #include "integrator/mlt/light_path.h"
-#include "light/punctual.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/absorption.h"
@@ -53,7 +52,7 @@ class PathSpace {
   bool choose_light(ChainRandom& random, Path& path) {
     const float choice = random.next();
     const Vec2 point = random.next_2d(), direction = random.next_2d();
-    const Emission e = scene_->lights().emit({choice, point, direction, path.time});
+    const Emission e = scene_->lights().sample_emission({choice, point, direction, path.time});
     if (!(e.density.first > 0)) return false;
     path.light.kind = e.kind, path.light.number = e.light;
     path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
@@ -74,7 +73,7 @@ class PathSpace {
     Emission e;
     e.kind = path.light.kind, e.light = path.light.number;
     e.position = path[0].point.position, e.direction = path[0].direction, e.time = path.time;
-    scene_->lights().emit_anew(random.next_2d(), e);
+    scene_->lights().resample_emission(random.next_2d(), e);
     if (e.kind != LightKind::triangle) return leave_light(e.position, e.direction, random, path);
     const Vec3& ng = path[0].point.ng;
     return leave_light(e.position, Frame(e.back ? -ng : ng).to_world(e.direction), random, path);
@@ -92,7 +91,7 @@ class PathSpace {
   bool scatter_to_camera(int i, ChainRandom& random, Path& path) {
     LobeSample<Color> s;
     Vertex& x = path[i];
-    if (!sample(x, path.direction_to_light(i), Transport::importance, random, s)) return false;
+    if (!sample(x, path.direction_to_light(i), TransportMode::importance, random, s)) return false;
     return step_to_camera(i, s.wi, random, path);
   }
   bool step_to_camera(int i, const Vec3& direction, ChainRandom& random, Path& path) {
@@ -112,7 +111,7 @@ class PathSpace {
   bool scatter_to_light(int i, ChainRandom& random, Path& path) {
     LobeSample<Color> s;
     Vertex& x = path[i];
-    if (!sample(x, path.direction_to_camera(i), Transport::radiance, random, s)) return false;
+    if (!sample(x, path.direction_to_camera(i), TransportMode::radiance, random, s)) return false;
     return step_to_light(i, s.wi, random, path);
   }
   bool step_to_light(int i, const Vec3& direction, ChainRandom& random, Path& path) {
@@ -147,7 +146,7 @@ class PathSpace {
     if (i < path.edges() - 1) {
       path[i + 1].point.spawn_segment(-path[i].direction, path[i].length, ray);
     } else if (i == 0 && path.light.infinite) {
-      const auto view = camera().view_of_infinity(-path[0].direction, path.lens, path.time);
+      const auto view = camera().view_direction(-path[0].direction, path.lens, path.time);
       if (!view) return false;
       ray = view->ray;
     } else {
@@ -179,7 +178,7 @@ class PathSpace {
  private:
   const transport::Automaton& automaton() const { return context_->model->paths->automaton(); }
 
-  static bool sample(Vertex& x, const Vec3& wo, Transport mode, ChainRandom& random, LobeSample<Color>& s) {
+  static bool sample(Vertex& x, const Vec3& wo, TransportMode mode, ChainRandom& random, LobeSample<Color>& s) {
     const float choice = random.next();
     if (!x.bsdf.sample(wo, {choice, random.next_2d()}, mode, s)) return false;
     x.delta = s.delta, x.transmitted = s.transmitted;
@@ -236,7 +235,7 @@ class PathSpace {
     const int last = path.edges() - 1;
     Vertex& x = path[last];
     if (last == 0 && path.light.infinite) {
-      const auto view = camera().view_of_infinity(-x.direction, path.lens, path.time);
+      const auto view = camera().view_direction(-x.direction, path.lens, path.time);
       if (!view) return false;
       path.raster = view->raster, x.length = kInfinity;
       return in_picture(path.raster);
@@ -254,16 +253,16 @@ class PathSpace {
     const Vec3 wo = path.direction_to_camera(i), wi = path.direction_to_light(i);
     Color f(0);
     if (x.delta) {
-      SingleDirection<Color> seen, sent;
-      if (!x.bsdf.follow(wo, x.transmitted, Transport::radiance, seen)) return false;
-      if (!x.bsdf.follow(wi, x.transmitted, Transport::importance, sent)) return false;
+      DeltaDirection<Color> seen, sent;
+      if (!x.bsdf.delta_direction(wo, x.transmitted, TransportMode::radiance, seen)) return false;
+      if (!x.bsdf.delta_direction(wi, x.transmitted, TransportMode::importance, sent)) return false;
       f = seen.value;
       x.stretch = x.bsdf.cosine(wo) / (x.bsdf.cosine(wi) * sqr(seen.eta));
       x.to_light = seen.probability, x.to_camera = sent.probability * x.stretch;
     } else {
-      const auto seen = x.bsdf.evaluate(wo, wi, Transport::radiance);
+      const auto seen = x.bsdf.evaluate(wo, wi, TransportMode::radiance);
       f = seen.f_cos;
-      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, Transport::importance);
+      x.to_light = seen.pdf, x.to_camera = x.bsdf.pdf(wi, wo, TransportMode::importance);
     }
     x.value = max_component(f);
     if (!(x.value > 0) || !std::isfinite(x.value) || !is_finite(f)) return false;
@@ -280,34 +279,23 @@ class PathSpace {
       const float cosine = glm::dot(point.ng, direction);
       point.front = cosine > 0;
       light.emitted = scene_->emitted(point, direction);
-      density = scene_->lights().density_of_triangle(light.number, cosine, path.time);
+      density = scene_->lights().emission_density(light.number, cosine, path.time);
       if (cosine == 0 || !seen_as_it_is(path)) return false;
     } else if (light.kind == LightKind::environment) {
       const EnvironmentMap& map = scene_->lights().environment();
       light.emitted = map.radiance(-direction);
-      density = scene_->lights().density_of_escape(-direction);
+      density = scene_->lights().environment_emission_density(-direction);
       if (path.edges() == 1 && !map.visible()) return false;
     } else {
       // What has no extent is not seen.
       if (path.edges() == 1) return false;
-      light.emitted = emitted_by_placed(path);
+      light.emitted = scene_->lights().emitted_by_placed(light.number, direction, path[0].length, path.time);
       LightSample sample;
       sample.kind = LightKind::placed, sample.light = light.number;
-      density = scene_->lights().density_of(sample, path.time);
+      density = scene_->lights().emission_density(sample, path.time);
     }
     light.first = density.first, light.second = density.second;
     return !is_black(light.emitted);
-  }
-
-  Color emitted_by_placed(const Path& path) const {
-    const LightTable& table = scene_->lights();
-    const PlacedLight& placed = table.placed()[path.light.number - table.triangles().size()];
-    const Rgb emitted = placed.light.color * placed.light.intensity;
-    if (path.light.infinite) return emitted;
-    const float cone = placed.light.type == LightType::spot
-                           ? spot_falloff(placed.light, glm::dot(path[0].direction, placed.at(path.time).direction))
-                           : 1;
-    return emitted * (cone * table.window(path.light.number, path[0].length));
   }
 
   // An unlit surface shows itself and lights nothing.
@@ -322,7 +310,7 @@ class PathSpace {
     const Vertex& x = path[path.edges() - 1];
     const bool far = std::isinf(x.length);
     path.importance =
-        far && !camera().can_see_infinity() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length, path.time);
+        far && !camera().sees_environment() ? 0 : camera().pixels_per_area(-x.direction, far ? 1 : x.length, path.time);
     return far || path.importance > 0;
   }
 

@@ -65,10 +65,10 @@ bool retrace_from_camera(const LightPath<M>& x, Vec2 raster, Vec2 lens, int end,
   if (!space.leave_camera(raster, lens, random, y)) return false;
   for (int i = k - 1; i > end; --i) {
     y[i].delta = x[i].delta, y[i].transmitted = x[i].transmitted;
-    SingleDirection<typename M::Color> only;
+    DeltaDirection<typename M::Color> only;
     if (!y[i].delta)
       only.wi = turned(x.direction_to_light(i), angles, random);
-    else if (!y[i].bsdf.follow(y.direction_to_camera(i), y[i].transmitted, Transport::radiance, only))
+    else if (!y[i].bsdf.delta_direction(y.direction_to_camera(i), y[i].transmitted, TransportMode::radiance, only))
       return false;
     if (!space.step_to_light(i, only.wi, random, y)) return false;
   }
@@ -108,8 +108,9 @@ bool retrace_from_light(const LightPath<M>& x, int start, const Octaves& angles,
   }
   for (int i = start + 1; i < k - 1; ++i) {
     y[i].delta = true, y[i].transmitted = x[i].transmitted;
-    SingleDirection<typename M::Color> only;
-    if (!y[i].bsdf.follow(y.direction_to_light(i), y[i].transmitted, Transport::importance, only)) return false;
+    DeltaDirection<typename M::Color> only;
+    if (!y[i].bsdf.delta_direction(y.direction_to_light(i), y[i].transmitted, TransportMode::importance, only))
+      return false;
     if (!space.step_to_camera(i, only.wi, random, y)) return false;
   }
   return space.connect(k - 1, y) && space.settle(start, k - 1, y) && space.visible(k - 1, random, y);

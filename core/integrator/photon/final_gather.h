@@ -81,7 +81,7 @@ class FinalGather {
       };
       paths_.state(ray).radiance = Color(0);
       LobeSample<Color> s;
-      if (!eye.bsdf(i).sample(eye.wo(i), LobeDraw(at(kLobe), {at(0), at(1)}), Transport::radiance, s)) continue;
+      if (!eye.bsdf(i).sample(eye.wo(i), LobeRandom(at(kLobe), {at(0), at(1)}), TransportMode::radiance, s)) continue;
       if (!take_wide(eye, i, s)) continue;
       Ray along;
       eye.point(i).spawn(s.wi, along);
@@ -103,7 +103,7 @@ class FinalGather {
     if (s.delta) return false;
     const Bsdf<M>& bsdf = eye.bsdf(i);
     if (split().has_near_specular_gloss(bsdf))
-      s.weight *= ratio(bsdf.eval_part(Scatter::diffuse, eye.wo(i), s.wi), bsdf.eval(eye.wo(i), s.wi));
+      s.weight *= ratio(bsdf.eval_component(ScatterType::diffuse, eye.wo(i), s.wi), bsdf.eval(eye.wo(i), s.wi));
     return !is_black(s.weight);
   }
 
@@ -130,7 +130,7 @@ class FinalGather {
     }
     add_nearest_photons(paths_, global_.view, global_.nearest, before, [&](int i) { return !is_near(i); });
     const TakeNearSpecular narrow{split()};
-    sample_bsdf(paths_, 1, Transport::radiance, [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
+    sample_bsdf(paths_, 1, TransportMode::radiance, [&](PathWavefront& paths, int i, LobeSample<Color>& s) {
       return is_near(i) ? TakeAll()(paths, i, s) : narrow(paths, i, s);
     });
   }

@@ -28,7 +28,7 @@ inline uint32_t packed_direction(const Vec3& v, int bits) {
   return grid_of(select(v.z < 0, folded_x, x), bits) << bits | grid_of(select(v.z < 0, folded_y, y), bits);
 }
 // The same for many; arrays have room for whole registers.
-void packed_directions(const WideVec3View& v, size_t count, int bits, uint32_t* packed);
+void packed_directions(const Vec3LanesView& v, size_t count, int bits, uint32_t* packed);
 
 // Not of unit length.
 inline Vec3 unfolded_direction(uint32_t packed, int bits) {

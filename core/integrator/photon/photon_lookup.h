@@ -42,7 +42,7 @@ class PhotonReflection {
     if constexpr (M::kClasses)
       f = admitted(wi, weights_.of[photon.state()]);
     else
-      f = view_.split.wide(bsdf_, wo_, wi, Transport::radiance);
+      f = view_.split.wide(bsdf_, wo_, wi, TransportMode::radiance);
     // Directions along the surface are as rare as they are heavy.
     constexpr float kLeast = 1e-3f;
     const float cosines = flat_ ? 1 : bsdf_.cosine(wi) / std::max(std::abs(glm::dot(ng_, wi)), kLeast);
@@ -52,9 +52,10 @@ class PhotonReflection {
  private:
   Color admitted(const Vec3& wi, const typename transport::JoinWeights<Color>::ByLetter& weight) const {
     Color f(0);
-    if (bsdf_.scatters(Scatter::diffuse)) f = bsdf_.eval_part(Scatter::diffuse, wo_, wi) * weight.diffuse;
-    if (bsdf_.scatters(Scatter::glossy) && view_.split.gloss_is_rough(bsdf_))
-      f += bsdf_.eval_part(Scatter::glossy, wo_, wi) * weight.glossy;
+    if (bsdf_.has_component(ScatterType::diffuse))
+      f = bsdf_.eval_component(ScatterType::diffuse, wo_, wi) * weight.diffuse;
+    if (bsdf_.has_component(ScatterType::glossy) && view_.split.gloss_is_rough(bsdf_))
+      f += bsdf_.eval_component(ScatterType::glossy, wo_, wi) * weight.glossy;
     return f;
   }
 

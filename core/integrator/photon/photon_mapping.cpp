@@ -155,7 +155,7 @@ class PhotonMapping::Maps final : public RenderState {
       : method_(method), context_(context), size_(2 * context.scene->bounds().radius()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
     const bool reusable = previous && !renews() && !previous->renews() && previous->same_light(context);
-    for (uint32_t half = 0; half < film::kHalves; ++half)
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half)
       for (const bool caustics : {false, true}) {
         if (caustics && (method.direct() || context.model->diffuse)) continue;
         auto& mine = emissions_[half][caustics];
@@ -168,7 +168,7 @@ class PhotonMapping::Maps final : public RenderState {
   std::vector<Phase> phases(uint32_t sample) override {
     std::vector<Phase> phases;
     running_.clear();
-    for (const auto& emission : emissions_[sample % film::kHalves]) {
+    for (const auto& emission : emissions_[sample % film::kHalfBuffers]) {
       if (!emission) continue;
       if (renews()) emission->begin(emission->plan(), sample);
       if (emission->ready()) continue;
@@ -219,7 +219,7 @@ class PhotonMapping::Maps final : public RenderState {
   }
 
   PhotonView view(uint32_t sample, bool caustics, const TaskContext& task_context) const {
-    const auto& emission = emissions_[sample % film::kHalves][caustics];
+    const auto& emission = emissions_[sample % film::kHalfBuffers][caustics];
     return {emission ? &emission->map() : nullptr, method_.split(), join_ ? &*join_ : nullptr, method_.max_depth,
             task_context.overhead_timer};
   }
@@ -257,7 +257,7 @@ class PhotonMapping::Maps final : public RenderState {
         if (method_.at_max_depth(paths.length())) continue;
         add_light_by_parts(paths, view.split, LitParts::near_specular);
         add_nearest_photons(paths, view, method_.nearest_of(method_.photons, size_), 0);
-        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{view.split});
+        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
       }
     }
     return true;
@@ -277,7 +277,7 @@ class PhotonMapping::Maps final : public RenderState {
         add_light_by_parts(paths, split, LitParts::both);
         gatherer.add_caustics(paths);
         gatherer.gather(context_, task_context, paths);
-        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{split});
+        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{split});
       }
     }
     return true;
@@ -288,7 +288,7 @@ class PhotonMapping::Maps final : public RenderState {
   const float size_;  // of the scene
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kHalves> emissions_;
+  std::array<std::array<std::shared_ptr<PhotonEmission>, 2>, film::kHalfBuffers> emissions_;
   std::vector<PhotonEmission*> running_;  // one for two phases
 };
 

@@ -89,9 +89,9 @@ std::optional<uint64_t> trace_photons(const RenderContext& context, uint32_t sam
       store_photons(plan, *walks, paths, stored);
       if (plan.longest > 0 && paths.length() >= plan.longest) continue;
       if (plan.caustics)
-        sample_bsdf(paths, 1, Transport::importance, TakeNearSpecular{plan.split, Transport::importance});
+        sample_bsdf(paths, 1, TransportMode::importance, TakeNearSpecular{plan.split, TransportMode::importance});
       else
-        sample_bsdf(paths, 1, Transport::importance);
+        sample_bsdf(paths, 1, TransportMode::importance);
     }
   if (paths.cancelled()) return {};
   photons.assign(stored.begin(), stored.end());

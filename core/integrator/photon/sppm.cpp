@@ -109,7 +109,7 @@ class Progress final : public RenderState {
 
   std::vector<Phase> phases(uint32_t sample) override {
     emission_.begin(emission_.plan(), sample);
-    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalves)));
+    radius_ = method_.radius * static_cast<float>(std::sqrt(method_.shrinking(sample / film::kHalfBuffers)));
     std::vector<Phase> phases;
     emission_.add_phases(phases);
     return phases;
@@ -165,7 +165,7 @@ class Progress final : public RenderState {
               glm::distance(paths.state_at(i).from, paths.point(i).position);
         add_light_by_parts(paths, view.split, method_.connect ? LitParts::both : LitParts::near_specular);
         add_photons_within(paths, view, radius2);
-        sample_bsdf(paths, method_.roulette_start, Transport::radiance, TakeNearSpecular{view.split});
+        sample_bsdf(paths, method_.roulette_start, TransportMode::radiance, TakeNearSpecular{view.split});
       }
     }
   }

@@ -26,7 +26,7 @@ class PrimarySampleTarget {
       found[i].clear();
       // The lane's bits tell samplers whose numbers are asked for.
       const auto world = static_cast<uint32_t>(mix_bits(roots[i] + 0xa0761d6478bd642fULL) >> 32);
-      seeds_[i] = (world & ~PrimarySampleProposals::kLaneBits) | static_cast<uint32_t>(i);
+      seeds_[i] = (world & ~PrimarySampleProposals::kLaneMask) | static_cast<uint32_t>(i);
     }
     const auto rays = transport::with_model(
         *context.model, [&]<class M>(M) { return look<M>(context, form, plan, law, lanes, task_context); });

@@ -12,7 +12,7 @@ namespace etendue::integrator {
 // What stands in the way of walks that count light only where they meet it.
 inline std::string incompatibility_with_point_lights(const RenderContext& context) {
   const LightTable& lights = context.scene->lights();
-  if (lights.placed().empty() || !lights.triangles().empty() || !lights.environment().black()) return {};
+  if (lights.placed_count() == 0 || !lights.triangles().empty() || !lights.environment().black()) return {};
   return "no walk can meet a light without extent, and the scene has no others: take a method that samples lights";
 }
 

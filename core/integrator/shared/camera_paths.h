@@ -14,7 +14,7 @@ namespace etendue::integrator {
 
 // The seed of a pixel's random numbers in one half of the film.
 inline uint32_t pixel_seed(uint64_t seed, int x, int y, uint32_t half_buffer) {
-  uint64_t h = mix_bits(seed * film::kHalves + half_buffer + 1);
+  uint64_t h = mix_bits(seed * film::kHalfBuffers + half_buffer + 1);
   h = mix_bits(h ^ (static_cast<uint64_t>(static_cast<uint32_t>(y)) << 32 | static_cast<uint32_t>(x)));
   return static_cast<uint32_t>(h >> 32);
 }
@@ -36,8 +36,8 @@ template <class M>
 void launch_camera_paths(const RenderContext& context, const PixelBlock& block, const PixelOrder& order,
                          const TaskContext& task_context, transport::PathWavefront<M>& paths,
                          const float* given_times = nullptr) {
-  const uint32_t half_buffer = block.sample % film::kHalves;
-  paths.begin(*context.scene, *context.sampler, block.sample / film::kHalves, task_context.keep_going,
+  const uint32_t half_buffer = block.sample % film::kHalfBuffers;
+  paths.begin(*context.scene, *context.sampler, block.sample / film::kHalfBuffers, task_context.keep_going,
               context.model->moving);
   paths.assume_coherent();
   if constexpr (M::kClasses) paths.filter_paths(context.model->paths->automaton());

@@ -30,7 +30,7 @@ void see_light(const RenderContext& context, const typename LightSubpaths<M>::St
     if (!context.model->paths->matches("EL")) return;
   if (e.density.infinite) {
     if (!context.scene->lights().environment().visible()) return;
-    const auto view = context.camera->view_of_infinity(-e.direction, lens, e.time);
+    const auto view = context.camera->view_direction(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
     return splatter.connect(start.path, view->ray, e.time, seed, view->raster, start.emitted * value);
@@ -59,13 +59,13 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& wal
     if (!selected(i)) continue;
     const scene::SurfacePoint& point = paths.point(i);
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    if (!bsdf.has_non_delta()) continue;
+    if (!bsdf.has_non_delta_lobe()) continue;
     const int path = paths.path_at(i);
     const auto& state = paths.state(path);
     const Vec2 on_lens = lens ? paths.random_2d(vertex_dimension::kLightPoint, i) : Vec2(0);
     const auto view = context.camera->view(point.position, on_lens, state.time);
     if (!view || !splatter.reaches(view->raster)) continue;
-    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, Transport::importance).f_cos;
+    auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, TransportMode::importance).f_cos;
     if constexpr (M::kClasses) f_cos = paths.shares().of_connection(path, bsdf, paths.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
     const float weight = weigh(i, *view);
@@ -84,10 +84,10 @@ void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks,
   const auto& state = paths.state(path);
   Ray ray;
   ray.origin = state.from, ray.direction = direction;
-  const auto hit = context.camera->arrival(ray, length, state.time);
+  const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
   auto carried = transport::admitted(paths, state, path) * (walks.flux(path) * hit->importance);
-  if (paths.length() == 1) carried *= paths.scene().lights().window(walks.light(path), hit->distance);
+  if (paths.length() == 1) carried *= paths.scene().lights().range_window(walks.light(path), hit->distance);
   const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
   splatter.add(path, hit->raster, seed, carried * weigh(path, *hit));
 }

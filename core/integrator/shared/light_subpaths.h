@@ -11,7 +11,7 @@ namespace etendue::integrator {
 // The seed of a light path's random numbers in one half of the film.
 inline uint32_t light_path_seed(uint64_t seed, uint32_t path, uint32_t half_buffer) {
   constexpr uint64_t kNoPixel = 0x6c62272e07bb0142;
-  return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalves + half_buffer + kNoPixel) ^ path) >> 32);
+  return static_cast<uint32_t>(mix_bits(mix_bits(seed * film::kHalfBuffers + half_buffer + kNoPixel) ^ path) >> 32);
 }
 
 template <class M>
@@ -34,8 +34,8 @@ class LightSubpaths {
   template <class NumberOf, class Begun>
   void launch(const RenderContext& context, uint32_t sample, int count, const TaskContext& task_context,
               PathWavefront& paths, NumberOf&& number_of, Begun&& begun) {
-    const uint32_t half_buffer = sample % film::kHalves;
-    paths.begin(*context.scene, *context.sampler, sample / film::kHalves, task_context.keep_going,
+    const uint32_t half_buffer = sample % film::kHalfBuffers;
+    paths.begin(*context.scene, *context.sampler, sample / film::kHalfBuffers, task_context.keep_going,
                 context.model->moving);
     for (int i = 0; i < count; ++i) paths.add(light_path_seed(context.seed, number_of(i), half_buffer));
     launch_added(context, paths, begun, [](int) { return true; });
@@ -68,9 +68,9 @@ class LightSubpaths {
         Start& start = starts_[static_cast<size_t>(size++)];
         start.path = i, start.point = nullptr;
         start.emission = {};
-        context.scene->lights().emit({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
-                                      cosine_directions_[static_cast<size_t>(i - first)]},
-                                     start.emission);
+        context.scene->lights().sample_emission({at(i, kChoice), pair(i, kPoint), pair(i, kDirection), time,
+                                                 cosine_directions_[static_cast<size_t>(i - first)]},
+                                                start.emission);
       }
       finish_starts(*context.scene, size);
       for (int k = 0; k < size; ++k) {
@@ -91,8 +91,8 @@ class LightSubpaths {
   void dim_first_vertices(PathWavefront& paths) const {
     for (int i = 0; i < paths.hit_count(); ++i) {
       auto& path = paths.state_at(i);
-      path.throughput *=
-          paths.scene().lights().window(light(paths.path_at(i)), glm::distance(path.from, paths.point(i).position));
+      path.throughput *= paths.scene().lights().range_window(light(paths.path_at(i)),
+                                                             glm::distance(path.from, paths.point(i).position));
     }
   }
 
@@ -106,7 +106,7 @@ class LightSubpaths {
     size_t count = 0;
     for (int k = 0; k < size; ++k) {
       const Emission& e = starts_[static_cast<size_t>(k)].emission;
-      if (!(e.per_density > 0) || e.kind != LightKind::triangle) continue;
+      if (!(e.weight > 0) || e.kind != LightKind::triangle) continue;
       scene.locate(e, hits[count], sides[count]);
       times[count] = e.time;
       of[count++] = k;
@@ -126,7 +126,7 @@ class LightSubpaths {
   void find_ray(const scene::CompiledScene& scene, int k) {
     Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
-    start.emitted = e.per_density > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
+    start.emitted = e.weight > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
     Ray& ray = rays_[static_cast<size_t>(k)];
     ray = Ray();
     ray.origin = e.position, ray.direction = e.direction;
@@ -138,7 +138,7 @@ class LightSubpaths {
     const Emission& e = start.emission;
     const auto path = static_cast<size_t>(start.path);
     const float beam = start.point ? start.point->beam(e.direction) : 1;
-    const Color flux = start.emitted * (e.per_density * beam);
+    const Color flux = start.emitted * (e.weight * beam);
     const float most = max_component(flux);
     flux_[path] = most, lights_[path] = e.light;
     if (!(most > 0)) return;

@@ -107,7 +107,7 @@ class VirtualLights final : public RenderState {
   VirtualLights(const InstantGlobalIllumination& method, const RenderContext& context)
       : method_(method), context_(context), plan_(method.plan()) {
     if (context.model->classes) join_.emplace(*context.model->paths);
-    for (uint32_t half = 0; half < film::kHalves; ++half) lights_[half].sample = half;
+    for (uint32_t half = 0; half < film::kHalfBuffers; ++half) lights_[half].sample = half;
   }
 
   std::vector<Phase> phases(uint32_t sample) override {
@@ -161,7 +161,7 @@ class VirtualLights final : public RenderState {
   // What moves needs lights of its own time.
   bool renews() const { return method_.renew || context_.model->moving; }
 
-  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kHalves]; }
+  Lights& lights_of(uint32_t sample) { return lights_[sample % film::kHalfBuffers]; }
   // Virtual lights are the second vertex at the earliest.
   bool indirect() const { return method_.max_depth == 0 || method_.max_depth > 2; }
 
@@ -174,7 +174,7 @@ class VirtualLights final : public RenderState {
     static thread_local const auto lighting = std::make_unique<VirtualLighting<M>>();
     const int side = method_.interleave;
     lighting->begin(
-        {lights_[block.sample % film::kHalves].all, plan_.lambertian, method_.bound, method_.max_depth,
+        {lights_[block.sample % film::kHalfBuffers].all, plan_.lambertian, method_.bound, method_.max_depth,
          join_ ? &*join_ : nullptr},
         order.size(), [&](int i) {
           return static_cast<uint32_t>((block.y + order.y(i)) % side * side + (block.x + order.x(i)) % side);
@@ -201,7 +201,7 @@ class VirtualLights final : public RenderState {
         add_direct_light(paths, LightStrategy::automatic, kHeuristic);
         lighting.add(paths);
         sample_bsdf_and_record(
-            paths, method_.roulette_start, Transport::radiance,
+            paths, method_.roulette_start, TransportMode::radiance,
             [&](int i, const auto& s) {
               departures[static_cast<size_t>(paths.path_at(i))] = glm::dot(paths.point(i).ng, s.wi);
             },
@@ -238,7 +238,7 @@ class VirtualLights final : public RenderState {
   const VirtualLightPlan plan_;
   const RandomSampler random_;
   std::optional<transport::ClassJoin> join_;
-  std::array<Lights, film::kHalves> lights_;
+  std::array<Lights, film::kHalfBuffers> lights_;
 };
 
 }  // namespace

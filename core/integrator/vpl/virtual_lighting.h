@@ -42,7 +42,8 @@ class VirtualLighting {
       if (!options_.lambertian) transport::build_bsdf<M>(light.point, bsdf_);
       for (int i = 0; i < paths.hit_count(); ++i) {
         const auto path = static_cast<size_t>(paths.path_at(i));
-        if (subsets_[path] == light.subset && paths.bsdf(i).has_non_delta() && !is_black(paths.state_at(i).throughput))
+        if (subsets_[path] == light.subset && paths.bsdf(i).has_non_delta_lobe() &&
+            !is_black(paths.state_at(i).throughput))
           connect(paths, i, light);
       }
     }
@@ -92,27 +93,29 @@ class VirtualLighting {
     if constexpr (!M::kClasses) {
       const Color here = paths.bsdf(i).evaluate(paths.wo(i), w).f_cos;
       if (is_black(here)) return here;
-      if (!options_.lambertian) return here * bsdf_.evaluate(light.wo, -w, Transport::importance).f_cos;
+      if (!options_.lambertian) return here * bsdf_.evaluate(light.wo, -w, TransportMode::importance).f_cos;
       return here * (std::max(0.0f, -cosine * light.side) * kInvPi);
     } else {
-      const Letters here = letters(paths.bsdf(i), paths.wo(i), w, Transport::radiance);
+      const Letters here = letters(paths.bsdf(i), paths.wo(i), w, TransportMode::radiance);
       const auto joined = [&](transport::Automaton::State state) {
         const auto& weight = weights_[static_cast<size_t>(i)].of[state];
         return here.diffuse * weight.diffuse + here.glossy * weight.glossy;
       };
       if (options_.lambertian) return joined(light.state) * (std::max(0.0f, -cosine * light.side) * kInvPi);
-      const Letters there = letters(bsdf_, light.wo, -w, Transport::importance);
+      const Letters there = letters(bsdf_, light.wo, -w, TransportMode::importance);
       const transport::Automaton& reader = options_.join->light();
       return there.diffuse * joined(reader.next(light.state, transport::Event::diffuse)) +
              there.glossy * joined(reader.next(light.state, transport::Event::glossy));
     }
   }
 
-  static Letters letters(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Transport mode) {
+  static Letters letters(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) {
     const float cosine = bsdf.cosine(wi);
     Letters letters{Color(0), Color(0)};
-    if (bsdf.scatters(Scatter::diffuse)) letters.diffuse = bsdf.eval_part(Scatter::diffuse, wo, wi, mode) * cosine;
-    if (bsdf.scatters(Scatter::glossy)) letters.glossy = bsdf.eval_part(Scatter::glossy, wo, wi, mode) * cosine;
+    if (bsdf.has_component(ScatterType::diffuse))
+      letters.diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi, mode) * cosine;
+    if (bsdf.has_component(ScatterType::glossy))
+      letters.glossy = bsdf.eval_component(ScatterType::glossy, wo, wi, mode) * cosine;
     return letters;
   }
 

@@ -47,7 +47,7 @@ class VirtualLightMaker {
 
   void add_arrivals(PathWavefront& paths) {
     for (int i = 0; i < paths.hit_count(); ++i)
-      if (paths.bsdf(i).has_non_delta()) add(paths, i, Color(1), 1);
+      if (paths.bsdf(i).has_non_delta_lobe()) add(paths, i, Color(1), 1);
   }
 
   // What `scatter` is given for Lambertian ones.
@@ -99,10 +99,10 @@ std::optional<uint64_t> make_virtual_lights(const RenderContext& context, uint32
       if (plan.longest > 0 && paths.length() > plan.longest) continue;
       if constexpr (M::kClasses) paths.draw(dimensions(vertex_dimension::kLightChoice, 1));
       if (plan.lambertian) {
-        sample_bsdf(paths, 1, Transport::importance, maker);
+        sample_bsdf(paths, 1, TransportMode::importance, maker);
       } else {
         maker.add_arrivals(paths);
-        sample_bsdf(paths, 1, Transport::importance);
+        sample_bsdf(paths, 1, TransportMode::importance);
       }
     }
   if (paths.cancelled()) return {};

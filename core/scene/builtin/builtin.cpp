@@ -1,4 +1,4 @@
-// Every built-in scene, the simplest first; one line each.
+// The list of built-in scenes, the simplest first.
 #include "scene/builtin/builtin.h"
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 #include "scene/builtin/glossy_plates.h"
 #include "scene/builtin/many_lights.h"
 #include "scene/builtin/spot_indirect.h"
-#include "scene/gltf/gltf.h"
+#include "scene/gltf/load_gltf.h"
 
 namespace etendue::scene {
 
@@ -39,7 +39,7 @@ Result<Scene> load(const std::string& file_or_name) {
   const std::filesystem::path file(file_or_name);
   std::error_code ignored;
   if (!file.has_extension() && !file.has_parent_path() && !std::filesystem::exists(file, ignored))
-    return input_error("there is no scene '" + file_or_name + "'; give a .gltf or .glb file, or one of " +
+    return input_error("there is no built-in scene '" + file_or_name + "'; use a .gltf or .glb file, or one of " +
                        builtin_names());
   return load_gltf(file_or_name);
 }

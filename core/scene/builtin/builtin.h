@@ -1,5 +1,6 @@
-// The scenes that the program brings along; "cornell" opens when no file is named. Each is there because methods of
-// light transport differ on it.
+// The built-in scenes. "cornell" opens when no file is named. Each scene shows a difference between integrators.
+//
+// To add one, write a header that ends with a constant of type Builtin and list the constant in builtin.cpp.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,19 +12,20 @@
 namespace etendue::scene {
 
 struct Builtin {
-  const char* name;   // as a command takes it in the place of a file
-  const char* label;  // as a menu shows it
-  const char* doc;    // one sentence: why it is there
+  const char* name;   // accepted by commands in place of a file
+  const char* label;  // shown in menus
+  const char* doc;    // one sentence without a full stop: what the scene shows
   Scene (*make)();
 };
 
-// All of them, the simplest first.
+// All built-in scenes, the simplest first.
 const std::vector<Builtin>& builtins();
+// Null if there is no scene with this name.
 const Builtin* find_builtin(std::string_view name);
-// Their names with commas between them.
+// All names, separated by commas.
 std::string builtin_names();
 
-// A scene by file name, or by the name of a built-in one.
+// Loads a built-in scene by its name, or a glTF file.
 Result<Scene> load(const std::string& file_or_name);
 
 }  // namespace etendue::scene

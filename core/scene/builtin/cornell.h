@@ -2,17 +2,17 @@
 // Graphics, 1998.
 #pragma once
 #include "scene/builtin/builtin.h"
-#include "scene/builtin/stage.h"
+#include "scene/builtin/scene_builder.h"
 
 namespace etendue::scene {
 namespace cornell {
 
-// One published unit is a millimetre; scaled by ten the box is a room of 5.6 m.
+// One published unit is a millimetre. Scaled by ten, the box is a room of 5.6 m.
 inline constexpr float kMetres = 0.01f;
 
 using Corners = std::array<Vec3, 4>;
 
-// Corners as published: counter-clockwise as seen from where the surface is lit.
+// Corners in published order: counter-clockwise as seen from the lit side.
 inline constexpr float kWidth = 552.8f, kDepth = 559.2f, kHeight = 548.8f;
 
 inline std::shared_ptr<const Mesh> mesh_of(const std::string& name, const std::vector<Corners>& quads) {
@@ -32,7 +32,7 @@ inline void add_quads(Scene& scene, const char* name, int material, const std::v
   add(scene, name, mesh_of(name, quads), material);
 }
 
-// A block on the floor from the four corners of its top, in either sense of rotation: every face is turned outwards.
+// A block on the floor from the four corners of its top, in either order. All faces are oriented outwards.
 inline std::vector<Corners> block(const Corners& top) {
   std::vector<Corners> quads{top};
   const Vec3 middle = 0.25f * (top[0] + top[1] + top[2] + top[3]);
@@ -48,14 +48,15 @@ inline std::vector<Corners> block(const Corners& top) {
   return quads;
 }
 
-// The room with its light, and nothing in it.
+// The room with its light and without blocks.
 inline Scene room(const char* name) {
   Scene scene;
   scene.name = name;
-  // The measured spectra under the light's, as linear Rec. 709.
-  const int white = add_paint(scene, "white", {0.725f, 0.71f, 0.68f}),
-            red = add_paint(scene, "red", {0.63f, 0.065f, 0.05f}),
-            green = add_paint(scene, "green", {0.14f, 0.45f, 0.091f}), light = add_paint(scene, "light", Rgb(0.78f));
+  // The measured reflectance spectra under the spectrum of the light, as linear Rec. 709.
+  const int white = add_diffuse(scene, "white", {0.725f, 0.71f, 0.68f}),
+            red = add_diffuse(scene, "red", {0.63f, 0.065f, 0.05f}),
+            green = add_diffuse(scene, "green", {0.14f, 0.45f, 0.091f}),
+            light = add_diffuse(scene, "light", Rgb(0.78f));
   scene.materials.back().emission = {17, 12, 4};
   scene.materials.back().double_sided = false;
 
@@ -68,7 +69,7 @@ inline Scene room(const char* name) {
             {{Vec3(0, 0, kDepth), Vec3(0, 0, 0), Vec3(0, kHeight, 0), Vec3(0, kHeight, kDepth)}});
   add_quads(scene, "left wall", red,
             {{Vec3(kWidth, 0, 0), Vec3(549.6f, 0, kDepth), Vec3(556, kHeight, kDepth), Vec3(556, kHeight, 0)}});
-  // A tenth of a millimetre under the ceiling, whose surface it covers.
+  // 0.1 published units below the ceiling, so that the two surfaces do not coincide.
   constexpr float kLight = kHeight - 0.1f;
   add_quads(scene, "light", light,
             {{Vec3(343, kLight, 227), Vec3(343, kLight, 332), Vec3(213, kLight, 332), Vec3(213, kLight, 227)}});
@@ -76,7 +77,7 @@ inline Scene room(const char* name) {
 }
 
 inline void add_camera(Scene& scene) {
-  // 35 mm behind a film of 25 mm.
+  // Focal length 35 mm, film size 25 mm.
   Camera camera = look_at(kMetres * Vec3(278, 273, -800), kMetres * Vec3(278, 273, 0), Vec3(0, 1, 0),
                           2 * std::atan(0.5f * 25 / 35));
   camera.aspect = 1;
@@ -88,8 +89,8 @@ inline void add_camera(Scene& scene) {
 inline Scene cornell_box() {
   using namespace cornell;
   Scene scene = room("Cornell box");
-  const int short_box = add_paint(scene, "short box", {0.725f, 0.71f, 0.68f}),
-            tall_box = add_paint(scene, "tall box", {0.725f, 0.71f, 0.68f});
+  const int short_box = add_diffuse(scene, "short box", {0.725f, 0.71f, 0.68f}),
+            tall_box = add_diffuse(scene, "tall box", {0.725f, 0.71f, 0.68f});
   add_quads(scene, "short box", short_box,
             block({Vec3(130, 165, 65), Vec3(82, 165, 225), Vec3(240, 165, 272), Vec3(290, 165, 114)}));
   add_quads(scene, "tall box", tall_box,
@@ -98,7 +99,11 @@ inline Scene cornell_box() {
   return scene;
 }
 
-inline constexpr Builtin kCornell{"cornell", "Cornell box",
-                                  "A diffuse room under an area light: every method should do well here", cornell_box};
+inline constexpr Builtin kCornell{
+    .name = "cornell",
+    .label = "Cornell box",
+    .doc = "A diffuse room with one area light: every integrator should converge quickly",
+    .make = cornell_box,
+};
 
 }  // namespace etendue::scene

@@ -4,7 +4,7 @@ namespace etendue::scene {
 
 std::shared_ptr<const Mesh> lathe(std::span<const OutlinePoint> outline, int segments) {
   auto mesh = std::make_shared<Mesh>();
-  // One vertex on the axis, a ring anywhere else.
+  // Points on the axis have one vertex, all others a ring.
   std::vector<uint32_t> first;
   const auto on_axis = [&](size_t i) { return outline[i].position.x == 0; };
   for (size_t i = 0; i < outline.size(); ++i) {
@@ -44,7 +44,7 @@ std::shared_ptr<const Mesh> egg(float radius, float below, float above, int ring
 
 std::vector<OutlinePoint> smooth_outline(std::span<const Vec2> points, int steps) {
   std::vector<OutlinePoint> outline;
-  // Beyond the ends the outline goes on as its mirror image in the axis.
+  // Beyond its ends the curve continues as its mirror image about the axis.
   const auto point = [&](size_t i) {
     if (i == 0) return Vec2(-points[1].x, points[1].y);
     if (i > points.size()) return Vec2(-points[points.size() - 2].x, points[points.size() - 2].y);

@@ -1,4 +1,4 @@
-// Surfaces of revolution with smooth normals: balls, eggs, and what a potter turns.
+// Surfaces of revolution with vertex normals.
 #pragma once
 #include <memory>
 #include <span>
@@ -8,22 +8,22 @@
 
 namespace etendue::scene {
 
-// A point of the outline: x is the distance from the axis, y the height, in metres. The normal need not be a unit
-// vector.
+// A point of the profile curve: x is the distance from the axis, y the height, in metres. The normal may have any
+// length.
 struct OutlinePoint {
   Vec2 position, normal;
 };
 
-// Turns an outline about +y; it runs upwards with the outside on its right. Closed where it begins and ends on the
-// axis. Two points in one place with two normals make a crease.
+// Rotates a profile curve about the y axis. The curve runs upwards with the outside on its right. The surface is closed
+// if the curve starts and ends on the axis. Two points at the same position with different normals make a crease.
 std::shared_ptr<const Mesh> lathe(std::span<const OutlinePoint> outline, int segments);
 
-// Around the origin.
+// A sphere around the origin.
 std::shared_ptr<const Mesh> ball(float radius, int rings);
-// As wide as a ball of this radius; its halves are half ellipsoids of these heights.
+// Two half ellipsoids with a common radius; `below` and `above` are their heights.
 std::shared_ptr<const Mesh> egg(float radius, float below, float above, int rings);
 
-// A smooth outline through these points (Catmull & Rom 1974), `steps` pieces between one and the next.
+// A smooth profile curve through the points [Catmull and Rom 1974], with `steps` segments between neighbours.
 std::vector<OutlinePoint> smooth_outline(std::span<const Vec2> points, int steps);
 
 }  // namespace etendue::scene

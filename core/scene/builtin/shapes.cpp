@@ -5,7 +5,7 @@
 namespace etendue::scene {
 namespace {
 
-// Embree reads beyond the last vertex.
+// Embree reads 16 bytes at the last vertex (see Mesh::positions).
 std::shared_ptr<const Mesh> finished(Mesh mesh) {
   mesh.positions.reserve(mesh.positions.size() + 1);
   return std::make_shared<const Mesh>(std::move(mesh));
@@ -38,7 +38,11 @@ Material diffuse(const Rgb& albedo, const Rgb& emission) {
 Material glass(float ior) {
   Material m;
   m.name = "glass";
-  m.metallic = 0, m.roughness = 0, m.transmission = 1, m.thickness = 1, m.ior = ior;
+  m.metallic = 0;
+  m.roughness = 0;
+  m.transmission = 1;
+  m.thickness = 1;
+  m.ior = ior;
   return m;
 }
 
@@ -51,7 +55,9 @@ std::shared_ptr<const Mesh> box(const Vec3& half, bool inwards) {
     for (const float side : {-half[axis], half[axis]}) {
       const auto corner = [&](float u, float v) {
         Vec3 p;
-        p[axis] = side, p[next] = u * half[next], p[last] = v * half[last];
+        p[axis] = side;
+        p[next] = u * half[next];
+        p[last] = v * half[last];
         return p;
       };
       add_quad(mesh, corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), (side < 0) != inwards);
@@ -75,7 +81,7 @@ std::shared_ptr<const Mesh> quad(float s) {
 
 std::shared_ptr<const Mesh> disk(float radius, int segments) {
   Mesh mesh;
-  // Vertices a little further out, so that the polygon has the disk's area.
+  // The polygon is slightly larger than an inscribed one, so that it has the area of the disk.
   const float step = 2 * kPi / static_cast<float>(segments);
   const float r = radius * std::sqrt(step / std::sin(step));
   mesh.positions.push_back(Vec3(0));
@@ -101,7 +107,10 @@ std::shared_ptr<const Mesh> sphere(float radius, int rings, bool inwards) {
   for (int i = 0; i < rings; ++i)
     for (int j = 0; j < segments; ++j) {
       Triangle upper{at(i, j), at(i, j + 1), at(i + 1, j)}, lower{at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)};
-      if (inwards) std::swap(upper[1], upper[2]), std::swap(lower[1], lower[2]);
+      if (inwards) {
+        std::swap(upper[1], upper[2]);
+        std::swap(lower[1], lower[2]);
+      }
       if (i > 0) mesh.triangles.push_back(upper);
       if (i + 1 < rings) mesh.triangles.push_back(lower);
     }
@@ -133,8 +142,7 @@ int add(Scene& scene, const Light& light, const Transform& transform) {
 }
 
 int add_point_light(Scene& scene, const Vec3& position, float intensity) {
-  Light light;
-  light.intensity = intensity;
+  const Light light = make_light("point", {{"intensity", double{intensity}}});
   Transform transform;
   transform.translation = position;
   return add(scene, light, transform);

@@ -22,7 +22,7 @@ inline constexpr int kEvents = 5;
 inline constexpr std::string_view kLetters = "ELDGS";
 
 inline char letter_of(Event event) { return kLetters[static_cast<size_t>(event)]; }
-inline Event event_of(Scatter scatter) { return static_cast<Event>(static_cast<int>(scatter) + 2); }
+inline Event event_of(ScatterType scatter) { return static_cast<Event>(static_cast<int>(scatter) + 2); }
 
 // A set of letters.
 using Letters = uint8_t;

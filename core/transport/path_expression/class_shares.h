@@ -141,7 +141,7 @@ class ClassShares<M, true> {
     else if ((alive(path) & apart_) == 0)
       move(path, {Color(1), Color(0), Color(0)});
     else
-      move(path, parts_of(bsdf, wo, s.wi, event_of(s.scatter)));
+      move(path, parts_of(bsdf, wo, s.wi, event_of(s.type)));
     return alive(path) != 0;
   }
 
@@ -152,9 +152,10 @@ class ClassShares<M, true> {
 
   // `otherwise` is the letter where rounding leaves nothing to compare.
   static Parts parts_of(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Event otherwise) {
-    if (!bsdf.scatters(Scatter::glossy)) return {Color(1), Color(0), Color(0)};
-    if (!bsdf.scatters(Scatter::diffuse)) return {Color(0), Color(1), Color(0)};
-    const Color diffuse = bsdf.eval_part(Scatter::diffuse, wo, wi), glossy = bsdf.eval_part(Scatter::glossy, wo, wi);
+    if (!bsdf.has_component(ScatterType::glossy)) return {Color(1), Color(0), Color(0)};
+    if (!bsdf.has_component(ScatterType::diffuse)) return {Color(0), Color(1), Color(0)};
+    const Color diffuse = bsdf.eval_component(ScatterType::diffuse, wo, wi),
+                glossy = bsdf.eval_component(ScatterType::glossy, wo, wi);
     const Color both = diffuse + glossy;
     if (!is_black(both)) return {ratio(diffuse, both), ratio(glossy, both), Color(0)};
     if (otherwise == Event::diffuse) return {Color(1), Color(0), Color(0)};

@@ -10,7 +10,7 @@ namespace etendue::transport {
 template <class Color>
 Color inner_transmittance(const scene::SurfacePoint& point, float distance) {
   const Material& m = point.material->description;
-  if (!point.material->absorbs) return Color(1);
+  if (!point.material->absorbs_inside) return Color(1);
   const float x = distance / m.attenuation_distance;
   return Color(std::pow(m.attenuation_color.r, x), std::pow(m.attenuation_color.g, x),
                std::pow(m.attenuation_color.b, x));

@@ -50,7 +50,8 @@ class BranchingPaths {
       paths_->draw(numbers);
       for (int i = 0; i < paths_->hit_count(); ++i) {
         LobeSample<Color> s;
-        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), Transport::radiance, s) || s.delta) continue;
+        if (!paths_->bsdf(i).sample(paths_->wo(i), paths_->lobe_draw(i), TransportMode::radiance, s) || s.delta)
+          continue;
         // All of them look for the same light, with so many times the density.
         const auto share = static_cast<float>(count);
         s.weight /= share, s.pdf_solid_angle *= share;
@@ -67,7 +68,7 @@ class BranchingPaths {
     if constexpr (M::kDiffuse) return;
     int most = 0;
     for (int i = 0; i < paths_->hit_count(); ++i) {
-      Deltas<Color>& deltas = deltas_[static_cast<size_t>(i)];
+      DeltaSet<Color>& deltas = deltas_[static_cast<size_t>(i)];
       deltas = paths_->bsdf(i).deltas(paths_->wo(i));
       most = std::max(most, deltas.count);
     }
@@ -75,7 +76,7 @@ class BranchingPaths {
       paths_->select_rng_stream(first_twig + static_cast<uint32_t>(k));
       paths_->draw(numbers);
       for (int i = 0; i < paths_->hit_count(); ++i) {
-        const Deltas<Color>& deltas = deltas_[static_cast<size_t>(i)];
+        const DeltaSet<Color>& deltas = deltas_[static_cast<size_t>(i)];
         if (k < deltas.count) enqueue(i, deltas.lobes[static_cast<size_t>(k)], 1, keep);
       }
     }
@@ -163,7 +164,7 @@ class BranchingPaths {
   std::array<uint16_t, PathWavefront<M>::kCapacity> root_;  // of each path in the front
   std::array<Color, PathWavefront<M>::kCapacity> found_;    // by each root
   std::vector<Level> levels_;
-  std::array<Deltas<Color>, PathWavefront<M>::kHitsAtATime> deltas_;
+  std::array<DeltaSet<Color>, PathWavefront<M>::kHitsAtATime> deltas_;
 };
 
 }  // namespace etendue::transport

@@ -35,7 +35,7 @@ class Connections {
                      &seeds_[static_cast<size_t>(first)]);
     for (int i = 0; i < size_; ++i) {
       const auto slot = static_cast<size_t>(i);
-      if (!packets_[slot / RayPacket::kSize].blocked(i % RayPacket::kSize)) deliver(carried_[slot]);
+      if (!packets_[slot / RayPacket::kSize].is_occluded(i % RayPacket::kSize)) deliver(carried_[slot]);
     }
     return static_cast<uint64_t>(std::exchange(size_, 0));
   }

@@ -17,21 +17,23 @@ class LobeSplit {
     if constexpr (M::kDiffuse)
       return true;
     else
-      return bsdf.lobes.alpha() >= alpha_;
+      return bsdf.lobes.min_alpha() >= alpha_;
   }
   template <class M>
   bool has_rough(const Bsdf<M>& bsdf) const {
-    return bsdf.scatters(Scatter::diffuse) || (bsdf.scatters(Scatter::glossy) && gloss_is_rough(bsdf));
+    return bsdf.has_component(ScatterType::diffuse) ||
+           (bsdf.has_component(ScatterType::glossy) && gloss_is_rough(bsdf));
   }
   template <class M>
   bool has_near_specular_gloss(const Bsdf<M>& bsdf) const {
-    return bsdf.scatters(Scatter::glossy) && !gloss_is_rough(bsdf);
+    return bsdf.has_component(ScatterType::glossy) && !gloss_is_rough(bsdf);
   }
 
   // The wide part of f.
   template <class M>
-  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Transport mode) const {
-    return has_near_specular_gloss(bsdf) ? bsdf.eval_part(Scatter::diffuse, wo, wi, mode) : bsdf.eval(wo, wi, mode);
+  typename M::Color wide(const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, TransportMode mode) const {
+    return has_near_specular_gloss(bsdf) ? bsdf.eval_component(ScatterType::diffuse, wo, wi, mode)
+                                         : bsdf.eval(wo, wi, mode);
   }
 
   friend bool operator==(const LobeSplit&, const LobeSplit&) = default;
@@ -43,7 +45,7 @@ class LobeSplit {
 // A walk goes on by the narrow part alone.
 struct TakeNearSpecular {
   LobeSplit split;
-  Transport mode = Transport::radiance;
+  TransportMode mode = TransportMode::radiance;
 
   template <class M>
   bool operator()(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color>& s) const {
@@ -51,7 +53,7 @@ struct TakeNearSpecular {
     if (!s.delta) {
       if (!split.has_near_specular_gloss(bsdf)) return false;
       const Vec3& wo = paths.wo(hit);
-      s.weight *= ratio(bsdf.eval_part(Scatter::glossy, wo, s.wi, mode), bsdf.eval(wo, s.wi, mode));
+      s.weight *= ratio(bsdf.eval_component(ScatterType::glossy, wo, s.wi, mode), bsdf.eval(wo, s.wi, mode));
     }
     if constexpr (M::kClasses)
       return paths.shares().scatter_by(paths.path_at(hit), s.delta ? Event::specular : Event::glossy);
@@ -79,9 +81,9 @@ void add_light_by_parts(PathWavefront<M>& paths, const LobeSplit& split, LitPart
     const Vec3& wo = paths.wo(i);
     const auto whole = bsdf.evaluate(wo, light.wi);
     Color diffuse = whole.f_cos, glossy(0);
-    if (bsdf.scatters(Scatter::glossy)) {
-      glossy = bsdf.eval_part(Scatter::glossy, wo, light.wi) * bsdf.cosine(light.wi);
-      diffuse = bsdf.eval_part(Scatter::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
+    if (bsdf.has_component(ScatterType::glossy)) {
+      glossy = bsdf.eval_component(ScatterType::glossy, wo, light.wi) * bsdf.cosine(light.wi);
+      diffuse = bsdf.eval_component(ScatterType::diffuse, wo, light.wi) * bsdf.cosine(light.wi);
     }
     if constexpr (M::kClasses) {
       diffuse *= paths.shares().of_connection_by(paths.path_at(i), Event::diffuse);

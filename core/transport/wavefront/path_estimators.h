@@ -44,7 +44,7 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const scene::CompiledScene& scene = paths.scene();
   for (int i = 0; i < paths.hit_count(); ++i) {
     const scene::SurfacePoint& point = paths.point(i);
-    if (!point.material->emissive) continue;
+    if (!point.material->is_emissive) continue;
     auto& path = paths.state_at(i);
     if (point.material->description.unlit && !path.all_specular) continue;
     const Rgb emitted = scene.emitted(point, paths.wo(i));
@@ -101,7 +101,7 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     if (!selected(i)) continue;
     const LightSample& light = samples[static_cast<size_t>(i)];
     const Bsdf<M>& bsdf = paths.bsdf(i);
-    if (light.pdf == 0 || !bsdf.has_non_delta()) continue;
+    if (light.pdf == 0 || !bsdf.has_non_delta_lobe()) continue;
     auto scattered = bsdf.evaluate(paths.wo(i), light.wi);
     if constexpr (M::kClasses)
       scattered.f_cos = paths.shares().of_connection(paths.path_at(i), bsdf, paths.wo(i), light.wi, scattered.f_cos);
@@ -128,14 +128,14 @@ void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> sam
 template <class M, class Weigh, class Selected = EveryHit>
 void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&& weigh, const Selected& selected = {}) {
   if (paths.scene().lights().empty()) return;
-  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::as_emitted), shadows, weigh, selected);
+  add_light_samples_weighted(paths, paths.sample_lights(LightStrategy::emission_pdf), shadows, weigh, selected);
 }
 
 // The same with one point on every light, added up: without noise where no light has an extent. thesis (8.14)-(8.19)
 template <class M>
 void add_light_of_every_source(PathWavefront<M>& paths, Combination shared, Shadows shadows = Shadows::cast,
                                float branches = 1) {
-  for (size_t source = 0; source < paths.scene().lights().sources(); ++source) {
+  for (size_t source = 0; source < paths.scene().lights().source_count(); ++source) {
     paths.reserve_connections();
     add_light_samples(paths, paths.sample_source(source), shared, shadows, branches);
   }
@@ -187,7 +187,7 @@ struct TakeAll {
 // Those for which goes_on(arrival) says no stay behind too. `note` is called with the arrival and its sample where the
 // walk goes on.
 template <class M, class GoesOn, class Note, class Take = TakeAll>
-void sample_bsdf_where(PathWavefront<M>& paths, int roulette_from, Transport mode, GoesOn&& goes_on, Note&& note,
+void sample_bsdf_where(PathWavefront<M>& paths, int roulette_from, TransportMode mode, GoesOn&& goes_on, Note&& note,
                        const Take& take = {}) {
   const bool roulette = paths.length() >= roulette_from;
   paths.draw_lobes();
@@ -199,7 +199,7 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_from, Transport mod
     if (!take(paths, i, s)) continue;
     auto& path = paths.state_at(i);
     path.throughput *= s.weight;
-    if (mode == Transport::radiance) path.eta_scale *= sqr(s.eta);
+    if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
     if (roulette && !survives_roulette(path, paths.random(vertex_dimension::kRoulette, i))) continue;
     leave(path, paths.point(i).position, s);
     note(i, s);
@@ -208,14 +208,14 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_from, Transport mod
 }
 
 template <class M, class Note, class Take = TakeAll>
-void sample_bsdf_and_record(PathWavefront<M>& paths, int roulette_from, Transport mode, Note&& note,
+void sample_bsdf_and_record(PathWavefront<M>& paths, int roulette_from, TransportMode mode, Note&& note,
                             const Take& take = {}) {
   sample_bsdf_where(
       paths, roulette_from, mode, [](int) { return true; }, note, take);
 }
 
 template <class M, class Take = TakeAll>
-void sample_bsdf(PathWavefront<M>& paths, int roulette_from, Transport mode = Transport::radiance,
+void sample_bsdf(PathWavefront<M>& paths, int roulette_from, TransportMode mode = TransportMode::radiance,
                  const Take& take = {}) {
   sample_bsdf_and_record(
       paths, roulette_from, mode, [](int, const auto&) {}, take);

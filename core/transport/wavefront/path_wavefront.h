@@ -58,7 +58,7 @@ class PathWavefront {
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = reached_ = visited_ = hit_count_ = miss_count_ = connections_ = depth_ = 0;
     rays_traced_ = 0;
-    seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_bits();
+    seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_mask();
     coherent_ = false;
   }
   // Walks that are launched start close together and go about the same way: neighbours may be traced as one.
@@ -173,7 +173,7 @@ class PathWavefront {
     return random_.values[static_cast<size_t>(dimension)][static_cast<size_t>(hit)];
   }
   Vec2 random_2d(int dimension, int hit) const { return Vec2(random(dimension, hit), random(dimension + 1, hit)); }
-  LobeDraw lobe_draw(int hit) const {
+  LobeRandom lobe_draw(int hit) const {
     return {M::kDiffuse ? 0 : random(vertex_dimension::kBsdfLobe, hit),
             random_2d(vertex_dimension::kBsdfDirection, hit), cosine_directions_[static_cast<size_t>(hit)]};
   }
@@ -325,7 +325,7 @@ void PathWavefront<M>::trace_rays() {
   for (int i = 0; i < travelling_; ++i) {
     const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
     const int lane = i % RayPacket::kSize;
-    if (packet.met(lane)) {
+    if (packet.has_hit(lane)) {
       const auto slot = static_cast<size_t>(reached_++);
       reached_by_[slot] = travellers_[static_cast<size_t>(i)];
       packet.get(lane, hits_[slot]);
@@ -363,7 +363,7 @@ void PathWavefront<M>::resolve_connections() {
   trace_connections();
   for (int i = 0; i < connections_; ++i) {
     const auto slot = static_cast<size_t>(i);
-    if (!connecting_[slot / RayPacket::kSize].blocked(i % RayPacket::kSize))
+    if (!connecting_[slot / RayPacket::kSize].is_occluded(i % RayPacket::kSize))
       state(connected_[slot]).radiance += contributions_[slot];
   }
   connections_ = 0;

@@ -1,22 +1,26 @@
-// A white ball and a white pit under a uniform sky.                                                    digest 8-10: F14
+// A white sphere and a white floor under a uniform sky.   [Arvo and Kirk 1990]
 #pragma once
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void albedo_of_one(Lab& lab) {
-  scene::Scene scene = sky();
+inline void albedo_of_one(TestContext& test) {
+  scene::Scene scene = uniform_sky();
   scene::add(scene, scene::sphere(1, 48, false), scene::diffuse(Rgb(1)));
-  Mat4 place(1);
-  place[3] = Vec4(0, -1, 0, 1);
-  scene::add(scene, scene::quad(2), scene::diffuse(Rgb(1)), place);
-  const auto d = lab.document(std::move(scene), look_at({0, 1, 4}, {0, -0.5f, 0}, {0, 1, 0}, 0.5f));
-  for (const auto& method : unbiased_methods())
-    lab.expect_mean(method, "", lab.mean(Lab::with_method(d, method), 64), 1);
+  Mat4 transform(1);
+  transform[3] = Vec4(0, -1, 0, 1);
+  scene::add(scene, scene::quad(2), scene::diffuse(Rgb(1)), transform);
+  const auto d = test.document(std::move(scene), look_at({0, 1, 4}, {0, -0.5f, 0}, {0, 1, 0}, 0.5f));
+  for (const auto& method : unbiased_integrators())
+    test.expect_mean(method, "", test.mean(TestContext::with_method(d, method), 64), 1);
 }
 
 inline constexpr Case kAlbedoOfOne{
-    "albedo-of-one", Kind::parameters,
-    "A surface that absorbs nothing under a uniform sky has the sky's radiance, and walks on it end", albedo_of_one};
+    .name = "albedo-of-one",
+    .kind = Kind::parameters,
+    .theory =
+        "A surface that absorbs nothing has the radiance of the uniform sky around it, and paths on "
+        "it terminate",
+    .run = albedo_of_one};
 
 }  // namespace etendue::stress

@@ -1,24 +1,25 @@
-// A furnace whose emission is infinite.
+// A furnace with infinite emission.   [IEEE 754]
 #pragma once
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void infinite_emission(Lab& lab) {
+inline void infinite_emission(TestContext& test) {
   scene::Scene scene;
   scene::add(scene, scene::cube(1, true), scene::diffuse(Rgb(0.5f), Rgb(kInfinity)));
-  const auto d = lab.document(std::move(scene), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
-  for (const auto& method : unbiased_methods()) {
-    const film::Film film = lab.render(Lab::with_method(d, method), 2);
+  const auto d = test.document(std::move(scene), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
+  for (const auto& method : unbiased_integrators()) {
+    const film::Film film = test.render(TestContext::with_method(d, method), 2);
     const double pixels = static_cast<double>(film.width()) * film.height();
-    lab.expect_near(method, "samples refused", static_cast<double>(film.rejected().total()), 2 * pixels, 0);
-    lab.expect_zero(method, "mean", film::mean_of(film).value);
+    test.expect_near(method, "discarded samples", static_cast<double>(film.invalid_samples().total()), 2 * pixels, 0);
+    test.expect_zero(method, "mean", film::mean_of(film).value);
   }
 }
 
 inline constexpr Case kInfiniteEmission{
-    "infinite-emission", Kind::bad_numbers,
-    "A sample that is no number is counted and left out: the picture stays finite and the count is shown",
-    infinite_emission};
+    .name = "infinite-emission",
+    .kind = Kind::invalid_numbers,
+    .theory = "Samples that are not finite are counted and discarded, so the image stays finite",
+    .run = infinite_emission};
 
 }  // namespace etendue::stress

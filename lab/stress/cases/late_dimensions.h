@@ -1,24 +1,28 @@
-// How often the first 64 samples of a pixel clump in an early and in a late pair of dimensions.
+// How often the first 64 samples of a pixel clump in the first pair of dimensions and in a later one.
+//    [Lang, sec. 7.2; Joe and Kuo 2008]
 #pragma once
 #include "stress/case.h"
+#include "stress/statistics.h"
 
 namespace etendue::stress {
 
-inline void late_dimensions(Lab& lab) {
+inline void late_dimensions(TestContext& test) {
   const std::string half = ": pixels with half of 64 cells empty after 64 samples";
-  // Independent numbers leave 23.4 +- 2.5 cells empty.
+  // 64 independent points leave 23.4 +- 2.5 of the 64 cells empty.
   for (const char* sampler : {"random", "stratified", "halton", "sobol"})
-    lab.expect_between(sampler, "dimensions 0 and 1" + half, clumped_pixels(sampler, 0), 0, 0.004);
-  lab.expect_between("random", "dimensions 60 and 61" + half, clumped_pixels("random", 60), 0, 0.004);
-  lab.expect_between("halton", "dimensions 60 and 61" + half, clumped_pixels("halton", 60), 0.02, 1);
-  lab.expect_between("sobol", "dimensions 60 and 61" + half, clumped_pixels("sobol", 60), 0.5, 1);
+    test.expect_between(sampler, "dimensions 0 and 1" + half, clumped_pixel_fraction(sampler, 0), 0, 0.004);
+  test.expect_between("random", "dimensions 60 and 61" + half, clumped_pixel_fraction("random", 60), 0, 0.004);
+  test.expect_between("halton", "dimensions 60 and 61" + half, clumped_pixel_fraction("halton", 60), 0.02, 1);
+  test.expect_between("sobol", "dimensions 60 and 61" + half, clumped_pixel_fraction("sobol", 60), 0.5, 1);
 }
 
-inline constexpr Case kLateDimensions{"late-dimensions", Kind::correlation,
-                                      "Low-discrepancy points fill early pairs of dimensions evenly, late ones not "
-                                      "before there are many: Halton's lie on "
-                                      "lines while samples are fewer than the prime, and pairs of Sobol' matrices of a "
-                                      "large t leave half of the square empty",
-                                      late_dimensions};
+inline constexpr Case kLateDimensions{
+    .name = "late-dimensions",
+    .kind = Kind::correlation,
+    .theory =
+        "Low-discrepancy points cover the first pairs of dimensions evenly, but later pairs only with "
+        "many samples: those of Halton lie on lines below the prime base, and pairs of Sobol' "
+        "matrices with a large t leave half of the square empty",
+    .run = late_dimensions};
 
 }  // namespace etendue::stress

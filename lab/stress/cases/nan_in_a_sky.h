@@ -1,4 +1,4 @@
-// A map all around with one texel that is no number.
+// An environment map with one texel that is NaN.   [IEEE 754]
 #pragma once
 #include <limits>
 
@@ -7,24 +7,30 @@
 
 namespace etendue::stress {
 
-inline void nan_in_a_sky(Lab& lab) {
-  scene::Scene scene = sky();
+inline void nan_in_a_sky(TestContext& test) {
+  scene::Scene scene = uniform_sky();
   auto map = std::make_shared<image::Image>();
-  map->width = 16, map->height = 8, map->channels = 3, map->type = image::PixelType::float32;
+  map->width = 16;
+  map->height = 8;
+  map->channels = 3;
+  map->type = image::PixelType::float32;
   map->floats.assign(16 * 8 * 3, 1.0f);
   map->floats[3 * (4 * 16 + 8)] = std::numeric_limits<float>::quiet_NaN();
   scene.environment.map = map;
-  const auto d = lab.document(std::move(scene), look_at({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2.5f));
-  for (const auto& method : unbiased_methods()) {
-    const film::Film film = lab.render(Lab::with_method(d, method), 4);
-    lab.expect_between(method, "samples refused", static_cast<double>(film.rejected().total()), 1, 4096);
-    lab.expect_between(method, "mean", film::mean_of(film).value, 0.5, 1);
+  const auto d = test.document(std::move(scene), look_at({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2.5f));
+  for (const auto& method : unbiased_integrators()) {
+    const film::Film film = test.render(TestContext::with_method(d, method), 4);
+    test.expect_between(method, "discarded samples", static_cast<double>(film.invalid_samples().total()), 1, 4096);
+    test.expect_between(method, "mean", film::mean_of(film).value, 0.5, 1);
   }
 }
 
-inline constexpr Case kNanInASky{"nan-in-a-sky", Kind::bad_numbers,
-                                 "One texel that is no number spoils the samples that meet it, not the picture: they "
-                                 "are counted, the mean stays finite",
-                                 nan_in_a_sky};
+inline constexpr Case kNanInASky{
+    .name = "nan-in-a-sky",
+    .kind = Kind::invalid_numbers,
+    .theory =
+        "A NaN texel invalidates only the samples that hit it: they are counted and discarded, and "
+        "the mean stays finite",
+    .run = nan_in_a_sky};
 
 }  // namespace etendue::stress

@@ -1,31 +1,33 @@
-// A ball under an even sky, and discs of photons as large as it is.                                    digest 8-10: F11
+// A sphere under a uniform sky, and photon lookups as large as the sphere.   [Jensen 2001; Lang, sec. 9.5.3]
 #pragma once
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void photons_on_a_ball(Lab& lab) {
-  scene::Scene scene = sky();
+inline void photons_on_a_ball(TestContext& test) {
+  scene::Scene scene = uniform_sky();
   scene::add(scene, scene::sphere(1, 48, false), scene::diffuse(Rgb(0.5f)));
-  auto d = lab.document(std::move(scene), telescope({0.3f, 0.2f, 6}, {0, 0, 1}));
+  auto d = test.document(std::move(scene), narrow_camera({0.3f, 0.2f, 6}, {0, 0, 1}));
   d.width = d.height = 4;
-  // The scene's size is the diagonal of the cube around.
+  // The lookup radius is given relative to the diagonal of the bounding cube.
   for (const double radius : {0.5, 1.0, 1.5, 2.0}) {
     const std::string method =
         "photonmap:mode=direct:photons=20000:nearest=100000:renew=true:radius=" + number(radius / std::sqrt(12.0));
-    // A cap of chord r has the area pi r^2; photons that face more than 60 degrees away, where r is one, are left out.
-    // The part (1 - cos) / 2 of what falls onto a slope comes from below the plane of the middle.
+    // A cap with chord r has the area pi r^2. Photons whose normals differ by more than 60 degrees, beyond a chord of
+    // one, are rejected. Of the light on an inclined surface the part (1 - cos) / 2 comes from below the tangent plane.
     const double chord = std::min(radius, 1.0), mean_cosine = 1 - sqr(chord) / 4;
-    lab.expect_near("photonmap:mode=direct", "disc of radius " + number(radius),
-                    lab.mean(Lab::with_method(d, method), 12).value / 0.5, (1 + mean_cosine) / 2 * sqr(chord / radius),
-                    0.06);
+    test.expect_near("photonmap:mode=direct", "disc of radius " + number(radius),
+                     test.mean(TestContext::with_method(d, method), 12).value / 0.5,
+                     (1 + mean_cosine) / 2 * sqr(chord / radius), 0.06);
   }
 }
 
 inline constexpr Case kPhotonsOnABall{
-    "photons-on-a-ball", Kind::bias,
-    "Light is gathered from around the curve: a sphere has as much area within a distance as a plane, but part of what "
-    "falls on it comes from below the plane; discs larger than it miss light as one over their squared radius",
-    photons_on_a_ball};
+    .name = "photons-on-a-ball",
+    .kind = Kind::bias,
+    .theory =
+        "A sphere has as much area within a chord length as a plane, but part of its light comes from "
+        "below the tangent plane, and larger lookup discs miss light in proportion to 1 / radius^2",
+    .run = photons_on_a_ball};
 
 }  // namespace etendue::stress

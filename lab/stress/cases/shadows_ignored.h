@@ -1,24 +1,25 @@
-// A plate between a point light and the floor.
+// A plate between a point light and the floor.   [Appel 1968; Lang, sec. 8.2]
 #pragma once
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void shadows_ignored(Lab& lab) {
+inline void shadows_ignored(TestContext& test) {
   scene::Scene scene;
   scene::add(scene, scene::quad(1), scene::diffuse(Rgb(0.5f)));
-  Mat4 place(1);
-  place[3] = Vec4(0, 1, 0, 1);
-  scene::add(scene, scene::quad(0.8f), scene::diffuse(Rgb(0)), place);
+  Mat4 transform(1);
+  transform[3] = Vec4(0, 1, 0, 1);
+  scene::add(scene, scene::quad(0.8f), scene::diffuse(Rgb(0)), transform);
   add_point_light(scene, {0, 2, 0}, 8);
-  const auto d = lab.document(std::move(scene), telescope({2, 0.5f, 0}, {0, 0, 0}));
-  lab.expect_near("raycast", "", lab.mean(Lab::with_method(d, "raycast"), 16).value, 0.5 / kPi * 8 / 4, 1e-3);
-  lab.expect_zero("path", "", lab.mean(Lab::with_method(d, "path"), 16).value);
+  const auto d = test.document(std::move(scene), narrow_camera({2, 0.5f, 0}, {0, 0, 0}));
+  test.expect_near("raycast", "", test.mean(TestContext::with_method(d, "raycast"), 16).value, 0.5 / kPi * 8 / 4, 1e-3);
+  test.expect_zero("path", "", test.mean(TestContext::with_method(d, "path"), 16).value);
 }
 
-inline constexpr Case kShadowsIgnored{"shadows-ignored", Kind::bias,
-                                      "Local illumination takes every light to be in sight: it shows light where there "
-                                      "is none",
-                                      shadows_ignored};
+inline constexpr Case kShadowsIgnored{
+    .name = "shadows-ignored",
+    .kind = Kind::bias,
+    .theory = "Ray casting with local illumination treats every light as visible and shows light in shadows",
+    .run = shadows_ignored};
 
 }  // namespace etendue::stress

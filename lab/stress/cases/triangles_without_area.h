@@ -1,10 +1,10 @@
-// A furnace with triangles that are points and lines.                                                  digest 8-10: F26
+// A furnace with triangles that are points and lines.   [Möller and Trumbore 1997]
 #pragma once
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void triangles_without_area(Lab& lab) {
+inline void triangles_without_area(TestContext& test) {
   auto mesh = std::make_shared<Mesh>(*scene::cube(1, true));
   for (uint32_t i = 0; i < 8; ++i) {
     mesh->triangles.push_back({i, i, i});
@@ -12,14 +12,17 @@ inline void triangles_without_area(Lab& lab) {
   }
   scene::Scene scene;
   scene::add(scene, mesh, scene::diffuse(Rgb(0.5f), Rgb(1)));
-  const auto d = lab.document(std::move(scene), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
-  for (const auto& method : unbiased_methods())
-    lab.expect_near(method, "", lab.mean(Lab::with_method(d, method), 64).value, 2, 5e-3);
+  const auto d = test.document(std::move(scene), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
+  for (const auto& method : unbiased_integrators())
+    test.expect_near(method, "", test.mean(TestContext::with_method(d, method), 64).value, 2, 5e-3);
 }
 
-inline constexpr Case kTrianglesWithoutArea{"triangles-without-area", Kind::geometry,
-                                            "Triangles that are points or lines are met by no ray and send no light: "
-                                            "choosing lights by area never chooses them",
-                                            triangles_without_area};
+inline constexpr Case kTrianglesWithoutArea{
+    .name = "triangles-without-area",
+    .kind = Kind::geometry,
+    .theory =
+        "Degenerate triangles are hit by no ray and emit nothing, and light sampling by area never "
+        "selects them",
+    .run = triangles_without_area};
 
 }  // namespace etendue::stress

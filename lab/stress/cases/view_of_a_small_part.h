@@ -1,37 +1,45 @@
-// A lamp over a wide floor, of which the camera sees a small part.                              digest 8-10: F8, L17278
+// A light above a large floor of which the camera sees a small part.   [Lang, sec. 9.2.2]
 #pragma once
 #include "stress/case.h"
 
 namespace etendue::stress {
 
-inline void view_of_a_small_part(Lab& lab) {
-  constexpr double kHeight = 10, kSide = 3;  // of what is seen
+inline void view_of_a_small_part(TestContext& test) {
+  constexpr double kHeight = 10;  // of the light
+  constexpr double kSide = 3;     // of the visible area
   scene::Scene scene;
   scene::add(scene, scene::quad(1000), scene::diffuse(Rgb(0.5f)));
-  Material lamp = scene::diffuse(Rgb(0), Rgb(100));
-  lamp.double_sided = false;
-  Mat4 place(1);
-  place[0][0] = 0.1f, place[1][1] = -1, place[2][2] = -0.1f, place[3] = Vec4(0, static_cast<float>(kHeight), 0, 1);
-  scene::add(scene, scene::quad(1), lamp, place);
+  Material emitter = scene::diffuse(Rgb(0), Rgb(100));
+  emitter.double_sided = false;
+  Mat4 transform(1);
+  transform[0][0] = 0.1f;
+  transform[1][1] = -1;
+  transform[2][2] = -0.1f;
+  transform[3] = Vec4(0, static_cast<float>(kHeight), 0, 1);
+  scene::add(scene, scene::quad(1), emitter, transform);
   const auto field = static_cast<float>(2 * std::atan(0.5 * kSide / 9));
-  auto d = lab.document(std::move(scene), look_at({0, 9, 0}, {0, 0, 0}, {0, 0, 1}, field));
+  auto d = test.document(std::move(scene), look_at({0, 9, 0}, {0, 0, 0}, {0, 0, 1}, field));
   d.filter = film::FilterKind::box;
   constexpr uint32_t kSamples = 128;
-  const auto by = [&](const char* method) { return Lab::with_method(d, std::string(method) + ":sampler=random"); };
-  const double mean = lab.mean(by("path"), kSamples).value;
-  lab.expect_mean("light", "mean", lab.mean(by("light"), kSamples), mean);
-  const auto relative = [&](const char* method) {
-    return kSamples * lab.squared_error(by(method), kSamples) / sqr(mean);
+  const auto with = [&](const char* method) {
+    return TestContext::with_method(d, std::string(method) + ":sampler=random");
+  };
+  const double mean = test.mean(with("path"), kSamples).value;
+  test.expect_mean("light", "mean", test.mean(with("light"), kSamples), mean);
+  const auto relative_variance = [&](const char* method) {
+    return kSamples * test.squared_error(with(method), kSamples) / sqr(mean);
   };
   const std::string point = "variance / mean^2 of a sample";
-  for (const char* method : {"path", "bdpt"}) lab.expect_between(method, point, relative(method), 0, 0.02);
-  lab.expect_near("light", point, relative("light"), double{kPi} * sqr(kHeight / kSide) - 1, 0.25);
+  for (const char* method : {"path", "bdpt"}) test.expect_between(method, point, relative_variance(method), 0, 0.02);
+  test.expect_near("light", point, relative_variance("light"), double{kPi} * sqr(kHeight / kSide) - 1, 0.25);
 }
 
 inline constexpr Case kViewOfASmallPart{
-    "view-of-a-small-part", Kind::heavy_tails,
-    "Walks from the light go everywhere: of one in pi h^2 over the area in view anything is seen, and that is the "
-    "variance of a pixel, while connections from the camera hardly deviate",
-    view_of_a_small_part};
+    .name = "view-of-a-small-part",
+    .kind = Kind::heavy_tails,
+    .theory =
+        "Of the light paths only a fraction (area in view) / (pi h^2) contributes to the image, so "
+        "the relative variance is the inverse of it, while paths from the camera hardly deviate",
+    .run = view_of_a_small_part};
 
 }  // namespace etendue::stress

@@ -1,0 +1,90 @@
+// The only file that includes CLI11, which takes long to compile.
+#include "parser.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <type_traits>
+
+namespace etendue::cli {
+namespace {
+
+template <class T>
+struct Element {
+  using Type = T;
+};
+template <class T>
+struct Element<std::vector<T>> {
+  using Type = T;
+};
+
+// Number types decide how the library words its messages.
+template <class Number>
+void check_bounds(CLI::Option& parsed, const Bounds& bounds) {
+  switch (bounds.kind) {
+    case Bounds::Kind::none:
+      break;
+    case Bounds::Kind::positive:
+      parsed.check(CLI::PositiveNumber);
+      break;
+    case Bounds::Kind::non_negative:
+      parsed.check(CLI::NonNegativeNumber);
+      break;
+    case Bounds::Kind::range:
+      parsed.check(CLI::Range(static_cast<Number>(bounds.min), static_cast<Number>(bounds.max)));
+      break;
+  }
+}
+
+void add_option(CLI::App& parser, const CommandOption& option) {
+  std::visit(
+      [&](auto* target) {
+        using Target = std::remove_pointer_t<decltype(target)>;
+        using Value = typename Element<Target>::Type;
+        if constexpr (std::is_same_v<Target, bool>) {
+          parser.add_flag(option.names, *target, option.doc);
+        } else {
+          CLI::Option* parsed = parser.add_option(option.names, *target, option.doc);
+          if (option.required) parsed->required();
+          if (!option.choices.empty()) parsed->check(CLI::IsMember(option.choices));
+          if (!option.needs.empty()) parsed->needs(parser.get_option(option.needs));
+          if constexpr (std::is_arithmetic_v<Value>) check_bounds<Value>(*parsed, option.bounds);
+          if constexpr (!std::is_same_v<Target, Value>) {
+            if (option.count > 0)
+              parsed->expected(option.count);
+            else
+              parsed->take_all();
+          }
+        }
+      },
+      option.target);
+}
+
+}  // namespace
+
+int parse_and_run(const std::vector<Command>& commands, std::vector<std::string> arguments) {
+  CLI::App app{"Étendue: a workbench for light transport", "etendue"};
+  app.require_subcommand(1);
+  app.footer("etendue [SCENE] opens the viewer.");
+  int code = 0;
+  for (const Command& command : commands) {
+    CLI::App* parser = app.add_subcommand(command.name, command.summary);
+    for (const CommandOption& option : command.options) add_option(*parser, option);
+    parser->callback([&code, &command] { code = command.run(); });
+  }
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  const bool is_known = std::ranges::any_of(commands, [&](const Command& command) { return command.name == first; });
+  const std::string help = is_known ? "etendue " + first + " --help" : "etendue --help";
+  std::ranges::reverse(arguments);  // the order that the library expects
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp& request) {
+    return app.exit(request);
+  } catch (const CLI::CallForAllHelp& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    return fail(usage_error(std::string(error.what()) + "; see " + help));
+  }
+  return code;
+}
+
+}  // namespace etendue::cli

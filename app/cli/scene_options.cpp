@@ -1,0 +1,105 @@
+#include "scene_options.h"
+
+#include <cstdio>
+
+#include "scene/builtin/builtin.h"
+
+namespace etendue::cli {
+
+CommandOption scene_option(std::string& target, bool required) {
+  return {.names = "scene",
+          .target = &target,
+          .doc = "A glTF file (.gltf or .glb), or a built-in scene: " + scene::builtin_names(),
+          .required = required};
+}
+
+CommandOption camera_option(std::string& target) {
+  return {.names = "--camera", .target = &target, .doc = "Camera of the scene, by name or index"};
+}
+
+CommandOption size_option(std::string& target) {
+  return {.names = "--size", .target = &target, .doc = "Size of the image in pixels, WIDTHxHEIGHT"};
+}
+
+CommandOption environment_option(std::string& target) {
+  return {.names = "--env", .target = &target, .doc = "Environment map, an .hdr or .exr file"};
+}
+
+CommandOption paths_option(std::string& target) {
+  return {.names = "--paths",
+          .target = &target,
+          .doc = "Path expression: restricts the image to matching light paths, e.g. 'E(D|G)L' or 'EDS+L'"};
+}
+
+CommandOption set_option(std::vector<std::string>& target) {
+  return {.names = "--set", .target = &target, .doc = "NAME=VALUE: sets a parameter; may be repeated"};
+}
+
+CommandOption threads_option(int& target) {
+  return {.names = "--threads",
+          .target = &target,
+          .doc = "Number of rendering threads; 0: one per hardware thread",
+          .bounds = between(0, 1024)};
+}
+
+CommandOption json_flag(bool& target) { return {.names = "--json", .target = &target, .doc = "Print JSON"}; }
+
+Result<void> set_parameter(render::Document& document, const std::string& name, const std::string& value) {
+  auto changed = render::with_text(document, name, value);
+  if (!changed) return changed.error();
+  document = std::move(*changed);
+  return {};
+}
+
+Result<Vec2i> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2)
+    return usage_error("--size: '" + text + "' is not a size; give WIDTHxHEIGHT, for example 1280x720");
+  if (width < 1 || height < 1 || width > 16384 || height > 16384)
+    return usage_error("--size: '" + text + "' is out of range; give a size from 1x1 to 16384x16384");
+  return Vec2i(width, height);
+}
+
+Result<void> set_size(render::Document& document, const std::string& text) {
+  if (text.empty()) return {};
+  const auto size = parse_size(text);
+  if (!size) return size.error();
+  if (auto r = set_parameter(document, "film.width", std::to_string(size->x)); !r) return r;
+  return set_parameter(document, "film.height", std::to_string(size->y));
+}
+
+Result<void> set_environment(render::Document& document, const std::string& file) {
+  if (file.empty()) return {};
+  auto changed = render::with_environment(document, file);
+  if (!changed) return changed.error();
+  document = std::move(*changed);
+  return {};
+}
+
+Result<void> set_parameters(render::Document& document, const std::vector<std::string>& settings) {
+  for (const auto& setting : settings) {
+    const size_t equals = setting.find('=');
+    if (equals == std::string::npos) return usage_error("--set: '" + setting + "' has no '='; give NAME=VALUE");
+    if (auto r = set_parameter(document, setting.substr(0, equals), setting.substr(equals + 1)); !r) return r;
+  }
+  return {};
+}
+
+Result<render::Document> open_document(const SceneArguments& arguments) {
+  auto document = render::new_document(arguments.scene, arguments.camera);
+  if (!document) return document;
+  if (auto r = set_size(*document, arguments.size); !r) return r.error();
+  if (auto r = set_environment(*document, arguments.environment); !r) return r.error();
+  if (auto r = set_parameters(*document, arguments.settings); !r) return r.error();
+  if (!arguments.paths.empty())
+    if (auto r = set_parameter(*document, "film.paths", arguments.paths); !r) return r.error();
+  return document;
+}
+
+void print_warnings(const render::Document& document) {
+  for (const auto& warning : document.scene->warnings)
+    std::fprintf(stderr, "etendue: %s: %s\n", document.scene_name.c_str(), warning.c_str());
+}
+
+}  // namespace etendue::cli

@@ -1,0 +1,47 @@
+// Options that many subcommands share: the scene, its settings, the seed and the number of threads.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "render/document.h"
+
+namespace etendue::cli {
+
+// Empty texts leave the document as it is.
+struct SceneArguments {
+  std::string scene, camera, size, environment, paths;
+  std::vector<std::string> settings;  // NAME=VALUE
+};
+
+CommandOption scene_option(std::string& target, bool required = true);
+CommandOption camera_option(std::string& target);
+CommandOption size_option(std::string& target);
+CommandOption environment_option(std::string& target);
+CommandOption paths_option(std::string& target);
+CommandOption set_option(std::vector<std::string>& target);
+template <class Integer>
+CommandOption seed_option(Integer& target) {
+  return {.names = "--seed",
+          .target = &target,
+          .doc = "Seed of the random numbers; another seed gives independent noise",
+          .bounds = kNonNegative};
+}
+CommandOption threads_option(int& target);
+CommandOption json_flag(bool& target);
+
+Result<void> set_parameter(render::Document& document, const std::string& name, const std::string& value);
+Result<void> set_size(render::Document& document, const std::string& size);  // "1280x720"
+Result<void> set_environment(render::Document& document, const std::string& file);
+Result<void> set_parameters(render::Document& document, const std::vector<std::string>& settings);  // "name=value"
+
+// The size in a text like "1280x720". A size that an image cannot have is a usage error.
+Result<Vec2i> parse_size(const std::string& text);
+
+// Opens a scene and applies the arguments in the order size, environment, settings, paths.
+Result<render::Document> open_document(const SceneArguments& arguments);
+
+// Prints what the importer had to change or leave out, one line each, on standard error.
+void print_warnings(const render::Document& document);
+
+}  // namespace etendue::cli

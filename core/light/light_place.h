@@ -1,0 +1,15 @@
+// Position and direction of a light without extent.
+#pragma once
+#include "base/vec.h"
+
+namespace etendue {
+
+struct LightPlace {
+  Vec3 position{0}, direction{0, 0, -1};  // m; unit
+
+  LightPlace() = default;
+  // At the origin of a node, along its -z axis. The node's scale has no effect.
+  explicit LightPlace(const Mat4& node) : position(node[3]), direction(normalize_or(-Vec3(node[2]), Vec3(0, 0, -1))) {}
+};
+
+}  // namespace etendue

@@ -1,0 +1,55 @@
+// Samples of lights, as a receiver sees them.                                      [Lang, sec. 6.4, eq. 9.21-9.23]
+#pragma once
+#include <array>
+
+#include "base/parameter.h"
+#include "base/vectorize.h"
+#include "spectrum/rgb.h"
+
+namespace etendue {
+
+// A triangle, sphere or disk that emits; a light without extent; the environment.
+enum class LightKind : uint8_t { triangle, placed, environment };
+
+struct LightSample {
+  LightKind kind = LightKind::triangle;
+  Vec3 wi{0};                  // unit direction towards the light
+  float distance = kInfinity;  // m; 0 if nothing can block the light
+  float pdf = 0;               // of the choice and of the sample: per solid angle, or discrete if `delta`
+  bool delta = false;          // no other technique can find this light
+  bool textured = false;       // `radiance` is the mean of the triangle's texture; the scene has the value at the point
+  Rgb radiance{0};             // unoccluded, W/(m^2 sr); of a delta light irradiance on a facing surface, W/m^2
+  uint32_t light = 0;
+  Vec2 barycentric{0};  // weights of vertices 1 and 2 of a triangle; surface coordinates of a sphere or disk
+};
+
+// Receivers and the random numbers of their samples; arrays with room for whole registers.
+struct LightQueries {
+  Vec3LanesView from;
+  const float *choice, *u0, *u1;
+  size_t count;
+  const float* times = nullptr;  // 0 at the opening of the shutter, 1 at its closing; null if no light moves
+};
+
+// How lights are chosen for a receiver.
+//
+//   one           one light, with probability proportional to its power
+//   every         each light: the sum over lights [Lang, eq. 8.19, corrected]
+//   tree          one light, by the light tree: proportional to a bound of its contribution at the receiver
+//   automatic     `tree` or `one`, whichever suits the scene (light_selector.h)
+//   emission_pdf  one light by power and a point uniform over its area, as `LightTable::sample_emission` does
+//
+// All but `emission_pdf` sample large triangles and spheres by solid angle. `emission_pdf` is for MIS weights that need
+// the densities of emission.
+enum class LightStrategy : uint8_t { one, every, tree, automatic, emission_pdf };
+
+}  // namespace etendue
+
+// `emission_pdf` is chosen by integrators, never by the user.
+template <>
+struct etendue::Options<etendue::LightStrategy> {
+  static constexpr std::array<etendue::Option, 4> kOptions{{{"one", "One, proportional to power"},
+                                                            {"every", "All"},
+                                                            {"tree", "One, by the light tree"},
+                                                            {"auto", "Automatic (light tree from 8 lights)"}}};
+};

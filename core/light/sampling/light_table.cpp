@@ -1,0 +1,164 @@
+#include "light/sampling/light_table.h"
+
+#include "light/placed_light.h"
+#include "light/sampling/triangle_batch.h"
+
+namespace etendue {
+namespace {
+
+LightBounds bounds_of(const PlacedLight& light) {
+  return light.visit([&](const auto& emitter) {
+    LightBounds b;
+    if constexpr (!std::decay_t<decltype(emitter)>::kIsInfinite)
+      b = light.motion ? bounds_over_time(*light.motion, [&](float time) { return emitter.bounds(light.at(time)); })
+                       : emitter.bounds(light.place);
+    return b;
+  });
+}
+
+}  // namespace
+
+LightTable::LightTable() : placed_(std::make_shared<const std::vector<PlacedLight>>()) {}
+
+LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<PlacedLight> placed,
+                       const Environment& environment, const Bounds& scene_bounds, std::vector<MovingEmitter> movers,
+                       std::vector<AnalyticAreaLight> shapes)
+    : primitives_(std::move(triangles), std::move(movers), std::move(shapes)),
+      placed_(std::make_shared<const std::vector<PlacedLight>>(std::move(placed))),
+      environment_(environment),
+      scene_{scene_bounds.empty() ? Vec3(0) : scene_bounds.center(), std::max(scene_bounds.radius(), 1e-6f)} {
+  std::vector<SelectableLight> lights;
+  lights.reserve(primitives_.size() + placed_->size() + 1);
+  uint32_t source = 0;
+  for (uint32_t i = 0; i < primitives_.size(); ++i) {
+    const AreaLightTriangle& t = primitives_[i];
+    if (i > 0 && t.instance != primitives_[i - 1].instance) ++source;
+    SelectableLight& light = lights.emplace_back();
+    light.power = luminance(t.flux());
+    light.area = t.area;
+    light.source = source;
+    if (light.power > 0) light.bounds = primitives_.bounds(i);
+  }
+  for (const PlacedLight& p : *placed_) {
+    SelectableLight& light = lights.emplace_back();
+    light.power = p.visit([&](const auto& emitter) { return emitter.power(scene_.radius); });
+    light.source = ++source;
+    light.is_infinite = p.is_infinite();
+    if (light.power > 0) light.bounds = bounds_of(p);
+  }
+  if (!environment_.black()) {
+    SelectableLight& light = lights.emplace_back();
+    light.power = 4 * sqr(kPi * scene_.radius) * luminance(environment_.mean_radiance());
+    light.source = ++source;
+    light.is_infinite = true;
+  }
+  selector_ = LightSelector(lights);
+}
+
+size_t LightTable::placed_count() const { return placed_->size(); }
+
+const PlacedLight* LightTable::placed_at(uint32_t light) const {
+  const size_t i = light - primitives_.size();
+  return light >= primitives_.size() && i < placed_->size() ? &(*placed_)[i] : nullptr;
+}
+
+void LightTable::sample(const LightQueries& queries, LightSample* samples, LightStrategy strategy) const {
+  if (selector_.uses_tree(strategy))
+    sample_chosen(queries, samples, true,
+                  [&](size_t i) { return selector_.choose_by_tree(queries.from[i], queries.choice[i]); });
+  else
+    sample_chosen(queries, samples, strategy != LightStrategy::emission_pdf,
+                  [&](size_t i) { return selector_.choose_by_power(queries.choice[i]); });
+}
+
+void LightTable::sample_source(size_t source, const LightQueries& queries, LightSample* samples) const {
+  sample_chosen(queries, samples, true,
+                [&](size_t i) { return selector_.choose_in_source(source, queries.choice[i]); });
+}
+
+template <class Choose>
+void LightTable::sample_chosen(const LightQueries& queries, LightSample* samples, bool by_solid_angle,
+                               Choose&& choose) const {
+  if (empty()) {
+    for (size_t i = 0; i < queries.count; ++i) samples[i].pdf = 0;
+    return;
+  }
+  TriangleBatch batch;
+  for (size_t first = 0; first < queries.count; first += TriangleBatch::kSize)
+    sample_batch(
+        {queries.from + first, queries.choice + first, queries.u0 + first, queries.u1 + first,
+         std::min(TriangleBatch::kSize, queries.count - first), queries.times ? queries.times + first : nullptr},
+        batch, samples + first, by_solid_angle, [&](size_t i) { return choose(first + i); });
+}
+
+template <class Choose>
+void LightTable::sample_batch(const LightQueries& queries, TriangleBatch& batch, LightSample* samples,
+                              bool by_solid_angle, Choose&& choose) const {
+  const auto time_of = [&](size_t i) { return queries.times ? queries.times[i] : 0; };
+  for (size_t i = 0; i < queries.count; ++i) {
+    LightSample& s = samples[i];
+    const LightSelector::Choice choice = choose(i);
+    s.light = choice.index;
+    if (choice.index < primitives_.size()) {
+      s.kind = LightKind::triangle;
+      batch.set(i, primitives_[choice.index], choice.probability);
+    } else {
+      s.textured = false;
+      const bool reached = sample_other(queries.from[i], {queries.u0[i], queries.u1[i]}, time_of(i), s);
+      s.pdf = reached ? s.pdf * choice.probability : 0;
+    }
+  }
+  for (size_t i = 0; queries.times && i < queries.count; ++i)
+    if (const uint32_t light = samples[i].light;
+        light < primitives_.size() && primitives_[light].moving && !primitives_[light].is_analytic())
+      batch.set(i, primitives_.moved(primitives_[light], queries.times[i]), batch.probability[i]);
+  TriangleBatch::Points points;
+  batch.sample_area(queries, points);
+  for (size_t i = 0; i < queries.count; ++i) {
+    LightSample& s = samples[i];
+    if (s.kind != LightKind::triangle) continue;
+    const AreaLightTriangle& t = primitives_[s.light];
+    if (points.large[i] != 0 && !t.is_analytic() && by_solid_angle) batch.sample_solid_angle(queries, i, points);
+    points.get(i, s);
+    if (points.large[i] != 0 && t.is_analytic())
+      primitives_.sample_shape(t, batch.probability[i], queries.from[i], {queries.u0[i], queries.u1[i]}, time_of(i),
+                               by_solid_angle, s);
+    s.delta = false;
+    s.radiance = t.radiance;
+    s.textured = t.textured;
+    if (t.cosine_exponent != 0 && s.pdf > 0) s.radiance *= t.profile(primitives_.cosine_at(s, time_of(i)));
+  }
+}
+
+bool LightTable::sample_other(const Vec3& from, Vec2 u, float time, LightSample& sample) const {
+  const PlacedLight* placed = placed_at(sample.light);
+  if (!placed) return sample_environment(u, sample);
+  sample.kind = LightKind::placed;
+  const LightPlace place = placed->at(time);
+  return placed->visit([&](const auto& emitter) { return emitter.sample(place, from, u, sample); });
+}
+
+bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {
+  const auto direction = environment_.sample(u);
+  sample.kind = LightKind::environment;
+  sample.wi = direction.direction;
+  sample.distance = kInfinity;
+  sample.pdf = direction.pdf_solid_angle;
+  sample.delta = false;
+  sample.radiance = environment_.radiance(direction.direction);
+  return sample.pdf > 0;
+}
+
+float LightTable::pdf_triangle(uint32_t light, const Vec3& from, const Vec3& at, float time,
+                               LightStrategy strategy) const {
+  if (empty() || light >= primitives_.size()) return 0;
+  const float pdf = primitives_.pdf(light, from, at, time, strategy != LightStrategy::emission_pdf);
+  return pdf > 0 ? selector_.probability(light, from, strategy) * pdf : 0;
+}
+
+float LightTable::pdf_environment(const Vec3& direction, LightStrategy strategy) const {
+  if (empty() || environment_.black()) return 0;
+  return selector_.probability(environment_number(), Vec3(0), strategy) * environment_.pdf_solid_angle(direction);
+}
+
+}  // namespace etendue

@@ -1,0 +1,17 @@
+// Wall-clock time of the rendering session.
+#pragma once
+#include <chrono>
+
+namespace etendue::render {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+inline Clock::duration duration_of(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace etendue::render

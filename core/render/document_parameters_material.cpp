@@ -1,0 +1,222 @@
+// Sections "material.N": the reflection model with its parameters, and the glTF surface.
+#include <algorithm>
+
+#include "render/document_parameters.h"
+
+template <>
+struct etendue::Options<etendue::AlphaMode> {
+  static constexpr std::array<etendue::Option, 3> kOptions{
+      {{"opaque", "Opaque"}, {"mask", "Mask"}, {"blend", "Blend"}}};
+};
+
+namespace etendue::render {
+namespace {
+
+constexpr const char* kGltfModel = "gltf";
+
+// Whether a parameter of the glTF surface also applies to materials with a reflection model.
+bool applies_to_all_models(std::string_view name) {
+  constexpr std::array<std::string_view, 7> kPrefixes{"base-color.", "alpha",     "normal-scale", "double-sided",
+                                                      "unlit",       "emission.", "attenuation-"};
+  return std::ranges::any_of(kPrefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+void set_model(Document& document, size_t index, std::shared_ptr<const BsdfModel> model) {
+  edit_scene(document, [&](scene::Scene& s) { s.materials[index].model.model = std::move(model); });
+}
+
+DocumentParameter model_choice(const Material& m, size_t index, const std::string& section) {
+  DocumentParameter parameter;
+  parameter.section = section;
+  parameter.info.name = section + ".model";
+  parameter.info.label = "Reflection model";
+  parameter.info.doc = "The glTF surface, or a reflection model from the literature";
+  parameter.info.type = ParameterType::choice;
+  parameter.info.options.emplace_back(kGltfModel);
+  parameter.info.option_labels.emplace_back("glTF surface");
+  for (const auto& info : bsdf_model_infos()) {
+    parameter.info.options.emplace_back(info.description.name);
+    parameter.info.option_labels.emplace_back(info.description.label);
+  }
+  parameter.info.default_value = std::string(m.model ? m.model->info().description.name : kGltfModel);
+  parameter.assign = [index](Document& d, const Value& v) {
+    set_model(d, index, make_bsdf_model(std::get<std::string>(v)));
+  };
+  return parameter;
+}
+
+// A named set of values for all parameters of a reflection model.
+DocumentParameter preset_choice(const BsdfModelRef& model, size_t index, const std::string& section) {
+  DocumentParameter parameter;
+  parameter.section = section;
+  parameter.info.name = section + "." + model->info().description.name + ".preset";
+  parameter.info.label = "Preset";
+  parameter.info.doc = "Sets the parameters to those of a known material";
+  parameter.info.type = ParameterType::choice;
+  parameter.info.options.emplace_back(kNoPreset);
+  parameter.info.option_labels.emplace_back("None");
+  for (const ModelPreset& preset : model->info().presets) {
+    parameter.info.options.push_back(preset.name);
+    parameter.info.option_labels.push_back(preset.label);
+  }
+  parameter.info.default_value = std::string(preset_of(*model.model));
+  parameter.assign = [index](Document& d, const Value& v) {
+    const auto& current = d.scene->materials[index].model.model;
+    set_model(d, index, with_preset(current, std::get<std::string>(v)));
+  };
+  return parameter;
+}
+
+void add_model(DocumentParameters& list, const Material& m, size_t index, const std::string& section) {
+  list.push_back(model_choice(m, index, section));
+  if (!m.model) return;
+  if (!m.model->info().presets.empty()) list.push_back(preset_choice(m.model, index, section));
+  for (const ParameterInfo& info : m.model->parameters()) {
+    DocumentParameter parameter;
+    parameter.section = section;
+    parameter.info = info;
+    parameter.info.name = section + "." + m.model->info().description.name + "." + info.name;
+    parameter.assign = [index, name = info.name](Document& d, const Value& v) {
+      set_model(d, index, d.scene->materials[index].model->with(name, v));
+    };
+    list.push_back(std::move(parameter));
+  }
+}
+
+// Adds parameters that are members of one material.
+class MaterialParameterList {
+ public:
+  MaterialParameterList(DocumentParameters& list, const Material& material, const std::string& section, size_t index)
+      : list_(list), material_(material), section_(section), index_(index) {}
+
+  template <class Description, class Member>
+  void add(const Description& description, Member Material::*member) {
+    list_.push_back(make_parameter(section_, description, [index = index_, member](Document& d, const auto& v) {
+      edit_scene(d, [&](scene::Scene& s) { s.materials[index].*member = v; });
+    }));
+  }
+
+  // A file may hold a value above the range; it is shown as the end of the range.
+  void add_number(const char* name, const char* label, float Material::*member, Range<float> range, const char* doc,
+                  const char* unit = "", Scale scale = Scale::linear) {
+    add(Number<float>{name, label, std::min(material_.*member, range.max), range, doc, unit, scale}, member);
+  }
+
+  void add_color(const char* const (&names)[3], const char* label, Rgb Material::*member, float largest,
+                 const char* doc) {
+    const Rgb& color = material_.*member;
+    add_triple(list_, section_,
+               {.names = {names[0], names[1], names[2]},
+                .label = label,
+                .value = Vec3(color.r, color.g, color.b),
+                .range = {0, largest},
+                .doc = doc},
+               [index = index_, member](Document& d, int c, float v) {
+                 edit_scene(d, [&](scene::Scene& s) { (s.materials[index].*member)[c] = v; });
+               });
+  }
+
+ private:
+  DocumentParameters& list_;
+  const Material& material_;
+  const std::string& section_;
+  size_t index_;
+};
+
+void add_base(MaterialParameterList& parameters) {
+  parameters.add_color({"base-color.r", "base-color.g", "base-color.b"}, "Base colour", &Material::base_color, 1,
+                       "Diffuse albedo, or reflectance of a metal; multiplies its texture");
+  parameters.add_number("metallic", "Metallic", &Material::metallic, {0, 1},
+                        "0: dielectric over a diffuse base; 1: metal");
+  parameters.add_number("roughness", "Roughness", &Material::roughness, {0, 1},
+                        "Higher widens highlights. The microfacet roughness α is its square");
+  parameters.add_number("ior", "IOR", &Material::ior, {1, 3},
+                        "Index of refraction of the dielectric; higher reflects and refracts more");
+  parameters.add_number("specular", "Specular", &Material::specular, {0, 1},
+                        "Strength of the dielectric reflection; 0: purely diffuse surface");
+  parameters.add_color({"specular-color.r", "specular-color.g", "specular-color.b"}, "Specular colour",
+                       &Material::specular_color, 1, "Tint of the dielectric reflection at normal incidence");
+}
+
+void add_transmission(MaterialParameterList& parameters) {
+  parameters.add_number("transmission", "Transmission", &Material::transmission, {0, 1},
+                        "Fraction of the light entering the base that is transmitted");
+  parameters.add_number("thickness", "Thickness", &Material::thickness, {0, 1000},
+                        "0: thin-walled, without refraction; greater: the boundary of a solid volume, which refracts",
+                        "m");
+  parameters.add_color({"attenuation-color.r", "attenuation-color.g", "attenuation-color.b"}, "Attenuation colour",
+                       &Material::attenuation_color, 1,
+                       "Colour of white light after the attenuation distance inside the volume");
+  parameters.add_number("attenuation-distance", "Attenuation distance", &Material::attenuation_distance,
+                        {1e-6f, kLargestLength}, "Distance at which white light has the attenuation colour", "m",
+                        Scale::logarithmic);
+}
+
+void add_layers(MaterialParameterList& parameters) {
+  parameters.add_number("anisotropy", "Anisotropy", &Material::anisotropy, {0, 1},
+                        "Stretches highlights along the tangent");
+  parameters.add_number("anisotropy-rotation", "Anisotropy rotation", &Material::anisotropy_rotation,
+                        {-6.2831853f, 6.2831853f}, "Rotates stretched highlights counter-clockwise from the tangent",
+                        "rad");
+  parameters.add_number("clearcoat", "Clear coat", &Material::clearcoat, {0, 1}, "Strength of the clear coat");
+  parameters.add_number("clearcoat-roughness", "Clear coat roughness", &Material::clearcoat_roughness, {0, 1},
+                        "Higher widens the highlights of the clear coat");
+  parameters.add_number("clearcoat-normal-scale", "Clear coat normal strength", &Material::clearcoat_normal_scale,
+                        {-4, 4}, "Scales the tangential components of the clear coat's normal map");
+  parameters.add_color({"sheen-color.r", "sheen-color.g", "sheen-color.b"}, "Sheen colour", &Material::sheen_color, 1,
+                       "Light that fibres scatter at grazing angles, as on velvet; black: none");
+  parameters.add_number("sheen-roughness", "Sheen roughness", &Material::sheen_roughness, {0, 1},
+                        "Deviation of the fibres from the normal; higher spreads the sheen");
+  parameters.add_number("iridescence", "Iridescence", &Material::iridescence, {0, 1},
+                        "Strength of the thin-film interference colours");
+  parameters.add_number("iridescence-ior", "Thin-film IOR", &Material::iridescence_ior, {1, 3},
+                        "Index of refraction of the thin film");
+  parameters.add_number("iridescence-thickness-min", "Min. film thickness", &Material::iridescence_thickness_min,
+                        {0, 3000}, "Film thickness where the thickness texture is 0", "nm");
+  parameters.add_number("iridescence-thickness-max", "Max. film thickness", &Material::iridescence_thickness_max,
+                        {0, 3000}, "Film thickness where the thickness texture is 1, or everywhere without texture",
+                        "nm");
+  parameters.add_number("diffuse-transmission", "Diffuse transmission", &Material::diffuse_transmission, {0, 1},
+                        "Fraction of the diffuse light that leaves on the other side, as through paper");
+  parameters.add_color({"diffuse-transmission-color.r", "diffuse-transmission-color.g", "diffuse-transmission-color.b"},
+                       "Diffuse transmission colour", &Material::diffuse_transmission_color, 1,
+                       "Tint of the diffusely transmitted light");
+}
+
+void add_emission_and_opacity(MaterialParameterList& parameters, const Material& m) {
+  parameters.add_color({"emission.r", "emission.g", "emission.b"}, "Emission", &Material::emission, 1e6f,
+                       "Emitted radiance in W/(m² sr)");
+  parameters.add_number("alpha", "Opacity", &Material::alpha, {0, 1}, "Used by the alpha modes Mask and Blend");
+  parameters.add(Choice<AlphaMode>{"alpha-mode", "Alpha mode", m.alpha_mode,
+                                   "Opaque; Mask: cut out below the cutoff; Blend: partly transparent"},
+                 &Material::alpha_mode);
+  parameters.add_number("alpha-cutoff", "Alpha cutoff", &Material::alpha_cutoff, {0, 1},
+                        "Opacity below which a masked surface is cut out");
+  parameters.add_number("normal-scale", "Normal map strength", &Material::normal_scale, {-4, 4},
+                        "Scales the tangential components of the normal map");
+  parameters.add(Toggle{"double-sided", "Double sided", m.double_sided, "Emits light from both sides"},
+                 &Material::double_sided);
+  parameters.add(Toggle{"unlit", "Unlit", m.unlit, "Shows the base colour regardless of illumination"},
+                 &Material::unlit);
+}
+
+}  // namespace
+
+DocumentParameters material_parameters(const Document& document, size_t index, const std::string& section) {
+  const Material& m = document.scene->materials[index];
+  DocumentParameters list;
+  add_model(list, m, index, section);
+  const size_t first_of_surface = list.size();
+  MaterialParameterList parameters(list, m, section, index);
+  add_base(parameters);
+  add_transmission(parameters);
+  add_layers(parameters);
+  add_emission_and_opacity(parameters, m);
+  for (size_t i = first_of_surface; m.model && i < list.size(); ++i)
+    if (!applies_to_all_models(std::string_view(list[i].info.name).substr(section.size() + 1)))
+      list[i].inactive_reason = std::string("The reflection model ") + m.model->info().description.label +
+                                " has parameters of its own; this one belongs to the glTF surface";
+  return list;
+}
+
+}  // namespace etendue::render

@@ -1,0 +1,94 @@
+// Section "render": integrator, sampler, adaptive sampling, seed and limits.
+#include "integrator/integrator.h"
+#include "render/document_parameters.h"
+#include "render/incompatibility.h"
+
+namespace etendue::render {
+namespace {
+
+// A choice among the entries of a registry.
+template <class Infos>
+DocumentParameter registry_choice(const char* name, const char* label, const char* doc, const Infos& infos,
+                                  const std::string& value, std::string MethodSettings::*member) {
+  DocumentParameter parameter;
+  parameter.section = "render";
+  parameter.info.name = name;
+  parameter.info.label = label;
+  parameter.info.doc = doc;
+  parameter.info.type = ParameterType::choice;
+  for (const auto& info : infos) {
+    parameter.info.options.push_back(info.name);
+    parameter.info.option_labels.push_back(info.label);
+  }
+  parameter.info.default_value = value;
+  parameter.assign = [member](Document& document, const Value& v) {
+    document.method.*member = std::get<std::string>(v);
+  };
+  return parameter;
+}
+
+DocumentParameter adaptive_choice(const MethodSettings& method) {
+  DocumentParameter parameter = make_parameter(
+      "render",
+      Choice<Adaptive>{"adaptive", "Adaptive sampling", method.adaptive,
+                       "Distributes half of the samples by estimated variance, without bias. Sample counts are then "
+                       "averages over the image"},
+      [](Document& d, Adaptive v) { d.method.adaptive = v; });
+  parameter.inactive_reason = adaptive_incompatibility(method.integrator);
+  return parameter;
+}
+
+void add_limits(DocumentParameters& list, const Limits& limits) {
+  list.push_back(make_parameter("render",
+                                Number<int>{"samples",
+                                            "Sample limit",
+                                            static_cast<int>(limits.samples),
+                                            {0, 1'000'000},
+                                            "Stops after this number of samples per pixel; 0: no limit",
+                                            "spp",
+                                            Scale::logarithmic},
+                                [](Document& d, int v) { d.limits.samples = static_cast<uint32_t>(v); }));
+  list.push_back(make_parameter("render",
+                                Number<float>{"seconds",
+                                              "Time limit",
+                                              static_cast<float>(limits.seconds),
+                                              {0, 1e6f},
+                                              "Stops after this rendering time; 0: no limit",
+                                              "s",
+                                              Scale::logarithmic},
+                                [](Document& d, float v) { d.limits.seconds = static_cast<double>(v); }));
+  list.push_back(
+      make_parameter("render",
+                     Number<float>{"error",
+                                   "Error limit (RMSE)",
+                                   static_cast<float>(limits.rmse),
+                                   {0, 1e6f},
+                                   "Stops when the estimated root mean square error falls below this; 0: no limit",
+                                   "",
+                                   Scale::logarithmic},
+                     [](Document& d, float v) { d.limits.rmse = static_cast<double>(v); }));
+}
+
+}  // namespace
+
+DocumentParameters render_parameters(const Document& document) {
+  const MethodSettings& method = document.method;
+  constexpr int kLargestSeed = 2'000'000'000;
+  DocumentParameters list;
+  list.push_back(registry_choice("render.integrator", "Integrator", "Light transport algorithm",
+                                 integrator::integrator_infos(), method.integrator, &MethodSettings::integrator));
+  list.push_back(registry_choice("render.sampler", "Sampler", "Source of the sample points", sampler_infos(),
+                                 method.sampler, &MethodSettings::sampler));
+  list.push_back(adaptive_choice(method));
+  list.push_back(make_parameter("render",
+                                Number<int>{"seed",
+                                            "Seed",
+                                            static_cast<int>(document.seed),
+                                            {0, kLargestSeed},
+                                            "Seed of the random numbers; another seed gives independent noise"},
+                                [](Document& d, int v) { d.seed = static_cast<uint64_t>(v); }));
+  add_limits(list, document.limits);
+  return list;
+}
+
+}  // namespace etendue::render

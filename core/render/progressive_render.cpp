@@ -1,0 +1,222 @@
+#include "render/progressive_render.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/accel.h"
+#include "render/incompatibility.h"
+#include "render/limit_progress.h"
+
+namespace etendue::render {
+namespace {
+
+// A preview that takes longer is cancelled in favour of a coarser one, while there is no frame of the edit.
+constexpr double kPreviewTimeout = 0.025;
+// Duration of a slice that is not followed by a frame, in seconds. The status is updated after each slice.
+constexpr double kStatusInterval = 0.1;
+constexpr double kSliceWithoutFrames = 0.25;
+// A phase of the integrator is reported once it has lasted this long, in seconds.
+constexpr double kShortestReportedPhase = 0.3;
+
+// Factor on the time between frames. Consecutive frames differ less as samples accumulate.
+double frame_interval_factor(uint32_t samples) { return samples < 32 ? 1 : samples < 256 ? 2.5 : 5; }
+
+}  // namespace
+
+ProgressiveRender::ProgressiveRender(ThreadPool& workers, const SessionOptions& options,
+                                     std::function<bool()> keep_going)
+    : workers_(workers),
+      interactive_(options.interactive),
+      publish_interval_(options.publish_interval),
+      keep_going_(std::move(keep_going)),
+      frames_(workers),
+      film_(workers),
+      error_monitor_(workers) {}
+
+void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::CompiledScene> scene,
+                              std::optional<ResumePoint> start, double preview_seconds) {
+  document_ = std::move(document);
+  scene_ = std::move(scene);
+  film_is_stale_ = !start;
+  if (start) film_.resume(document_, std::move(start->film));
+  // The new renderer may reuse data of the old one, which is destroyed afterwards.
+  renderer_ = std::make_unique<Renderer>(document_, scene_, document_.width, document_.height, renderer_.get());
+  counters_.rays = 0;
+  counters_.paths = 0;
+  seconds_ = 0;
+  if (start) renderer_->begin(film_.film(), start->integrator_state);
+  samples_ = renderer_->samples();
+  error_monitor_.reset(find_sampler(document_.method.sampler)->independent);
+
+  if (interactive_ && samples_ == 0)
+    preview_resolution_.begin(pixel_count(), preview_seconds);
+  else
+    preview_resolution_.begin_at_full_resolution();
+  preview_.reset();
+  awaits_first_frame_ = interactive_;
+  paths_in_frame_ = 0;
+  samples_in_frame_ = 0;
+  phase_ = nullptr;
+}
+
+std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<void(const Renderer&)>& on_progress) {
+  const auto start = Clock::now();
+  const int scale = preview_resolution_.scale();
+  const int width = std::max(1, document_.width / scale);
+  const int height = std::max(1, document_.height / scale);
+  // The seed is that of the image, so that photons traced for the preview can be reused.
+  Document preview_document = document_;
+  preview_document.method.adaptive = Adaptive::off;
+  Renderer renderer(preview_document, scene_, width, height, renderer_.get());
+  film::Film film(width, height);
+  Renderer::Counters counters;
+  const bool has_timeout = awaits_first_frame_ && !preview_resolution_.is_coarsest();
+  const std::function<bool()> still_needed = [&] {
+    return keep_going_() && !(has_timeout && seconds_since(start) > kPreviewTimeout);
+  };
+  renderer.begin(film);
+  bool complete = false;
+  while (!complete && still_needed()) {
+    const auto slice_start = Clock::now();
+    const auto keep_going = [&] { return still_needed() && seconds_since(slice_start) < kStatusInterval; };
+    complete = renderer.advance(workers_, {film}, keep_going, counters, still_needed);
+    on_progress(renderer);
+  }
+  preview_resolution_.add_measurement(counters.paths, seconds_since(start));
+  if (!complete) {
+    if (keep_going_()) preview_resolution_.frame_cancelled();
+    return nullptr;
+  }
+  preview_ = frames_.preview(film, scale);
+  preview_resolution_.frame_completed();
+  auto frame = frames_.enlarged(*preview_, document_.width, document_.height);
+  frame->samples = samples_;
+  return frame;
+}
+
+double ProgressiveRender::slice_seconds() const {
+  if (is_first_slice()) return kStatusInterval;
+  return interactive_ ? publish_interval_ * frame_interval_factor(samples_) : kSliceWithoutFrames;
+}
+
+bool ProgressiveRender::render_slice() {
+  if (film_is_stale_ && !clear_film()) return false;
+  const auto start = Clock::now();
+  // An image that is small enough to need no preview is shown as soon as it has one sample per pixel.
+  const bool first = is_first_slice();
+  const double allowed = slice_seconds();
+  const auto keep_sampling = [&] { return keep_going_() && seconds_since(start) < allowed; };
+  while (!limit_reached(seconds_ + seconds_since(start))) {
+    if (renderer_->advance(workers_, film_.targets(), keep_sampling, counters_, keep_going_))
+      samples_ = renderer_->samples();
+    if (first || !keep_sampling()) break;
+  }
+  seconds_ += seconds_since(start);
+  if (first && samples_ > 0) preview_resolution_.add_measurement(counters_.paths, seconds_);
+  return true;
+}
+
+// The film is emptied here, after the previews, because that takes too long to delay the first frame of an edit.
+bool ProgressiveRender::clear_film() {
+  if (!film_.clear(document_, keep_going_)) return false;
+  renderer_->begin(film_.film());
+  film_is_stale_ = false;
+  return true;
+}
+
+bool ProgressiveRender::limit_reached(double seconds) {
+  const Limits& limits = document_.limits;
+  if (sample_or_time_limit_reached(limits, samples_, seconds)) return true;
+  if (limits.rmse <= 0) return false;
+  if (error_monitor_.is_error_due(samples_)) error_monitor_.measure_error(film_.film(), samples_, seconds, keep_going_);
+  const film::ErrorEstimate& error = error_monitor_.error();
+  return error.known && error.rmse <= limits.rmse;
+}
+
+bool ProgressiveRender::update_statistics() {
+  const bool finished = limit_reached(seconds_);
+  if (error_monitor_.is_error_due(samples_) || (finished && !error_monitor_.is_error_current(samples_)))
+    error_monitor_.measure_error(film_.film(), samples_, seconds_, keep_going_);
+  if (error_monitor_.is_reliability_due(samples_) || (finished && !error_monitor_.is_reliability_current(samples_)))
+    error_monitor_.measure_reliability(film_.film(), film_.tails(), samples_, keep_going_);
+  return finished;
+}
+
+std::shared_ptr<Frame> ProgressiveRender::frame_after_slice(bool finished) {
+  if (!interactive_ || is_first_slice()) return nullptr;
+  // The last frame is made even if the session is interrupted, because no slice follows it.
+  if (!keep_going_() && !finished) return nullptr;
+  const bool unchanged = counters_.paths == paths_in_frame_ && samples_ == samples_in_frame_;
+  if (!awaits_first_frame_ && unchanged) return nullptr;
+  paths_in_frame_ = counters_.paths;
+  samples_in_frame_ = samples_;
+  auto frame = frames_.full(film_.film(), samples_ > 0 ? nullptr : preview_.get(), film_.reweighting());
+  frame->samples = samples_;
+  return frame;
+}
+
+void ProgressiveRender::write_initial_status(Status& status) const {
+  status.build = scene_->report();
+  status.phase = "rendering";
+  status.incompatibility = incompatibility(document_, *scene_);
+  status.samples = samples_;
+  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_);
+}
+
+void ProgressiveRender::write_status(Status& status, bool finished) {
+  const SamplingState state{.samples = samples_,
+                            .seconds = seconds_,
+                            .error = error_monitor_.error(),
+                            .estimator = error_monitor_.estimator()};
+  const auto per_second = [&](uint64_t count) { return seconds_ > 0 ? static_cast<double>(count) / seconds_ : 0; };
+  status.samples = samples_;
+  status.seconds = seconds_;
+  status.rays = counters_.rays;
+  status.paths = counters_.paths;
+  status.rays_per_second = per_second(status.rays);
+  status.paths_per_second = per_second(status.paths);
+  status.error = error_monitor_.error();
+  status.rejected = film_.film().invalid_samples();
+  status.statistics = renderer_->statistics();
+  status.reliability = error_monitor_.reliability();
+  status.progress = progress_to_limit(document_.limits, state);
+  status.time_left = time_to_limit(document_.limits, state);
+  status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + renderer_->memory();
+  write_phase(status, *renderer_);
+  status.finished = finished;
+  if (finished) {
+    status.phase = "done";
+    status.progress = 1;
+  }
+}
+
+void ProgressiveRender::write_phase(Status& status, const Renderer& renderer) {
+  const Renderer::Progress progress = renderer.progress();
+  if (progress.phase != phase_ || renderer.samples() != phase_sample_) {
+    phase_ = progress.phase;
+    phase_sample_ = renderer.samples();
+    phase_began_ = Clock::now();
+  }
+  const bool is_reported = phase_ && seconds_since(phase_began_) >= kShortestReportedPhase;
+  status.phase = is_reported ? phase_ : "rendering";
+  status.phase_progress = is_reported ? progress.done : 0;
+}
+
+film::Film ProgressiveRender::film_copy() const {
+  return film_is_stale_ ? film::Film(document_.width, document_.height) : film_.film();
+}
+
+ResumePoint ProgressiveRender::resume_point() const {
+  if (film_is_stale_ || !renderer_) return film_copy();
+  return {film_.film(), renderer_->integrator_state()};
+}
+
+std::optional<std::vector<float>> ProgressiveRender::reweighted_copy() const {
+  return film_is_stale_ ? std::nullopt : film_.reweighted();
+}
+
+std::shared_ptr<const std::vector<integrator::StoredPoint>> ProgressiveRender::stored_points() const {
+  return renderer_ ? renderer_->stored_points() : nullptr;
+}
+
+}  // namespace etendue::render

@@ -1,0 +1,84 @@
+#include "render/session_film.h"
+
+#include <utility>
+
+namespace etendue::render {
+namespace {
+
+bool reweights_fireflies(const Document& document) { return document.fireflies == film::Fireflies::reweight; }
+
+size_t pixel_count(const Document& document) {
+  return static_cast<size_t>(document.width) * static_cast<size_t>(document.height);
+}
+
+template <class Pixels>
+bool has_size_of(const Pixels& pixels, const Document& document) {
+  return pixels.width() == document.width && pixels.height() == document.height;
+}
+
+}  // namespace
+
+bool SessionFilm::clear(const Document& document, const std::function<bool()>& keep_going) {
+  if (!has_size_of(film_, document)) {
+    film_ = film::Film();  // frees the memory of the old film first
+    film_ = film::Film(document.width, document.height);
+  } else {
+    const auto clear_rows = [&](int first, int end) { film_.clear_rows(first, end); };
+    if (!workers_.run_ranges(film_.height(), clear_rows, keep_going)) return false;
+  }
+  film_.set_invalid_samples({});
+  film_.tile_variance().reset();
+  clear_tails(document);
+  return clear_cascades(document, keep_going);
+}
+
+void SessionFilm::resume(const Document& document, film::Film&& film) {
+  film_ = std::move(film);
+  clear_tails(document);
+  reweighting_.reset();
+  if (!reweights_fireflies(document)) return;
+  reweighting_.emplace(document.width, document.height);
+  for (int y = 0; y < film_.height(); ++y)
+    for (int x = 0; x < film_.width(); ++x) reweighting_->add(x, y, film_.mean(x, y), film_.samples(x, y));
+}
+
+void SessionFilm::clear_tails(const Document& document) {
+  if (has_size_of(tails_, document))
+    tails_.clear();
+  else
+    tails_ = TailStatistics(document.width, document.height);
+}
+
+bool SessionFilm::clear_cascades(const Document& document, const std::function<bool()>& keep_going) {
+  if (!reweights_fireflies(document)) {
+    reweighting_.reset();
+    return true;
+  }
+  if (!reweighting_ || !has_size_of(*reweighting_, document)) {
+    reweighting_.reset();  // frees the memory of the old ones first
+    reweighting_.emplace(document.width, document.height);
+    return true;
+  }
+  const auto clear_rows = [&](int first, int end) { reweighting_->clear_rows(first, end); };
+  return workers_.run_ranges(document.height, clear_rows, keep_going);
+}
+
+std::optional<std::vector<float>> SessionFilm::reweighted() const {
+  if (!reweighting_) return std::nullopt;
+  std::vector<float> rgb;
+  rgb.reserve(3 * film_.pixels().size());
+  for (int y = 0; y < film_.height(); ++y)
+    for (int x = 0; x < film_.width(); ++x) {
+      const Rgb c = reweighting_->shown(x, y, film_.samples(x, y));
+      rgb.insert(rgb.end(), {c.r, c.g, c.b});
+    }
+  return rgb;
+}
+
+size_t SessionFilm::memory(const Document& document) {
+  size_t bytes_per_pixel = sizeof(film::Film::Pixel);
+  if (reweights_fireflies(document)) bytes_per_pixel += film::FireflyReweighting::kBytesPerPixel;
+  return pixel_count(document) * bytes_per_pixel + TailStatistics::memory(document.width, document.height);
+}
+
+}  // namespace etendue::render

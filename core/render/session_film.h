@@ -1,0 +1,47 @@
+// The film of a session together with the statistics that are collected while it is sampled.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "render/document.h"
+#include "render/film_recording.h"
+#include "render/thread_pool.h"
+
+namespace etendue::render {
+
+class SessionFilm {
+ public:
+  explicit SessionFilm(ThreadPool& workers) : workers_(workers) {}
+
+  const film::Film& film() const { return film_; }
+  film::Film& film() { return film_; }
+  const TailStatistics& tails() const { return tails_; }
+  FilmTargets targets() { return {.film = film_, .tails = &tails_, .reweighting = reweighting()}; }
+  // Null unless the document re-weights fireflies.
+  film::FireflyReweighting* reweighting() { return reweighting_ ? &*reweighting_ : nullptr; }
+
+  // An empty film for a document. False if `keep_going` stopped it; it then has to be called again before sampling.
+  bool clear(const Document& document, const std::function<bool()>& keep_going);
+
+  // Continues with a film whose samples were taken elsewhere. Only their means are known: tail statistics start empty,
+  // and firefly re-weighting treats all samples of a pixel as equally bright.
+  void resume(const Document& document, film::Film&& film);
+
+  // The image with fireflies re-weighted, three numbers per pixel; nothing unless the document re-weights fireflies.
+  std::optional<std::vector<float>> reweighted() const;
+
+  // Bytes that the film of a document takes, including its statistics.
+  static size_t memory(const Document& document);
+
+ private:
+  void clear_tails(const Document& document);
+  bool clear_cascades(const Document& document, const std::function<bool()>& keep_going);
+
+  ThreadPool& workers_;
+  film::Film film_;
+  TailStatistics tails_;
+  std::optional<film::FireflyReweighting> reweighting_;
+};
+
+}  // namespace etendue::render

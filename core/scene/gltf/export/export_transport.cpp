@@ -1,0 +1,83 @@
+// Exports ETENDUE_transport. Members with default values are omitted.
+#include <algorithm>
+
+#include "scene/gltf/export/output_file.h"
+#include "scene/gltf/transport_extension.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+// A relative path if the file is close to the folder, so that both can be moved together; an absolute one otherwise.
+std::string uri_of(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  const auto absolute = std::filesystem::absolute(file).lexically_normal();
+  const auto relative = absolute.lexically_relative(std::filesystem::absolute(folder).lexically_normal());
+  return (relative.empty() || relative.string().starts_with("../..") ? absolute : relative).generic_string();
+}
+
+Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
+  const Environment& e = out.scene.environment;
+  Json to = Json::object();
+  if (e.map && !e.file.empty())
+    to["file"] = uri_of(e.file, folder);
+  else if (e.map)
+    out.warnings.emplace_back("the environment map has no file; only its tint was saved");
+  if (!to.empty() || e.tint != Rgb(0)) to["tint"] = vector(e.tint);
+  put(to, "rotation", e.rotation, 0);
+  if (!e.visible) to["visible"] = false;
+  if (!to.empty() && !to.contains("tint")) to["tint"] = vector(e.tint);
+  return to;
+}
+
+// The value of a description whose default is the current value.
+Json current_value(const ParameterInfo& p) {
+  if (p.type == ParameterType::number) return number(static_cast<float>(std::get<double>(p.default_value)));
+  return std::visit([](const auto& value) { return Json(value); }, p.default_value);
+}
+
+}  // namespace
+
+void export_transport(OutputFile& out, const std::filesystem::path& folder) {
+  Json to = Json::object();
+  put(to, "time", out.scene.time, 0);
+  if (out.scene.variant >= 0) to["variant"] = out.scene.variant;
+  if (Json environment = environment_of(out, folder); !environment.empty()) to["environment"] = std::move(environment);
+  if (!to.empty()) out.extend(out.root, kTransport) = std::move(to);
+}
+
+// Writes all parameters, because the defaults of a model may change.
+void export_bsdf_model(OutputFile& out, const BsdfModelRef& model, Json& object) {
+  if (!model) return;
+  Json parameters = Json::object();
+  for (const ParameterInfo& p : model->parameters()) parameters[p.name] = current_value(p);
+  out.extend(object, kTransport) = {{"model", model->info().description.name}, {"parameters", std::move(parameters)}};
+}
+
+// Writes the type and the parameters that KHR_lights_punctual has no members for, unless they have their defaults.
+void export_light_extension(OutputFile& out, const Light& light, Json& object) {
+  const LightTypeInfo& type = light.info();
+  const bool punctual = type.description.punctual;
+  Json to = Json::object();
+  if (!punctual) to["type"] = type.description.name;
+  const std::vector<ParameterInfo> values = light.model->parameters();
+  for (size_t i = 0; i < values.size(); ++i) {
+    const ParameterInfo& p = values[i];
+    const bool is_default = p.default_value == type.parameters[i].default_value;
+    const bool is_written = punctual ? !is_default && std::ranges::count(kPunctualParameters, p.name) == 0
+                                     : !is_default || p.name == "intensity";
+    if (is_written) to[member_name(p.name)] = current_value(p);
+  }
+  if (!to.empty()) out.extend(object, kTransport) = std::move(to);
+}
+
+void export_camera_extension(OutputFile& out, const Camera& camera, Json& object) {
+  const Camera defaults;
+  Json to = Json::object();
+  put(to, "lensRadius", camera.lens_radius, defaults.lens_radius);
+  put(to, "focusDistance", camera.focus_distance, defaults.focus_distance);
+  put(to, "shutter", camera.shutter, defaults.shutter);
+  // An orthographic camera of glTF always has an aspect ratio.
+  if (camera.projection == Projection::orthographic && !(camera.aspect > 0)) to["anyAspect"] = true;
+  if (!to.empty()) out.extend(object, kTransport) = std::move(to);
+}
+
+}  // namespace etendue::scene::gltf

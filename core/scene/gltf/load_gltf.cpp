@@ -1,0 +1,142 @@
+#include "scene/gltf/load_gltf.h"
+
+#include <map>
+
+#include "scene/gltf/import/importers.h"
+#include "scene/gltf/parallel_jobs.h"
+
+namespace etendue::scene {
+namespace {
+
+using gltf::InputFile;
+
+// Keeps the first warnings of each kind and counts the others, so that a defect that occurs a thousand times takes a
+// few lines.
+void shorten(std::vector<std::string>& warnings) {
+  constexpr size_t kShown = 4;          // of each kind
+  std::map<std::string, size_t> kinds;  // by their text without digits
+  const auto kind_of = [](const std::string& warning) {
+    std::string kind;
+    for (const char c : warning)
+      if (c < '0' || c > '9') kind += c;
+    return kind;
+  };
+  std::vector<std::string> kept;
+  for (std::string& warning : warnings)
+    if (++kinds[kind_of(warning)] <= kShown) kept.push_back(std::move(warning));
+  for (const auto& [kind, count] : kinds)
+    if (count > kShown) kept.push_back(std::to_string(count - kShown) + " more of this kind: " + kind);
+  warnings = std::move(kept);
+}
+
+std::string one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 127; }, ' ');
+  return text;
+}
+
+class Loader {
+ public:
+  Loader(const std::filesystem::path& path, const LoadOptions& options) : path_(path), options_(options) {}
+
+  Scene run() {
+    report("reading", 0);
+    gltf::open_input_file(path_, input_,
+                          [&](float done) { return !options_.progress || options_.progress("decompressing", done); });
+    gltf::check_references(input_);
+    scene_.name = path_.stem().string();
+    scene_.file = path_.string();
+    for (const std::string& extension : input_.model.extensionsUsed)
+      if (!gltf::is_supported(extension)) scene_.unsupported.push_back(extension);
+    scene_.warnings = input_.warnings;
+    report("reading the structure", 0);
+    gltf::import_materials(input_, scene_);
+    gltf::import_variants(input_, scene_);
+    gltf::import_lights(input_, scene_);
+    gltf::import_cameras(input_, scene_);
+    gltf::import_nodes(input_, scene_, options_.scene);
+    gltf::import_instances(input_, scene_);
+    gltf::import_skins(input_, scene_);
+    gltf::import_animations(input_, scene_);
+    read_arrays();
+    gltf::import_transport(input_, scene_);
+    check_joint_indices();
+    gltf::remove_far_meshes(scene_);
+    shorten(scene_.warnings);
+    for (std::string& warning : scene_.warnings) warning = one_line(std::move(warning));
+    return std::move(scene_);
+  }
+
+ private:
+  void report(const char* phase, float done) const {
+    if (options_.progress && !options_.progress(phase, done)) throw gltf::Cancelled{};
+  }
+
+  void read_arrays() {
+    auto meshes = gltf::mesh_tasks(input_, scene_);
+    auto images = gltf::image_tasks(input_);
+    const auto job = [&](size_t i) {
+      if (i < meshes.size())
+        gltf::read_mesh(input_, meshes[i]);
+      else
+        gltf::read_image_task(input_, images[i - meshes.size()]);
+    };
+    gltf::run_jobs(meshes.size() + images.size(), job,
+                   [&](float done) { return !options_.progress || options_.progress("meshes and images", done); });
+    gltf::add_meshes(input_, meshes, scene_);
+    gltf::add_images(input_, images, scene_);
+    for (const auto& mesh : meshes)
+      scene_.warnings.insert(scene_.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
+    for (const auto& image : images)
+      if (!image.warning.empty()) scene_.warnings.push_back(image.warning);
+  }
+
+  // A node selects the skin of its mesh, so this check needs both.
+  void check_joint_indices() {
+    for (size_t n = 0; n < scene_.nodes.size(); ++n) {
+      const Node& node = scene_.nodes[n];
+      if (node.skin < 0) continue;
+      const size_t joints = scene_.skins[static_cast<size_t>(node.skin)]->joints.size();
+      bool references_missing_joint = false;
+      for (const Primitive& primitive : scene_.meshes[static_cast<size_t>(node.mesh)].primitives)
+        if (primitive.deformation)
+          references_missing_joint = references_missing_joint || !has_all_joints(*primitive.deformation, joints);
+      if (references_missing_joint)
+        scene_.warnings.push_back(gltf::at("nodes", n) +
+                                  ": the mesh references joints that are not in its skin, which has " +
+                                  std::to_string(joints) + "; these weights are ignored");
+    }
+  }
+
+  static bool has_all_joints(const Deformation& deformation, size_t joints) {
+    for (size_t i = 0; i < deformation.joints.size(); ++i)
+      for (size_t k = 0; k < 4; ++k)
+        if (deformation.weights[i][static_cast<int>(k)] > 0 && deformation.joints[i][k] >= joints) return false;
+    return true;
+  }
+
+  const std::filesystem::path& path_;
+  const LoadOptions& options_;
+  InputFile input_;
+  Scene scene_;
+};
+
+}  // namespace
+
+Result<Scene> load_gltf(const std::filesystem::path& path, const LoadOptions& options) {
+  const auto message = [&](const std::string& what) { return path.string() + ": " + one_line(what); };
+  try {
+    return Loader(path, options).run();
+  } catch (const gltf::FileError& error) {
+    return input_error(message(error.message));
+  } catch (const gltf::Cancelled&) {
+    return Error{Fault::interrupted, message("loading was cancelled")};
+  } catch (const std::bad_alloc&) {
+    return input_error(message("not enough memory to load the file"));
+  } catch (const std::exception& error) {
+    // A library rejected something that the checks above do not cover.
+    return input_error(message(std::string("the structure cannot be read: ") + error.what()));
+  }
+}
+
+}  // namespace etendue::scene

@@ -1,0 +1,270 @@
+// A bench from end to end on small pictures, at equal samples: curves are the same each time, but for their seconds.
+#include "base/base64.h"
+#include "bench/benchmark.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bench/reference_key.h"
+#include "bench/report.h"
+#include "bench/summary.h"
+#include "support/scenes.h"
+
+namespace etendue::test {
+namespace {
+
+namespace fs = std::filesystem;
+using bench::Plan;
+using bench::Reference;
+
+render::Document changed(const render::Document& d, const std::string& name, const std::string& value) {
+  auto result = render::with_text(d, name, value);
+  EXPECT_TRUE(result) << result.error().message;
+  return *result;
+}
+
+bool go_on(double, const std::string&) { return true; }
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("etendue-bench-" + std::to_string(::getpid()))) {}
+  ~Folder() {
+    std::error_code code;
+    fs::remove_all(path_, code);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+TEST(Methods, AreDocumentsWithTheirSettings) {
+  const auto methods = bench::parse_methods("path:sampler=random:roulette-start=7,path-pure", cornell(8));
+  ASSERT_TRUE(methods) << methods.error().message;
+  ASSERT_EQ(methods->size(), 2u);
+  const auto& first = methods->at(0);
+  EXPECT_EQ(first.name, "path:sampler=random:roulette-start=7");
+  EXPECT_EQ(first.document.method.sampler, "random");
+  EXPECT_EQ(to_string(*render::get(first.document, "path.roulette-start")), "7");
+  EXPECT_EQ(methods->at(1).document.method.integrator, "path-pure");
+  EXPECT_EQ(methods->at(1).document.method.sampler, "sobol");
+}
+
+TEST(Methods, ACommaThatNoNameFollowsBelongsToItsValue) {
+  const auto methods = bench::parse_methods("bdpt:without=1,* 2,3,path,bdpt:only=*,1", cornell(8));
+  ASSERT_TRUE(methods) << methods.error().message;
+  ASSERT_EQ(methods->size(), 3u);
+  EXPECT_EQ(methods->at(0).name, "bdpt:without=1,* 2,3");
+  EXPECT_EQ(to_string(*render::get(methods->at(0).document, "bdpt.without")), "1,* 2,3");
+  EXPECT_EQ(methods->at(1).document.method.integrator, "path");
+  EXPECT_EQ(to_string(*render::get(methods->at(2).document, "bdpt.only")), "*,1");
+}
+
+TEST(Methods, TheSamplersSettingsMayComeBeforeIt) {
+  const auto& samplers = sampler_infos();
+  for (const auto& info : samplers) {
+    if (info.parameters.empty()) continue;
+    const auto& p = info.parameters.front();
+    const auto methods =
+        bench::parse_methods("path:" + p.name + "=" + to_string(p.default_value) + ":sampler=" + info.name, cornell(8));
+    EXPECT_TRUE(methods) << methods.error().message;
+  }
+}
+
+TEST(Methods, MayNotChangeThePicture) {
+  for (const char* setting : {"film.width=9", "material.0.metallic=1", "camera.yfov=1", "render.seed=3", "scene.time=1",
+                              "camera.exposure=2", "render.samples=3"}) {
+    const auto methods = bench::parse_methods(std::string("path:") + setting, cornell(8));
+    ASSERT_FALSE(methods) << setting;
+    EXPECT_EQ(methods.error().fault, Fault::usage);
+  }
+}
+
+TEST(PictureKey, IsOfThePictureOnly) {
+  const auto d = cornell(8);
+  const uint64_t key = bench::picture_key(d);
+  auto other = d;
+  other.seed = 5, other.limits.samples = 3, other.display.exposure = 2, other.scene_name = "elsewhere";
+  EXPECT_EQ(bench::picture_key(other), key);
+  EXPECT_EQ(bench::picture_key(cornell(8)), key);
+  EXPECT_NE(bench::picture_key(cornell(9)), key);
+  EXPECT_NE(bench::picture_key(changed(d, "film.filter", "box")), key);
+  EXPECT_NE(bench::picture_key(changed(d, "material.0.metallic", "0.5")), key);
+  EXPECT_NE(bench::picture_key(changed(d, "path.max-depth", "3")), key);
+  EXPECT_NE(bench::picture_key(changed(d, "camera.yfov", "0.5")), key);
+}
+
+TEST(PictureKey, SeesAMovedVertex) {
+  auto d = cornell(8);
+  const uint64_t key = bench::picture_key(d);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  auto mesh = std::make_shared<Mesh>(*scene->meshes[0].primitives[0].mesh);
+  mesh->positions[0].x += 1e-3f;
+  scene->meshes[0].primitives[0].mesh = mesh;
+  d.scene = scene;
+  EXPECT_NE(bench::picture_key(d), key);
+}
+
+TEST(Reference, IsExtendedToTheSameBits) {
+  const Folder cache;
+  render::Session session({1});
+  const auto d = cornell(12);
+  const auto make = [&](uint32_t samples, const fs::path& folder) {
+    return bench::render_reference(session, d, {0, samples}, folder, go_on);
+  };
+  const Reference brief = make(4, cache.path());
+  EXPECT_EQ(brief.samples, 4u);
+  EXPECT_TRUE(fs::exists(brief.file));
+  const Reference longer = make(20, cache.path()), whole = make(20, {});
+  EXPECT_EQ(longer.samples, 20u);
+  EXPECT_EQ(longer.file, brief.file);
+  EXPECT_EQ(whole.file, "");
+  EXPECT_EQ(longer.rgb(), whole.rgb());
+  // More than enough is taken as it is.
+  EXPECT_EQ(make(8, cache.path()).samples, 20u);
+}
+
+// The halves of a pixel say little about one pixel's error; over thousands of them the estimate stands.
+TEST(Reference, IsBetterTheLongerItIsMade) {
+  render::Session session({2});
+  const auto error = [&](uint32_t samples) {
+    return bench::render_reference(session, cornell(64), {0, samples}, {}, go_on).standard_error();
+  };
+  EXPECT_LT(error(128), 0.6 * error(8));
+}
+
+TEST(Reference, ADamagedCacheIsMadeAnew) {
+  const Folder cache;
+  render::Session session({1});
+  const auto d = cornell(12);
+  const auto first = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
+  fs::resize_file(first.file, 100);
+  const auto second = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
+  EXPECT_EQ(second.samples, 4u);
+  EXPECT_EQ(first.rgb(), second.rgb());
+}
+
+TEST(Reference, MayBeCutShort) {
+  render::Session session({1});
+  const auto r =
+      bench::render_reference(session, cornell(12), {0, 1000000}, {}, [](double, const std::string&) { return false; });
+  EXPECT_LT(r.samples, 1000000u);
+  EXPECT_EQ(r.rgb().size(), 12u * 12 * 3);
+}
+
+TEST(Run, MeasuresAtEqualSamplesTheSameEachTime) {
+  render::Session session({2});
+  const auto d = cornell(12);
+  const Reference reference = bench::render_reference(session, d, {0, 64}, {}, go_on);
+  const Plan plan{*bench::parse_methods("path,path-pure:sampler=random", d), 0, 12, 3, 1};
+  const auto a = bench::run(session, plan, reference, go_on), b = bench::run(session, plan, reference, go_on);
+  ASSERT_EQ(a.methods.size(), 2u);
+  for (size_t m = 0; m < 2; ++m) {
+    ASSERT_EQ(a.methods[m].curves.repeats.size(), 3u);
+    for (size_t r = 0; r < 3; ++r) {
+      const auto &x = a.methods[m].curves.repeats[r].points, &y = b.methods[m].curves.repeats[r].points;
+      ASSERT_EQ(x.size(), 7u);
+      for (size_t i = 0; i < 7; ++i) {
+        EXPECT_EQ(x[i].mse, y[i].mse);
+        EXPECT_EQ(x[i].spp, (std::array{1, 2, 3, 4, 6, 8, 12})[i]);
+        EXPECT_GT(x[i].seconds, i > 0 ? x[i - 1].seconds : 0);
+      }
+    }
+    // Repeats have seeds of their own.
+    EXPECT_NE(a.methods[m].curves.repeats[0].points[6].mse, a.methods[m].curves.repeats[1].points[6].mse);
+  }
+}
+
+TEST(Run, MethodsTakeTurns) {
+  render::Session session({1});
+  const auto d = cornell(8);
+  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, go_on);
+  const Plan plan{*bench::parse_methods("path,path-pure", d), 0, 2, 2, 0};
+  std::vector<std::string> order;
+  double last = 0;
+  bench::run(session, plan, reference, [&](double done, const std::string& what) {
+    if (order.empty() || order.back() != what) order.push_back(what);
+    last = done;
+    return true;
+  });
+  EXPECT_EQ(order, (std::vector<std::string>{"path, repeat 1 of 2", "path-pure, repeat 1 of 2", "path, repeat 2 of 2",
+                                             "path-pure, repeat 2 of 2"}));
+  EXPECT_LE(last, 1);
+}
+
+TEST(Run, ABudgetOfSecondsIsKept) {
+  render::Session session({2});
+  const auto d = cornell(16);
+  const Reference reference = bench::render_reference(session, d, {0, 16}, {}, go_on);
+  const Plan plan{*bench::parse_methods("path", d), 0.1, 0, 1, 0};
+  const auto outcome = bench::run(session, plan, reference, go_on);
+  const auto& end = outcome.methods[0].curves.repeats[0].points.back();
+  EXPECT_NEAR(end.seconds, 0.1, 0.05);
+  EXPECT_GT(end.spp, 1);
+}
+
+TEST(Run, AnUnwantedRunLeavesWholeRepeats) {
+  render::Session session({1});
+  const auto d = cornell(8);
+  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, go_on);
+  const Plan plan{*bench::parse_methods("path", d), 0, 64, 100, 0};
+  const auto outcome = bench::run(session, plan, reference,
+                                  [](double, const std::string& what) { return !what.starts_with("path, repeat 3"); });
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_EQ(outcome.methods[0].curves.repeats.size(), 2u);
+}
+
+// Random sampling has a slope of -1/2 over samples and no bias; cutting paths short has a bias that repeats show. Five
+// standard errors of five degrees of freedom are left in one of 240 seeds, each.
+TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
+  render::Session session({2});
+  const auto d = cornell(16);
+  const Reference reference = bench::render_reference(session, d, {0, 4096}, {}, go_on);
+  const Plan plan{*bench::parse_methods("path:sampler=random,path:max-depth=2", d), 0, 128, 6, 4};
+  const auto outcome = bench::run(session, plan, reference, go_on);
+  const auto good = bench::summary_of(outcome.methods[0], reference, {});
+  EXPECT_NEAR(good.slope_over_samples.value, -0.5, 5 * good.slope_over_samples.standard_error);
+  EXPECT_LT(good.slope_over_samples.standard_error, 0.1);
+  EXPECT_NEAR(good.bias.value, 0, 5 * good.bias.standard_error);
+  EXPECT_FALSE(good.too_noisy);
+  // Connections to a lamp on the ceiling are bounded.
+  ASSERT_TRUE(good.khat);
+  EXPECT_FALSE(good.heavy_tail);
+  const auto dark = bench::summary_of(outcome.methods[1], reference, {});
+  EXPECT_LT(dark.bias.value, -20 * dark.bias.standard_error);
+  ASSERT_TRUE(good.split && dark.split);
+  EXPECT_GT(dark.split->squared_bias, 3 * dark.split->variance);
+  EXPECT_LT(std::abs(good.split->squared_bias), 0.5 * good.split->variance);
+  EXPECT_GT(dark.flip, good.flip);
+}
+
+TEST(Report, OfNothingIsSound) {
+  render::Session session({1});
+  const auto d = cornell(8);
+  const Reference reference = bench::render_reference(session, d, {0, 2}, {}, go_on);
+  const Plan plan{*bench::parse_methods("path,path-pure", d), 0, 2, 1, 0};
+  const auto outcome = bench::run(session, plan, reference, [](double, const std::string&) { return false; });
+  const Folder folder;
+  const auto written = bench::write_report(folder.path(), {d, plan, reference, outcome, 1});
+  ASSERT_TRUE(written) << written.error().message;
+  std::ifstream file(folder.path() / "summary.json");
+  const auto j = nlohmann::json::parse(file);
+  EXPECT_EQ(j["methods"].size(), 2u);
+  EXPECT_TRUE(j["methods"][0]["slope"].is_null());
+}
+
+TEST(Base64, IsThatOfTheStandard) {
+  const auto of = [](const std::string& text) { return base64(std::as_bytes(std::span(text))); };
+  EXPECT_EQ(of(""), "");
+  EXPECT_EQ(of("f"), "Zg==");
+  EXPECT_EQ(of("fo"), "Zm8=");
+  EXPECT_EQ(of("foo"), "Zm9v");
+  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+}
+
+}  // namespace
+}  // namespace etendue::test

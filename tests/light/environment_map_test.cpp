@@ -1,0 +1,156 @@
+// Environment maps: interpolation between texels, and the sampling density.
+#include "light/sampling/environment_map.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "support/chi_square.h"
+
+namespace etendue {
+namespace {
+
+Environment environment(int width, int height, const std::function<Rgb(int x, int y)>& texel) {
+  auto map = std::make_shared<image::Image>();
+  map->width = width;
+  map->height = height;
+  map->channels = 3;
+  map->type = image::PixelType::float32;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c) map->floats.push_back(texel(x, y)[c]);
+  Environment e;
+  e.map = map;
+  e.tint = Rgb(1);
+  return e;
+}
+
+// A dark map with one bright texel, like the sun.
+Environment one_bright_texel(int at_x, int at_y) {
+  return environment(16, 8, [&](int x, int y) { return Rgb(x == at_x && y == at_y ? 1000.0f : 0.001f); });
+}
+
+Environment noise(int width, int height) {
+  return environment(width, height, [](int x, int y) {
+    const auto n = static_cast<float>((x * 7 + y * 13) % 11);
+    return Rgb(n, n * 0.5f, 11 - n);
+  });
+}
+
+Vec3 direction_at(float u, float v) {
+  const float theta = v * kPi;
+  const float phi = (u - 0.5f) * 2 * kPi;
+  return {std::cos(phi) * std::sin(theta), std::cos(theta), std::sin(phi) * std::sin(theta)};
+}
+
+// A low-discrepancy sequence in the unit square (R2).
+Vec2 spread(int i) {
+  const double a = 0.7548776662466927 * (i + 0.5);
+  const double b = 0.5698402909980532 * (i + 0.5);
+  return {static_cast<float>(a - std::floor(a)), static_cast<float>(b - std::floor(b))};
+}
+
+TEST(EnvironmentMap, EqualsTheTexelAtItsCentre) {
+  const EnvironmentMap map(environment(8, 4, [](int x, int y) { return Rgb(static_cast<float>(10 * y + x)); }));
+  EXPECT_NEAR(map.radiance(direction_at(5.5f / 8, 2.5f / 4)).r, 25, 1e-3f);
+}
+
+TEST(EnvironmentMap, InterpolatesBetweenTexels) {
+  const EnvironmentMap map(environment(8, 4, [](int x, int y) { return Rgb(static_cast<float>(10 * y + x)); }));
+  EXPECT_NEAR(map.radiance(direction_at(5.75f / 8, 2.25f / 4)).r, 22.75f, 1e-3f);
+}
+
+TEST(EnvironmentMap, WrapsAroundWithoutASeam) {
+  const EnvironmentMap map(environment(8, 4, [](int x, int) { return Rgb(x == 0 ? 1.0f : x == 7 ? 3.0f : 0.0f); }));
+  EXPECT_NEAR(map.radiance(direction_at(0.0f, 0.5f)).r, 2, 1e-3f);
+  EXPECT_NEAR(map.radiance(direction_at(0.25f / 8, 0.5f)).r, 1.5f, 1e-3f);
+  EXPECT_NEAR(map.radiance(direction_at(1 - 0.25f / 8, 0.5f)).r, 2.5f, 1e-3f);
+}
+
+TEST(EnvironmentMap, RepeatsTheLastRowUpToThePole) {
+  const EnvironmentMap map(environment(8, 4, [](int, int y) { return Rgb(static_cast<float>(y)); }));
+  EXPECT_NEAR(map.radiance(direction_at(0.3f, 0.05f)).r, 0, 1e-3f);
+  EXPECT_NEAR(map.radiance(direction_at(0.3f, 0.95f)).r, 3, 1e-3f);
+}
+
+// Chi-square test, 0.05 % false alarms over all maps. No bright texel at a pole: there the density per solid angle has
+// no limit, and the cells of the test could not be integrated.
+TEST(EnvironmentMap, SamplesWithItsDensity) {
+  for (const Environment& e :
+       {noise(5, 3), noise(16, 8), noise(1, 1), one_bright_texel(3, 2), one_bright_texel(0, 4)}) {
+    const EnvironmentMap map(e);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit(0, kOneMinusEpsilon);
+    const auto result = test::chi_square_on_sphere(
+        [&](Vec3& d) {
+          const float x = unit(random);
+          d = map.sample(Vec2(x, unit(random))).direction;
+          return true;
+        },
+        [&](const Vec3& d) { return map.pdf_solid_angle(d); }, 200000);
+    EXPECT_GT(result.p_value, 1e-4) << e.map->width << " x " << e.map->height;
+  }
+}
+
+TEST(EnvironmentMap, ASampleHasTheDensityOfItsDirection) {
+  const EnvironmentMap map(noise(16, 8));
+  for (int i = 0; i < 1000; ++i) {
+    const auto s = map.sample(spread(i));
+    EXPECT_NEAR(map.pdf_solid_angle(s.direction), s.pdf_solid_angle, 1e-2f * s.pdf_solid_angle);
+  }
+}
+
+TEST(EnvironmentMap, EstimatesItsIntegral) {
+  const EnvironmentMap map(one_bright_texel(3, 2));
+  double sampled = 0;
+  double uniform = 0;
+  constexpr int kSamples = 200000;
+  for (int i = 0; i < kSamples; ++i) {
+    const auto s = map.sample(spread(i));
+    sampled += map.radiance(s.direction).g / s.pdf_solid_angle / kSamples;
+    const Vec2 u = spread(i);
+    uniform += map.radiance(direction_at(u.x, std::acos(1 - 2 * u.y) * kInvPi)).g * 4 * kPi / kSamples;
+  }
+  EXPECT_NEAR(sampled, uniform, 0.005 * uniform);
+}
+
+// Next to a bright texel the interpolated radiance is high within a dark texel: the density has to follow.
+TEST(EnvironmentMap, RadianceOverDensityIsBounded) {
+  const EnvironmentMap map(one_bright_texel(3, 2));
+  double mean = 0;
+  float largest = 0;
+  constexpr int kSamples = 100000;
+  for (int i = 0; i < kSamples; ++i) {
+    const Vec2 u = spread(i);
+    const Vec3 d = direction_at(u.x, u.y);
+    if (const float pdf = map.pdf_solid_angle(d); pdf > 0) largest = std::max(largest, map.radiance(d).g / pdf);
+    const auto s = map.sample(u);
+    mean += map.radiance(s.direction).g / s.pdf_solid_angle / kSamples;
+  }
+  EXPECT_LT(largest, 2 * mean);
+}
+
+// Radiance up to the largest float: squares of such values overflow, densities do not.
+TEST(EnvironmentMap, DensityIsIndependentOfScale) {
+  const auto scaled = [](float scale) {
+    return EnvironmentMap(environment(8, 4, [&](int x, int y) { return Rgb(scale * static_cast<float>(1 + x + y)); }));
+  };
+  const EnvironmentMap bright = scaled(3e37f);
+  const EnvironmentMap dim = scaled(1);
+  for (int i = 0; i < 100; ++i) {
+    const auto a = bright.sample(spread(i));
+    const auto b = dim.sample(spread(i));
+    EXPECT_LT(glm::distance(a.direction, b.direction), 1e-4f);
+    EXPECT_NEAR(a.pdf_solid_angle, b.pdf_solid_angle, 1e-3f * b.pdf_solid_angle);
+  }
+}
+
+TEST(EnvironmentMap, ABlackMapHasNoDensity) {
+  const EnvironmentMap map(environment(4, 2, [](int, int) { return Rgb(0); }));
+  EXPECT_EQ(map.pdf_solid_angle(direction_at(0.3f, 0.4f)), 0);
+  EXPECT_EQ(map.sample(Vec2(0.3f, 0.4f)).pdf_solid_angle, 0);
+}
+
+}  // namespace
+}  // namespace etendue

@@ -1,0 +1,26 @@
+// Presets of lights have the luminous flux or the illuminance that they state.
+#include "light/light_presets.h"
+
+#include <gtest/gtest.h>
+
+namespace etendue {
+namespace {
+
+TEST(LightPresets, HaveTheirAmount) {
+  for (const LightPreset& preset : kLightPresets) {
+    int fitting = 0;
+    for (const LightTypeInfo& type : light_type_infos()) {
+      const Light light = make_light(type.description.name);
+      if (!fits(preset, light)) continue;
+      ++fitting;
+      const Light set = with_preset(light, preset, Efficacy::standard);
+      const Rgb amount = preset.sun ? set.color * set.intensity() : set.flux();
+      EXPECT_NEAR(photometric(amount, Efficacy::standard), preset.amount, 1e-4 * preset.amount)
+          << preset.name << " of " << type.description.name;
+    }
+    EXPECT_GT(fitting, 0) << preset.name;
+  }
+}
+
+}  // namespace
+}  // namespace etendue

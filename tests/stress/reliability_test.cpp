@@ -1,0 +1,56 @@
+// Verdicts through the whole renderer, with error rates: seeds are fixed, so the counts are always the same.
+#include <gtest/gtest.h>
+
+#include "render/session.h"
+#include "stress/cases/light_that_touches_a_wall.h"
+#include "support/scenes.h"
+
+namespace etendue::stress {
+namespace {
+
+using render::Verdict;
+
+constexpr int kRuns = 100;
+
+// How many of kRuns small renderings get this verdict.
+int count(render::Document d, const std::string& method, uint32_t samples, Verdict verdict) {
+  d = Lab::with_method(d, method);
+  d.limits = {samples, 0, 0};
+  int found = 0;
+  render::Session session({.threads = 1});
+  for (int i = 0; i < kRuns; ++i) {
+    d.seed = static_cast<uint64_t>(i) + 1;
+    session.submit(d);
+    session.finish();
+    found += session.status().reliability->verdict == verdict ? 1 : 0;
+  }
+  return found;
+}
+
+// k = 1: missed in 6 % at most at 64 samples a pixel, in 20 % at 16.
+TEST(Reliability, InfiniteVarianceIsCalledUnreliable) {
+  const auto d = wall_on_a_light(Lab({}), 12);
+  for (const char* method : {"raycast:lights=one", "raycast:lights=one:sampler=random"}) {
+    EXPECT_GE(count(d, method, 64, Verdict::unreliable), 94) << method;
+    EXPECT_GE(count(d, method, 16, Verdict::unreliable), 80) << method;
+  }
+}
+
+// An even light whose samples share with the directions of the BSDF, and scenes that are known to be tame: no false
+// alarm in 600.
+TEST(Reliability, WhatIsBoundedIsHealthy) {
+  const auto inside = look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1);
+  for (const uint32_t samples : {16U, 64U}) {
+    EXPECT_EQ(count(wall_on_a_light(Lab({}), 1), "path", samples, Verdict::healthy), kRuns) << samples;
+    EXPECT_EQ(count(test::document(scene::furnace(0.5f), inside, 32, 32), "path", samples, Verdict::healthy), kRuns);
+    EXPECT_EQ(count(test::cornell(24), "path", samples, Verdict::healthy), kRuns) << samples;
+  }
+}
+
+TEST(Reliability, TooFewSamplesAreNoVerdict) {
+  EXPECT_EQ(count(test::cornell(16), "path", 9, Verdict::unknown), kRuns);
+  EXPECT_EQ(count(test::cornell(16), "path", 10, Verdict::unknown), 0);
+}
+
+}  // namespace
+}  // namespace etendue::stress
