@@ -2,7 +2,7 @@
 
 #include "render/document.h"
 #include "render/scene_saving.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 
 namespace etendue::viewer {
 

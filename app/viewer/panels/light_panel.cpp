@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "light/area_light.h"
 #include "light/light_presets.h"
 #include "render/document.h"
 #include "viewer/actions/action.h"
@@ -22,16 +23,11 @@ namespace {
 
 constexpr const char* kPresetItem = "light.preset";
 
-const char* type_label(const Light& light) {
-  constexpr const char* kLabels[] = {"point", "spot", "directional", "quad", "disk", "sphere", "ambient"};
-  return kLabels[static_cast<size_t>(light.type)];
-}
-
 void list_lights(AppState& state, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.lights.size(); ++i) {
     const Light& light = scene.lights[i];
     const int index = static_cast<int>(i);
-    const std::string text = object_name(light.name, "light", i) + "  (" + type_label(light) + ")";
+    const std::string text = object_name(light.name, "light", i) + "  (" + light.info().description.name + ")";
     ImGui::PushID(index);
     if (ImGui::Selectable(text.c_str(), state.selection.light == index)) state.selection.light = index;
     ImGui::PopID();
@@ -81,17 +77,24 @@ void preset_widget(AppState& state, size_t index, Efficacy efficacy) {
   }
 }
 
+// Returns "W/m\u00b2" for "W/m^2".
+std::string with_superscripts(std::string unit) {
+  if (const size_t position = unit.find("^2"); position != std::string::npos) unit.replace(position, 2, "\u00b2");
+  return unit;
+}
+
 // The power of a light in radiometric and photometric units.
 void light_values(const UiContext& ui, const Light& light, Efficacy efficacy) {
-  const auto both = [&](const char* label, const Rgb& value, const char* unit, const char* photometric_unit) {
-    labelled_value(ui, label, formatted("%.4g %s", static_cast<double>(luminance(value)), unit));
-    labelled_value(ui, "", formatted("%.4g %s", photometric(value, efficacy), photometric_unit));
+  const auto both = [&](const char* label, const Rgb& value, const std::string& unit,
+                        const std::string& photometric_unit) {
+    labelled_value(ui, label, formatted("%.4g %s", static_cast<double>(luminance(value)), unit.c_str()));
+    labelled_value(ui, "", formatted("%.4g %s", photometric(value, efficacy), photometric_unit.c_str()));
   };
-  const Rgb amount = light.color * light.intensity;
-  if (light.type == LightType::point || light.type == LightType::spot) both("Intensity", amount, "W/sr", "cd");
-  if (light.type == LightType::directional) both("Irradiance", amount, "W/m\u00b2", "lx");
-  if (light.is_surface()) both("Radiance", light.radiance(), "W/(m\u00b2 sr)", "cd/m\u00b2");
-  if (const Rgb flux = flux_of(light); !is_black(flux)) both("Flux", flux, "W", "lm");
+  const RadiometricQuantity& quantity = *light.info().description.quantity;
+  const auto surface = light.model->area_light(light.color);
+  both(quantity.name, surface ? surface->radiance : light.color * light.intensity(), with_superscripts(quantity.unit),
+       with_superscripts(quantity.photometric_unit));
+  if (const Rgb flux = light.flux(); !is_black(flux)) both("Flux", flux, "W", "lm");
 }
 
 class LightPanel final : public Panel {

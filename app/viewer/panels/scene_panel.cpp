@@ -47,7 +47,7 @@ bool is_animated(const scene::Scene& scene, int index) {
 void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
   section_widgets(state, "node." + std::to_string(index));
-  if (!scene::in_parts(node.transform))
+  if (!scene::decompose(node.transform))
     note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
   if (is_animated(scene, index))
     note(state.ui, "This transform is animated. Edits to animated channels have no effect.");

@@ -70,7 +70,7 @@ render::Document sample_document() {
   render::Document d;
   if (auto cornell = render::new_document("cornell")) d = std::move(*cornell);
   auto scene = std::make_shared<scene::Scene>(*d.scene);
-  scene->lights.emplace_back().type = LightType::spot;
+  scene->lights.push_back(make_light("spot"));
   d.scene = std::move(scene);
   return d;
 }
