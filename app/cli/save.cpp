@@ -5,7 +5,7 @@
 
 #include "command.h"
 #include "render/scene_saving.h"
-#include "scene/gltf/write.h"
+#include "scene/gltf/save_gltf.h"
 #include "scene/variants.h"
 #include "scene_options.h"
 
@@ -17,11 +17,11 @@ struct Arguments {
   std::string output, variant;
 };
 
-Result<void> keep_variant(scene::Scene& scene, const std::string& name) {
-  const auto choices = scene::variant_choices(scene);
+Result<void> keep_only_variant(scene::Scene& scene, const std::string& name) {
+  const auto choices = scene::variant_labels(scene);
   const auto chosen = std::ranges::find(choices, name);
   if (chosen != choices.end()) {
-    scene::keep_variant(scene, static_cast<int>(chosen - choices.begin()) - 1);
+    scene::keep_only_variant(scene, static_cast<int>(chosen - choices.begin()) - 1);
     return {};
   }
   std::string list;
@@ -34,7 +34,7 @@ Result<void> save(const Arguments& a) {
   if (!document) return document.error();
   scene::Scene scene = render::scene_to_save(*document);
   if (!a.variant.empty())
-    if (auto r = keep_variant(scene, a.variant); !r) return r;
+    if (auto r = keep_only_variant(scene, a.variant); !r) return r;
   std::vector<std::string> warnings;
   auto saved = scene::save_gltf(scene, a.output, &warnings);
   for (const auto& warning : warnings) std::fprintf(stderr, "etendue: %s: %s\n", a.output.c_str(), warning.c_str());

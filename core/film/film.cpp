@@ -14,7 +14,7 @@ Rgb Film::mean(int x, int y) const {
   const Pixel& p = at(x, y);
   const uint32_t n = p.count[0] + p.count[1];
   if (n == 0) return Rgb(0);
-  const bool equal = halves_weigh_the_same(p);
+  const bool equal = has_equal_weights(p);
   const double a = equal ? 0.5 / p.count[0] : 1.0 / n, b = equal ? 0.5 / p.count[1] : a;
   const auto channel = [&](size_t c) { return static_cast<float>(p.sum[0][c] * a + p.sum[1][c] * b); };
   return {channel(0), channel(1), channel(2)};
@@ -30,11 +30,11 @@ Rgb Film::half_buffer_mean(int x, int y, uint32_t half_buffer) const {
 Rgb Film::variance_of_mean(int x, int y) const {
   const Pixel& p = at(x, y);
   if (p.count[0] == 0 || p.count[1] == 0) return Rgb(0);
-  // The mean is w A + (1-w) B. With variances of the halves that fall as 1/n each, (A - B)^2 has the expectation
+  // The mean is w A + (1-w) B. If the variances of the half-buffers fall as 1/n, (A - B)^2 has the expectation
   // s^2 (1/nA + 1/nB), and the mean has the variance s^2 / n where w = nA/n. Where w = 1/2, it has a quarter of that of
   // the difference whatever the variances are.
   const double n = p.count[0] + p.count[1];
-  const double scale = halves_weigh_the_same(p) ? 0.25 : p.count[0] * (p.count[1] / (n * n));
+  const double scale = has_equal_weights(p) ? 0.25 : p.count[0] * (p.count[1] / (n * n));
   const auto channel = [&](size_t c) {
     const double d = p.sum[0][c] / p.count[0] - p.sum[1][c] / p.count[1];
     return static_cast<float>(d * d * scale);

@@ -59,7 +59,7 @@ void SampleAllocation::allocate(const film::TileVariance& variance, uint32_t hal
   const double least = std::exp2(power_);
   const double budget = 2 * least * pixel_count_;
   const auto samples = [&](size_t block, double factor) {
-    return std::max(least, factor * deviation(variance.seen(block, 1 - half, power_)));
+    return std::max(least, factor * deviation(variance.recorded(block, 1 - half, power_)));
   };
   const auto cost = [&](double factor) {
     double sum = 0;
@@ -83,7 +83,7 @@ void SampleAllocation::allocate(const film::TileVariance& variance, uint32_t hal
 void SampleAllocation::advance(const film::TileVariance& variance) {
   if (range_.end < largest_target_) return set_range(range_.end);
   const uint32_t done = 1U << power_;
-  if (uniform_ && power_ < film::TileVariance::kPowers) {
+  if (uniform_ && power_ < film::TileVariance::kEndPower) {
     begin_adaptive(variance);
   } else {
     ++power_;

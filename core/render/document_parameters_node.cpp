@@ -29,12 +29,12 @@ void add_translation(DocumentParameters& list, const std::string& section, size_
 // transform by its parts.
 void add_rotation_and_scale(DocumentParameters& list, const std::string& section, size_t index,
                             const scene::Transform& transform) {
-  const auto parts = scene::in_parts(transform);
+  const auto parts = scene::decompose(transform);
   if (!parts) return;
   const auto edit = [index](Document& d, auto change) {
     edit_scene(d, [&](scene::Scene& s) {
       auto& t = s.nodes[index].transform;
-      if (const auto decomposed = scene::in_parts(t)) {
+      if (const auto decomposed = scene::decompose(t)) {
         t = *decomposed;
         change(t);
       }

@@ -24,13 +24,13 @@ DocumentParameter variant_choice(const scene::Scene& scene) {
   parameter.info.label = "Material variant";
   parameter.info.doc = "The set of materials that the file offers under this name";
   parameter.info.type = ParameterType::choice;
-  parameter.info.options = scene::variant_choices(scene);
+  parameter.info.options = scene::variant_labels(scene);
   parameter.info.option_labels = parameter.info.options;
   parameter.info.default_value = parameter.info.options[static_cast<size_t>(scene.variant + 1)];
   parameter.assign = [options = parameter.info.options](Document& d, const Value& v) {
     const auto chosen = std::ranges::find(options, std::get<std::string>(v));
     const int variant = static_cast<int>(chosen - options.begin()) - 1;
-    edit_scene(d, [&](scene::Scene& s) { scene::show_variant(s, variant); });
+    edit_scene(d, [&](scene::Scene& s) { scene::select_variant(s, variant); });
   };
   return parameter;
 }

@@ -52,7 +52,7 @@ void record_tile_variance(film::Film& film, size_t tile, const PixelBlock& block
     }
   const auto n = static_cast<double>(pixels);
   const double variance = (tile_variance.squares(tile, half) - count * squared_means) / (count - 1.0);
-  tile_variance.keep(tile, half, std::countr_zero(count),
+  tile_variance.record(tile, half, std::countr_zero(count),
                      {static_cast<float>(variance / n), static_cast<float>(means / n), true});
 }
 
