@@ -16,9 +16,9 @@ namespace {
 
 using metrics::MethodCurves;
 
-metrics::Color with_opacity(metrics::Color ink, double opacity) {
-  ink.opacity *= opacity;
-  return ink;
+metrics::Color with_opacity(metrics::Color color, double opacity) {
+  color.opacity *= opacity;
+  return color;
 }
 
 metrics::ChartOptions panel_chart_options(const UiContext& ui, const ConvergenceTask& task, const ImVec2& size) {
@@ -26,9 +26,9 @@ metrics::ChartOptions panel_chart_options(const UiContext& ui, const Convergence
   options.width = static_cast<int>(size.x / ui.scale);
   options.height = static_cast<int>(size.y / ui.scale);
   options.embedded = true;
-  const metrics::Color border = ink_of(ImGui::GetStyleColorVec4(ImGuiCol_Border));
-  options.palette = {.text = ink_of(ui.theme.text),
-                     .quiet = ink_of(ui.theme.secondary_text),
+  const metrics::Color border = chart_color(ImGui::GetStyleColorVec4(ImGuiCol_Border));
+  options.palette = {.text = chart_color(ui.theme.text),
+                     .secondary_text = chart_color(ui.theme.secondary_text),
                      .line = border,
                      .thin_line = with_opacity(border, 0.45)};
   const auto* snapshot = task.result();

@@ -27,8 +27,8 @@ constexpr float kControlWidth = 20;  // times the font size
 
 metrics::ChartPalette chart_palette(const Theme& theme) {
   metrics::ChartPalette palette;
-  palette.text = ink_of(theme.text);
-  palette.secondary_text = ink_of(theme.secondary_text);
+  palette.text = chart_color(theme.text);
+  palette.secondary_text = chart_color(theme.secondary_text);
   palette.grid = palette.secondary_text;
   palette.grid.opacity = 0.7;
   palette.minor_grid = palette.secondary_text;
@@ -164,15 +164,15 @@ class SurfacePanel final : public Panel {
       slices.push_back(measurement->slice);
       albedo_curves.push_back(measurement->audit.albedo);
     }
-    const auto look = look_of(state, chart_size);
+    const auto options = drawing_options(state, chart_size);
     ImGui::SameLine(0, gap);
-    draw_chart(ui, "surface.polar", chart_size, bsdf_analysis::polar_drawing(slices, names, look));
+    draw_chart(ui, "surface.polar", chart_size, bsdf_analysis::polar_drawing(slices, names, options));
     if (ImGui::IsItemHovered())
       tooltip(ui,
               "The BSDF in the plane of incidence as a function of the light direction. The line points to the "
               "camera");
     ImGui::SameLine(0, gap);
-    draw_chart(ui, "surface.albedo", chart_size, bsdf_analysis::albedo_drawing(albedo_curves, names, look));
+    draw_chart(ui, "surface.albedo", chart_size, bsdf_analysis::albedo_drawing(albedo_curves, names, options));
     if (ImGui::IsItemHovered())
       tooltip(ui,
               "Share of the incident light that is scattered, as a function of the angle of incidence. Above 1, "
@@ -196,7 +196,7 @@ class SurfacePanel final : public Panel {
     const SurfaceMeasurement* measurement = state.tasks.surface_analysis->result(side);
     if (!measurement) return;
     const auto drawing =
-        bsdf_analysis::lobe_drawing(measurement->lobes, measurement->slice.degrees, look_of(state, size));
+        bsdf_analysis::lobe_drawing(measurement->lobes, measurement->slice.degrees, drawing_options(state, size));
     const bool dragged = draw_chart(state.ui, side == 0 ? "surface.lobe" : "surface.lobe-pinned", size, drawing);
     if (ImGui::IsItemHovered() && !dragged)
       tooltip(state.ui, "The BSDF f for the view direction \u03c9o. Drag to rotate");
@@ -236,16 +236,16 @@ class SurfacePanel final : public Panel {
                        "sampling for comparison");
   }
 
-  bsdf_analysis::DrawingOptions look_of(const AppState& state, const Vec2& size) const {
-    bsdf_analysis::DrawingOptions look;
+  bsdf_analysis::DrawingOptions drawing_options(const AppState& state, const Vec2& size) const {
+    bsdf_analysis::DrawingOptions options;
     // In units of the interface, so that lines have the same width on all displays.
-    look.width = static_cast<int>(size.x / state.ui.scale);
-    look.height = static_cast<int>(size.y / state.ui.scale);
-    look.palette = chart_palette(state.ui.theme);
-    look.length_scale = state.tasks.surface_analysis->parameters.length;
-    look.azimuth = azimuth_;
-    look.elevation = elevation_;
-    return look;
+    options.width = static_cast<int>(size.x / state.ui.scale);
+    options.height = static_cast<int>(size.y / state.ui.scale);
+    options.palette = chart_palette(state.ui.theme);
+    options.length_scale = state.tasks.surface_analysis->parameters.length;
+    options.azimuth = azimuth_;
+    options.elevation = elevation_;
+    return options;
   }
 
   Thumbnails thumbnails_;

@@ -44,11 +44,11 @@ void LightMeter::update(const TaskContext& context) {
   if (!raster_ || !scene || version_ == version || context.session.status().version != version) return;
   version_ = version;
   const auto& document = context.editor.document();
-  const auto spot = render::meter_point_at(document, *scene, *raster_);
-  if (!spot) return task_.reset();
+  const auto point = render::meter_point_at(document, *scene, *raster_);
+  if (!point) return task_.reset();
   // One thread, because the main rendering continues.
-  const auto work = [document, scene, spot = *spot](const auto& publish, const bench::Progress& progress) {
-    render::measure_light(document, scene, spot, kSamples, 1, [&](const render::MeterReadings& readings) {
+  const auto work = [document, scene, point = *point](const auto& publish, const bench::Progress& progress) {
+    render::measure_light(document, scene, point, kSamples, 1, [&](const render::MeterReadings& readings) {
       publish(readings);
       return progress(static_cast<double>(readings.samples) / kSamples, "");
     });

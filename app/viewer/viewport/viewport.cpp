@@ -116,7 +116,7 @@ void ViewportController::end_drag(AppState& state) {
   if (held) return;
   if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
   if (drag_ == Drag::fly && moved_) {
-    // After a flight, the camera orbits what it looks at. The speed stays.
+    // After a flight, the camera orbits the point at the image centre. The speed stays.
     CameraController& controller = state.viewport.camera_controller;
     const float speed = controller.fly_speed();
     if (const auto scene = state.session->scene()) controller.reset_pivot(state.document().camera, *scene);

@@ -115,11 +115,11 @@ void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corn
   for (const auto& shape : drawing.shapes) std::visit(painter, shape);
 }
 
-ImU32 color_of(const metrics::Color& ink) {
-  return IM_COL32(ink.r, ink.g, ink.b, static_cast<int>(std::lround(255 * ink.opacity)));
+ImU32 color_of(const metrics::Color& color) {
+  return IM_COL32(color.r, color.g, color.b, static_cast<int>(std::lround(255 * color.opacity)));
 }
 
-metrics::Color ink_of(const ImVec4& color) {
+metrics::Color chart_color(const ImVec4& color) {
   const auto byte_of = [](float v) { return static_cast<uint8_t>(std::lround(255 * v)); };
   return {byte_of(color.x), byte_of(color.y), byte_of(color.z), static_cast<double>(color.w)};
 }

@@ -10,7 +10,7 @@ namespace etendue::viewer {
 // Text is drawn at the size of `font`, independent of the size in the drawing, because scaled glyphs would be blurred.
 void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
 
-ImU32 color_of(const metrics::Color& ink);
-metrics::Color ink_of(const ImVec4& color);
+ImU32 color_of(const metrics::Color& color);
+metrics::Color chart_color(const ImVec4& color);
 
 }  // namespace etendue::viewer
