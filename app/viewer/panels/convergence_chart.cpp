@@ -29,8 +29,8 @@ metrics::ChartOptions panel_chart_options(const UiContext& ui, const Convergence
   const metrics::Color border = chart_color(ImGui::GetStyleColorVec4(ImGuiCol_Border));
   options.palette = {.text = chart_color(ui.theme.text),
                      .secondary_text = chart_color(ui.theme.secondary_text),
-                     .line = border,
-                     .thin_line = with_opacity(border, 0.45)};
+                     .grid = border,
+                     .minor_grid = with_opacity(border, 0.45)};
   const auto* snapshot = task.result();
   const bool equal_time = snapshot && snapshot->rule == bench::Rule::equal_time;
   if (snapshot && equal_time == (options.abscissa == metrics::Abscissa::seconds))
