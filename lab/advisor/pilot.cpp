@@ -114,7 +114,7 @@ class Runner {
 std::optional<render::Prediction> Pilot::time_to(double rmse) const {
   for (const Measurement& m : measurements)
     if (m.rmse <= rmse) return render::Prediction{m.seconds, {m.seconds, m.seconds}};
-  return estimator.until(rmse, 0);
+  return estimator.time_to(rmse, 0);
 }
 
 Pilots run_pilots(render::Session& session, const std::vector<bench::MethodSpec>& methods, const PilotPlan& plan,

@@ -58,7 +58,7 @@ class Runner {
       result.mean_image[i] += (static_cast<double>(image[i]) - result.mean_image[i]) / n;
     result.curves.repeats.push_back(std::move(curve));
     result.image = std::move(image);
-    result.reliability = status.health;
+    result.reliability = status.reliability;
   }
 
   bool report(size_t method, int repeat, const render::Status& s) const {

@@ -28,7 +28,8 @@ std::string changed_settings(const render::Document& d) {
   if (!d.origin) return "";
   std::string text;
   for (const auto& section : render::sections(d)) {
-    const auto current = render::bindings(d, section), original = render::bindings(*d.origin, section);
+    const auto current = render::section_parameters(d, section),
+               original = render::section_parameters(*d.origin, section);
     for (size_t i = 0; i < current.size(); ++i) {
       const ParameterInfo& info = current[i].info;
       const bool is_same = i < original.size() && original[i].info.default_value == info.default_value;

@@ -75,7 +75,7 @@ film::Tail TestContext::tail(const render::Document& document, uint32_t samples)
   session.submit(limited);
   session.finish();
   image_ = thumbnail_of(session.film_copy());
-  return session.status().health->tail;
+  return session.status().reliability->tail;
 }
 
 double TestContext::squared_error(const render::Document& document, uint32_t samples) {
