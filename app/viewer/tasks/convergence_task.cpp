@@ -84,7 +84,7 @@ void ConvergenceTask::resume(const TaskContext& context) {
   if (!can_resume()) return;
   set_running(context);
   resumed_from_ = benchmark_->snapshot();
-  benchmark_->go_on();
+  benchmark_->resume();
 }
 
 void ConvergenceTask::set_running(const TaskContext& context) {

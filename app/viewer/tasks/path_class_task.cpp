@@ -20,7 +20,7 @@ IntegratorCoverage::Found found_part(const advisor::DeclaredPaths& declared, con
   const auto missing = advisor::missing_paths(declared, single_row);
   if (missing.none()) return IntegratorCoverage::Found::all;
   const auto& missing_class = missing.classes.front();
-  const bool in_part = missing_class.part || missing_class.points;
+  const bool in_part = missing_class.partial || missing_class.from_point_lights;
   return in_part ? IntegratorCoverage::Found::part : IntegratorCoverage::Found::none;
 }
 
