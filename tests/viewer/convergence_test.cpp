@@ -1,4 +1,4 @@
-// Methods against each other, as a user meets them: press compare, watch, read, export.
+// The Convergence panel: comparison of methods, its curves, and their export.
 #include <cstdlib>
 #include <sstream>
 
@@ -7,20 +7,20 @@
 namespace etendue {
 namespace {
 
-// Until every method has so many samples; and until all is at rest and written.
+// Waits until each method has this many samples; and until the comparison has stopped and files are written.
 json compared(int samples) { return {{"do", "wait"}, {"compared", samples}}; }
 const json kAtRest = {{"do", "wait"}, {"for", "contest"}};
 
-class Contested : public Viewer {
+class ConvergencePanel : public Viewer {
  protected:
   void SetUp() override {
     Viewer::SetUp();
     ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);  // references of tests are nobody's
   }
 
-  // Two methods that go on until they are stopped.
+  // A comparison of two methods that runs until it is stopped.
   static json begun() {
-    return joined(small(), json::array({click("sheet.convergence"), set("compare.seconds", 1000),
+    return joined(small(), json::array({click("panel.convergence"), set("compare.seconds", 1000),
                                         click("compare.start"), compared(8)}));
   }
   json exported(const std::string& name) const {
@@ -35,7 +35,7 @@ class Contested : public Viewer {
   }
 };
 
-TEST_F(Contested, MethodsTakeTurnsAndCurvesCanBeTakenAway) {
+TEST_F(ConvergencePanel, MethodsAreRenderedInTurnsAndCurvesAreExported) {
   auto steps =
       joined(begun(), json::array({file_step("state", path("begun.json")), file_step("screenshot", path("chart.png")),
                                    click("compare.stop"), kAtRest, file_step("state", path("stopped.json"))}));
@@ -60,7 +60,7 @@ TEST_F(Contested, MethodsTakeTurnsAndCurvesCanBeTakenAway) {
     EXPECT_GE(on["methods"][m]["samples"], stopped["methods"][m]["samples"]);
   }
   EXPECT_GT(stopped["reference"]["samples"], 1);
-  // The main rendering waits as long as they take turns.
+  // The main rendering is paused during the comparison.
   EXPECT_TRUE(state("begun.json")["paused"]);
   EXPECT_FALSE(state("stopped.json")["paused"]);
   EXPECT_EQ(state("begun.json")["comparison"]["mode"], "wipe");
@@ -74,10 +74,10 @@ TEST_F(Contested, MethodsTakeTurnsAndCurvesCanBeTakenAway) {
   EXPECT_TRUE(image::read_linear(path("a.png")));
 }
 
-TEST_F(Contested, AListIsMadeByHandAndAnEqualNumberOfSamplesIsKept) {
+TEST_F(ConvergencePanel, MethodsOfTheListGetEqualSamples) {
   const auto steps = joined(
       small(),
-      json::array({click("sheet.convergence"), set("compare.rule", "samples"), set("compare.samples", 6),
+      json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 6),
                    set("compare.repeats", 2), set("compare.integrator", "path-pure"), set("compare.sampler", "sobol"),
                    click("compare.add"), click("compare.add"), click("compare.remove.1"), click("compare.start"),
                    kAtRest, file_step("state", path("s.json"))}));
@@ -90,7 +90,7 @@ TEST_F(Contested, AListIsMadeByHandAndAnEqualNumberOfSamplesIsKept) {
   for (const auto& m : contest["methods"]) EXPECT_EQ(m["samples"], 6);
 }
 
-TEST_F(Contested, AnEditOfTheSceneEndsItAndTheCurvesStay) {
+TEST_F(ConvergencePanel, EditOfTheSceneStopsTheComparisonAndKeepsTheCurves) {
   const auto steps = joined(begun(), json::array({set("camera.exposure", 1),
                                                   file_step("state", path("exposed.json")),
                                                   set("material.5.metallic", 1),
@@ -100,7 +100,7 @@ TEST_F(Contested, AnEditOfTheSceneEndsItAndTheCurvesStay) {
                                                   compared(1),
                                                   file_step("state", path("again.json"))}));
   ASSERT_EQ(run(steps), 0);
-  // What changes no light is no edit of the scene.
+  // An edit of the display does not stop it.
   EXPECT_TRUE(state("exposed.json")["contest"]["running"]);
   const auto edited = state("edited.json");
   EXPECT_FALSE(edited["contest"]["running"]);

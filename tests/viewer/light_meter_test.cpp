@@ -1,4 +1,4 @@
-// The light meter and lamps that people know, as a user meets them.
+// The light meter and the light presets.
 #include <cmath>
 
 #include "scripted.h"
@@ -9,9 +9,9 @@ namespace {
 json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
 
-class Meter : public Viewer {};
+class LightMeterPanel : public Viewer {};
 
-TEST_F(Meter, MeasuresWhereTheHandClicks) {
+TEST_F(LightMeterPanel, MeasuresAtTheClickedPoint) {
   const auto steps =
       joined(small(1), steps_of({file_step("state", path("before.json")),
                                  click("meter.pick"),
@@ -29,13 +29,14 @@ TEST_F(Meter, MeasuresWhereTheHandClicks) {
   const auto a = state("a.json")["meter"], b = state("b.json")["meter"];
   ASSERT_TRUE(a["whole"].get<bool>() && b["whole"].get<bool>());
   EXPECT_GT(a["irradiance"]["value"][0].get<double>(), 0);
-  // The walls have lost their red: less of it arrives, and the reading says so by itself.
+  // The walls reflect less red, so less arrives. The measurement restarts by itself.
   EXPECT_LT(b["irradiance"]["value"][0].get<double>(), a["irradiance"]["value"][0].get<double>());
-  EXPECT_EQ(state("a.json")["undo_depth"], state("before.json")["undo_depth"]) << "measuring is no edit";
+  EXPECT_EQ(state("a.json")["undo_depth"], state("before.json")["undo_depth"])
+      << "measuring must not edit the document";
 }
 
-// A lamp that people know, as one step.
-TEST_F(Meter, PresetsSetAmountAndColour) {
+// A preset is one step of undo.
+TEST_F(LightMeterPanel, PresetSetsIntensityAndColour) {
   const auto steps =
       joined(small(1), steps_of({click("tab.light"), click("light.choose.0"), file_step("state", path("before.json")),
                                  set("light.preset", "bulb-60"), file_step("state", path("bulb.json")), key("ctrl+z"),
@@ -43,7 +44,7 @@ TEST_F(Meter, PresetsSetAmountAndColour) {
   ASSERT_EQ(run(steps, "spot-indirect"), 0);
   const auto bulb = state("bulb.json")["parameters"];
   const auto number = [&](const char* name) { return bulb[std::string("light.0.") + name].get<double>(); };
-  // Full within the inner cone; a third of what is between them, as the falloff is the square of t.
+  // Full intensity within the inner cone; a third of it between the cones, because the falloff is t^2.
   const double inner = std::cos(number("inner-cone")), outer = std::cos(number("outer-cone"));
   const double cones = 1 - inner + (inner - outer) / 3;
   const double y = 0.212671 * number("color.r") + 0.71516 * number("color.g") + 0.072169 * number("color.b");
@@ -53,7 +54,9 @@ TEST_F(Meter, PresetsSetAmountAndColour) {
             state("before.json")["parameters"]["light.0.intensity"]);
 }
 
-TEST_F(Meter, NothingToWaitFor) { EXPECT_EQ(run(joined(small(1), steps_of({wait_for("meter")}))), 1); }
+TEST_F(LightMeterPanel, WaitFailsWithoutAMeasurement) {
+  EXPECT_EQ(run(joined(small(1), steps_of({wait_for("meter")}))), 1);
+}
 
 }  // namespace
 }  // namespace etendue

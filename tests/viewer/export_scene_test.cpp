@@ -1,4 +1,4 @@
-// Saving the scene from the window: through the dialog, with the edits in it.
+// Export of the edited scene through the file dialog.
 #include "scene/builtin/builtin.h"
 #include "scene/gltf/load_gltf.h"
 #include "scene/gltf/save_gltf.h"
@@ -7,7 +7,7 @@
 namespace etendue {
 namespace {
 
-class SaveScene : public Viewer {
+class ExportScene : public Viewer {
  protected:
   void SetUp() override {
     Viewer::SetUp();
@@ -15,7 +15,7 @@ class SaveScene : public Viewer {
   }
 };
 
-TEST_F(SaveScene, ThroughTheDialogWithItsEdits) {
+TEST_F(ExportScene, DialogSavesTheEditedScene) {
   const json steps = json::array({{{"do", "wait"}, {"spp", 1}},
                                   set("material.0.roughness", 0.375),
                                   set("camera.lens-radius", 0.0625),
@@ -29,7 +29,7 @@ TEST_F(SaveScene, ThroughTheDialogWithItsEdits) {
   EXPECT_EQ(saved->cameras[0].lens_radius, 0.0625f);
 }
 
-TEST_F(SaveScene, TheShortcutOpensTheDialog) {
+TEST_F(ExportScene, ShortcutOpensTheDialog) {
   const json steps = json::array({{{"do", "wait"}, {"spp", 1}}, key("ctrl+shift+e"), click("files.accept")});
   ASSERT_EQ(run(steps, path("room.glb")), 0);
   EXPECT_TRUE(fs::exists(path("room-saved.glb")));

@@ -1,4 +1,4 @@
-// Many methods, as a user meets them: by key, by what stands in their way, by what they miss, technique by technique.
+// Integrators: shortcuts, incompatibilities, missing paths, statistics, stored photons and techniques.
 #include <algorithm>
 #include <set>
 
@@ -12,9 +12,9 @@ namespace {
 json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
 
-class Methods : public Viewer {
+class Integrators : public Viewer {
  protected:
-  // Expects that the script ends at its last step, with these words.
+  // Expects that the last step of the script fails with this message.
   void expect_refusal(const json& steps, const std::string& words) {
     ::testing::internal::CaptureStderr();
     EXPECT_EQ(run(steps), 1);
@@ -23,7 +23,7 @@ class Methods : public Viewer {
   }
 };
 
-TEST_F(Methods, EveryKeyChoosesTheMethodThatHasIt) {
+TEST_F(Integrators, EachShortcutSelectsItsIntegrator) {
   json steps = small(1);
   std::vector<std::string> names;
   for (const auto& info : integrator::integrator_infos()) {
@@ -36,7 +36,7 @@ TEST_F(Methods, EveryKeyChoosesTheMethodThatHasIt) {
   for (const auto& name : names) EXPECT_EQ(state(name + ".json")["parameters"]["render.integrator"], name);
 }
 
-TEST_F(Methods, NoTwoActionsShareAKey) {
+TEST_F(Integrators, ShortcutsAreUnique) {
   std::set<std::string> keys;
   for (const auto& entry : json::parse(viewer::widgets_json())) {
     if (!entry.contains("shortcut")) continue;
@@ -45,7 +45,7 @@ TEST_F(Methods, NoTwoActionsShareAKey) {
   }
 }
 
-TEST_F(Methods, WhatStandsInTheWayIsSaidUntilItIsGone) {
+TEST_F(Integrators, IncompatibilityIsReportedUntilItIsResolved) {
   const auto steps = joined(small(), steps_of({set("render.integrator", "light-pure"),
                                                {{"do", "wait"}, {"spp", 1}},
                                                file_step("state", path("a.json")),
@@ -58,29 +58,29 @@ TEST_F(Methods, WhatStandsInTheWayIsSaidUntilItIsGone) {
   EXPECT_EQ(state("b.json")["obstacle"], "");
 }
 
-TEST_F(Methods, AdaptiveSamplingCannotBeTurnedOnWhereItDoesNothing) {
+TEST_F(Integrators, AdaptiveSamplingIsRefusedIfItHasNoEffect) {
   expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), set("render.adaptive", "rmse")})),
                  "does not sample pixel by pixel");
 }
 
-TEST_F(Methods, PixelsOfAMethodThatHasNoneCannotBeWaitedFor) {
-  expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), click("sheet.sampling"),
+TEST_F(Integrators, WaitForPixelFailsIfTheIntegratorHasNoPixelSamples) {
+  expect_refusal(joined(small(), steps_of({set("render.integrator", "light"), click("panel.sampling"),
                                            click("sampling.pick"), wait_for("pixel")})),
                  "no sample of this integrator belongs to one pixel");
 }
 
-TEST_F(Methods, WhatAMethodMissesIsMeasuredByItself) {
+TEST_F(Integrators, MissingPathsAreMeasuredAutomatically) {
   const auto steps = joined(
       small(), steps_of({set("render.integrator", "raycast"), wait_for("misses"), file_step("state", path("a.json")),
                          set("render.integrator", "path"), wait_for("misses"), file_step("state", path("b.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_GT(state("a.json")["misses"].get<double>(), 0.05);
   EXPECT_EQ(state("b.json")["misses"], 0);
-  // Nobody asked for the table of paths.
+  // The table of path classes was not measured.
   EXPECT_TRUE(state("a.json")["paths"]["rows"].empty());
 }
 
-TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
+TEST_F(Integrators, DisabledTechniquesAreEditedAsTextAndUndone) {
   const auto steps = joined(small(), steps_of({set("render.integrator", "bdpt"), set("bdpt.without", "0,*"),
                                                file_step("state", path("a.json")), key("ctrl+z"),
                                                file_step("state", path("b.json")), click("bdpt.without"), key("1"),
@@ -93,7 +93,7 @@ TEST_F(Methods, SetsOfTechniquesAreTypedAndUndone) {
                  "is no technique");
 }
 
-TEST_F(Methods, WhatOneKnowsOfItsOwnWorkIsTold) {
+TEST_F(Integrators, StatisticsOfTheIntegratorAreReported) {
   const auto& infos = integrator::integrator_infos();
   const auto chains = std::ranges::find(infos, integrator::Group::markov_chain, &integrator::IntegratorInfo::group);
   ASSERT_NE(chains, infos.end());
@@ -106,7 +106,7 @@ TEST_F(Methods, WhatOneKnowsOfItsOwnWorkIsTold) {
   EXPECT_FALSE(state("b.json")["statistics"].empty());
 }
 
-TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
+TEST_F(Integrators, PhotonsAreDrawnAtTheirPositions) {
   const auto steps = joined(small(2), steps_of({set("render.integrator", "photonmap"),
                                                 {{"do", "wait"}, {"spp", 2}},
                                                 file_step("screenshot", path("without.png")),
@@ -132,7 +132,7 @@ TEST_F(Methods, PhotonsAreShownWhereTheyLie) {
 class Techniques : public Viewer {
  protected:
   static json pyramid(bool weighted) {
-    return joined(small(1), steps_of({set("render.integrator", "bdpt"), click("sheet.techniques"),
+    return joined(small(1), steps_of({set("render.integrator", "bdpt"), click("panel.techniques"),
                                       set("techniques.samples", 8), set("techniques.longest", 3),
                                       set("techniques.weighted", weighted), wait_for("techniques")}));
   }
@@ -143,7 +143,7 @@ class Techniques : public Viewer {
   }
 };
 
-TEST_F(Techniques, TheirPicturesAddUpToThatOfTheMethod) {
+TEST_F(Techniques, ImagesAddUpToTheImageOfTheIntegrator) {
   auto steps = joined(pyramid(true),
                       steps_of({set("bdpt.max-depth", 3), wait_for("techniques"), file_step("state", path("a.json")),
                                 file_step("screenshot", path("a.png")), set("techniques.weighted", false),
@@ -153,15 +153,15 @@ TEST_F(Techniques, TheirPicturesAddUpToThatOfTheMethod) {
   ASSERT_EQ(a["techniques"]["cells"].size(), 12u);
   double sum = 0;
   for (const auto& cell : a["techniques"]["cells"]) sum += cell["mean"].get<double>();
-  // The same random numbers make the same paths.
+  // The same random numbers give the same paths.
   EXPECT_NEAR(sum, a["techniques"]["mean"].get<double>(), 1e-3 * sum);
-  // Without weights each finds all by itself.
+  // Without MIS weights, each technique estimates the whole image.
   for (const auto& [s, t] : {std::pair(0, 3), {1, 2}, {2, 1}}) EXPECT_GT(mean_of(b, s, t), mean_of(a, s, t)) << s << t;
-  // No light falls onto a pinhole.
+  // No light path can hit a pinhole.
   EXPECT_EQ(mean_of(a, 3, 0), 0);
 }
 
-TEST_F(Techniques, AClickLeavesOneToTheOthersAndAnotherBringsItBack) {
+TEST_F(Techniques, ClickDisablesATechniqueAndAnotherEnablesIt) {
   const auto steps = joined(
       pyramid(true),
       steps_of({file_step("state", path("a.json")), click("techniques.cell.1.2"), file_step("state", path("off.json")),
@@ -172,18 +172,18 @@ TEST_F(Techniques, AClickLeavesOneToTheOthersAndAnotherBringsItBack) {
   EXPECT_EQ(state("off.json")["parameters"]["bdpt.without"], "1,2");
   EXPECT_EQ(state("back.json")["parameters"]["bdpt.without"], "");
   EXPECT_EQ(state("all.json")["parameters"]["bdpt.without"], "");
-  // The others have taken over.
+  // The other techniques have its weight.
   EXPECT_EQ(mean_of(state("without.json"), 1, 2), 0);
   EXPECT_GT(mean_of(state("without.json"), 0, 3), mean_of(state("a.json"), 0, 3));
 }
 
-TEST_F(Techniques, AreExportedAsLayersAndAsAGrid) {
+TEST_F(Techniques, ExportAsLayersAndAsAGrid) {
   const auto steps = joined(
       pyramid(true), steps_of({click("techniques.export"), set("files.name", path("t.exr")), click("files.accept"),
                                wait_for("techniques"), click("techniques.export"), set("files.name", path("t.png")),
                                click("files.accept"), wait_for("techniques")}));
   ASSERT_EQ(run(steps), 0);
-  const auto layers = picture("t.exr");
+  const auto layers = saved_image("t.exr");
   EXPECT_TRUE(layers.find("technique.1.2"));
   EXPECT_TRUE(layers.find(""));
   EXPECT_FALSE(layers.find("technique.3.0"));
@@ -192,7 +192,7 @@ TEST_F(Techniques, AreExportedAsLayersAndAsAGrid) {
   EXPECT_EQ(grid->width, 5 * (layers.width + 4) - 4);
 }
 
-TEST(TechniqueSet, OneIsPutInOrTakenOut) {
+TEST(TechniqueSet, AddAndRemove) {
   using viewer::toggled;
   EXPECT_EQ(toggled("", 1, 2), "1,2");
   EXPECT_EQ(toggled("0,3", 1, 2), "0,3 1,2");
