@@ -31,7 +31,7 @@ std::vector<Task*> all_tasks(const AppState& state) {
   return tasks;
 }
 
-// Replaces the environment. Edits that were made while the file was read are kept.
+// Replaces the environment. Edits that were made while the file was read stay in effect.
 void use_environment(AppState& state, const OpenedFile& opened) {
   render::Document changed = state.document();
   auto scene = std::make_shared<scene::Scene>(*changed.scene);

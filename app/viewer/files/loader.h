@@ -24,8 +24,8 @@ class Loader {
  public:
   explicit Loader(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  // Starts to read a file; the file before is abandoned. If it is an environment map, it is added to a copy of
-  // `current`.
+  // Starts to read a file; a file that is still being read is abandoned. If it is an environment map, it is added to a
+  // copy of `current`.
   void open(const std::string& file, const render::Document& current);
   void cancel() { task_.abandon(); }
   bool is_busy() const { return task_.running(); }

@@ -32,7 +32,7 @@ class ItemRegistry {
   const Placement* find(const std::string& name) const;
 
   // --- for scripts
-  // Requests a value for an item; replaces the request before.
+  // Requests a value for an item; replaces the previous request.
   void request(const std::string& name, const std::string& value);
   void cancel_request() { request_.reset(); }
   // The error message of the widget that took the request (empty if it succeeded). Nothing while no widget has

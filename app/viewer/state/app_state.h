@@ -74,7 +74,7 @@ struct ViewportState {
   bool aov_is_uploaded = false;  // the texture of the live image has an AOV
 
   CameraController camera_controller;
-  bool pivot_is_outdated = false;  // it belongs to the document before
+  bool pivot_is_outdated = false;  // it belongs to the previous document
   std::optional<ClickTool> click_tool;
 };
 

@@ -22,7 +22,7 @@ class BackgroundTask {
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-  // Starts the work on a new thread and abandons the work before. `wake` is called on that thread when the result is
+  // Starts the work on a new thread and abandons the previous work. `wake` is called on that thread when the result is
   // available.
   void start(std::function<T()> work, std::function<void()> wake) {
     join_finished();

@@ -1,8 +1,8 @@
 // Measures which light paths the current integrator misses in the current view, and how much energy they carry.
 //
-// The measurement starts when the document has not been edited for a moment. Results are stored while the scene is open,
-// so that switching between integrators measures each one once. An integrator that declares to find all paths needs no
-// measurement.
+// The measurement starts when the document has not been edited for a moment. Results are stored while the scene is
+// open, so that switching between integrators measures each one once. An integrator that declares to find all paths
+// needs no measurement.
 #pragma once
 #include <chrono>
 #include <deque>

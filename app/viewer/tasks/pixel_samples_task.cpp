@@ -87,8 +87,8 @@ class PixelSamplesTask::Accumulator {
     next_recorded_ = next_recorded_count(drawn_);
   }
 
-  // As in the main rendering: the tail statistics use the deviation from the mean of the samples before. The first two
-  // samples are skipped.
+  // As in the main rendering: the tail statistics use the deviation from the mean of the previous samples. The first
+  // two samples are skipped.
   void add_to_tail(double y) {
     if (drawn_ < 2) return;
     const auto deviation = static_cast<float>(y - (half_sums_[0] + half_sums_[1]) / drawn_);

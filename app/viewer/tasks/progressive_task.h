@@ -19,7 +19,7 @@ class ProgressiveTask {
   ProgressiveTask(const ProgressiveTask&) = delete;
   ProgressiveTask& operator=(const ProgressiveTask&) = delete;
 
-  // Cancels the work before. `wake` is called on the thread of the work when there is a new result.
+  // Cancels the previous work. `wake` is called on the thread of the work when there is a new result.
   void start(Work work, const std::function<void()>& wake) {
     cancel();
     taken_.reset();

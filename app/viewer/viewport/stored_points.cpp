@@ -10,7 +10,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr size_t kMaxPoints = 20000;  // more of them would be slow to draw and hard to tell apart
+constexpr size_t kMaxPoints = 20000;  // more of them would be slow to draw and hard to distinguish
 constexpr double kInterval = 0.5;     // seconds between two searches
 // Points lie on surfaces. The visibility ray ignores hits within this share of the distance to the point.
 constexpr float kRelativeTolerance = 1e-3f;
