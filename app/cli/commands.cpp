@@ -15,6 +15,7 @@
   ENTRY(probe)                  \
   ENTRY(save)                   \
   ENTRY(list)                   \
+  ENTRY(manual)                 \
   ENTRY(stress)                 \
   ENTRY(view)
 // clang-format on

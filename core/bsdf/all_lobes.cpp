@@ -26,6 +26,9 @@ AllLobes<Rgb>::AllLobes() { AllLobesAccess::create(*this); }
 void AllLobes<Rgb>::clear() { lobe_set(*this).clear(); }
 bool AllLobes<Rgb>::empty() const { return lobe_set(*this).empty(); }
 int AllLobes<Rgb>::size() const { return lobe_set(*this).size(); }
+void AllLobes<Rgb>::set_relative_eta(float eta, float outside_eta) {
+  lobe_set(*this).set_relative_eta(eta, outside_eta);
+}
 bool AllLobes<Rgb>::has_non_delta_lobe() const { return lobe_set(*this).has_non_delta_lobe(); }
 float AllLobes<Rgb>::min_alpha() const { return lobe_set(*this).min_alpha(); }
 bool AllLobes<Rgb>::has_component(ScatterType type) const { return lobe_set(*this).has_component(type); }

@@ -26,6 +26,7 @@ class AllLobes<Rgb> {
   void clear();
   bool empty() const;
   int size() const;
+  void set_relative_eta(float eta, float outside_eta);
   bool has_non_delta_lobe() const;
   float min_alpha() const;
   bool has_component(ScatterType type) const;

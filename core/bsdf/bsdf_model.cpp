@@ -55,6 +55,12 @@ class BsdfModelOf final : public BsdfModel {
   }
   void add_unprepared_lobes(AllLobes<Rgb>& lobes) const override { model_.add_lobes(Rgb(1), lobe_set(lobes)); }
   bool is_solid() const override { return encloses_solid<Model>(); }
+  float index_of_refraction() const override {
+    if constexpr (encloses_solid<Model>())
+      return model_.eta;
+    else
+      return 1;
+  }
 
  private:
   static constexpr bool kNeedsPreparation = requires(Model model) { model.prepare(); };

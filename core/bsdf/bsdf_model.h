@@ -60,6 +60,8 @@ class BsdfModel {
   virtual void add_unprepared_lobes(AllLobes<Rgb>& lobes) const = 0;
   // Light passes through the surface into a solid body, which the material's attenuation describes.
   virtual bool is_solid() const = 0;
+  // Index of refraction of the solid body; 1 for models without one.
+  virtual float index_of_refraction() const = 0;
 
  protected:
   BsdfModel() = default;

@@ -1,6 +1,7 @@
 // The description of a BSDF model: what menus, `etendue list materials` and the generated manual print.
 #pragma once
 #include <array>
+#include <source_location>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,8 @@ struct BsdfModelDescription {
   const char* sampling = "";     // how directions are sampled
   const char* limitations = "";  // known deviations from physics or from the source
   const char* source = "";       // keys of docs/references.md
+  // The source file that contains the description, for the manual.
+  const char* file = std::source_location::current().file_name();
 };
 
 // A named set of parameter values, such as the optical constants of a metal.

@@ -86,6 +86,18 @@ class LobeSet {
     coatings_.add(count_, layer);
   }
 
+  // Replaces the index of refraction of every dielectric boundary, for a surface between two media. `eta` is the index
+  // inside over the index outside, `outside_eta` the index outside.
+  void set_relative_eta(float eta, float outside_eta) {
+    for (int i = 0; i < count_; ++i)
+      std::visit(
+          [&](auto& lobe) {
+            if constexpr (requires { lobe.set_relative_eta(eta, outside_eta); })
+              lobe.set_relative_eta(eta, outside_eta);
+          },
+          lobes_[static_cast<size_t>(i)]);
+  }
+
   // Whether light sampling can contribute: some lobe is not a delta.
   bool has_non_delta_lobe() const {
     for (int i = 0; i < count_; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <source_location>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,8 @@ struct IntegratorInfo {
   char shortcut = 0;  // the key that selects it in the viewer, '1' to '9'; 0: none
   TechniqueParameters techniques = {};
   std::vector<ParameterInfo> parameters = {};  // filled in by the registry
+  // The source file that contains the description, for the manual.
+  const char* file = std::source_location::current().file_name();
 };
 
 // Something that a method keeps in space: a photon, a virtual light.

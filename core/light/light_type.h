@@ -51,6 +51,7 @@
 //   angle static LightBounds bounds(const AnalyticShape& shape, bool two_sided, float intensity);
 #pragma once
 #include <array>
+#include <source_location>
 
 #include "base/parameter.h"
 
@@ -79,6 +80,8 @@ struct LightTypeDescription {
   const char* sampling;                 // how a receiver samples it
   const char* source;                   // where the definition is from
   bool punctual = false;                // a type of KHR_lights_punctual, of the same name
+  // The source file that contains the description, for the manual.
+  const char* file = std::source_location::current().file_name();
 };
 
 // The parameter `intensity` of a light type.

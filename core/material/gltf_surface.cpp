@@ -50,6 +50,7 @@ Ggx microfacets_at(const SurfaceMaterial& material, const TexturePoint& point, f
 struct CoreParameters {
   Rgb base{0};
   float metallic = 0, roughness = 1, specular = 1, transmission = 0;
+  Rgb specular_color{1};
   Rgb f0{0};  // reflectance of the dielectric at normal incidence, including `specular`
   Ggx facets;
 
@@ -73,8 +74,8 @@ struct CoreParameters {
   p.metallic = unit(metallic);
   p.specular = textured(m.specular, material.specular, point, 3);
   p.transmission = unit(textured(m.transmission, material.transmission, point, 0));
-  const Rgb specular_color = textured(m.specular_color, material.specular_color, point);
-  p.f0 = unit(specular_color * (m.ior == 0 ? 1.0f : f0_from_ior(m.ior))) * p.specular;
+  p.specular_color = textured(m.specular_color, material.specular_color, point);
+  p.f0 = unit(p.specular_color * (m.ior == 0 ? 1.0f : f0_from_ior(m.ior))) * p.specular;
   p.facets = microfacets_at(material, point, p.roughness);
   return p;
 }
@@ -165,6 +166,7 @@ FilmFresnel<Rgb> film_fresnel_at(const SurfaceMaterial& material, const TextureP
 void set_tinted_boundary(const Material& m, const CoreParameters& p, const FilmFresnel<Rgb>& fresnel,
                          TintedBoundary<Rgb>& boundary) {
   boundary.clear_f0 = f0_from_ior(m.ior == 0 ? kPerfectMirrorIor : m.ior);
+  boundary.tint = p.specular_color;
   boundary.f0 = p.f0;
   boundary.f90 = p.specular;
   boundary.film = fresnel.film;

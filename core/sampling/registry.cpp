@@ -23,7 +23,8 @@ Entry entry() {
                .label = description.label,
                .doc = description.doc,
                .parameters = describe_all(defaults.parameters()),
-               .independent = description.independent},
+               .independent = description.independent,
+               .file = description.file},
       .make =
           [](const std::vector<Setting>& settings) {
             auto sampler = std::make_unique<T>();

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <source_location>
 #include <span>
 #include <string>
 #include <string_view>
@@ -64,6 +65,8 @@ struct SamplerDescription {
   const char* label;
   const char* doc;           // its properties and limitations
   bool independent = false;  // its samples are statistically independent
+  // The source file that contains the description, for the manual.
+  const char* file = std::source_location::current().file_name();
 };
 
 // A registered sampler, as shown by `list samplers`, the viewer and the manual.
@@ -71,6 +74,7 @@ struct SamplerInfo {
   std::string name, label, doc;
   std::vector<ParameterInfo> parameters;
   bool independent = false;
+  const char* file;
 };
 
 class Sampler {

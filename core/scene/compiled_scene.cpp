@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "base/vectorize.h"
+#include "scene/facet.h"
 #include "scene/texture_point.h"
 
 namespace etendue::scene {
@@ -78,14 +79,6 @@ struct Facets {
     point.front = facing[i] > 0;
   }
 };
-
-// A bound of the rounding error of a point on a triangle. Intersection uses coordinates relative to the vertices, so
-// the error grows with the distance of the triangle from the origin and with its size.
-[[gnu::always_inline]] inline float offset_bound(const Vec3& position, const Vec3& e1, const Vec3& e2) {
-  const float far = max_component(glm::abs(position));
-  const float size = max_component(glm::abs(e1)) + max_component(glm::abs(e2));
-  return 16 * 0x1p-24f * (far + 2 * size);
-}
 
 // Computes positions, normals and frames.
 ETENDUE_VECTORIZE void shape(Facets& f, size_t count) {
@@ -241,6 +234,36 @@ bool CompiledScene::blocks_ray(uint32_t instance, uint32_t triangle, float u, fl
   const float opacity = material.opacity_at(texture_point(*data.mesh, triangle, u, v));
   if (opacity >= 1) return true;
   return to_unit_float(hash_combine(hash_combine(ray_seed, instance), triangle)) < opacity;
+}
+
+namespace {
+
+// Stops rays at all boundaries of solids, and elsewhere by opacity.
+class SolidOpacityTest final : public OpacityTest {
+ public:
+  explicit SolidOpacityTest(const CompiledScene& scene) : scene_(scene) {}
+  bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t ray_seed) const override {
+    return scene_.instances()[instance].solid != kNoSolid || scene_.blocks_ray(instance, triangle, u, v, ray_seed);
+  }
+
+ private:
+  const CompiledScene& scene_;
+};
+
+}  // namespace
+
+Hit CompiledScene::intersect_solids(const Ray& ray, uint32_t ray_seed, float time) const {
+  if (!solids_->any_has_alpha()) return intersect(ray, ray_seed, time);
+  const SolidOpacityTest opacity(*this);
+  Hit hit;
+  accel_->intersect(ray, &opacity, ray_seed, hit, time);
+  return hit;
+}
+
+void CompiledScene::intersect_solids(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const {
+  if (!solids_->any_has_alpha()) return intersect(packet, count, coherent, seeds);
+  const SolidOpacityTest opacity(*this);
+  accel_->intersect(packet, count, coherent, &opacity, seeds);
 }
 
 std::string CompiledScene::moving() const {

@@ -16,6 +16,8 @@
 #include "material/surface_material.h"
 #include "scene/build_report.h"
 #include "scene/scene.h"
+#include "scene/solids.h"
+#include "scene/start_media.h"
 
 namespace etendue::scene {
 
@@ -31,6 +33,7 @@ struct InstanceData {
   uint32_t node = 0;                  // the object that picking selects
   float cosine_exponent = 0;          // cosine exponent of its emission, see Light
   uint32_t first_light = kNotALight;  // light index of its first triangle
+  uint32_t solid = kNoSolid;          // number of the solid that it bounds
   // The motion, or null. All other members hold at shutter opening. A mesh that deforms is in world space.
   std::shared_ptr<const Motion> motion = nullptr;
   // The analytic shape of a sphere or disk light; the mesh only has its extent then.
@@ -50,6 +53,9 @@ struct SurfacePoint {
   float offset = 0;    // bound of the rounding error of `position`, metres
   bool front = true;   // the ray arrived at the front side
   Vec3 coat{0, 0, 1};  // normal of the clear coat in the shading frame
+  // The media on both sides, null for a vacuum. Set only by transport models with media.
+  const Solid* outside = nullptr;
+  const Solid* inside = nullptr;
 
   // Emitted radiance towards `direction`, relative to the radiance along the normal.
   float beam(const Vec3& direction) const {
@@ -93,6 +99,10 @@ class CompiledScene final : public OpacityTest {
     accel_->occluded(packet, count, opacity(), seeds);
   }
 
+  // The same, but rays stop at all boundaries of solids. The caller tests their opacity with `blocks_ray`.
+  Hit intersect_solids(const Ray& ray, uint32_t ray_seed, float time) const;
+  void intersect_solids(RayPacket& packet, int count, bool coherent, const uint32_t* seeds) const;
+
   // The surface points of hits. wo[i] is the reverse direction of the ray of hits[i], and times[i] its time; without
   // `times` all are at shutter opening.
   void surfaces(std::span<const Vec3> wo, std::span<const Hit> hits, SurfacePoint* points,
@@ -126,6 +136,23 @@ class CompiledScene final : public OpacityTest {
   }
 
   const LightTable& lights() const { return *lights_; }
+  // Empty if paths need no medium state.
+  const Solids& solids() const { return *solids_; }
+  // See Solids::find_interface.
+  bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& interface) const {
+    return solids_->find_interface(*instances_, stack, time, hit, interface);
+  }
+  // The solids that contain the start of a camera ray.
+  MediumStack media_at_camera(const Ray& ray, float time) const {
+    return start_media_->at_camera(*solids_, *instances_, ray, time);
+  }
+  // The solids around the start of a ray that leaves a light. For area lights `point` is the surface point, and
+  // `origin` is offset from it to the side on which the ray leaves; otherwise `point` is null.
+  void find_media_at_light(const Emission& emission, const SurfacePoint* point, const Vec3& origin,
+                           MediumInterface& interface) const {
+    start_media_->find_at_light(*solids_, *instances_, *lights_, emission, point, origin, interface);
+  }
+
   const Camera& camera() const { return camera_; }
   const std::vector<InstanceData>& instances() const { return *instances_; }
   const std::vector<SurfaceMaterial>& materials() const { return *materials_; }
@@ -156,6 +183,8 @@ class CompiledScene final : public OpacityTest {
   std::shared_ptr<const std::vector<SurfaceMaterial>> materials_;
   std::shared_ptr<const std::vector<Texture>> textures_;
   std::shared_ptr<const LightTable> lights_;
+  std::shared_ptr<const Solids> solids_;
+  std::shared_ptr<const StartMedia> start_media_;
   std::vector<std::shared_ptr<const MeshAccel>> mesh_accels_;  // one per instance; null if it is part of the top level
   Camera camera_;
   std::shared_ptr<const CameraMotion> camera_motion_;

@@ -4,6 +4,7 @@
 
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
+#include "scene/facet.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
 #include "scene/shutter.h"
@@ -34,8 +35,10 @@ class Compiler {
     const auto start = std::chrono::steady_clock::now();
     geometry();
     materials();
+    solids();
     lights();
     result_->camera_motion_ = shutter_.motion_of(result_->camera_);
+    start_media();
     result_->report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result_;
   }
@@ -249,6 +252,47 @@ class Compiler {
     r.report_.materials_built = true;
   }
 
+  // Solids depend on the positions of their boundaries and on some parameters of their materials.
+  bool same_solids() const {
+    if (!previous_ || result_->report_.top_level_built) return false;
+    if (!result_->report_.materials_built) return true;
+    const std::vector<SurfaceMaterial>&a = *result_->materials_, &b = *previous_->materials_;
+    return std::ranges::equal(a, b, [](const SurfaceMaterial& x, const SurfaceMaterial& y) {
+      const Material &m = x.description, &n = y.description;
+      return m.is_solid() == n.is_solid() &&
+             (!m.is_solid() || (m.model == n.model && m.ior == n.ior && m.unlit == n.unlit && m.alpha == n.alpha &&
+                                m.attenuation_color == n.attenuation_color &&
+                                m.attenuation_distance == n.attenuation_distance && x.is_emissive == y.is_emissive &&
+                                x.has_alpha == y.has_alpha && bool{x.base_color} == bool{y.base_color}));
+    });
+  }
+
+  void solids() {
+    if (same_solids()) {
+      result_->solids_ = previous_->solids_;
+      return;
+    }
+    if (std::ranges::none_of(*result_->instances_, [&](const InstanceData& i) {
+          return i.solid != kNoSolid || (*result_->materials_)[i.material].description.is_solid();
+        })) {
+      result_->solids_ = std::make_shared<Solids>();
+      return;
+    }
+    auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
+    result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_);
+    result_->instances_ = std::move(instances);
+  }
+
+  // The solids that contain the camera and the lights.
+  void start_media() {
+    const CompiledScene& r = *result_;
+    const bool same = previous_ && r.solids_ == previous_->solids_;
+    const std::shared_ptr<const StartMedia> before = same ? previous_->start_media_ : nullptr;
+    result_->start_media_ =
+        std::make_shared<StartMedia>(*r.solids_, *r.instances_, *r.lights_, r.camera_, r.camera_motion_ != nullptr,
+                                     same && r.lights_ == previous_->lights_ ? before.get() : nullptr);
+  }
+
   // The light table depends on the positions and emission of surfaces, the lights and the environment.
   bool same_lights() const {
     if (!previous_ || result_->report_.top_level_built) return false;
@@ -306,8 +350,7 @@ class Compiler {
     e.double_sided = material.description.double_sided;
     e.moving = instance.motion != nullptr;
     e.cosine_exponent = instance.cosine_exponent;
-    e.set_triangle(e.moving ? instance.motion->facet_at(mesh, mesh.triangles[t], 0.5f)
-                            : facet(instance, mesh.triangles[t]));
+    e.set_triangle(facet_of(instance, t, 0.5f));
     if (material.emission) {
       // The mean over seven points of the triangle.
       Rgb sum(0);
@@ -332,14 +375,6 @@ class Compiler {
     e.set_shape(static_cast<int>(round_lights.size()), round.shape);
     round_lights.push_back(std::move(round));
     return e;
-  }
-
-  static Facet facet(const InstanceData& instance, const Triangle& t) {
-    const auto corner = [&](size_t k) {
-      const Vec3& p = instance.mesh->positions[t[k]];
-      return instance.identity ? p : Vec3(instance.to_world * Vec4(p, 1));
-    };
-    return {corner(0), corner(1), corner(2), instance.mirrored ? -1.0f : 1.0f};
   }
 
   std::vector<PlacedLight> placed_lights() {

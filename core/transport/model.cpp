@@ -20,6 +20,11 @@ const SurfaceMaterial* find_used(const CompiledScene& scene, Test&& test) {
   return nullptr;
 }
 
+std::string node_name(const CompiledScene& scene, uint32_t node) {
+  const std::string& name = scene.description().nodes[node].name;
+  return name.empty() ? "node " + std::to_string(node) : "node '" + name + "'";
+}
+
 std::string named(const SurfaceMaterial& material) {
   return material.description.name.empty() ? "an unnamed material" : "material '" + material.description.name + "'";
 }
@@ -40,6 +45,16 @@ Decision decide_surfaces(const CompiledScene& scene, bool forced) {
   d.value = forced ? "any" : d.needed;
   if (forced && d.value != d.needed) d.reason += "; forced on";
   return d;
+}
+
+// A clear solid that touches no other one refracts against a vacuum, from either side.
+std::string reason_for_media(const CompiledScene& scene) {
+  const scene::Solids& solids = scene.solids();
+  for (uint32_t i = 0; i < solids.size(); ++i)
+    if (solids[i].absorbs) return named(scene.materials()[solids[i].material]) + " absorbs inside";
+  for (uint32_t i = 0; i < solids.size(); ++i)
+    if (solids[i].may_overlap) return "the bounds of " + node_name(scene, solids[i].node) + " intersect those of another solid";
+  return "no solid absorbs or touches another one";
 }
 
 // Whether the expression leaves any path out.
@@ -77,10 +92,8 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
 
   out.push_back(decide_surfaces(scene, is_forced("surfaces")));
-  const auto* solid = find_used(scene, [](const auto& m) { return m.absorbs_inside; });
-  out.push_back(decide("media", solid, "vacuum", "absorbing",
-                       solid ? named(*solid) + " absorbs inside" : "nothing absorbs between surfaces",
-                       is_forced("media")));
+  out.push_back(
+      decide("media", !scene.solids().empty(), "vacuum", "solids", reason_for_media(scene), is_forced("media")));
   const auto* clear = find_used(scene, [](const auto& m) { return m.has_alpha; });
   out.push_back({"transparency", clear ? "stochastic" : "opaque", clear ? "stochastic" : "opaque",
                  clear ? named(*clear) + " has an alpha mode" : "no material has an alpha mode"});
@@ -102,8 +115,8 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   if (model.classes)
     model.paths =
         std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
-  model.absorbing = out[2].value == "absorbing";
-  model.diffuse = out[1].value == "diffuse" && !model.absorbing;
+  model.media = out[2].value == "solids";
+  model.diffuse = out[1].value == "diffuse" && !model.media;
   model.wide = out[1].value == "any";
   return model;
 }

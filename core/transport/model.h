@@ -1,9 +1,9 @@
 // How much model a scene needs.
 //
 // Some of it is decided at compile time (model_types.h): the colour that is carried, the lobes that surfaces can have,
-// whether rays pass through absorbing media. The rest is data: a pinhole does not draw lens samples. `model_for` looks
-// at the compiled scene and states for each flag what it needs and why. A user can force a flag to the larger model,
-// which must not change the image.
+// whether paths store the solids that contain them. The rest is data: a pinhole does not draw lens samples. `model_for`
+// looks at the compiled scene and states for each flag what it needs and why. A user can force a flag to the larger
+// model, which must not change the image.
 #pragma once
 #include <memory>
 #include <span>
@@ -27,7 +27,7 @@ struct Decision {
 struct Model {
   bool diffuse = false;                         // every surface is Lambertian
   bool wide = false;                            // some surface needs lobes that few do
-  bool absorbing = false;                       // some solid absorbs
+  bool media = false;                           // paths store the solids that contain them
   bool moving = false;                          // something moves while the shutter is open: paths have a time
   bool classes = false;                         // some paths do not count
   std::shared_ptr<const PathExpression> paths;  // those that do; where `classes`

@@ -8,14 +8,14 @@ namespace etendue::transport {
 
 // Colour axis: Rgb. Spectral samples join here.
 // Surfaces axis: DiffuseOnly, StandardLobes for what most files do with, or AllLobes for everything. Media axis:
-// vacuum, or absorption inside solids (Beer's law). Classes axis: every path counts, or those of an expression
-// (transport/class_shares.h).
-template <class ColorType, template <class> class LobeSet, bool absorbing, bool classes>
+// vacuum around every solid, or paths that store the solids containing them (wavefront/path_media.h). Classes axis:
+// every path counts, or those of an expression (transport/class_shares.h).
+template <class ColorType, template <class> class LobeSet, bool media, bool classes>
 struct ModelType {
   using Color = ColorType;
   using Lobes = LobeSet<ColorType>;
   static constexpr bool kDiffuse = std::is_same_v<Lobes, DiffuseOnly<Color>>;
-  static constexpr bool kAbsorbing = absorbing;
+  static constexpr bool kMedia = media;
   static constexpr bool kClasses = classes;
 };
 
@@ -24,17 +24,17 @@ using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, false, classes>;
 template <bool classes>
 using StandardVacuum = ModelType<Rgb, StandardLobes, false, classes>;
 template <bool classes>
-using StandardAbsorbing = ModelType<Rgb, StandardLobes, true, classes>;
-// Whose rarer scenes do not ask for a loop that saves the question whether a solid absorbs.
+using StandardMedia = ModelType<Rgb, StandardLobes, true, classes>;
+// Used by all scenes with rare lobes, including those without media.
 template <bool classes>
-using AnyAbsorbing = ModelType<Rgb, AllLobes, true, classes>;
+using AnyMedia = ModelType<Rgb, AllLobes, true, classes>;
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
-  // Each loop costs minutes of building: where classes of paths are told apart, absorbing solids take the widest.
-  if (model.wide || (classes && model.absorbing)) return f(AnyAbsorbing<classes>{});
+  // Each loop costs minutes of building: where classes of paths are told apart, media take the widest.
+  if (model.wide || (classes && model.media)) return f(AnyMedia<classes>{});
   if constexpr (!classes)
-    if (model.absorbing) return f(StandardAbsorbing<classes>{});
+    if (model.media) return f(StandardMedia<classes>{});
   if (model.diffuse) return f(DiffuseVacuum<classes>{});
   return f(StandardVacuum<classes>{});
 }

@@ -6,6 +6,15 @@
 
 namespace etendue::transport {
 
+// Sets the relative index of refraction of a boundary between two media. The reflectance of opaque layers, coats and
+// thin walls stays that in air.
+template <class M>
+void set_media(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
+  if (point.instance->solid == scene::kNoSolid) return;
+  const float inside = point.inside ? point.inside->eta : 1, outside = point.outside ? point.outside->eta : 1;
+  bsdf.lobes.set_relative_eta(inside / outside, outside);
+}
+
 // M is a transport model (model_types.h). The BSDF refers to the point's normals: the point must outlive it and stay in
 // its place.
 template <class M>
@@ -15,6 +24,7 @@ void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
     add_lobes(*point.material, point.texture, bsdf.lobes, point.material->has_coat_normal ? point.coat : Vec3(0, 0, 1));
   else
     add_lobes(*point.material, point.texture, bsdf.lobes);
+  if constexpr (M::kMedia) set_media(point, bsdf);
 }
 
 }  // namespace etendue::transport

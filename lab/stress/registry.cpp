@@ -53,6 +53,7 @@
 #include "stress/cases/settings_that_are_no_numbers.h"
 #include "stress/cases/shadows_ignored.h"
 #include "stress/cases/shutter_of_no_time.h"
+#include "stress/cases/sixteen_nested_solids.h"
 #include "stress/cases/slivers.h"
 #include "stress/cases/small_light_by_chance.h"
 #include "stress/cases/starts_of_chains.h"
@@ -163,6 +164,7 @@ const std::vector<Case>& cases() {
       kInvertedNormals,
       kCameraInsideGlass,
       kNestedGlass,
+      kSixteenNestedSolids,
       kTrianglesWithoutArea,
       kGrazingLight,
       kPointOnTheLight,

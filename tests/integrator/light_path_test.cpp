@@ -21,7 +21,7 @@ using integrator::PathSpace;
 using integrator::PathVertex;
 using test::with;
 
-using M = transport::AnyAbsorbing<false>;
+using M = transport::AnyMedia<false>;
 
 // What a method is given, without a renderer.
 struct Place {

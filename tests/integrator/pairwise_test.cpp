@@ -7,6 +7,7 @@
 
 #include "advisor/declared_paths.h"
 #include "integrator/integrator.h"
+#include "support/media_places.h"
 #include "support/motion.h"
 #include "support/places.h"
 
@@ -126,9 +127,8 @@ TEST(Pairwise, UnderSurfaceLights) { expect_pairs_agree(test::under_surface_ligh
 TEST(Pairwise, UnderASky) { expect_pairs_agree(test::under_a_sky(), "E[(D|G).*]L", 64); }
 // Long paths through the ball are tried in the multiplexed form by one technique at a time, of which one finds them:
 // once in a million samples, which then count as much as all others. Twelve pictures have no normal distribution then.
-TEST(Pairwise, GlassBallUnderASky) {
-  expect_pairs_agree(test::under_a_sky(), "ES.*L", 64, {"pssmlt:form=multiplexed"});
-}
+const std::vector<std::string> kRareThroughGlass{"pssmlt:form=multiplexed"};
+TEST(Pairwise, GlassBallUnderASky) { expect_pairs_agree(test::under_a_sky(), "ES.*L", 64, kRareThroughGlass); }
 
 // On a lens of 15 cm one walk in some thousands ends.
 TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::lens_and_shutter(), "E(D|G)*L", 64, {"light-pure"}); }
@@ -155,6 +155,31 @@ TEST(Pairwise, CausticBehindGlass) {
   }
   d.scene = std::make_shared<const scene::Scene>(std::move(pool));
   expect_pairs_agree(d, "ES+DS+L", 40);
+}
+
+// ---- Nested solids.
+
+TEST(Pairwise, StoneInTintedWater) {
+  expect_pairs_agree(test::stone_in_tinted_water(), "ES.*L", 64, kRareThroughGlass);
+}
+TEST(Pairwise, IceInWaterTouchesGlass) {
+  expect_pairs_agree(test::ice_in_water_in_glass(false), "ES.*L", 64, kRareThroughGlass);
+}
+TEST(Pairwise, IceInWaterOverlapsGlass) {
+  expect_pairs_agree(test::ice_in_water_in_glass(true), "ES.*L", 64, kRareThroughGlass);
+}
+TEST(Pairwise, BesideIceInWaterInGlass) {
+  expect_pairs_agree(test::ice_in_water_in_glass(true), "E[(D|G).*]L", 64, kRareThroughGlass);
+}
+TEST(Pairwise, Bubble) { expect_pairs_agree(test::bubble(), "ES.*L", 64, kRareThroughGlass); }
+TEST(Pairwise, LampInTintedWater) {
+  expect_pairs_agree(test::lamp_in_tinted_water(false), "ES.*L", 64, kRareThroughGlass);
+}
+TEST(Pairwise, LampAndCameraInTintedWater) {
+  expect_pairs_agree(test::lamp_in_tinted_water(true), "E[(D|G).*]L", 64, kRareThroughGlass);
+}
+TEST(Pairwise, CameraInsideGlass) {
+  expect_pairs_agree(test::camera_inside_glass(), "E[(D|G).*]L", 64, kRareThroughGlass);
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ struct Dielectric : Boundary {
   float share = 1;  // weight of this lobe in the surface's mixture
   Ggx facets;
 
+  // For a boundary between two media: the index inside over that outside, and the index outside.
+  void set_relative_eta(float relative, float outside_eta) {
+    eta = relative;
+    this->set_media(relative, outside_eta);
+  }
+
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth() || eta == 1; }
   float sampling_weight(const Vec3&) const { return share; }
@@ -102,7 +108,13 @@ struct Dielectric : Boundary {
  private:
   static Incidence incidence(const Vec3& wo, float cosine, float e) {
     Incidence at;
-    at.f = fresnel_dielectric(cosine, e, at.refracted);
+    if (e == 1) {
+      // Equal media: rounding errors would reflect light and bend the path.
+      at.f = 0;
+      at.refracted = cosine;
+    } else {
+      at.f = fresnel_dielectric(cosine, e, at.refracted);
+    }
     at.outer = wo.z > 0 ? cosine : at.refracted;
     return at;
   }

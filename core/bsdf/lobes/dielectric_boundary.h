@@ -13,6 +13,7 @@ struct Incidence {
 
 template <class Color>
 struct ClearBoundary {
+  void set_media(float, float) {}
   Color reflectance(const Incidence& at) const { return Color(at.f); }
   float kept(const Incidence& at) const { return at.f; }
   float reflect_share(const Incidence& at) const { return at.f; }  // probability of sampling reflection
@@ -22,10 +23,21 @@ struct ClearBoundary {
 template <class Color>
 struct TintedBoundary {
   float clear_f0 = 0.04f;  // reflectance at normal incidence that follows from the index of refraction
-  Color f0{0.04f};
-  float f90 = 1;
+  Color tint{1};           // multiplies clear_f0
+  Color f0{0.04f};         // tinted reflectance at normal incidence, including f90
+  float f90 = 1;           // strength of the reflection
   ThinFilm film;
   float strength = 0;  // of the thin film
+
+  // For a boundary between two media. Tint and strength scale the reflectance that follows from the relative index, as
+  // the extension specifies for a boundary to air; a relative index of 1 reflects nothing. Interference in the film
+  // depends on the ratios of indices and on the wavelength in the outer medium.
+  void set_media(float relative_eta, float outside_eta) {
+    clear_f0 = f0_from_ior(relative_eta);
+    for (int k = 0; k < 3; ++k) f0[k] = std::clamp(tint[k] * clear_f0, 0.0f, 1.0f) * f90;
+    film.ior /= outside_eta;
+    film.thickness *= outside_eta;
+  }
 
   Color reflectance(const Incidence& at) const {
     if (at.f >= 1) return Color(1);
@@ -36,7 +48,9 @@ struct TintedBoundary {
   }
   float kept(const Incidence& at) const { return max_component(reflectance(at)); }
   float reflect_share(const Incidence& at) const {
-    return at.f >= 1 ? 1.0f : std::clamp(average(reflectance(at)), 0.05f, 0.95f);
+    if (at.f >= 1) return 1;
+    const float share = average(reflectance(at));
+    return share > 0 ? std::clamp(share, 0.05f, 0.95f) : 0;
   }
 };
 

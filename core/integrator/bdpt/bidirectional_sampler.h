@@ -366,11 +366,11 @@ class BidirectionalSampler {
     if (w == 0) return;
     auto& state = camera_.state(path);
     Color value = state.throughput * at_z.f_cos * at_y.f_cos * y.flux * (w * to_area);
-    value *= transport::transmittance<M>(z, wi, distance);
     if constexpr (M::kClasses) value *= share(i, y, wi);
     if (is_black(value)) return;
     const uint32_t seed = camera_.opacity_seed(path) + static_cast<uint32_t>(64 * s + t);
-    Connected& connected = connections_.add(ray_to(z, wi, distance), state.time, seed);
+    Connected& connected =
+        connections_.add(ray_to(z, wi, distance), state.time, seed, camera_.medium_beyond(i, wi), distance);
     connected.path = static_cast<uint16_t>(path);
     connected.value = value;
     if (connections_.full()) settle();
@@ -390,8 +390,9 @@ class BidirectionalSampler {
   }
 
   void settle() {
-    connection_rays_ += connections_.settle(*context_->scene,
-                                            [this](const Connected& c) { camera_.state(c.path).radiance += c.value; });
+    connection_rays_ += connections_.settle(*context_->scene, [this](const Connected& c, const Rgb& transmittance) {
+      camera_.state(c.path).radiance += c.value * transmittance;
+    });
   }
 
   // ---- Of either kind.

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "transport/path_expression/class_shares.h"
+#include "transport/wavefront/path_media.h"
 
 namespace etendue::integrator {
 
@@ -39,6 +40,13 @@ struct PathVertexData {
   // The edge to the next vertex on the way to the camera.
   Vec3 direction{0};
   float length = 0;  // metres, or infinite
+
+  // In models with media: the solids around the vertex, and the transmittance of the edge.
+  struct Media {
+    scene::MediumInterface interface;
+    Color transmittance{1};
+  };
+  [[no_unique_address]] std::conditional_t<M::kMedia, Media, transport::Vacuum> media;
 };
 
 template <class M>

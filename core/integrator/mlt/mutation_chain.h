@@ -24,6 +24,7 @@ struct MutationChain {
       const PathVertex<M>& x = path[i];
       out.value(x.hit), out.value(x.found_from), out.value(x.delta), out.value(x.transmitted);
       out.value(x.point.position), out.value(x.direction), out.value(x.length);
+      if constexpr (M::kMedia) out.value(x.media);
     }
   }
   bool read(StateReader& in) {
@@ -37,6 +38,8 @@ struct MutationChain {
       if (!in.value(x.hit) || !in.value(x.found_from) || !in.value(x.delta) || !in.value(x.transmitted) ||
           !in.value(x.point.position) || !in.value(x.direction) || !in.value(x.length))
         return false;
+      if constexpr (M::kMedia)
+        if (!in.value(x.media)) return false;
     }
     return bare = true;
   }

@@ -11,9 +11,10 @@
 #include "integrator/integrator.h"
 #include "integrator/markov_chain/chain_random.h"
 #include "integrator/mlt/light_path.h"
+#include "integrator/shared/camera_paths.h"
 #include "transport/path_expression/path_expression.h"
 #include "transport/surface_bsdf.h"
-#include "transport/wavefront/absorption.h"
+#include "transport/wavefront/medium_tracing.h"
 
 namespace etendue::integrator {
 
@@ -23,6 +24,7 @@ class PathSpace {
   using Path = LightPath<M>;
   using Vertex = PathVertex<M>;
   using Color = typename M::Color;
+  using Medium = transport::MediumState<M>;
 
   explicit PathSpace(const RenderContext& context)
       : context_(&context),
@@ -58,11 +60,18 @@ class PathSpace {
     path.light.infinite = e.density.infinite, path.light.extended = !e.density.delta;
     Vertex& x = path[0];
     x.delta = false;
+    if constexpr (M::kMedia) x.media.interface.clear({});
     if (e.kind == LightKind::triangle) {
       scene_->locate(e, x.hit, x.found_from);
       place(x, path.time);
     } else {
       x.point.position = e.position, x.direction = e.direction;
+    }
+    if constexpr (M::kMedia) {
+      Ray ray;
+      ray.origin = x.point.position;
+      if (e.kind == LightKind::triangle) x.point.spawn(x.found_from, ray);
+      scene_->find_media_at_light(e, e.kind == LightKind::triangle ? &x.point : nullptr, ray.origin, x.media.interface);
     }
     return true;
   }
@@ -84,7 +93,7 @@ class PathSpace {
     Ray ray;
     ray.origin = origin, ray.direction = direction;
     if (path.light.kind == LightKind::triangle) path[0].point.spawn(direction, ray);
-    return find_next(ray, 0, random, path);
+    return find_next(ray, medium_to_camera(0, direction, path), 0, random, path);
   }
 
   // Finds x_{i+1} from x_i, i > 0.
@@ -97,7 +106,7 @@ class PathSpace {
   bool step_to_camera(int i, const Vec3& direction, ChainRandom& random, Path& path) {
     Ray ray;
     path[i].point.spawn(direction, ray);
-    return find_next(ray, i, random, path);
+    return find_next(ray, medium_to_camera(i, direction, path), i, random, path);
   }
 
   // ---- Walks from the camera.
@@ -105,7 +114,8 @@ class PathSpace {
   // Finds x_{k-1} through this point of the picture and of the lens.
   bool leave_camera(Vec2 raster, Vec2 lens, ChainRandom& random, Path& path) {
     path.raster = raster, path.lens = lens;
-    return find_before(camera().ray(raster, lens, path.time), path.edges(), random, path);
+    const Ray ray = camera().ray(raster, lens, path.time);
+    return find_before(ray, medium_at_camera<M>(*context_, ray, path.time), path.edges(), random, path);
   }
   // Finds x_{i-1} from x_i, 0 < i < k.
   bool scatter_to_light(int i, ChainRandom& random, Path& path) {
@@ -117,7 +127,7 @@ class PathSpace {
   bool step_to_light(int i, const Vec3& direction, ChainRandom& random, Path& path) {
     Ray ray;
     path[i].point.spawn(direction, ray);
-    return find_before(ray, i, random, path);
+    return find_before(ray, medium_at(path[i], direction), i, random, path);
   }
 
   // Makes x_0, which a walk from the camera has found, the light; false if it is none.
@@ -132,17 +142,21 @@ class PathSpace {
     x.delta = false;
     if (i == last) return connect_to_lens(path);
     path[i + 1].delta = false;
-    if (i == 0 && path.light.infinite) return x.length = kInfinity, true;
+    if (i == 0 && path.light.infinite) {
+      x.length = kInfinity;
+      return connect_media(i, kInfinity, path);
+    }
     const Vec3 edge = path[i + 1].point.position - x.point.position;
     x.length = std::sqrt(length_squared(edge));
     if (!(x.length > 0)) return false;
     x.direction = edge / x.length;
-    return true;
+    return connect_media(i, x.length, path);
   }
 
   // Whether nothing lies between x_i and x_{i+1}.
-  bool visible(int i, ChainRandom& random, const Path& path) {
+  bool visible(int i, ChainRandom& random, Path& path) {
     Ray ray;
+    float length = path[i].length;
     if (i < path.edges() - 1) {
       path[i + 1].point.spawn_segment(-path[i].direction, path[i].length, ray);
     } else if (i == 0 && path.light.infinite) {
@@ -153,9 +167,15 @@ class PathSpace {
       const auto view = camera().view(path[i].point.position, path.lens, path.time);
       if (!view) return false;
       path[i].point.spawn_segment(view->wi, view->distance, ray);
+      length = view->distance;
     }
-    ++rays_;
-    return !scene_->intersect(ray, random.bits(), path.time);
+    const uint32_t seed = random.bits();
+    if constexpr (M::kMedia) {
+      return is_transparent(i, ray, length, seed, path);
+    } else {
+      ++rays_;
+      return !scene_->intersect(ray, seed, path.time);
+    }
   }
 
   // ---- Evaluating.
@@ -185,10 +205,23 @@ class PathSpace {
     return true;
   }
 
-  // The surface that a ray meets.
-  bool find(const Ray& ray, float time, ChainRandom& random, Vertex& x) {
+  // Finds the surface that a ray hits if it starts in this medium state. In models with media,
+  // `set_transmittance` receives the transmittance of the segment.
+  template <class SetTransmittance>
+  bool find(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x,
+            SetTransmittance&& set_transmittance) {
     ++rays_;
-    const Hit hit = scene_->intersect(ray, random.bits(), time);
+    Hit hit;
+    if constexpr (M::kMedia) {
+      transport::MediumSegment segment;
+      transport::trace_segment(*scene_, ray, ray.tfar, random.bits(), time, medium, segment);
+      rays_ += segment.rays;
+      hit = segment.hit;
+      x.media.interface = segment.interface;
+      set_transmittance(segment.transmittance);
+    } else {
+      hit = scene_->intersect(ray, random.bits(), time);
+    }
     if (!hit) return false;
     x.hit = hit, x.found_from = -ray.direction;
     place(x, time);
@@ -196,23 +229,74 @@ class PathSpace {
     return true;
   }
 
+  // The medium state of a ray that leaves a vertex in this direction.
+  Medium medium_at(const Vertex& x, const Vec3& direction) const {
+    if constexpr (M::kMedia)
+      return x.media.interface.side(glm::dot(x.point.ng, direction) >= 0);
+    else
+      return {};
+  }
+  // The same for x_i, which may be a light. No solid contains points at infinity.
+  Medium medium_to_camera(int i, const Vec3& direction, const Path& path) const {
+    if (i == 0 && path.light.infinite) return {};
+    return medium_at(path[i], direction);
+  }
+
+  // Sets the transmittance of a connection of `length` metres, which ends where the camera ray starts. Returns false if
+  // the media at both ends differ: a boundary lies between them.
+  bool connect_media(int i, float length, Path& path) const {
+    if constexpr (M::kMedia) {
+      const scene::Solids& solids = scene_->solids();
+      Vertex& x = path[i];
+      const bool from_camera = i < path.edges() - 1;
+      const uint32_t medium =
+          from_camera ? medium_at(path[i + 1], -x.direction).top() : medium_to_camera(i, x.direction, path).top();
+      if (from_camera && !solids.any_has_alpha() && medium != medium_to_camera(i, x.direction, path).top())
+        return false;
+      const scene::Solid* solid = solids.find(medium);
+      x.media.transmittance = solid ? solid->transmittance(length) : Color(1);
+    }
+    return true;
+  }
+
+  // Whether a connection is unoccluded. `connect_media` has set its transmittance, except where stochastic opacity may
+  // let it pass boundaries of solids.
+  bool is_transparent(int i, const Ray& ray, float length, uint32_t seed, Path& path) {
+    const bool from_camera = i < path.edges() - 1;
+    const Medium medium = from_camera                     ? medium_at(path[i + 1], -path[i].direction)
+                          : i == 0 && path.light.infinite ? medium_at_camera<M>(*context_, ray, path.time)
+                                                          : medium_at(path[i], path[i].direction);
+    const Color transmittance =
+        transport::connection_transmittance(*scene_, ray, length, seed, path.time, medium, rays_);
+    if (is_black(transmittance)) return false;
+    if (!scene_->solids().any_has_alpha()) return true;
+    path[i].media.transmittance = transmittance;
+    return settle_color(path);
+  }
+
   void place(Vertex& x, float time) const {
     scene_->surfaces({&x.found_from, 1}, {&x.hit, 1}, &x.point, context_->model->moving ? &time : nullptr);
+    if constexpr (M::kMedia) {
+      x.point.outside = scene_->solids().find(x.media.interface.top(true));
+      x.point.inside = scene_->solids().find(x.media.interface.top(false));
+      x.point.offset = std::max(x.point.offset, x.media.interface.offset);
+    }
     transport::build_bsdf<M>(x.point, x.bsdf);
   }
 
-  bool find_next(const Ray& ray, int i, ChainRandom& random, Path& path) {
-    if (!find(ray, path.time, random, path[i + 1])) return false;
+  bool find_next(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
+    const auto set = [&](const Color& t) { set_transmittance(t, path[i]); };
+    if (!find(ray, medium, path.time, random, path[i + 1], set)) return false;
     path[i].direction = ray.direction;
     path[i].length =
         i == 0 && path.light.infinite ? kInfinity : glm::distance(path[i].point.position, path[i + 1].point.position);
     return path[i].length > 0;
   }
 
-  bool find_before(const Ray& ray, int i, ChainRandom& random, Path& path) {
+  bool find_before(const Ray& ray, const Medium& medium, int i, ChainRandom& random, Path& path) {
     Vertex& x = path[i - 1];
     x.direction = -ray.direction;
-    if (find(ray, path.time, random, x)) {
+    if (find(ray, medium, path.time, random, x, [&](const Color& t) { set_transmittance(t, x); })) {
       x.length = glm::distance(i == path.edges() ? ray.origin : path[i].point.position, x.point.position);
       if (i == 1) take_light(path);
       return x.length > 0;
@@ -221,6 +305,10 @@ class PathSpace {
     x.length = kInfinity, x.delta = false;
     if (i == 1) take_light(path);
     return i == 1;
+  }
+
+  static void set_transmittance(const Color& transmittance, Vertex& x) {
+    if constexpr (M::kMedia) x.media.transmittance = transmittance;
   }
 
   // x_0 is where a walk from the camera ended.
@@ -238,14 +326,14 @@ class PathSpace {
       const auto view = camera().view_direction(-x.direction, path.lens, path.time);
       if (!view) return false;
       path.raster = view->raster, x.length = kInfinity;
-      return in_picture(path.raster);
+      return in_picture(path.raster) && connect_media(last, kInfinity, path);
     }
     const auto view = camera().view(x.point.position, path.lens, path.time);
     if (!view || !in_picture(view->raster)) return false;
     path.raster = view->raster;
     x.direction = view->wi;
     x.length = glm::distance(camera().ray(path.raster, path.lens, path.time).origin, x.point.position);
-    return x.length > 0;
+    return x.length > 0 && connect_media(last, view->distance, path);
   }
 
   bool settle_vertex(int i, Path& path) const {
@@ -324,22 +412,14 @@ class PathSpace {
       scale *= double{most};
     };
     for (int i = 1; i < path.edges(); ++i) tint(path[i].tint);
-    if constexpr (M::kAbsorbing)
-      for (int i = 0; i < path.edges(); ++i) tint(transmittance(i, path));
+    if constexpr (M::kMedia)
+      for (int i = 0; i < path.edges(); ++i) tint(path[i].media.transmittance);
     if constexpr (M::kClasses) tint(share(path));
     const double y = luminance(color);
     path.brightness = y * scale;
     if (!(path.brightness > 0) || !std::isfinite(path.brightness)) return false;
     path.color = color / static_cast<float>(y);
     return true;
-  }
-
-  // Of edge i.
-  Color transmittance(int i, const Path& path) const {
-    const Vertex& x = path[i];
-    if (std::isinf(x.length)) return Color(1);
-    if (path.is_surface(i)) return transport::transmittance<M>(x.point, x.direction, x.length);
-    return transport::transmittance<M>(path[i + 1].point, -x.direction, x.length);
   }
 
   // What belongs to the classes of paths that are asked for.

@@ -85,7 +85,7 @@ class FinalGather {
       if (!take_wide(eye, i, s)) continue;
       Ray along;
       eye.point(i).spawn(s.wi, along);
-      paths_.launch(ray, along, eye.state_at(i).time);
+      paths_.launch(ray, along, eye.medium_beyond(i, s.wi), eye.state_at(i).time);
       auto &path = paths_.state(ray), &from = eye.state_at(i);
       const auto rays = static_cast<float>(rays_);
       path.throughput = from.throughput * s.weight / rays;

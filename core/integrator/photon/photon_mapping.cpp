@@ -213,7 +213,7 @@ class PhotonMapping::Maps final : public RenderState {
 
   bool same_light(const RenderContext& context) const {
     const transport::Model &a = *context_.model, &b = *context.model;
-    return context.seed == context_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.absorbing == b.absorbing &&
+    return context.seed == context_.seed && a.diffuse == b.diffuse && a.wide == b.wide && a.media == b.media &&
            a.classes == b.classes && (!a.classes || a.paths->automaton() == b.paths->automaton()) &&
            context.scene->same_light(*context_.scene);
   }

@@ -47,8 +47,11 @@ void launch_primary_sample_paths(const RenderContext& context, const PrimarySamp
   }
   std::array<Ray, transport::PathWavefront<M>::kCapacity> rays;
   context.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, times, count, rays.data());
-  for (size_t i = 0; i < count; ++i)
-    if (goes(static_cast<int>(i))) paths.launch(static_cast<int>(i), rays[i], context.model->moving ? times[i] : 0);
+  for (size_t i = 0; i < count; ++i) {
+    if (!goes(static_cast<int>(i))) continue;
+    const float time = context.model->moving ? times[i] : 0;
+    paths.launch(static_cast<int>(i), rays[i], medium_at_camera<M>(context, rays[i], time), time);
+  }
 }
 
 }  // namespace etendue::integrator

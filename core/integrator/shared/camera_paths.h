@@ -30,6 +30,15 @@ transport::PathWavefront<M>& thread_wavefront() {
   return *paths;
 }
 
+// The solids that contain the start of a camera ray.
+template <class M>
+transport::MediumState<M> medium_at_camera(const RenderContext& context, const Ray& ray, float time) {
+  if constexpr (M::kMedia)
+    return context.scene->media_at_camera(ray, time);
+  else
+    return {};
+}
+
 // Lets a walk go from every pixel of the block, in the given order; on return nothing has been traced yet. The walks
 // have times of their own in a model with motion, or these.
 template <class M>
@@ -63,7 +72,8 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   context.camera->rays({x.data(), y.data()}, {lens_u.data(), lens_v.data()}, times, count, rays.data());
   for (int i = 0; i < order.size(); ++i) {
     const auto path = static_cast<size_t>(i);
-    paths.launch(i, rays[path], context.model->moving ? times[i] : 0);
+    const float time = context.model->moving ? times[i] : 0;
+    paths.launch(i, rays[path], medium_at_camera<M>(context, rays[path], time), time);
   }
 }
 

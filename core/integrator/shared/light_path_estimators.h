@@ -33,7 +33,8 @@ void see_light(const RenderContext& context, const typename LightSubpaths<M>::St
     const auto view = context.camera->view_direction(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
     const float value = view->importance / e.density.first * weigh(view->importance, e.direction, kInfinity);
-    return splatter.connect(start.path, view->ray, e.time, seed, view->raster, start.emitted * value);
+    return splatter.connect(start.path, view->ray, e.time, seed, transport::MediumState<M>(), kInfinity, view->raster,
+                            start.emitted * value);
   }
   const auto view = context.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;
@@ -43,10 +44,9 @@ void see_light(const RenderContext& context, const typename LightSubpaths<M>::St
   const float cosine = point.material->description.double_sided ? std::abs(facing) : facing;
   if (!(cosine > 0)) return;
   const float density = cosine * view->importance, beam = point.beam(view->wi);
-  const auto through = transport::transmittance<M>(point, view->wi, view->distance);
-  splatter.connect(
-      start.path, ray_to(point, view->wi, view->distance), e.time, seed, view->raster,
-      start.emitted * through * (beam * density / e.density.first * weigh(density, view->wi, view->distance)));
+  splatter.connect(start.path, ray_to(point, view->wi, view->distance), e.time, seed, start.medium_beyond(view->wi),
+                   view->distance, view->raster,
+                   start.emitted * (beam * density / e.density.first * weigh(density, view->wi, view->distance)));
 }
 
 // Connects those of the present vertices that are wanted; weigh(arrival, view).
@@ -71,9 +71,9 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& wal
     const float weight = weigh(i, *view);
     if (weight == 0) continue;
     const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
-    const auto through = transport::transmittance<M>(point, view->wi, view->distance);
-    splatter.connect(path, ray_to(point, view->wi, view->distance), state.time, seed, view->raster,
-                     state.throughput * f_cos * through * (walks.flux(path) * view->importance * weight));
+    splatter.connect(path, ray_to(point, view->wi, view->distance), state.time, seed, paths.medium_beyond(i, view->wi),
+                     view->distance, view->raster,
+                     state.throughput * f_cos * (walks.flux(path) * view->importance * weight));
   }
 }
 
@@ -86,7 +86,8 @@ void fall_onto_lens(const RenderContext& context, const LightSubpaths<M>& walks,
   ray.origin = state.from, ray.direction = direction;
   const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
-  auto carried = transport::admitted(paths, state, path) * (walks.flux(path) * hit->importance);
+  const auto throughput = paths.throughput_after(path, hit->distance);
+  auto carried = transport::admitted(paths, throughput, path) * (walks.flux(path) * hit->importance);
   if (paths.length() == 1) carried *= paths.scene().lights().range_window(walks.light(path), hit->distance);
   const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
   splatter.add(path, hit->raster, seed, carried * weigh(path, *hit));

@@ -26,6 +26,15 @@ class LightSubpaths {
     Emission emission;
     const scene::SurfacePoint* point = nullptr;  // of triangles only
     Color emitted{0};
+    [[no_unique_address]] std::conditional_t<M::kMedia, scene::MediumInterface, transport::Vacuum> media;
+
+    // The solids at the start of a ray that leaves in this direction.
+    transport::MediumState<M> medium_beyond(const Vec3& direction) const {
+      if constexpr (M::kMedia)
+        return media.side(!point || glm::dot(point->ng, direction) >= 0);
+      else
+        return {};
+    }
   };
 
   // Lets so many paths of a sample go, number_of(i) being the i-th one's among all; on return nothing has been traced
@@ -131,6 +140,8 @@ class LightSubpaths {
     ray = Ray();
     ray.origin = e.position, ray.direction = e.direction;
     if (start.point) start.point->spawn(e.direction, ray);
+    if constexpr (M::kMedia)
+      if (e.weight > 0) scene.find_media_at_light(e, start.point, ray.origin, start.media);
   }
 
   void launch_one(int k, PathWavefront& paths) {
@@ -142,7 +153,7 @@ class LightSubpaths {
     const float most = max_component(flux);
     flux_[path] = most, lights_[path] = e.light;
     if (!(most > 0)) return;
-    paths.launch(start.path, rays_[static_cast<size_t>(k)], e.time);
+    paths.launch(start.path, rays_[static_cast<size_t>(k)], start.medium_beyond(e.direction), e.time);
     paths.state(start.path).throughput = flux / most;
     paths.state(start.path).from = e.position;
   }

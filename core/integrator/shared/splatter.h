@@ -30,9 +30,12 @@ class Splatter {
     deliver({raster, seed, static_cast<uint16_t>(path), contribution});
   }
 
-  // What counts unless something lies along the ray at that time.
-  void connect(int path, const Ray& ray, float time, uint32_t seed, Vec2 raster, const Rgb& contribution) {
-    Seen& seen = connections_.add(ray, time, seed);
+  // Adds a contribution unless the ray is occluded at that time. The medium at its start attenuates it over `length`
+  // metres.
+  template <class Medium>
+  void connect(int path, const Ray& ray, float time, uint32_t seed, const Medium& medium, float length, Vec2 raster,
+               const Rgb& contribution) {
+    Seen& seen = connections_.add(ray, time, seed, medium, length);
     seen.raster = raster, seen.seed = seed, seen.path = static_cast<uint16_t>(path);
     seen.contribution = contribution;
     if (connections_.full()) settle();
@@ -60,7 +63,10 @@ class Splatter {
     if (to) list(seen.path).push_back({to->pixel, seen.contribution * (to->weight * scale_)});
   }
   void settle() {
-    rays_ += connections_.settle(scene_, [this](const Seen& seen) { deliver(seen); });
+    rays_ += connections_.settle(scene_, [this](Seen& seen, const Rgb& transmittance) {
+      seen.contribution *= transmittance;
+      deliver(seen);
+    });
   }
 
   const scene::CompiledScene& scene_;

@@ -62,8 +62,9 @@ class VirtualLighting {
   struct Nothing {};
 
   void settle(PathWavefront& paths) {
-    rays_traced_ +=
-        connections_.settle(paths.scene(), [&](const Gain& gain) { paths.state(gain.path).radiance += gain.radiance; });
+    rays_traced_ += connections_.settle(paths.scene(), [&](const Gain& gain, const Rgb& transmittance) {
+      paths.state(gain.path).radiance += gain.radiance * transmittance;
+    });
   }
 
   void connect(PathWavefront& paths, int i, const VirtualLight& light) {
@@ -81,10 +82,10 @@ class VirtualLighting {
     Ray ray;
     point.spawn_segment(w, distance, ray);
     const auto number = static_cast<uint32_t>(&light - options_.lights.data());
-    const Color through = transport::transmittance<M>(point, w, distance);
-    Gain& gain = connections_.add(ray, path.time, path_seed(path.seed, paths.sample()) + number);
+    Gain& gain = connections_.add(ray, path.time, path_seed(path.seed, paths.sample()) + number,
+                                  paths.medium_beyond(i, w), distance);
     gain.path = paths.path_at(i);
-    gain.radiance = path.throughput * scattered * through * light.power * (kept / distance2);
+    gain.radiance = path.throughput * scattered * light.power * (kept / distance2);
     if (connections_.full()) settle(paths);
   }
 

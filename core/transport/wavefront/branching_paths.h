@@ -88,6 +88,7 @@ class BranchingPaths {
     PathState<Color> path;
     Ray ray;
     uint16_t root;
+    [[no_unique_address]] MediumState<M> medium;
     [[no_unique_address]] typename Shares::Kept kept;
   };
   // What left vertices of one distance. Shares of path classes are kept apart, as they differ in number.
@@ -120,7 +121,8 @@ class BranchingPaths {
       if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s)) return;
     }
     Level& level = level_at(paths_->length());
-    level.branches.push_back({path, paths_->ray_from(hit, s.wi), root_[static_cast<size_t>(from)], {}});
+    level.branches.push_back(
+        {path, paths_->ray_from(hit, s.wi), root_[static_cast<size_t>(from)], paths_->medium_beyond(hit, s.wi), {}});
     if constexpr (M::kClasses) level.branches.back().kept = paths_->shares().keep_branch(level.shares);
   }
 
@@ -143,7 +145,7 @@ class BranchingPaths {
     paths_->begin_batch(static_cast<int>(length));
     for (size_t n = std::min(level.branches.size(), root_.size()); n > 0; --n) {
       const Branch& branch = level.branches.back();
-      const int path = paths_->add_resumed(branch.path, branch.ray);
+      const int path = paths_->add_resumed(branch.path, branch.ray, branch.medium);
       if constexpr (M::kClasses) paths_->shares().give_back(branch.kept, level.shares, path);
       root_[static_cast<size_t>(path)] = branch.root;
       level.branches.pop_back();

@@ -31,11 +31,11 @@ float weight_of_hit(const PathState<Color>& path, const scene::CompiledScene& sc
 
 // The part of the throughput that counts if walk number `index` ends on a light here.
 template <class M>
-typename M::Color admitted(PathWavefront<M>& paths, const PathState<typename M::Color>& path, int index) {
+typename M::Color admitted(PathWavefront<M>& paths, const typename M::Color& throughput, int index) {
   if constexpr (M::kClasses)
-    return path.throughput * paths.shares().of_end(index);
+    return throughput * paths.shares().of_end(index);
   else
-    return path.throughput;
+    return throughput;
 }
 
 // Light that surfaces emit towards the walks, times weigh(arrival). An unlit surface shows itself and lights nothing.
@@ -49,7 +49,7 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     if (point.material->description.unlit && !path.all_specular) continue;
     const Rgb emitted = scene.emitted(point, paths.wo(i));
     if (is_black(emitted)) continue;
-    path.radiance += admitted(paths, path, paths.path_at(i)) * emitted * weigh(i);
+    path.radiance += admitted(paths, path.throughput, paths.path_at(i)) * emitted * weigh(i);
   }
 }
 
@@ -68,7 +68,7 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   for (int i = 0; i < paths.miss_count(); ++i) {
     auto& path = paths.missed_path(i);
     const Vec3& direction = paths.miss_direction(i);
-    path.radiance += admitted(paths, path, paths.path_of_miss(i)) * map.radiance(direction) * weigh(i);
+    path.radiance += admitted(paths, path.throughput, paths.path_of_miss(i)) * map.radiance(direction) * weigh(i);
   }
 }
 

@@ -13,7 +13,7 @@
 #include "sampling/sampler.h"
 #include "transport/path_expression/class_shares.h"
 #include "transport/surface_bsdf.h"
-#include "transport/wavefront/absorption.h"
+#include "transport/wavefront/path_media.h"
 
 namespace etendue::transport {
 
@@ -38,8 +38,9 @@ struct alignas(64) PathState {
   }
 };
 
-// Classes of paths are kept elsewhere: who does not ask for them does not carry them.
-static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<StandardVacuum<false>>>);
+// Path classes and media are stored separately, and only in models that have them.
+static_assert(sizeof(PathState<Rgb>) == 64 && std::is_empty_v<ClassShares<StandardVacuum<false>>> &&
+              std::is_empty_v<PathMedia<StandardVacuum<false>>>);
 
 template <class M>
 class PathWavefront {
@@ -60,6 +61,7 @@ class PathWavefront {
     rays_traced_ = 0;
     seeded_ = scene.has_transparency(), world_bits_ = ~sampler.lane_mask();
     coherent_ = false;
+    if constexpr (M::kMedia) media_.begin(scene);
   }
   // Walks that are launched start close together and go about the same way: neighbours may be traced as one.
   void assume_coherent() { coherent_ = true; }
@@ -76,10 +78,10 @@ class PathWavefront {
   // Only paths of these classes count from now on: what a model with path classes is told after `begin`.
   void filter_paths(const Automaton& classes) { shares_.begin(classes); }
   void filter_paths_from_light(const Automaton& classes) { shares_.begin(classes, Event::light, Event::camera); }
-  void launch(int path, const Ray& ray, float time = 0) {
+  void launch(int path, const Ray& ray, const MediumState<M>& medium, float time = 0) {
     if constexpr (M::kClasses) shares_.launch(path);
     state(path).start(ray.origin, time);
-    travel(path, ray);
+    travel(path, ray, medium);
   }
 
   // Takes other paths in place of all that came to their end; those are at a vertex of so many edges from the camera.
@@ -88,9 +90,9 @@ class PathWavefront {
     depth_ = length;
   }
   // Returns the path's number.
-  int add_resumed(const PathState<Color>& path, const Ray& ray) {
+  int add_resumed(const PathState<Color>& path, const Ray& ray, const MediumState<M>& medium) {
     state(size_) = path;
-    travel(size_, ray);
+    travel(size_, ray, medium);
     return size_++;
   }
 
@@ -200,11 +202,29 @@ class PathWavefront {
   const Vec3& miss_direction(int i) const { return miss_directions_[static_cast<size_t>(i)]; }
 
   // The path goes on from an arrival in this direction.
-  void continue_path(int hit, const Vec3& direction) { travel(path_at(hit), ray_from(hit, direction)); }
+  void continue_path(int hit, const Vec3& direction) {
+    travel(path_at(hit), ray_from(hit, direction), medium_beyond(hit, direction));
+  }
   Ray ray_from(int hit, const Vec3& direction) const {
     Ray ray;
     point(hit).spawn(direction, ray);
     return ray;
+  }
+
+  // The medium state of a path that continues from a hit in this direction.
+  MediumState<M> medium_beyond(int hit, const Vec3& direction) const {
+    if constexpr (M::kMedia)
+      return media_.medium_beyond(visited_ + hit, point(hit), direction);
+    else
+      return {};
+  }
+  // The throughput on the segment traced last, at a distance from its start, metres.
+  Color throughput_after(int path, float distance) const {
+    const auto p = static_cast<size_t>(path);
+    if constexpr (M::kMedia)
+      return media_.throughput_after(path, distance, segment_seed(path), states_[p].time);
+    else
+      return states_[p].throughput;
   }
 
   // A sum, zero at first, that the path gains unless something lies between the arrival and `distance` along
@@ -214,6 +234,7 @@ class PathWavefront {
     Ray ray;
     point(hit).spawn_segment(direction, distance, ray);
     connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
+    if constexpr (M::kMedia) media_.connect(slot, ray, distance, medium_beyond(hit, direction));
     connected_[slot] = static_cast<uint16_t>(path_at(hit));
     return contributions_[slot] = Color(0);
   }
@@ -230,7 +251,11 @@ class PathWavefront {
   using Packets = std::array<RayPacket, kCapacity / RayPacket::kSize>;
 
   // Rays are written into packets long before they are traced (see RayPacket).
-  void travel(int path, const Ray& ray) {
+  void travel(int path, const Ray& ray, const MediumState<M>& medium) {
+    if constexpr (M::kMedia) {
+      media_.stack(path) = medium;
+      media_.set_ray(path, ray);
+    }
     const auto slot = static_cast<size_t>(travelling_++);
     travelling_packets_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
     travellers_[slot] = static_cast<uint16_t>(path);
@@ -255,9 +280,10 @@ class PathWavefront {
   void seed_lanes(const PerPath<uint16_t>& paths, int count, uint32_t salt) {
     for (int i = 0; seeded_ && i < count; ++i) {
       const auto lane = static_cast<size_t>(i);
-      lane_seeds_[lane] = opacity_seed(paths[lane]) + static_cast<uint32_t>(depth_) + salt;
+      lane_seeds_[lane] = segment_seed(paths[lane]) + salt;
     }
   }
+  uint32_t segment_seed(int path) const { return opacity_seed(path) + static_cast<uint32_t>(depth_); }
 
   // Tells rays when they are, where walks have times.
   void time_lanes(const PerPath<uint16_t>& paths, int count, Packets& packets) {
@@ -270,8 +296,11 @@ class PathWavefront {
   void trace_rays();
   void trace_connections();
   void resolve_connections();
+  bool complete_segment(int ray, bool has_hit);
   void shade();
-  void absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const;
+
+  static constexpr uint32_t kConnectionSalt = 0x5bd1e995U;
+  uint32_t connection_seed(int path) const { return segment_seed(path) + kConnectionSalt; }
 
   const scene::CompiledScene* scene_ = nullptr;
   const Sampler* sampler_ = nullptr;
@@ -310,25 +339,33 @@ class PathWavefront {
   // Of one or the other.
   PerPath<uint32_t> lane_seeds_;
   [[no_unique_address]] ClassShares<M> shares_;
+  [[no_unique_address]] PathMedia<M> media_;
 };
 
 template <class M>
 void PathWavefront<M>::trace_rays() {
   seed_lanes(travellers_, travelling_, 0);
   time_lanes(travellers_, travelling_, travelling_packets_);
-  for (int first = 0; first < travelling_; first += RayPacket::kSize)
-    scene_->intersect(travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)],
-                      std::min(RayPacket::kSize, travelling_ - first), coherent_ && depth_ == 1,
-                      &lane_seeds_[static_cast<size_t>(first)]);
+  for (int first = 0; first < travelling_; first += RayPacket::kSize) {
+    RayPacket& packet = travelling_packets_[static_cast<size_t>(first / RayPacket::kSize)];
+    const int count = std::min(RayPacket::kSize, travelling_ - first);
+    const uint32_t* seeds = &lane_seeds_[static_cast<size_t>(first)];
+    if constexpr (M::kMedia)
+      scene_->intersect_solids(packet, count, coherent_ && depth_ == 1, seeds);
+    else
+      scene_->intersect(packet, count, coherent_ && depth_ == 1, seeds);
+  }
   rays_traced_ += static_cast<uint64_t>(travelling_);
   reached_ = visited_ = hit_count_ = miss_count_ = 0;
   for (int i = 0; i < travelling_; ++i) {
     const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
     const int lane = i % RayPacket::kSize;
-    if (packet.has_hit(lane)) {
+    bool has_hit = packet.has_hit(lane);
+    if constexpr (M::kMedia) has_hit = complete_segment(i, has_hit);
+    if (has_hit) {
       const auto slot = static_cast<size_t>(reached_++);
       reached_by_[slot] = travellers_[static_cast<size_t>(i)];
-      packet.get(lane, hits_[slot]);
+      if constexpr (!M::kMedia) packet.get(lane, hits_[slot]);
       wo_[slot] = -packet.direction(lane);
     } else {
       const auto slot = static_cast<size_t>(miss_count_++);
@@ -339,6 +376,20 @@ void PathWavefront<M>::trace_rays() {
   travelling_ = 0;
 }
 
+// Completes the segment of a ray and stores its hit as the next vertex; returns false if it hits nothing.
+template <class M>
+bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
+  const int path = travellers_[static_cast<size_t>(ray)];
+  Hit& hit = hits_[static_cast<size_t>(reached_)];
+  if (has_hit)
+    travelling_packets_[static_cast<size_t>(ray / RayPacket::kSize)].get(ray % RayPacket::kSize, hit);
+  else
+    hit = Hit();
+  PathState<Color>& path_state = state(path);
+  return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
+                                 rays_traced_);
+}
+
 template <class M>
 void PathWavefront<M>::shade() {
   const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(hit_count_);
@@ -346,16 +397,11 @@ void PathWavefront<M>::shade() {
   scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), times_of_arrivals());
   for (size_t i = 0; i < count; ++i) {
     PathState<Color>& path = states_[reached_by_[first + i]];
+    if constexpr (M::kMedia) media_.set_media(visited_ + static_cast<int>(i), points_[i]);
     build_bsdf<M>(points_[i], bsdfs_[i]);
     positions_.set(i, points_[i].position);
     pixel_seeds_[i] = path.seed;
-    if constexpr (M::kAbsorbing) absorb(path, points_[i], hits_[first + i].t);
   }
-}
-
-template <class M>
-void PathWavefront<M>::absorb(PathState<Color>& state, const scene::SurfacePoint& point, float distance) const {
-  if (!point.front) state.throughput *= inner_transmittance<Color>(point, distance);
 }
 
 template <class M>
@@ -363,15 +409,24 @@ void PathWavefront<M>::resolve_connections() {
   trace_connections();
   for (int i = 0; i < connections_; ++i) {
     const auto slot = static_cast<size_t>(i);
-    if (!connecting_[slot / RayPacket::kSize].is_occluded(i % RayPacket::kSize))
-      state(connected_[slot]).radiance += contributions_[slot];
+    const bool blocked = connecting_[slot / RayPacket::kSize].is_occluded(i % RayPacket::kSize);
+    PathState<Color>& path = state(connected_[slot]);
+    if constexpr (M::kMedia) {
+      const uint32_t seed = connection_seed(connected_[slot]);
+      const Color transmittance = media_.transmittance(slot, blocked, seed, path.time, rays_traced_);
+      if (!is_black(transmittance)) path.radiance += contributions_[slot] * transmittance;
+    } else if (!blocked) {
+      path.radiance += contributions_[slot];
+    }
   }
   connections_ = 0;
 }
 
 template <class M>
 void PathWavefront<M>::trace_connections() {
-  seed_lanes(connected_, connections_, 0x5bd1e995U);
+  if constexpr (M::kMedia)
+    if (!TracedConnections(*scene_).use_packets()) return;
+  seed_lanes(connected_, connections_, kConnectionSalt);
   time_lanes(connected_, connections_, connecting_);
   for (int first = 0; first < connections_; first += RayPacket::kSize)
     scene_->occluded(connecting_[static_cast<size_t>(first / RayPacket::kSize)],

@@ -1,0 +1,165 @@
+#include "manual_images.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "bsdf/bsdf_model.h"
+#include "film/film_image.h"
+#include "image/display.h"
+#include "image/image.h"
+#include "integrator/integrator.h"
+#include "light/light.h"
+#include "render/document.h"
+#include "render/session.h"
+#include "sampling/sampler.h"
+#include "scene/builtin/builtin.h"
+#include "scene/builtin/shapes.h"
+#include "stress/case.h"
+
+namespace etendue::cli {
+namespace {
+
+constexpr int kWidth = 240, kHeight = 180, kStressSize = 96;
+
+class ImageWriter {
+ public:
+  ImageWriter(std::filesystem::path folder, int threads) : folder_(std::move(folder)), threads_(threads) {}
+
+  Result<void> render(const std::string& kind, const std::string& name, render::Document document,
+                      uint32_t samples) const {
+    document.width = kWidth;
+    document.height = kHeight;
+    const film::Film film = render::rendered(document, samples, threads_);
+    const std::vector<uint8_t> pixels = image::display_pixels(film::radiance_of(film), 0, image::ToneCurve::agx);
+    return write(kind, name, kWidth, kHeight, pixels);
+  }
+
+  Result<void> write(const std::string& kind, const std::string& name, int width, int height,
+                     const std::vector<uint8_t>& pixels) const {
+    const std::string file = kind + "-" + name + ".png";
+    std::fprintf(stderr, "%s\n", file.c_str());
+    return image::write_png(folder_ / file, width, height, pixels);
+  }
+
+  int threads() const { return threads_; }
+
+ private:
+  std::filesystem::path folder_;
+  int threads_;
+};
+
+// A sphere on a floor, and the camera that looks at it.
+render::Document stage(const Material& material, scene::Scene scene) {
+  Material floor = scene::diffuse(Rgb(0.35f));
+  floor.name = "floor";
+  scene::add(scene, scene::quad(8), floor);
+  Mat4 above(1);
+  above[3] = Vec4(0, 1, 0, 1);
+  scene::add(scene, scene::sphere(1, 64), material, above);
+  render::Document d;
+  d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+  d.camera = look_at({0, 2.2f, 5.2f}, {0, 0.9f, 0}, {0, 1, 0}, 0.55f);
+  return d;
+}
+
+scene::Scene lit_by(Light light, const Vec3& position) {
+  scene::Scene scene;
+  scene::add(scene, light, look_at(position, {0, 0.5f, 0}, {0, 0.99f, 0.1f}, 1).to_world);
+  return scene;
+}
+
+render::Document surface_stage(const BsdfModelRef& model) {
+  Material material;
+  material.base_color = Rgb(0.8f, 0.45f, 0.25f);
+  material.model = model;
+  scene::Scene scene = lit_by(make_light("quad", {{"width", 2.0}, {"height", 2.0}, {"intensity", 12.0}}), {2.5f, 4, 2});
+  scene.environment.tint = Rgb(0.15f);
+  return stage(material, std::move(scene));
+}
+
+// Intensities that give a similar exposure for all types.
+render::Document light_stage(const LightTypeInfo& type) {
+  const double intensity = type.description.quantity == &kRadiantIntensity    ? 40
+                           : type.description.quantity == &kIrradiance        ? 2.5
+                           : type.description.light_class == LightClass::area ? 14
+                                                                              : 0.8;
+  return stage(scene::diffuse(Rgb(0.7f)),
+               lit_by(make_light(type.description.name, {{"intensity", intensity}}), {2, 3.6f, 2}));
+}
+
+Result<void> write_integrators(const ImageWriter& out) {
+  render::Document d = *render::new_document("cornell-spheres");
+  for (const auto& info : integrator::integrator_infos()) {
+    d.method.integrator = info.name;
+    if (auto ok = out.render("integrator", info.name, d, 64); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> write_samplers(const ImageWriter& out) {
+  render::Document d = *render::new_document("cornell");
+  for (const auto& info : sampler_infos()) {
+    d.method.sampler = info.name;
+    if (auto ok = out.render("sampler", info.name, d, 4); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> write_surfaces(const ImageWriter& out) {
+  if (auto ok = out.render("surface", "gltf", surface_stage({}), 128); !ok) return ok;
+  for (const auto& info : bsdf_model_infos()) {
+    BsdfModelRef model;
+    model.model = make_bsdf_model(info.description.name);
+    if (auto ok = out.render("surface", info.description.name, surface_stage(model), 128); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> write_lights(const ImageWriter& out) {
+  for (const auto& info : light_type_infos())
+    if (auto ok = out.render("light", info.description.name, light_stage(info), 64); !ok) return ok;
+  return {};
+}
+
+Result<void> write_scenes_and_cameras(const ImageWriter& out) {
+  for (const auto& builtin : scene::builtins())
+    if (auto ok = out.render("scene", builtin.name, *render::new_document(builtin.name), 64); !ok) return ok;
+  const render::Document d = *render::new_document("cornell-spheres");
+  const auto parameters = render::section_parameters(d, "camera");
+  for (const auto& p : parameters)
+    if (p.info.name == "camera.projection")
+      for (const auto& name : p.info.options)
+        if (auto ok = out.render("camera", name, *render::with_text(d, p.info.name, name), 64); !ok) return ok;
+  return {};
+}
+
+bool is_uniform(const std::vector<uint8_t>& pixels) {
+  const auto [low, high] = std::ranges::minmax(pixels);
+  return high - low < 4;
+}
+
+// The first image of a case that shows something.
+Result<void> write_stress_case(const ImageWriter& out, const stress::Case& c) {
+  stress::TestContext test({.seed = 0, .threads = out.threads(), .size = kStressSize});
+  c.run(test);
+  for (const auto& result : test.take_results()) {
+    const auto& [width, height, pixels] = result.image;
+    if (!pixels.empty() && !is_uniform(pixels)) return out.write("stress", c.name, width, height, pixels);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> write_manual_images(const std::filesystem::path& folder, int threads) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const ImageWriter out(folder, threads);
+  for (const auto write : {write_integrators, write_samplers, write_surfaces, write_lights, write_scenes_and_cameras})
+    if (auto ok = write(out); !ok) return ok;
+  for (const auto& c : stress::cases())
+    if (auto ok = write_stress_case(out, c); !ok) return ok;
+  return {};
+}
+
+}  // namespace etendue::cli

@@ -1,0 +1,268 @@
+#include "scene/solids.h"
+
+#include "scene/facet.h"
+
+namespace etendue::scene {
+namespace {
+
+// Stands for an index of 0, which means a reflectance of one.                                     [KHR_materials_ior]
+constexpr float kPerfectMirrorIor = 1e4f;
+
+float inner_index(const Material& m) {
+  if (m.model) return m.model->index_of_refraction();
+  return m.ior == 0 ? kPerfectMirrorIor : m.ior;
+}
+
+bool is_solid(const InstanceData& instance, const SurfaceMaterial& material) {
+  return !instance.round && material.description.is_solid() && !material.description.unlit;
+}
+
+// Whether stochastic opacity may let rays pass the surface.
+bool may_pass_by_alpha(const InstanceData& instance, const SurfaceMaterial& material) {
+  return material.has_alpha &&
+         (material.description.alpha < 1 || material.base_color || !instance.mesh->colors.empty());
+}
+
+// Over the shutter interval. Vertices move in straight lines between motion steps.
+Bounds bounds_over_time(const InstanceData& instance) {
+  Bounds bounds;
+  const Motion* motion = instance.motion.get();
+  if (!motion) return bounds_of(*instance.mesh, instance.identity ? Mat4(1) : instance.to_world);
+  for (const Mat4& to_world : motion->to_world) bounds.extend(bounds_of(*instance.mesh, to_world));
+  for (const DeformedVertices& vertices : motion->vertices)
+    for (const Vec3& p : vertices.positions) bounds.extend(p);
+  return bounds;
+}
+
+float largest_offset(const InstanceData& instance, const Bounds& bounds) {
+  const Vec3 farthest = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
+  float largest = 0;
+  for (uint32_t t = 0; t < instance.mesh->triangles.size(); ++t) {
+    const Facet f = facet_of(instance, t, 0);
+    largest = std::max(largest, offset_bound(farthest, f.p1 - f.p0, f.p2 - f.p0));
+  }
+  return largest;
+}
+
+float surface_area(const Bounds& bounds) {
+  const Vec3 size = bounds.max - bounds.min;
+  return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
+}
+
+bool bounds_overlap(const Solid& a, const Solid& b) {
+  const Vec3 gap = glm::max(a.bounds.min - b.bounds.max, b.bounds.min - a.bounds.max);
+  return max_component(gap) <= a.offset + b.offset;
+}
+
+bool contains(const Bounds& bounds, const Vec3& p) {
+  return glm::all(glm::greaterThanEqual(p, bounds.min)) && glm::all(glm::lessThanEqual(p, bounds.max));
+}
+
+// Collects all boundaries of solids along a ray; nothing blocks the ray.
+class BoundaryCollector final : public OpacityTest {
+ public:
+  explicit BoundaryCollector(const std::vector<InstanceData>& instances) : instances_(instances) {}
+
+  std::span<const Hit> trace(const Accel& accel, const Ray& ray, float time) {
+    found().clear();
+    Hit none;
+    accel.intersect(ray, this, 0, none, time);
+    return found();
+  }
+
+  bool blocks_ray(uint32_t instance, uint32_t triangle, float u, float v, uint32_t) const override {
+    if (instances_[instance].solid != kNoSolid) found().push_back({instance, triangle, u, v, 0});
+    return false;
+  }
+
+ private:
+  static std::vector<Hit>& found() {
+    static thread_local std::vector<Hit> hits;
+    return hits;
+  }
+
+  const std::vector<InstanceData>& instances_;
+};
+
+// Hits on the boundary of one solid: those of positive orientation minus those of negative orientation.
+struct BoundaryCount {
+  uint32_t solid;
+  int sum;
+  Hit hit;
+};
+
+void count_boundary(std::vector<BoundaryCount>& counts, uint32_t solid, const Hit& hit, bool positive) {
+  auto at = std::ranges::find(counts, solid, &BoundaryCount::solid);
+  if (at == counts.end()) at = counts.insert(at, {solid, 0, hit});
+  at->sum += positive ? 1 : -1;
+}
+
+}  // namespace
+
+Solids::Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+               std::shared_ptr<const Accel> accel)
+    : accel_(std::move(accel)) {
+  assign_priorities(instances, materials);
+}
+
+void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials) {
+  constexpr auto same_inside = [](const Solid& a, const Solid& b) {
+    return a.eta == b.eta && a.attenuation_color == b.attenuation_color &&
+           a.attenuation_distance == b.attenuation_distance;
+  };
+  std::vector<Solid> all;
+  for (InstanceData& instance : instances) {
+    instance.solid = kNoSolid;
+    const SurfaceMaterial& material = materials[instance.material];
+    if (!is_solid(instance, material)) continue;
+    Solid inside;
+    inside.node = instance.node, inside.material = instance.material;
+    inside.eta = inner_index(material.description);
+    inside.absorbs = material.absorbs_inside;
+    inside.attenuation_color = material.description.attenuation_color;
+    inside.attenuation_distance = material.description.attenuation_distance;
+    // The primitives of a node are adjacent.
+    size_t at = all.size();
+    for (size_t i = all.size(); i > 0 && all[i - 1].node == instance.node; --i)
+      if (same_inside(all[i - 1], inside)) at = i - 1;
+    if (at == all.size()) all.push_back(inside);
+    Solid& solid = all[at];
+    solid.bounds.extend(bounds_over_time(instance));
+    solid.is_emissive = solid.is_emissive || material.is_emissive;
+    solid.has_alpha = solid.has_alpha || may_pass_by_alpha(instance, material);
+    solid.is_moving = solid.is_moving || instance.motion;
+    instance.solid = static_cast<uint32_t>(at);
+  }
+  for (const InstanceData& instance : instances)
+    if (instance.solid != kNoSolid)
+      all[instance.solid].offset =
+          std::max(all[instance.solid].offset, largest_offset(instance, all[instance.solid].bounds));
+  std::swap(all, solids_);
+  find_overlaps();
+  std::swap(all, solids_);
+
+  // Solids that neither absorb nor may overlap are left out.
+  std::vector<uint32_t> order;
+  for (uint32_t i = 0; i < all.size(); ++i)
+    if (all[i].absorbs || all[i].may_overlap) order.push_back(i);
+  std::ranges::stable_sort(
+      order, [&](uint32_t a, uint32_t b) { return surface_area(all[a].bounds) < surface_area(all[b].bounds); });
+  std::vector<uint32_t> numbers(all.size(), kNoSolid);
+  for (const uint32_t i : order) {
+    numbers[i] = static_cast<uint32_t>(solids_.size());
+    solids_.push_back(all[i]);
+    any_has_alpha_ = any_has_alpha_ || all[i].has_alpha;
+    if (all[i].may_overlap) may_overlap_ = true, offset_ = std::max(offset_, all[i].offset);
+  }
+  for (InstanceData& instance : instances)
+    if (instance.solid != kNoSolid) instance.solid = numbers[instance.solid];
+}
+
+// Sweeps along the x axis.
+void Solids::find_overlaps() {
+  std::vector<Solid*> order;
+  for (Solid& solid : solids_) order.push_back(&solid);
+  std::ranges::sort(order, [](const Solid* a, const Solid* b) { return a->bounds.min.x < b->bounds.min.x; });
+  float largest = 0;
+  for (const Solid& solid : solids_) largest = std::max(largest, solid.offset);
+  for (size_t i = 0; i < order.size(); ++i)
+    for (size_t j = i + 1; j < order.size() && order[j]->bounds.min.x <= order[i]->bounds.max.x + 2 * largest; ++j)
+      if (!(order[i]->may_overlap && order[j]->may_overlap) && bounds_overlap(*order[i], *order[j]))
+        order[i]->may_overlap = order[j]->may_overlap = true;
+}
+
+MediumStack Solids::containing(const std::vector<InstanceData>& instances, const Vec3& point, float time,
+                               uint32_t except) const {
+  MediumStack stack;
+  bool any = false;
+  for (uint32_t i = 0; i < solids_.size() && !any; ++i) any = i != except && contains(solids_[i].bounds, point);
+  if (!any) return stack;
+
+  BoundaryCollector collector(instances);
+  // A ray that starts inside a closed boundary leaves it once more than it enters it.
+  const auto containing_by_ray = [&](const Vec3& direction) {
+    Ray ray;
+    ray.origin = point;
+    ray.direction = direction;
+    std::vector<BoundaryCount> counts;
+    for (const Hit& hit : collector.trace(*accel_, ray, time)) {
+      const InstanceData& instance = instances[hit.instance];
+      const bool leaves = glm::dot(normal_of(facet_of(instance, hit.triangle, time)), direction) > 0;
+      if (instance.solid != except) count_boundary(counts, instance.solid, hit, leaves);
+    }
+    MediumStack inside;
+    for (const BoundaryCount& c : counts)
+      if (c.sum > 0) inside.insert(c.solid);
+    return inside;
+  };
+  const MediumStack first = containing_by_ray(glm::normalize(Vec3(0.36f, 0.86f, 0.35f)));
+  const MediumStack second = containing_by_ray(glm::normalize(Vec3(-0.71f, -0.23f, 0.66f)));
+  if (first == second) return first;
+  const MediumStack third = containing_by_ray(glm::normalize(Vec3(0.28f, -0.57f, -0.77f)));
+  for (const uint32_t solid : first.solids())
+    if (second.contains(solid) || third.contains(solid)) stack.insert(solid);
+  for (const uint32_t solid : second.solids())
+    if (third.contains(solid)) stack.insert(solid);
+  return stack;
+}
+
+bool Solids::find_interface(const std::vector<InstanceData>& instances, const MediumStack& stack, float time, Hit& hit,
+                            MediumInterface& interface) const {
+  const uint32_t hit_solid = instances[hit.instance].solid;
+  interface.clear(stack);
+  interface.add_boundary(hit_solid, true);
+  if (!solids_[hit_solid].may_overlap) return true;
+  add_coincident(instances, time, hit, interface);
+  bool is_emissive = false;
+  for (size_t i = 0; i < interface.count; ++i)
+    is_emissive = is_emissive || solids_[interface.boundaries[i]].is_emissive;
+  return is_emissive || interface.top(true) != interface.top(false);
+}
+
+// Finds boundaries within rounding errors of the hit by a short ray across the surface. Opposite boundaries of one
+// solid cancel: they enclose a part without thickness.
+void Solids::add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
+                            MediumInterface& interface) const {
+  const uint32_t hit_solid = instances[hit.instance].solid;
+  const Facet facet = facet_of(instances[hit.instance], hit.triangle, time);
+  const Vec3 e1 = facet.p1 - facet.p0, e2 = facet.p2 - facet.p0, normal = normal_of(facet);
+  const Vec3 position = facet.p0 + e1 * hit.u + e2 * hit.v;
+  const float error = offset_bound(position, e1, e2), reach = error + offset_;
+  interface.offset = error;
+  Ray short_ray;
+  short_ray.origin = position + normal * reach;
+  short_ray.direction = -normal;
+  short_ray.tfar = 2 * reach;
+
+  static thread_local std::vector<BoundaryCount> counts;
+  counts.clear();
+  BoundaryCollector collector(instances);
+  for (const Hit& other : collector.trace(*accel_, short_ray, time)) {
+    const uint32_t solid = instances[other.instance].solid;
+    if (solid == hit_solid) continue;
+    const Facet f = facet_of(instances[other.instance], other.triangle, time);
+    const float error_of_other = offset_bound(position, f.p1 - f.p0, f.p2 - f.p0);
+    if (std::abs(glm::dot(normal_of(f), position - f.p0)) > error + error_of_other) continue;
+    interface.offset = std::max(interface.offset, error_of_other);
+    count_boundary(counts, solid, other, glm::dot(normal_of(f), normal) > 0);
+  }
+  if (counts.empty()) return;
+
+  std::ranges::sort(counts, {}, &BoundaryCount::solid);
+  const auto precedes = [&](uint32_t a, uint32_t b) {
+    return std::pair(!solids_[a].is_emissive, a) < std::pair(!solids_[b].is_emissive, b);
+  };
+  uint32_t chosen = hit_solid;
+  bool flipped = false;
+  for (const BoundaryCount& c : counts) {
+    if (c.sum == 0 || interface.count == MediumInterface::kMaxBoundaries) continue;
+    interface.add_boundary(c.solid, c.sum > 0);
+    if (!precedes(c.solid, chosen)) continue;
+    chosen = c.solid;
+    flipped = c.sum < 0;
+    hit = {c.hit.instance, c.hit.triangle, c.hit.u, c.hit.v, hit.t};
+  }
+  if (flipped) interface.flip();
+}
+
+}  // namespace etendue::scene

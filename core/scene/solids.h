@@ -1,0 +1,96 @@
+// Solids: closed regions of one medium, and which of them contain a point.                  [Schmidt and Budge 2002]
+//
+// A solid is the region enclosed by those primitives of one node that have the same index of refraction, attenuation
+// colour and attenuation distance. Thin-walled materials enclose no solid.
+//
+// Solids are numbered by priority. Where solids overlap, the smallest number is the medium. The solid with the smaller
+// bounding box (by surface area) has the smaller number; among equal boxes the order of the file decides.
+//
+// Light passes a boundary inside a solid of higher priority without scattering, since the medium is the same on both
+// sides. Boundaries of different solids that coincide up to rounding form one interface between the media in front of
+// and behind all of them. Its scattering function is that of the solid with the highest priority.
+//
+// Integrators agree only if the meshes of solids are closed.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/accel.h"
+#include "geometry/mesh.h"
+#include "material/surface_material.h"
+#include "scene/medium_stack.h"
+
+namespace etendue::scene {
+
+struct InstanceData;
+struct Scene;
+
+struct Solid {
+  float eta = 1;  // index of refraction
+  Rgb attenuation_color{1};
+  float attenuation_distance = kInfinity;  // metres
+  bool absorbs = false;
+  bool may_overlap = false;  // its bounds intersect or touch those of another solid
+  bool is_emissive = false;  // light is sampled on its boundary, so every path that reaches it has a vertex there
+  bool has_alpha = false;    // rays may pass its boundary by opacity
+  bool is_moving = false;    // while the shutter is open
+  uint32_t node = 0;
+  uint32_t material = 0;  // of its first primitive
+  Bounds bounds;          // in world space, over the shutter interval
+  float offset = 0;       // bound of the rounding error of points on its boundary, metres
+
+  // Beer's law: the transmittance of a segment of this length in metres.                       [KHR_materials_volume]
+  Rgb transmittance(float distance) const {
+    if (!absorbs) return Rgb(1);
+    const float x = distance / attenuation_distance;
+    return {std::pow(attenuation_color.r, x), std::pow(attenuation_color.g, x), std::pow(attenuation_color.b, x)};
+  }
+};
+
+// The solids of a scene by number. Solids that neither absorb nor touch another one are left out: refraction against a
+// vacuum is exact for them.
+class Solids {
+ public:
+  Solids() = default;
+  // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances.
+  Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+         std::shared_ptr<const Accel> accel);
+
+  bool empty() const { return solids_.empty(); }
+  size_t size() const { return solids_.size(); }
+  // Null for kNoSolid, a vacuum.
+  const Solid* find(uint32_t number) const { return number == kNoSolid ? nullptr : &solids_[number]; }
+  const Solid& operator[](uint32_t number) const { return solids_[number]; }
+
+  // Whether solids may overlap or touch, so that a boundary may separate equal media or coincide with another one.
+  bool may_overlap() const { return may_overlap_; }
+  // Whether stochastic opacity may let rays into a solid.
+  bool any_has_alpha() const { return any_has_alpha_; }
+
+  // The solids that contain a point, except for one of them. Counts the boundaries along two rays in fixed directions.
+  // They can disagree if a ray hits an edge or a mesh is open; a third ray decides then.
+  MediumStack containing(const std::vector<InstanceData>& instances, const Vec3& point, float time,
+                         uint32_t except = kNoSolid) const;
+
+  // Finds the media on both sides of a boundary that a ray hits after a segment in the solids of `stack`. Returns false
+  // if they are equal and no light is sampled on the boundary: the ray continues. If boundaries coincide, `hit` is
+  // replaced by the hit on the boundary of the highest priority.
+  bool find_interface(const std::vector<InstanceData>& instances, const MediumStack& stack, float time, Hit& hit,
+                      MediumInterface& interface) const;
+
+ private:
+  void assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials);
+  void find_overlaps();
+  void add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
+                      MediumInterface& interface) const;
+
+  std::vector<Solid> solids_;
+  std::shared_ptr<const Accel> accel_;
+  bool may_overlap_ = false;
+  bool any_has_alpha_ = false;
+  float offset_ = 0;  // the largest offset of solids that may overlap
+};
+
+}  // namespace etendue::scene
