@@ -1,30 +1,41 @@
-// The loop: wait for something, take it up, draw if it can be seen.
+// The main loop: waits for events, updates the state, and draws when something visible has changed.
 #include "viewer/viewer.h"
 
+#include <chrono>
 #include <cstdio>
-#include <filesystem>
+#include <optional>
 
-#include "viewer/imgui_host.h"
-#include "viewer/pacing.h"
-#include "viewer/panels.h"
-#include "viewer/process_age.h"
-#include "viewer/script.h"
-#include "viewer/split_screen.h"
-#include "viewer/widgets.h"
+#include "render/session.h"
+#include "viewer/actions/all_actions.h"
+#include "viewer/frame_update.h"
+#include "viewer/layout/interface.h"
+#include "viewer/panels/registry.h"
+#include "viewer/platform/imgui_host.h"
+#include "viewer/platform/pacing.h"
+#include "viewer/platform/platform.h"
+#include "viewer/platform/process_age.h"
+#include "viewer/script/script.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/viewport/comparison.h"
+#include "viewer/viewport/comparison_view.h"
+#include "viewer/widgets/basic_widgets.h"
 
 namespace etendue::viewer {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// ImGui needs some frames until everything that an event caused has its place.
-constexpr int kSettlingFrames = 3;
+// Dear ImGui needs some frames until the layout has adapted to an event.
+constexpr int kFramesPerEvent = 3;
+// The share of the time that the interface takes is measured over this many seconds.
+constexpr double kShareInterval = 2;
 
 double seconds_between(Clock::time_point a, Clock::time_point b) {
   return std::chrono::duration<double>(b - a).count();
 }
 
-int fail(const Error& error) {
+int report(const Error& error) {
   std::fprintf(stderr, "etendue: %s\n", error.message.c_str());
   return static_cast<int>(error.fault);
 }
@@ -32,25 +43,28 @@ int fail(const Error& error) {
 class Application {
  public:
   Application(Platform& platform, const ViewOptions& options)
-      : platform_(platform), w_(platform, options), picture_(platform.gl()) {}
+      : platform_(platform), state_(platform, options), live_image_(platform.gl()) {}
 
   Result<void> start(const Settings& settings, const std::string& note) {
     if (auto started = host_.start(); !started) return started;
-    if (auto started = picture_.start(); !started) return started;
-    w_.settings = settings;
-    w_.theme = apply_theme(settings.dark, platform_.scale());
-    w_.faces = load_faces(platform_.scale());
-    if (!note.empty()) w_.notices.say(note);
+    if (auto started = live_image_.start(); !started) return started;
+    state_.settings = settings;
+    state_.ui.theme = apply_theme(settings.dark, platform_.scale());
+    state_.ui.fonts = load_fonts(platform_.scale());
+    state_.panels = PanelSet(make_panels());
+    add_all_actions(state_.actions, state_.panels);
+    if (!note.empty()) state_.notices.add_message(note);
     return {};
   }
 
   int run(Script* script) {
-    // The first picture needs the size of the viewport.
+    // The first frame determines the size of the viewport, which the scene needs.
     draw();
-    w_.open(w_.options.scene.empty() ? "cornell" : w_.options.scene);
-    measured_ = last_ = Clock::now();
-    while (!w_.quit && !platform_.closing()) {
-      platform_.wait(patience(script));
+    state_.open_file(state_.options.scene.empty() ? "cornell" : state_.options.scene);
+    last_draw_ = Clock::now();
+    share_start_ = last_draw_;
+    while (!state_.quit && !platform_.closing()) {
+      platform_.wait(max_wait(script));
       step(script);
       if (script && script->ended()) break;
     }
@@ -58,107 +72,139 @@ class Application {
   }
 
   const Settings& settings() {
-    if (platform_.has_display()) w_.settings.window = platform_.place();
-    return w_.settings;
+    if (platform_.has_display()) state_.settings.window = platform_.geometry();
+    return state_.settings;
   }
 
  private:
-  bool writing() const { return w_.contest.writing() || w_.techniques.writing() || w_.scene_writer.busy(); }
+  bool is_flying() const { return state_.ui.input.buttons[static_cast<size_t>(Button::right)]; }
 
-  // Seconds to sleep if nothing happens.
-  double patience(const Script* script) const {
-    if (frames_wanted_ > 0 || !platform_.events().empty() || (script && script->in_a_hurry())) return 0;
-    if (w_.input.buttons[1]) return 0.01;  // flying
-    if (w_.pointer_rest < kTooltipDelay || w_.comparison.waits_for_shift()) return 0.05;
-    if (w_.loader.busy() || w_.capture.busy() || writing()) return 0.05;
-    if (script || fading_ || wait_for_frame_) return 0.02;
-    if (w_.editor.empty()) return 0.5;
-    const auto phase = w_.session.status().phase;
+  // Seconds to wait for an event.
+  double max_wait(const Script* script) const {
+    const bool has_input = !platform_.events().empty();
+    if (frames_left_ > 0 || has_input || (script && script->is_in_progress())) return 0;
+    if (is_flying()) return 0.01;
+    if (state_.ui.pointer_rest < kTooltipDelay || state_.viewport.comparison->waits_for_shift()) return 0.05;
+    if (is_file_active(state_)) return 0.05;
+    if (script || notices_fade_ || image_waits_) return 0.02;
+    if (!state_.has_document()) return 0.5;
+    const auto phase = state_.session->status().phase;
     return phase == "done" || phase == "paused" ? 1.0 : 0.1;
   }
 
+  void request_frames(int count) { frames_left_ = std::max(frames_left_, count); }
+
+  // Handles events, and draws a frame if that is due.
   void step(Script* script) {
     const auto now = Clock::now();
-    const double since_last = seconds_between(last_, now);
-    if (script) script->advance(w_, picture_);
-    if (platform_.events().take_frame(w_.input)) frames_wanted_ = kSettlingFrames, touched_ = now;
-    const double rest = seconds_between(touched_, now);
-    // One more frame brings the tooltip.
-    if (w_.pointer_rest < kTooltipDelay && rest >= kTooltipDelay) frames_wanted_ = std::max(frames_wanted_, 1);
-    w_.pointer_rest = rest;
-    if (const Vec2i size = platform_.size(); size != size_) size_ = size, frames_wanted_ = kSettlingFrames;
-    for (const auto& file : w_.input.dropped) w_.open(file);
-    if (w_.comparison.watch_shift(w_.input, w_.view.typing, now)) frames_wanted_ = std::max(frames_wanted_, 1);
-    const auto frame = w_.session.frame();
-    const bool new_frame = frame && frame != w_.frame;
-    const bool hurry = new_frame && (!w_.frame || frame->version != w_.frame->version ||
-                                     frame->preview_scale != w_.frame->preview_scale);
-    const bool time_for_it = since_last >= pacing_.interval(frame ? frame->samples : 0);
-    const bool told = w_.contest.has_news() || w_.paths.has_news() || w_.advice.has_news() ||
-                      w_.missing_paths.has_news() || w_.techniques.has_news() || w_.surface.has_news() ||
-                      w_.meter.has_news();
-    const bool news = told && since_last >= pacing_.interval(0);
-    wait_for_frame_ = (new_frame && !hurry && !time_for_it) || (told && !news);
-    // Status figures move on even when no frame comes.
-    const double still = w_.session.status().phase_progress > 0 ? 0.25 : 1;
-    const bool due = frames_wanted_ > 0 || hurry || (new_frame && time_for_it) || news || since_last >= still ||
-                     w_.loader.busy() || w_.capture.busy() || writing() || w_.input.buttons[1] ||
-                     (script && script->wants_frame());
-    if (due) draw();
-    measure(now);
+    if (script) script->advance(state_);
+    take_events(now);
+    const bool drawing_is_due = frames_left_ > 0 || new_content_is_due(now) || is_file_active(state_) || is_flying() ||
+                                (script && script->needs_frame());
+    if (drawing_is_due) draw();
+    update_interface_share(now);
+  }
+
+  void take_events(Clock::time_point now) {
+    Input& input = state_.ui.input;
+    if (platform_.events().take_frame(input)) {
+      request_frames(kFramesPerEvent);
+      last_event_ = now;
+    }
+    // One more frame is drawn when tooltips appear.
+    const double rest = seconds_between(last_event_, now);
+    if (state_.ui.pointer_rest < kTooltipDelay && rest >= kTooltipDelay) request_frames(1);
+    state_.ui.pointer_rest = rest;
+    if (const Vec2i size = platform_.size(); size != size_) {
+      size_ = size;
+      request_frames(kFramesPerEvent);
+    }
+    for (const auto& file : input.dropped) state_.open_file(file);
+    if (state_.viewport.comparison->update_shift(input, state_.interface.typing, now)) request_frames(1);
+  }
+
+  // Whether a new image, a result of a task, or the status bar should be drawn now. The interval depends on the time
+  // that drawing takes.
+  bool new_content_is_due(Clock::time_point now) {
+    const double since_draw = seconds_between(last_draw_, now);
+    const auto& shown = state_.viewport.frame;
+    const auto latest = state_.session->frame();
+    const bool is_new = latest && latest != shown;
+    const bool is_urgent =
+        is_new && (!shown || latest->version != shown->version || latest->preview_scale != shown->preview_scale);
+    const bool image_is_due = is_new && since_draw >= pacing_.interval(latest->samples);
+    const bool has_result = has_task_update(state_);
+    const bool result_is_due = has_result && since_draw >= pacing_.interval(0);
+    image_waits_ = (is_new && !is_urgent && !image_is_due) || (has_result && !result_is_due);
+    const double status_interval = state_.session->status().phase_progress > 0 ? 0.25 : 1;
+    return is_urgent || image_is_due || result_is_due || since_draw >= status_interval;
   }
 
   void draw() {
     const auto start = Clock::now();
-    const auto seconds = static_cast<float>(seconds_between(last_, start));
-    last_ = start;
-    w_.advance(picture_);
-    fading_ = w_.notices.pass(static_cast<double>(seconds));
-    host_.begin_frame(w_.input, seconds);
-    draw_interface(w_, seconds);
+    const auto seconds = static_cast<float>(seconds_between(last_draw_, start));
+    last_draw_ = start;
+    update_state(state_, live_image_);
+    notices_fade_ = state_.notices.advance(static_cast<double>(seconds));
+    host_.begin_frame(state_.ui.input, seconds);
+    interface_.draw(state_, seconds);
+    draw_window();
+    if (state_.viewport.frame && state_.timing.first_image_seconds == 0)
+      state_.timing.first_image_seconds = process_age();
+    if (frames_left_ > 0) --frames_left_;
+    clear_frame_input();
+    const double took = seconds_between(start, Clock::now());
+    pacing_.add_redraw(took);
+    interface_seconds_ += took;
+  }
+
+  void draw_window() {
     const Gl& gl = platform_.gl();
     gl.BindFramebuffer(GL_FRAMEBUFFER, platform_.framebuffer());
     gl.Viewport(0, 0, size_.x, size_.y);
     gl.Disable(GL_SCISSOR_TEST);
-    const ImVec4& ground = w_.theme.ground;
-    gl.ClearColor(ground.x, ground.y, ground.z, 1);
+    const ImVec4& background = state_.ui.theme.background;
+    gl.ClearColor(background.x, background.y, background.z, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    if (!w_.editor.empty() && w_.frame) screen_.draw(w_, platform_.framebuffer(), size_);
+    if (state_.has_document() && state_.viewport.frame) comparison_view_.draw(state_, platform_.framebuffer(), size_);
     gl.Viewport(0, 0, size_.x, size_.y);
     host_.end_frame();
     platform_.present();
-    if (w_.frame && w_.first_picture_seconds == 0) w_.first_picture_seconds = process_age();
-    if (frames_wanted_ > 0) --frames_wanted_;
-    // What a frame took must not be taken again by the next one.
-    w_.input.pressed = {};
-    w_.input.keys_pressed.reset();
-    w_.input.wheel = 0;
-    w_.input.text.clear();
-    w_.input.dropped.clear();
-    const double took = seconds_between(start, Clock::now());
-    pacing_.drew(took);
-    w_.pace.busy += took;
   }
 
-  void measure(Clock::time_point now) {
-    const double passed = seconds_between(measured_, now);
-    constexpr double kMeasured = 2;  // long enough for several drawings
-    if (passed < kMeasured) return;
-    w_.pace.share = w_.pace.busy / passed;
-    w_.pace.busy = 0;
-    measured_ = now;
+  // Presses, characters and dropped files are handled in one frame only.
+  void clear_frame_input() {
+    Input& input = state_.ui.input;
+    input.pressed = {};
+    input.keys_pressed.reset();
+    input.wheel = 0;
+    input.text.clear();
+    input.dropped.clear();
+  }
+
+  void update_interface_share(Clock::time_point now) {
+    const double elapsed = seconds_between(share_start_, now);
+    if (elapsed < kShareInterval) return;
+    state_.timing.interface_share = interface_seconds_ / elapsed;
+    interface_seconds_ = 0;
+    share_start_ = now;
   }
 
   Platform& platform_;
   ImguiHost host_{platform_};
-  Workbench w_;
-  Picture picture_;
-  SplitScreen screen_{platform_.gl(), picture_};
+  AppState state_;
+  ImageView live_image_;
+  ComparisonView comparison_view_{platform_.gl(), live_image_};
+  Interface interface_;
   Vec2i size_{0};
-  int frames_wanted_ = kSettlingFrames;
-  bool fading_ = false, wait_for_frame_ = false;
   Pacing pacing_;
-  Clock::time_point last_ = Clock::now(), measured_ = Clock::now(), touched_ = Clock::now();
+  int frames_left_ = kFramesPerEvent;  // to draw in any case
+  bool notices_fade_ = false;
+  bool image_waits_ = false;  // a new image or result will be drawn after the interval
+  double interface_seconds_ = 0;
+  Clock::time_point last_draw_ = Clock::now();
+  Clock::time_point share_start_ = Clock::now();
+  Clock::time_point last_event_ = Clock::now();
 };
 
 }  // namespace
@@ -167,23 +213,21 @@ int run_viewer(const ViewOptions& options) {
   std::optional<Script> script;
   if (!options.script.empty()) {
     auto read = Script::read(options.script);
-    if (!read) return fail(read.error());
+    if (!read) return report(read.error());
     script = std::move(*read);
   }
-  // A script must find the same viewer every time.
-  const bool remembers = !options.safe && !options.offscreen && !script;
+  // Scripts and off-screen runs do not depend on earlier sessions.
+  const bool uses_settings = !options.safe && !options.offscreen && !script;
   std::string note;
-  Settings settings = remembers ? load_settings(note) : Settings{};
-  if (!remembers || settings.recent.empty()) settings.window = {options.width, options.height, false};
+  Settings settings = uses_settings ? load_settings(note) : Settings{};
+  if (!uses_settings || settings.recent.empty())
+    settings.window = {.width = options.width, .height = options.height, .maximised = false};
   auto platform = options.offscreen ? make_offscreen(options.width, options.height) : make_window(settings.window);
-  if (!platform) return fail(platform.error());
-  int code = 0;
-  {
-    Application application(**platform, options);
-    if (auto started = application.start(settings, note); !started) return fail(started.error());
-    code = application.run(script ? &*script : nullptr);
-    if (remembers) save_settings(application.settings());
-  }
+  if (!platform) return report(platform.error());
+  Application application(**platform, options);
+  if (auto started = application.start(settings, note); !started) return report(started.error());
+  const int code = application.run(script ? &*script : nullptr);
+  if (uses_settings) save_settings(application.settings());
   return code;
 }
 

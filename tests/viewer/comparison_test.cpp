@@ -1,6 +1,5 @@
-// Two pictures against each other, as a user meets them: what stands left and right of the divider, what a difference
-// shows.
-#include "viewer/comparison.h"
+// Comparison of images: the split view, the difference, FLIP and the reference.
+#include "viewer/viewport/comparison.h"
 
 #include <cmath>
 
@@ -13,23 +12,23 @@ namespace {
 
 constexpr int kWidth = 400, kHeight = 300;  // a dialog has room in it
 
-// Steps that leave the window with nothing but the picture in it, and take it.
+// Hides the interface and makes a screenshot.
 json bare_shot(const std::string& file) { return json::array({key("h"), file_step("screenshot", file), key("h")}); }
 
-// The bytes that a screen shows of a picture's beauty.
-std::vector<uint8_t> encoded(const image::LayeredImage& picture) {
-  return image::display_pixels(picture.find("")->pixels, 0, image::ToneCurve::none);
+// The displayed bytes of the beauty layer of an image.
+std::vector<uint8_t> encoded(const image::LayeredImage& saved) {
+  return image::display_pixels(saved.find("")->pixels, 0, image::ToneCurve::none);
 }
 
-// Bytes of a window that is as large as the picture in it.
+// Bytes of a window of the size of the image.
 struct Shot {
   std::vector<uint8_t> bytes;
   int at(int x, int y, int c) const { return bytes[3 * static_cast<size_t>(y * kWidth + x) + static_cast<size_t>(c)]; }
 };
 
-class Compared : public Viewer {
+class ComparisonView : public Viewer {
  protected:
-  // In a window of the picture's size, without an interface, screen pixels are picture pixels.
+  // In a window of the size of the image, without the interface, screen pixels are image pixels.
   Shot shot(const std::string& name) const {
     const auto read = image::read_linear(path(name));
     EXPECT_TRUE(read) << read.error().message;
@@ -44,7 +43,7 @@ class Compared : public Viewer {
 
   int run_small(const json& steps, const std::string& scene = "") { return run(steps, scene, kWidth, kHeight); }
 
-  // Two pictures in files, of another light each: a scene to go on with, and one to compare it with.
+  // Two images in files, with different light: a scene to open and an image to compare it with.
   void make_two() {
     const json steps = joined(small(), json::array({set("film.width", kWidth),
                                                     set("film.height", kHeight),
@@ -57,8 +56,8 @@ class Compared : public Viewer {
     ASSERT_EQ(run(steps), 0);
   }
 
-  // How many pixels of the columns [first, end) are not what the bytes say; names lie above the rest, figures and
-  // notices below.
+  // The number of pixels in the columns [first, end) that differ from the expected bytes. Rows near the top and the
+  // bottom are skipped because labels and notices cover them.
   static int wrong_pixels(const Shot& seen, const std::vector<uint8_t>& expected, int first, int end) {
     int wrong = 0;
     for (int y = kHeight / 5; y < kHeight * 3 / 5; ++y)
@@ -75,7 +74,7 @@ class Compared : public Viewer {
 
 const json kWaitForWork = {{"do", "wait"}, {"for", "comparison"}};
 
-TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
+TEST_F(ComparisonView, SplitShowsALeftAndBRightOfTheDivider) {
   make_two();
   json steps = json::array({{{"do", "wait"}, {"spp", 4}},
                             click("compare.load-b"),
@@ -89,20 +88,20 @@ TEST_F(Compared, TheDividerHasAOnItsLeftAndBOnItsRight) {
   EXPECT_EQ(state("a.json")["comparison"]["mode"], "wipe");
   EXPECT_EQ(state("a.json")["comparison"]["b"], "second.exr");
   EXPECT_EQ(state("a.json")["comparison"]["a"], "path, sobol, 4 spp");
-  const auto a = encoded(picture("first.exr")), b = encoded(picture("second.exr"));
+  const auto a = encoded(saved_image("first.exr")), b = encoded(saved_image("second.exr"));
   const Shot wipe = shot("wipe.png"), swapped = shot("swapped.png");
-  // The line with its handle lies over some columns in the middle.
+  // The divider and its handle cover some columns in the middle.
   constexpr int kLine = 12;
   EXPECT_EQ(wrong_pixels(wipe, a, 0, kWidth / 2 - kLine), 0);
   EXPECT_EQ(wrong_pixels(wipe, b, kWidth / 2 + kLine, kWidth), 0);
   EXPECT_EQ(wrong_pixels(swapped, b, 0, kWidth / 2 - kLine), 0);
   EXPECT_EQ(wrong_pixels(swapped, a, kWidth / 2 + kLine, kWidth), 0);
-  // The two differ enough for the test to see which is which.
+  // The images differ enough for the test to distinguish them.
   EXPECT_GT(wrong_pixels(wipe, b, 0, kWidth / 2 - kLine), 5000);
   EXPECT_GT(wrong_pixels(wipe, a, kWidth / 2 + kLine, kWidth), 5000);
 }
 
-TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
+TEST_F(ComparisonView, PinnedImageStaysWhileTheSceneIsEdited) {
   const json steps = joined(small(), json::array({click("compare.pin"),
                                                   set("render.integrator", "path-pure"),
                                                   {{"do", "wait"}, {"spp", 4}},
@@ -130,7 +129,7 @@ TEST_F(Compared, AKeptPictureStaysWhileTheOtherIsEdited) {
   EXPECT_EQ(state("d.json")["comparison"]["mode"], "off");
 }
 
-TEST_F(Compared, EqualPicturesHaveNoDifferenceAndNoFlip) {
+TEST_F(ComparisonView, EqualImagesHaveZeroDifferenceAndFlip) {
   json steps = joined(small(), json::array({click("compare.pin"), click("compare.difference"), kWaitForWork,
                                             file_step("state", path("a.json")), click("compare.flip"), kWaitForWork,
                                             file_step("state", path("b.json"))}));
@@ -141,7 +140,7 @@ TEST_F(Compared, EqualPicturesHaveNoDifferenceAndNoFlip) {
   EXPECT_EQ(state("b.json")["comparison"]["fresh"], true);
 }
 
-TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
+TEST_F(ComparisonView, ReferenceIsShownWhileShiftIsHeld) {
   make_two();
   const auto shift = [](bool down) { return json{{"do", "key"}, {"key", "shift"}, {"down", down}}; };
   json steps = json::array({{{"do", "wait"}, {"spp", 4}},
@@ -159,15 +158,15 @@ TEST_F(Compared, ShiftAloneShowsTheReferenceForAsLongAsItIsHeld) {
                             file_step("screenshot", path("after.png")),
                             file_step("state", path("after.json"))});
   ASSERT_EQ(run_small(steps, path("first.exr")), 0);
-  const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_on_screen"].get<bool>(); };
+  const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_is_shown"].get<bool>(); };
   EXPECT_TRUE(on_screen("held.json"));
   EXPECT_FALSE(on_screen("after.json"));
-  const auto a = encoded(picture("first.exr")), b = encoded(picture("second.exr"));
+  const auto a = encoded(saved_image("first.exr")), b = encoded(saved_image("second.exr"));
   EXPECT_EQ(wrong_pixels(shot("held.png"), b, 0, kWidth), 0);
   EXPECT_EQ(wrong_pixels(shot("after.png"), a, 0, kWidth), 0);
 }
 
-TEST_F(Compared, PicturesOfAnotherSizeAreRefusedInWords) {
+TEST_F(ComparisonView, ImageOfAnotherSizeIsRefusedWithAMessage) {
   make_two();
   json steps = json::array({{{"do", "wait"}, {"spp", 4}},
                             click("compare.load-b"),
@@ -190,46 +189,48 @@ std::shared_ptr<const render::Frame> frame() {
   return made;
 }
 
-TEST(Comparison, ShiftCountsAloneAndAfterAMoment) {
+TEST(Comparison, ShiftActsAloneAndAfterADelay) {
   using namespace std::chrono_literals;
   constexpr size_t kShift = 340, kControl = 341;  // as GLFW numbers them
   const viewer::Comparison::Clock::time_point start{};
   viewer::Input held, with_control, with_button, none;
   held.keys[kShift] = with_control.keys[kShift] = with_button.keys[kShift] = true;
-  with_control.keys[kControl] = true, with_button.buttons[0] = true;
+  with_control.keys[kControl] = true;
+  with_button.buttons[0] = true;
   const auto shows = [&](const viewer::Input& later, bool typing, auto after) {
     viewer::Comparison c([] {});
     c.reference.frame = c.live.frame = frame();
-    c.watch_shift(held, typing, start);
-    EXPECT_FALSE(c.reference_on_screen());
-    c.watch_shift(later, typing, start + after);
-    return c.reference_on_screen();
+    c.update_shift(held, typing, start);
+    EXPECT_FALSE(c.reference_is_shown());
+    c.update_shift(later, typing, start + after);
+    return c.reference_is_shown();
   };
   EXPECT_TRUE(shows(held, false, 250ms));
   EXPECT_FALSE(shows(held, false, 100ms));
   EXPECT_FALSE(shows(with_control, false, 250ms));
-  EXPECT_FALSE(shows(with_button, false, 250ms)) << "that pans";
-  EXPECT_FALSE(shows(held, true, 250ms)) << "that writes a capital";
+  EXPECT_FALSE(shows(with_button, false, 250ms)) << "Shift with a button pans";
+  EXPECT_FALSE(shows(held, true, 250ms)) << "Shift in a text field writes a capital";
   EXPECT_FALSE(shows(none, false, 250ms));
 }
 
-TEST(Comparison, AFileIsTakenIfItHasTheSizeOfThePicture) {
+TEST(Comparison, FileIsAcceptedIfItHasTheSizeOfTheImage) {
   const auto file = fs::temp_directory_path() / "etendue-comparison.exr";
   const auto loaded = [&](int width) {
-    image::LayeredImage picture;
-    picture.width = width, picture.height = 1;
-    picture.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(3 * static_cast<size_t>(width), 0.5f)});
-    EXPECT_TRUE(image::write_exr(file, picture));
+    image::LayeredImage pixels;
+    pixels.width = width;
+    pixels.height = 1;
+    pixels.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(3 * static_cast<size_t>(width), 0.5f)});
+    EXPECT_TRUE(image::write_exr(file, pixels));
     viewer::Comparison c([] {});
     c.live.frame = frame();
     c.load(file.string(), viewer::Comparison::Target::b);
-    std::optional<Result<std::string>> said;
-    while (!said) said = c.take_loaded();
-    EXPECT_EQ(static_cast<bool>(*said), c.b.frame != nullptr);
-    return *said ? "" : said->error().message;
+    std::optional<Result<std::string>> result;
+    while (!result) result = c.take_load_result();
+    EXPECT_EQ(static_cast<bool>(*result), c.b.frame != nullptr);
+    return *result ? "" : result->error().message;
   };
   EXPECT_EQ(loaded(1), "");
-  EXPECT_NE(loaded(2).find("is 2 x 1, the picture is 1 x 1"), std::string::npos);
+  EXPECT_NE(loaded(2).find("is 2 x 1, the image is 1 x 1"), std::string::npos);
   fs::remove(file);
 }
 
@@ -237,28 +238,31 @@ std::shared_ptr<const std::vector<Rgb>> flat(float value) {
   return std::make_shared<const std::vector<Rgb>>(32 * 32, Rgb(value));
 }
 
-TEST(DifferenceMap, TheSignIsThatOfLeftMinusRight) {
-  const auto brighter = viewer::make_map({viewer::CompareMode::difference, flat(0.75f), flat(0.5f), 0, {}}, 32, 32);
+TEST(DifferenceMap, SignIsLeftMinusRight) {
+  const auto brighter =
+      viewer::make_difference_map({viewer::CompareMode::difference, flat(0.75f), flat(0.5f), 0, {}}, 32, 32);
   EXPECT_NEAR(brighter->mean, 0.25, 1e-6);
   EXPECT_FLOAT_EQ(brighter->scale, 0.5f);
-  EXPECT_GT(brighter->painted[0].r, brighter->painted[0].b);
-  const auto darker = viewer::make_map({viewer::CompareMode::difference, flat(0.5f), flat(0.75f), 0, {}}, 32, 32);
+  EXPECT_GT(brighter->pixels[0].r, brighter->pixels[0].b);
+  const auto darker =
+      viewer::make_difference_map({viewer::CompareMode::difference, flat(0.5f), flat(0.75f), 0, {}}, 32, 32);
   EXPECT_NEAR(darker->mean, -0.25, 1e-6);
-  EXPECT_GT(darker->painted[0].b, darker->painted[0].r);
+  EXPECT_GT(darker->pixels[0].b, darker->pixels[0].r);
 }
 
-TEST(DifferenceMap, AFewPixelsFarOffDoNotSetTheScale) {
+TEST(DifferenceMap, OutliersDoNotSetTheScale) {
   auto pixels = std::vector<Rgb>(*flat(0.018f));
   for (size_t i = 0; i < 8; ++i) pixels[i] = Rgb(1e6f);
   pixels[8] = Rgb(NAN);
-  const auto map = viewer::make_map(
+  const auto map = viewer::make_difference_map(
       {viewer::CompareMode::difference, std::make_shared<const std::vector<Rgb>>(pixels), flat(0), 0, {}}, 32, 32);
   EXPECT_FLOAT_EQ(map->scale, 0.02f);
 }
 
-TEST(DifferenceMap, FlipSeesWhatTheExposureShows) {
+TEST(DifferenceMap, FlipUsesTheDisplayedExposure) {
   const auto flip = [](float exposure) {
-    return viewer::make_map({viewer::CompareMode::flip, flat(2), flat(3), exposure, image::ToneCurve::none}, 32, 32)
+    return viewer::make_difference_map({viewer::CompareMode::flip, flat(2), flat(3), exposure, image::ToneCurve::none},
+                                       32, 32)
         ->mean;
   };
   EXPECT_EQ(flip(0), 0);  // both are white

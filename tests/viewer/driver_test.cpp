@@ -1,5 +1,5 @@
-// Keeps the OpenGL driver loaded until the end: the leak sanitizer can only name (and so forgive) what a library leaks
-// while that library is there, and Mesa unloads its driver with the last display.
+// Keeps the OpenGL driver loaded until the end. The leak sanitizer can suppress leaks of a library only while it is
+// loaded, and Mesa unloads its driver with the last display.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 #ifdef __SANITIZE_ADDRESS__
 class DriverStays : public ::testing::Environment {
  public:
-  // A display of its own, as each viewer ends the one that it uses.
+  // A separate display, because each viewer terminates the one that it uses.
   void SetUp() override {
     const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     const auto get = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));

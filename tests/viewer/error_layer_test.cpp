@@ -1,5 +1,5 @@
-// The layer of errors: its scale is that of the error that was made, and colours follow it.
-#include "viewer/error_layer.h"
+// The error AOV: its scale and its colours.
+#include "viewer/viewport/error_layer.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,7 @@ TEST(ErrorLayer, BrighterIsWorse) {
   EXPECT_GT(mean(0), 3 * mean(36));
 }
 
-TEST(ErrorLayer, WhatDoesNotErrIsBlack) {
+TEST(ErrorLayer, ZeroErrorIsBlack) {
   const ErrorLayer layer = error_layer(noisy(0, 0));
   EXPECT_EQ(layer.high, 0);
   for (const Rgb& pixel : layer.pixels) ASSERT_EQ(pixel, Rgb(0));

@@ -1,4 +1,4 @@
-// Path classes and advice, as a user meets them: open the sheet, click a class, type one, ask, use what was advised.
+// The Paths panel and the recommendation of a method.
 #include "scripted.h"
 
 namespace etendue {
@@ -7,16 +7,16 @@ namespace {
 json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
 
-class PathsSheet : public Viewer {
+class PathsPanel : public Viewer {
  protected:
-  static json measured() { return joined(small(), steps_of({click("sheet.paths"), wait_for("paths")})); }
-  // Where small() stands: three edits.
+  static json measured() { return joined(small(), steps_of({click("panel.paths"), wait_for("paths")})); }
+  // small() makes three edits.
   static constexpr int kDepth = 3;
 };
 
-TEST_F(PathsSheet, SharesAddUpAndAClickHasOneClassCount) {
+TEST_F(PathsPanel, SharesAddUpAndAClickRendersOneClass) {
   const auto steps = joined(measured(), steps_of({file_step("state", path("all.json")),
-                                                  file_step("screenshot", path("sheet.png")),
+                                                  file_step("screenshot", path("panel.png")),
                                                   click("paths.row.1"),
                                                   {{"do", "wait"}, {"spp", 1}},
                                                   file_step("state", path("one.json")),
@@ -41,14 +41,14 @@ TEST_F(PathsSheet, SharesAddUpAndAClickHasOneClassCount) {
   const auto one = state("one.json");
   EXPECT_EQ(one["parameters"]["film.paths"], all["paths"]["rows"][1]["paths"]);
   EXPECT_EQ(one["undo_depth"], kDepth + 1);
-  // The table is of all paths still.
+  // The table still has all classes.
   EXPECT_EQ(one["paths"], all["paths"]);
   EXPECT_EQ(state("again.json")["parameters"]["film.paths"], "");
   EXPECT_EQ(state("button.json")["parameters"]["film.paths"], "");
   EXPECT_EQ(state("button.json")["undo_depth"], kDepth + 4);
 }
 
-TEST_F(PathsSheet, AnEditOfTheViewMakesTheTableStaleUntilItIsMeasuredAgain) {
+TEST_F(PathsPanel, EditOfTheViewOutdatesTheTableUntilItIsMeasuredAgain) {
   const auto steps =
       joined(measured(), steps_of({set("material.5.metallic", 1), file_step("state", path("stale.json")),
                                    click("paths.measure"), wait_for("paths"), file_step("state", path("anew.json"))}));
@@ -60,7 +60,7 @@ TEST_F(PathsSheet, AnEditOfTheViewMakesTheTableStaleUntilItIsMeasuredAgain) {
   EXPECT_NE(anew["paths"]["rows"], stale["paths"]["rows"]);
 }
 
-TEST_F(PathsSheet, AMethodIsHeldAgainstTheTable) {
+TEST_F(PathsPanel, CoverageOfTheIntegratorFollowsFromTheTable) {
   const auto steps = joined(measured(), steps_of({set("path.max-depth", 2), file_step("state", path("cut.json"))}));
   ASSERT_EQ(run(steps), 0);
   const auto paths = state("cut.json")["paths"];
@@ -71,7 +71,7 @@ TEST_F(PathsSheet, AMethodIsHeldAgainstTheTable) {
   EXPECT_TRUE(lacks);
 }
 
-TEST_F(PathsSheet, AnyExpressionCanBeTypedAndAWrongOneIsRefused) {
+TEST_F(PathsPanel, ExpressionsAreValidated) {
   ASSERT_EQ(run(joined(small(), steps_of({set("film.paths", "ES*DL"), file_step("state", path("set.json")),
                                           click("film.paths"), key("ctrl+a"), key("shift+e"), key("shift+l"),
                                           key("enter"), file_step("state", path("typed.json"))}))),
@@ -85,7 +85,7 @@ TEST_F(PathsSheet, AnyExpressionCanBeTypedAndAWrongOneIsRefused) {
   EXPECT_NE(text.find("film.paths: "), std::string::npos) << text;
 }
 
-TEST_F(PathsSheet, TheBestMethodIsTakenInOneStep) {
+TEST_F(PathsPanel, RecommendedMethodIsUsedInOneStep) {
   const auto steps = joined(
       small(), steps_of({set("render.integrator", "path-pure"), set("advice.pilot", 0.125), set("advice.error", 0.5),
                          click("advice.ask"), file_step("state", path("asked.json")), wait_for("advice"),
@@ -106,7 +106,7 @@ TEST_F(PathsSheet, TheBestMethodIsTakenInOneStep) {
   EXPECT_EQ(back["parameters"], told["parameters"]);
 }
 
-TEST_F(PathsSheet, AnEditCallsTheAdviceOff) {
+TEST_F(PathsPanel, EditCancelsTheRecommendation) {
   const auto steps = joined(small(), steps_of({set("advice.pilot", 60), set("advice.error", 1e-5), click("advice.ask"),
                                                file_step("state", path("asked.json")), set("material.5.metallic", 1),
                                                file_step("state", path("edited.json")), click("advice.ask"),

@@ -1,39 +1,39 @@
-// The sheet about one pixel, as a user meets it: the pixel that was clicked, its samples, what starts them anew.
+// The Sampling panel: samples of the selected pixel, and which edits restart them.
 #include <cmath>
 
 #include "scripted.h"
-#include "viewer/pixel_probe.h"
+#include "viewer/tasks/pixel_samples_task.h"
 
 namespace etendue {
 namespace {
 
-class Sampling : public Viewer {};
+class SamplingPanel : public Viewer {};
 
-// A click in the picture that chooses no object.
+// A click in the image that selects no object.
 json click_at(int x, int y) { return {{"do", "drag"}, {"from", {x, y}}, {"to", {x, y}}}; }
 const json kWaitForSamples = {{"do", "wait"}, {"for", "pixel"}};
 
-TEST_F(Sampling, ThePixelThatWasClickedHasTheMeanOfTheRendering) {
+TEST_F(SamplingPanel, ClickedPixelHasTheMeanOfTheRendering) {
   const auto steps = joined(
       small(64), json::array({set("sampling.samples", 64), click("sampling.pick"), click_at(300, 200), kWaitForSamples,
                               file_step("state", path("a.json")), file_step("image", path("a.exr"))}));
   ASSERT_EQ(run(steps), 0);
   const json pixel = state("a.json")["pixel"];
   ASSERT_EQ(pixel["samples"], 64);
-  EXPECT_EQ(state("a.json")["sheet"], "sheet.sampling");
+  EXPECT_EQ(state("a.json")["sheet"], "panel.sampling");
   EXPECT_EQ(state("a.json")["selection"]["node"], -1);
-  const auto read = picture("a.exr");
+  const auto read = saved_image("a.exr");
   const size_t index = pixel["y"].get<size_t>() * 96 + pixel["x"].get<size_t>();
   for (size_t c = 0; c < 3; ++c) {
     const double expected = double{read.find("")->pixels[3 * index + c]};
-    ASSERT_GT(expected, 0) << "a black pixel proves nothing";
+    ASSERT_GT(expected, 0) << "a black pixel tests nothing";
     EXPECT_NEAR(pixel["mean"][c].get<double>(), expected, 1e-5 * expected) << c;
   }
   EXPECT_GT(pixel["band"].get<double>(), 0);
   EXPECT_GE(pixel["largest"].get<double>(), pixel["luminance"].get<double>());
 }
 
-TEST_F(Sampling, AnEditOfTheLightStartsAgainAndADisplayDoesNot) {
+TEST_F(SamplingPanel, EditOfTheSceneRestartsAndEditOfTheDisplayDoesNot) {
   const auto steps = joined(small(), json::array({set("sampling.samples", 128),
                                                   click("sampling.pick"),
                                                   click_at(300, 200),
@@ -52,10 +52,10 @@ TEST_F(Sampling, AnEditOfTheLightStartsAgainAndADisplayDoesNot) {
   EXPECT_EQ(a, b);
   ASSERT_EQ(c["samples"], 128);
   EXPECT_EQ(c["x"], a["x"]);
-  EXPECT_GT(c["zeros"].get<int>(), a["zeros"].get<int>()) << "light is found by chance now";
+  EXPECT_GT(c["zeros"].get<int>(), a["zeros"].get<int>()) << "light sources are hit by chance only";
 }
 
-TEST_F(Sampling, EveryPairOfNumbersCanBeChosenAndAnUnknownOneIsRefused) {
+TEST_F(SamplingPanel, AllDimensionsCanBeSelectedAndUnknownOnesAreRefused) {
   const auto steps = joined(
       small(),
       json::array({click("sampling.pick"), click_at(300, 200), set("sampling.x", "vertex-2.light-choice"),
@@ -68,14 +68,14 @@ TEST_F(Sampling, EveryPairOfNumbersCanBeChosenAndAnUnknownOneIsRefused) {
   EXPECT_NE(::testing::internal::GetCapturedStderr().find("vertex-9.lobe"), std::string::npos);
 }
 
-TEST_F(Sampling, EscapeTakesTheChoiceBack) {
+TEST_F(SamplingPanel, EscapeDeactivatesTheTool) {
   const auto steps = joined(small(), json::array({click("sampling.pick"), key("escape"), click_at(300, 200),
                                                   file_step("state", path("a.json"))}));
   ASSERT_EQ(run(steps), 0);
   EXPECT_FALSE(state("a.json").contains("pixel"));
 }
 
-TEST(Histogram, CountsEverySampleOnce) {
+TEST(Histogram, CountsEachSampleOnce) {
   std::vector<float> values(100, 0.0f);
   for (int i = 0; i < 900; ++i) values.push_back(1 + static_cast<float>(i) / 900);
   const auto h = viewer::histogram_of(values);
@@ -86,7 +86,7 @@ TEST(Histogram, CountsEverySampleOnce) {
   EXPECT_EQ(sum, 900U);
 }
 
-TEST(Histogram, OneSampleFarOutMakesItLogarithmic) {
+TEST(Histogram, OutlierMakesTheAxisLogarithmic) {
   std::vector<float> values(1000, 0.5f);
   values.back() = 100;
   const auto h = viewer::histogram_of(values);
@@ -95,7 +95,7 @@ TEST(Histogram, OneSampleFarOutMakesItLogarithmic) {
   EXPECT_EQ(h.counts.back(), 1U);
 }
 
-TEST(Histogram, NothingButZerosHasNoBins) {
+TEST(Histogram, ZerosHaveNoBins) {
   const auto h = viewer::histogram_of(std::vector<float>(10, 0.0f));
   EXPECT_EQ(h.zeros, 10U);
   EXPECT_TRUE(h.counts.empty());

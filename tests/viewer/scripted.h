@@ -1,4 +1,4 @@
-// A viewer without a display that a script moves, and what it leaves behind in a folder of its own.
+// A fixture that runs the off-screen viewer with a script. Each test has its own folder for files.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -34,7 +34,8 @@ class Viewer : public ::testing::Test {
     options.scene = scene;
     options.offscreen = true;
     options.script = path("script.json");
-    options.width = width, options.height = height;
+    options.width = width;
+    options.height = height;
     return viewer::run_viewer(options);
   }
 
@@ -43,19 +44,20 @@ class Viewer : public ::testing::Test {
     return json::parse(in);
   }
 
-  image::LayeredImage picture(const std::string& name) const {
+  image::LayeredImage saved_image(const std::string& name) const {
     auto read = image::read_exr(path(name));
     EXPECT_TRUE(read) << read.error().message;
     return read ? *read : image::LayeredImage{};
   }
 
-  // Small pictures that end by themselves, so that they can be compared bit by bit.
+  // Small images with a sample limit, so that they can be compared bit by bit.
   static json small(int samples = 4) {
-    return json::array(
-        {{{"do", "set"}, {"name", "render.samples"}, {"value", samples}},  // first: it takes nothing back
-         {{"do", "set"}, {"name", "film.width"}, {"value", 96}},
-         {{"do", "set"}, {"name", "film.height"}, {"value", 96}},
-         {{"do", "wait"}, {"spp", samples}}});
+    return json::array({{{"do", "set"},
+                         {"name", "render.samples"},
+                         {"value", samples}},  // first, so that no rendered samples are discarded
+                        {{"do", "set"}, {"name", "film.width"}, {"value", 96}},
+                        {{"do", "set"}, {"name", "film.height"}, {"value", 96}},
+                        {{"do", "wait"}, {"spp", samples}}});
   }
 
   static json joined(json a, const json& b) {

@@ -1,4 +1,4 @@
-// The chosen material, as a user looks at it: its model by the menu, its verdicts, its ball, another one beside it.
+// The Surface panel: checks, preview and lobe of the selected material, and a pinned material.
 #include "scripted.h"
 
 namespace etendue {
@@ -7,26 +7,26 @@ namespace {
 json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
 json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
 
-class Surface : public Viewer {
+class SurfacePanel : public Viewer {
  protected:
-  // The white walls of the Cornell box, with the sheet open.
+  // Selects the white walls of the Cornell box and opens the Surface panel.
   static json opened() {
     return joined(small(1), steps_of({click("tab.material"), click("material.choose"), click("material.choose.0"),
-                                      click("sheet.surface"), wait_for("surface")}));
+                                      click("panel.surface"), wait_for("surface")}));
   }
-  // A picture of what the material has become.
+  // Saves an image with the current material.
   static json rendered(const std::string& file) {
     return steps_of({{{"do", "wait"}, {"spp", 1}}, file_step("image", file)});
   }
 };
 
-TEST_F(Surface, VerdictsFollowTheModelAndUndo) {
+TEST_F(SurfacePanel, ChecksFollowTheModelAndUndo) {
   const auto steps = joined(
       opened(),
       steps_of({file_step("state", path("gltf.json")), set("material.0.model", "phong"), wait_for("surface"),
                 file_step("state", path("phong.json")), set("material.0.phong.specular.r", 1),
                 set("material.0.phong.exponent", 1), wait_for("surface"), file_step("state", path("bright.json")),
-                file_step("screenshot", path("sheet.png")), key("ctrl+z"), key("ctrl+z"), key("ctrl+z"),
+                file_step("screenshot", path("panel.png")), key("ctrl+z"), key("ctrl+z"), key("ctrl+z"),
                 wait_for("surface"), file_step("state", path("back.json"))}));
   ASSERT_EQ(run(steps, "", 1200, 700), 0);
   const auto verdicts = [&](const char* name) { return state(name)["surface"]["sides"][0]["badges"]; };
@@ -41,7 +41,7 @@ TEST_F(Surface, VerdictsFollowTheModelAndUndo) {
   EXPECT_EQ(verdicts("back.json"), verdicts("gltf.json"));
 }
 
-TEST_F(Surface, AnotherOneIsKeptBesideIt) {
+TEST_F(SurfacePanel, MaterialIsPinnedForComparison) {
   const auto steps =
       joined(opened(), steps_of({click("surface.keep"), set("material.0.model", "modified-phong"), wait_for("surface"),
                                  file_step("state", path("two.json")), click("surface.drop"), wait_for("surface"),
@@ -54,8 +54,8 @@ TEST_F(Surface, AnotherOneIsKeptBesideIt) {
   EXPECT_EQ(state("one.json")["surface"]["sides"].size(), 1u);
 }
 
-// A drag in the lobe turns it and edits nothing.
-TEST_F(Surface, TheLobeTurnsUnderTheHand) {
+// A drag in the lobe rotates the view and edits nothing.
+TEST_F(SurfacePanel, DragRotatesTheLobe) {
   const auto steps = joined(opened(), steps_of({file_step("state", path("before.json")),
                                                 file_step("screenshot", path("before.png")),
                                                 {{"do", "drag"}, {"item", "surface.lobe"}, {"by", {60, 10}}},
@@ -65,8 +65,8 @@ TEST_F(Surface, TheLobeTurnsUnderTheHand) {
   EXPECT_EQ(state("before.json")["undo_depth"], state("after.json")["undo_depth"]);
 }
 
-// The ball goes on by itself, and a material that makes no light vanishes in the furnace.
-TEST_F(Surface, TheBallIsRenderedByItself) {
+// The preview is rendered progressively. In the white furnace, a material that conserves energy disappears.
+TEST_F(SurfacePanel, PreviewIsRenderedProgressively) {
   const auto steps = joined(opened(), steps_of({set("surface.light", "furnace"),
                                                 wait_for("surface"),
                                                 {{"do", "wait"}, {"seconds", 1}},
@@ -75,18 +75,18 @@ TEST_F(Surface, TheBallIsRenderedByItself) {
   EXPECT_GT(state("ball.json")["surface"]["sides"][0]["ball_samples"].get<int>(), 4);
 }
 
-// The picture changes with the model, and comes back bit by bit.
-TEST_F(Surface, TheModelChangesThePicture) {
+// The image changes with the model; undo restores it bit by bit.
+TEST_F(SurfacePanel, ModelChangesTheImage) {
   const auto steps = joined(joined(joined(opened(), rendered(path("a.exr"))),
                                    joined(steps_of({set("material.0.model", "blinn-phong")}), rendered(path("b.exr")))),
                             joined(steps_of({set("material.0.model", "gltf")}), rendered(path("c.exr"))));
   ASSERT_EQ(run(steps, "", 1200, 700), 0);
-  EXPECT_NE(picture("a.exr").layers[0].pixels, picture("b.exr").layers[0].pixels);
-  EXPECT_EQ(picture("a.exr").layers[0].pixels, picture("c.exr").layers[0].pixels);
+  EXPECT_NE(saved_image("a.exr").layers[0].pixels, saved_image("b.exr").layers[0].pixels);
+  EXPECT_EQ(saved_image("a.exr").layers[0].pixels, saved_image("c.exr").layers[0].pixels);
 }
 
-TEST_F(Surface, NobodyChosenIsSaid) {
-  EXPECT_EQ(run(joined(small(1), steps_of({click("sheet.surface"), wait_for("surface")}))), 1);
+TEST_F(SurfacePanel, WaitFailsWithoutASelection) {
+  EXPECT_EQ(run(joined(small(1), steps_of({click("panel.surface"), wait_for("surface")}))), 1);
 }
 
 }  // namespace

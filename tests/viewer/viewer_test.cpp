@@ -1,4 +1,4 @@
-// The viewer as a user meets it, without a display: scripts of actions, and what they leave behind.
+// The off-screen viewer, controlled by scripts: snapshots, undo, selection, transforms, and scripts themselves.
 #include "scripted.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ bool same_pixels(const image::LayeredImage& a, const image::LayeredImage& b) {
   return x && y && a.width == b.width && a.height == b.height && x->pixels == y->pixels;
 }
 
-TEST_F(Viewer, ASnapshotBringsEverythingBack) {
+TEST_F(Viewer, SnapshotRestoresEverything) {
   const auto make = joined(small(), json::array({{{"do", "drag"}, {"from", {200, 300}}, {"to", {260, 280}}},
                                                  set("material.5.metallic", 1),
                                                  set("material.5.roughness", 0.25),
@@ -27,12 +27,12 @@ TEST_F(Viewer, ASnapshotBringsEverythingBack) {
               {{{"do", "wait"}, {"spp", 4}}, file_step("image", path("b.exr")), file_step("state", path("b.json"))}),
           path("a.exr")),
       0);
-  EXPECT_TRUE(same_pixels(picture("a.exr"), picture("b.exr")));
+  EXPECT_TRUE(same_pixels(saved_image("a.exr"), saved_image("b.exr")));
   EXPECT_EQ(state("a.json")["parameters"], state("b.json")["parameters"]);
   EXPECT_EQ(state("b.json")["undo_depth"], 0);
 }
 
-TEST_F(Viewer, APngIsWhatIsShownAndRadianceKeepsItsFireflies) {
+TEST_F(Viewer, PngIsTheDisplayedImageAndExrKeepsFireflies) {
   const auto saved = [&](const char* fireflies) {
     const std::string name = fireflies;
     return json::array({set("film.fireflies", name),
@@ -40,17 +40,17 @@ TEST_F(Viewer, APngIsWhatIsShownAndRadianceKeepsItsFireflies) {
                         file_step("image", path(name + ".png")),
                         file_step("image", path(name + ".exr"))});
   };
-  // Small lights met by chance alone.
+  // Small lights that are hit by chance only.
   ASSERT_EQ(run(joined(joined(joined(json::array({set("render.integrator", "path-pure")}), small(16)), saved("keep")),
                        saved("reweight"))),
             0);
   const auto kept = image::read_linear(path("keep.png")), shown = image::read_linear(path("reweight.png"));
   ASSERT_TRUE(kept && shown);
   EXPECT_FALSE(same_pixels(*kept, *shown));
-  EXPECT_TRUE(same_pixels(picture("keep.exr"), picture("reweight.exr")));
+  EXPECT_TRUE(same_pixels(saved_image("keep.exr"), saved_image("reweight.exr")));
 }
 
-TEST_F(Viewer, ADroppedSnapshotBringsEverythingBack) {
+TEST_F(Viewer, DroppedSnapshotRestoresEverything) {
   const auto make = joined(small(), json::array({set("material.4.base-color.g", 0.1),
                                                  {{"do", "wait"}, {"spp", 4}},
                                                  file_step("image", path("a.exr")),
@@ -60,10 +60,10 @@ TEST_F(Viewer, ADroppedSnapshotBringsEverythingBack) {
                                                  {{"do", "wait"}, {"spp", 4}},
                                                  file_step("image", path("b.exr"))}));
   ASSERT_EQ(run(make), 0);
-  EXPECT_TRUE(same_pixels(picture("a.exr"), picture("b.exr")));
+  EXPECT_TRUE(same_pixels(saved_image("a.exr"), saved_image("b.exr")));
 }
 
-TEST_F(Viewer, UndoGivesBackThePictureAndRedoTheEdit) {
+TEST_F(Viewer, UndoRestoresTheImageAndRedoTheEdit) {
   const auto steps = joined(small(), json::array({file_step("image", path("before.exr")),
                                                   file_step("state", path("before.json")),
                                                   set("material.5.base-color.r", 0.05),
@@ -81,12 +81,12 @@ TEST_F(Viewer, UndoGivesBackThePictureAndRedoTheEdit) {
   EXPECT_EQ(state("edited.json")["undo_depth"], state("before.json")["undo_depth"].get<int>() + 1);
   EXPECT_EQ(state("undone.json")["undo_depth"], state("before.json")["undo_depth"]);
   EXPECT_EQ(state("undone.json")["parameters"], state("before.json")["parameters"]);
-  EXPECT_FALSE(same_pixels(picture("before.exr"), picture("edited.exr")));
-  EXPECT_TRUE(same_pixels(picture("before.exr"), picture("undone.exr")));
-  EXPECT_TRUE(same_pixels(picture("edited.exr"), picture("redone.exr")));
+  EXPECT_FALSE(same_pixels(saved_image("before.exr"), saved_image("edited.exr")));
+  EXPECT_TRUE(same_pixels(saved_image("before.exr"), saved_image("undone.exr")));
+  EXPECT_TRUE(same_pixels(saved_image("edited.exr"), saved_image("redone.exr")));
 }
 
-TEST_F(Viewer, ADragIsOneStepWhateverItsLength) {
+TEST_F(Viewer, DragIsOneStepOfUndo) {
   ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}},
                              {{"do", "drag"}, {"from", {150, 300}}, {"to", {420, 200}}},
                              file_step("state", path("a.json")),
@@ -116,8 +116,8 @@ TEST_F(Viewer, KeysSwitchTheIntegratorBackAndForth) {
   EXPECT_EQ(integrator("c.json"), integrator("a.json"));
 }
 
-TEST_F(Viewer, APickSelectsWhatIsUnderThePointer) {
-  // The light hangs in the middle, near the top of the picture.
+TEST_F(Viewer, ClickSelectsTheObjectUnderThePointer) {
+  // The light is in the middle, near the top of the image.
   ASSERT_EQ(
       run(json::array(
           {{{"do", "wait"}, {"spp", 1}}, {{"do", "pick"}, {"at", {270, 95}}}, file_step("state", path("a.json"))})),
@@ -127,7 +127,7 @@ TEST_F(Viewer, APickSelectsWhatIsUnderThePointer) {
   EXPECT_EQ(selection["node"], 5);
 }
 
-TEST_F(Viewer, ObjectsAreMovedTurnedAndScaledAndKeptInSnapshots) {
+TEST_F(Viewer, TransformsAreEditedAndStoredInSnapshots) {
   ASSERT_EQ(run(joined(small(), json::array({set("node.7.translation.x", -0.5),
                                              set("node.7.euler.y", 30),
                                              set("node.7.scale.y", 0.5),
@@ -146,11 +146,11 @@ TEST_F(Viewer, ObjectsAreMovedTurnedAndScaledAndKeptInSnapshots) {
                              set("node.7.rotation.x", 0.5)}),
                 path("a.exr")),
             0);
-  EXPECT_TRUE(same_pixels(picture("a.exr"), picture("b.exr")));
+  EXPECT_TRUE(same_pixels(saved_image("a.exr"), saved_image("b.exr")));
   EXPECT_EQ(a["parameters"], state("b.json")["parameters"]);
 }
 
-TEST_F(Viewer, AnglesStayAsTheyWereGivenAndUndoTakesThemBack) {
+TEST_F(Viewer, EnteredAnglesStayAndUndoRestoresThem) {
   ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}},
                              file_step("state", path("before.json")),
                              set("node.6.euler.y", 120),
@@ -169,7 +169,7 @@ TEST_F(Viewer, AnglesStayAsTheyWereGivenAndUndoTakesThemBack) {
       q[c] = state(name)["parameters"][std::string("node.6.rotation.") + "xyzw"[c]].get<double>();
     return q;
   };
-  // Ten degrees about z after so many about y.
+  // Ten degrees about z after the rotation about y.
   const auto expected = [](double y) {
     const double cy = std::cos(y * M_PI / 360), sy = std::sin(y * M_PI / 360);
     const double cz = std::cos(M_PI / 36), sz = std::sin(M_PI / 36);
@@ -184,7 +184,7 @@ TEST_F(Viewer, AnglesStayAsTheyWereGivenAndUndoTakesThemBack) {
   EXPECT_EQ(state("c.json")["undo_depth"], 0);
 }
 
-TEST_F(Viewer, ADragOnAnAngleIsOneStep) {
+TEST_F(Viewer, DragOfAnAngleIsOneStep) {
   const json look = json::array({{{"do", "wait"}, {"spp", 1}},
                                  click("tab.scene"),
                                  click("scene.node.7"),
@@ -196,9 +196,9 @@ TEST_F(Viewer, ADragOnAnAngleIsOneStep) {
   EXPECT_EQ(state("a.json")["parameters"]["node.7.rotation.x"], 0);
 }
 
-TEST_F(Viewer, EscapeClosesWhatIsOnTopAndThenForgetsTheSelection) {
+TEST_F(Viewer, EscapeClosesPopupsAndThenClearsTheSelection) {
   json steps = json::array({{{"do", "wait"}, {"spp", 1}}, {{"do", "pick"}, {"at", {270, 95}}}});
-  // With a menu left open, the click on the tab would only close it.
+  // If a menu were still open, the click on the tab would only close it.
   for (const json& opened : {key("f1"), key("ctrl+k"), click("menu.view")})
     for (const json& step : {opened, key("escape")}) steps.push_back(step);
   steps.push_back(click("tab.light"));
@@ -211,16 +211,16 @@ TEST_F(Viewer, EscapeClosesWhatIsOnTopAndThenForgetsTheSelection) {
   EXPECT_EQ(state("b.json")["selection"]["node"], -1);
 }
 
-TEST_F(Viewer, WhatDoesNotChangeTheLightDoesNotRestartIt) {
+TEST_F(Viewer, EditOfTheDisplayDoesNotRestartTheRendering) {
   ASSERT_EQ(run(joined(small(16), json::array({set("camera.exposure", 2), set("display.curve", "agx"),
                                                set("view.false-color", true), file_step("state", path("a.json"))}))),
             0);
   EXPECT_EQ(state("a.json")["samples"], 16);
 }
 
-TEST_F(Viewer, LeftAloneItLeavesTheProcessorToRendering) {
+TEST_F(Viewer, IdleInterfaceTakesLittleProcessorTime) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "a drawing with a sanitizer may take longer than the longest interval is made for";
+  GTEST_SKIP() << "with a sanitizer, drawing may take longer than the longest interval allows";
 #endif
   ASSERT_EQ(run(json::array({{{"do", "wait"}, {"seconds", 7}}, file_step("state", path("a.json"))})), 0);
   const double share = state("a.json")["interface_share"].get<double>();
@@ -228,7 +228,7 @@ TEST_F(Viewer, LeftAloneItLeavesTheProcessorToRendering) {
   EXPECT_LT(share, 0.15);  // a tenth, and something for machines that do other things at the same time
 }
 
-TEST_F(Viewer, ScreenshotsShowThePictureAndTheInterface) {
+TEST_F(Viewer, ScreenshotsShowTheImageAndTheInterface) {
   ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 2}},
                              file_step("screenshot", path("a.png")),
                              key("h"),
@@ -239,13 +239,13 @@ TEST_F(Viewer, ScreenshotsShowThePictureAndTheInterface) {
   ASSERT_TRUE(b) << b.error().message;
   EXPECT_EQ(a->width, 900);
   EXPECT_EQ(a->height, 560);
-  // Neither is a plain ground, and hiding the interface shows.
+  // Neither screenshot is uniform, and hiding the interface changes it.
   const std::set<float> values(a->find("")->pixels.begin(), a->find("")->pixels.end());
   EXPECT_GT(values.size(), 50U);
   EXPECT_NE(a->find("")->pixels, b->find("")->pixels);
 }
 
-TEST_F(Viewer, EveryTabDrawsAndEveryActionIsListed) {
+TEST_F(Viewer, AllTabsDrawAndAllActionsAreListed) {
   std::set<std::string> names;
   json steps = json::array({{{"do", "wait"}, {"spp", 1}}});
   for (const auto& entry : json::parse(viewer::widgets_json())) {
@@ -261,7 +261,7 @@ TEST_F(Viewer, EveryTabDrawsAndEveryActionIsListed) {
   EXPECT_EQ(run(steps), 0);
 }
 
-TEST_F(Viewer, AStepThatCannotBeDoneEndsTheScript) {
+TEST_F(Viewer, ImpossibleStepEndsTheScript) {
   for (const json& step :
        {set("material.99.roughness", 0.5), set("material.0.roughness", 7), set("no-such.thing", 1),
         click("no.such.item"), file_step("open", path("missing.glb")), file_step("image", path("a.bmp"))}) {
@@ -271,7 +271,7 @@ TEST_F(Viewer, AStepThatCannotBeDoneEndsTheScript) {
   }
 }
 
-TEST_F(Viewer, ScriptsAndScenesThatCannotBeUsedAreInputErrors) {
+TEST_F(Viewer, InvalidScriptsAndScenesAreInputErrors) {
   ::testing::internal::CaptureStderr();
   EXPECT_EQ(run(json::array({{{"do", "dance"}}})), 3);
   EXPECT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}}), path("missing.glb")), 3);

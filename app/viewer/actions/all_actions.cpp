@@ -1,0 +1,34 @@
+#include "viewer/actions/all_actions.h"
+
+#include "viewer/actions/conditions.h"
+
+namespace etendue::viewer {
+
+void add_panel_actions(ActionList& actions, const PanelSet& panels) {
+  for (const auto& panel : panels.all()) panel->add_actions(actions);
+  for (const auto& owned : panels.all()) {
+    Panel* panel = owned.get();
+    const PanelInfo info = panel->info();
+    const bool is_bottom = info.place == PanelPlace::bottom;
+    actions.add({.name = std::string("view.") + info.name,
+                 .menu = "View",
+                 .label = info.label,
+                 .tooltip = info.description,
+                 .run = [panel](AppState& state) { state.panels.toggle(*panel); },
+                 .enabled = has_document,
+                 .checked = [panel](const AppState& state) { return state.panels.is_open(*panel); },
+                 .group = is_bottom ? "Bottom panels" : "Side panels"});
+  }
+}
+
+void add_all_actions(ActionList& actions, const PanelSet& panels) {
+  add_file_actions(actions);
+  add_edit_actions(actions);
+  add_render_actions(actions);
+  add_integrator_actions(actions);
+  add_view_actions(actions);
+  add_panel_actions(actions, panels);
+  add_comparison_actions(actions);
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,131 @@
+// Opening and saving files.
+#include <ctime>
+
+#include "render/document.h"
+#include "scene/builtin/builtin.h"
+#include "viewer/actions/all_actions.h"
+#include "viewer/actions/conditions.h"
+#include "viewer/files/image_export.h"
+#include "viewer/files/loader.h"
+#include "viewer/files/scene_export.h"
+#include "viewer/state/document_info.h"
+
+namespace etendue::viewer {
+namespace {
+
+// "SCENE-20240131-235959".
+std::string snapshot_name(const AppState& state) {
+  char stamp[32] = "";
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::strftime(stamp, sizeof stamp, "%Y%m%d-%H%M%S", &local);
+  return scene_stem(state.document()) + "-" + stamp;
+}
+
+void save_snapshot(AppState& state) {
+  const std::filesystem::path folder = state.settings.folder;
+  state.files.image_export->request((folder / (snapshot_name(state) + ".exr")).string());
+}
+
+void request_open(AppState& state, std::string title, std::vector<std::string> extensions) {
+  state.files.request = FileRequest{.title = std::move(title),
+                                    .extensions = std::move(extensions),
+                                    .accept = [&state](const std::string& file) { state.open_file(file); }};
+}
+
+void request_image_export(AppState& state) {
+  state.files.request =
+      FileRequest{.title = "Export image (.exr, .hdr, .png)",
+                  .extensions = {".exr", ".hdr", ".png"},
+                  .saves = true,
+                  .name = snapshot_name(state) + ".png",
+                  .accept = [&state](const std::string& file) { state.files.image_export->request(file); }};
+}
+
+void request_scene_export(AppState& state) {
+  state.files.request = FileRequest{
+      .title = "Export scene (.glb, .gltf)",
+      .extensions = {".glb", ".gltf"},
+      .saves = true,
+      .name = scene_stem(state.document()) + "-saved.glb",
+      .accept = [&state](const std::string& file) { state.files.scene_export->write(file, state.document()); }};
+}
+
+void add_open_actions(ActionList& actions) {
+  actions.add({.name = "file.open",
+               .menu = "File",
+               .label = "Open...",
+               .tooltip = "Opens a scene, a snapshot or an environment map",
+               .shortcut = "ctrl+o",
+               .run = [](AppState& state) {
+                 request_open(state, "Open a scene (.gltf, .glb), a snapshot (.exr) or an environment map (.exr, .hdr)",
+                              {".gltf", ".glb", ".exr", ".hdr"});
+               }});
+  actions.add({.name = "file.reload",
+               .menu = "File",
+               .label = "Reload",
+               .tooltip = "Reads the scene file again and discards all edits",
+               .shortcut = "f5",
+               .run = [](AppState& state) { state.open_file(state.document().scene_name); },
+               .enabled = has_document});
+  for (const scene::Builtin& builtin : scene::builtins())
+    actions.add({.name = std::string("file.") + builtin.name,
+                 .menu = "File",
+                 .label = std::string("Open: ") + builtin.label,
+                 .tooltip = builtin.doc,
+                 .run = [name = builtin.name](AppState& state) { state.open_file(name); },
+                 .group = "Built-in scenes"});
+  actions.add({.name = "file.cancel",
+               .label = "Cancel opening",
+               .tooltip = "Cancels the file that is being read",
+               .run = [](AppState& state) { state.files.loader->cancel(); },
+               .enabled = [](const AppState& state) { return state.files.loader->is_busy(); }});
+  actions.add({.name = "environment.load",
+               .menu = "File",
+               .label = "Load environment map...",
+               .tooltip = "Lights the scene with an equirectangular environment map (.hdr, .exr)",
+               .run =
+                   [](AppState& state) {
+                     request_open(state, "Load an environment map (.hdr, .exr)", {".hdr", ".exr"});
+                   },
+               .enabled = has_document});
+}
+
+}  // namespace
+
+void add_file_actions(ActionList& actions) {
+  add_open_actions(actions);
+  actions.add({.name = "snapshot.save",
+               .menu = "File",
+               .label = "Save snapshot",
+               .tooltip =
+                   "Saves image, scene reference and all parameters as .exr in the current folder. Drop the file on "
+                   "the window to restore everything",
+               .shortcut = "ctrl+s",
+               .run = save_snapshot,
+               .enabled = has_document});
+  actions.add({.name = "snapshot.save-as",
+               .menu = "File",
+               .label = "Export image...",
+               .tooltip = "Saves the image: .exr with all parameters, .hdr with radiance, .png as displayed",
+               .shortcut = "ctrl+shift+s",
+               .run = request_image_export,
+               .enabled = has_document});
+  actions.add(
+      {.name = "scene.save",
+       .menu = "File",
+       .label = "Export scene...",
+       .tooltip = "Saves the edited scene, the camera and the environment as .glb, or as .gltf with separate files",
+       .shortcut = "ctrl+shift+e",
+       .run = request_scene_export,
+       .enabled = [](const AppState& state) { return state.has_document() && !state.files.scene_export->is_busy(); }});
+  actions.add({.name = "app.quit",
+               .menu = "File",
+               .label = "Quit",
+               .tooltip = "Saves the settings and closes the window",
+               .shortcut = "ctrl+q",
+               .run = [](AppState& state) { state.quit = true; }});
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,28 @@
+// Control of the rendering.
+#include "render/session.h"
+#include "viewer/actions/all_actions.h"
+#include "viewer/actions/conditions.h"
+#include "viewer/tasks/exclusive_task.h"
+
+namespace etendue::viewer {
+
+void add_render_actions(ActionList& actions) {
+  actions.add(
+      {.name = "render.pause",
+       .menu = "Render",
+       .label = "Pause",
+       .tooltip = "Pauses the rendering. The image stays as it is",
+       .shortcut = "space",
+       .run = [](AppState& state) { state.session->pause(!state.session->paused()); },
+       .enabled = [](const AppState& state) { return state.has_document() && !state.tasks.exclusive->running(); },
+       .checked = [](const AppState& state) { return state.session->paused(); }});
+  actions.add({.name = "render.restart",
+               .menu = "Render",
+               .label = "Restart",
+               .tooltip = "Discards all samples and starts again",
+               .shortcut = "r",
+               .run = [](AppState& state) { state.session->restart(); },
+               .enabled = has_document});
+}
+
+}  // namespace etendue::viewer

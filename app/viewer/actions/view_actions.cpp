@@ -1,0 +1,154 @@
+// What the window shows: framing, display and interface.
+#include <algorithm>
+
+#include "render/document.h"
+#include "viewer/actions/all_actions.h"
+#include "viewer/actions/conditions.h"
+#include "viewer/state/document_info.h"
+#include "viewer/viewport/aov_layer.h"
+#include "viewer/viewport/viewport.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr double kExposureStep = 0.5;  // stops
+constexpr int kMinImageSize = 16;      // pixels
+
+void change_exposure(AppState& state, double stops) {
+  const auto parameter = document_parameter(state.document(), "camera.exposure");
+  const double exposure = std::get<double>(parameter->info.default_value) + stops;
+  state.edit(*parameter, std::clamp(exposure, parameter->info.min, parameter->info.max), "keys.exposure");
+}
+
+// After the last AOV follows the image itself.
+void show_next_aov(AppState& state) {
+  const auto names = aov_layer_names();
+  std::string& shown = state.viewport.aov_name;
+  if (shown.empty()) {
+    shown = names.front();
+    return;
+  }
+  const auto current = std::ranges::find(names, shown);
+  const bool is_last = current == names.end() || current + 1 == names.end();
+  shown = is_last ? "" : *(current + 1);
+}
+
+void fit_image_to_viewport(AppState& state) {
+  render::Document changed = state.document();
+  changed.width = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.x));
+  changed.height = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.y));
+  state.edit(std::move(changed), "Image size");
+}
+
+void toggle_theme(AppState& state) {
+  state.settings.dark = !state.settings.dark;
+  state.ui.theme = apply_theme(state.settings.dark, state.ui.scale);
+}
+
+void add_framing_actions(ActionList& actions) {
+  actions.add({.name = "view.frame-all",
+               .menu = "View",
+               .label = "Frame all",
+               .tooltip = "Moves the camera so that it shows the whole scene",
+               .shortcut = "home",
+               .run = frame_scene,
+               .enabled = has_document});
+  actions.add({.name = "view.frame-selection",
+               .menu = "View",
+               .label = "Frame selection",
+               .tooltip = "Moves the camera so that the selected object fills the image",
+               .shortcut = "f",
+               .run = frame_selection,
+               .enabled = has_document});
+  actions.add({.name = "view.fit",
+               .menu = "View",
+               .label = "Fit image to viewport",
+               .tooltip = "Sets the resolution of the image to that of the viewport. Restarts the rendering",
+               .run = fit_image_to_viewport,
+               .enabled = has_document});
+}
+
+void add_display_actions(ActionList& actions) {
+  actions.add({.name = "display.darker",
+               .menu = "View",
+               .label = "Exposure down",
+               .tooltip = "Decreases the exposure by half a stop",
+               .shortcut = "[",
+               .run = [](AppState& state) { change_exposure(state, -kExposureStep); },
+               .enabled = has_document});
+  actions.add({.name = "display.brighter",
+               .menu = "View",
+               .label = "Exposure up",
+               .tooltip = "Increases the exposure by half a stop",
+               .shortcut = "]",
+               .run = [](AppState& state) { change_exposure(state, kExposureStep); },
+               .enabled = has_document});
+  actions.add({.name = "display.next-aov",
+               .menu = "View",
+               .label = "Next AOV",
+               .tooltip = "Shows the next AOV: albedo, normals, depth, position, ids, error; then the image again",
+               .shortcut = "v",
+               .run = show_next_aov,
+               .enabled = has_document});
+  actions.add({.name = "display.toggle-false-color",
+               .menu = "View",
+               .label = "False colour",
+               .tooltip = "Shows the luminance on a logarithmic scale",
+               .shortcut = "l",
+               .run = [](AppState& state) { state.viewport.false_color = !state.viewport.false_color; },
+               .checked = [](const AppState& state) { return state.viewport.false_color; }});
+  actions.add({.name = "view.reliability-map",
+               .menu = "View",
+               .label = "Show unreliable regions",
+               .tooltip = "Marks tiles with heavy-tailed noise, where the error estimate cannot be trusted",
+               .run = [](AppState& state) { state.viewport.show_reliability = !state.viewport.show_reliability; },
+               .enabled = has_document,
+               .checked = [](const AppState& state) { return state.viewport.show_reliability; }});
+  actions.add(
+      {.name = "view.points",
+       .menu = "View",
+       .label = "Show photons and virtual lights",
+       .tooltip = "Draws the photons or virtual point lights that the integrator stores, coloured by their power",
+       .run = [](AppState& state) { state.viewport.show_stored_points = !state.viewport.show_stored_points; },
+       .enabled = has_document,
+       .checked = [](const AppState& state) { return state.viewport.show_stored_points; }});
+}
+
+void add_interface_actions(ActionList& actions) {
+  actions.add({.name = "view.interface",
+               .menu = "View",
+               .label = "Show interface",
+               .tooltip = "Shows or hides everything except the image",
+               .shortcut = "h",
+               .run = [](AppState& state) { state.interface.visible = !state.interface.visible; },
+               .checked = [](const AppState& state) { return state.interface.visible; }});
+  actions.add({.name = "view.dark",
+               .menu = "View",
+               .label = "Dark theme",
+               .tooltip = "Switches between the dark and the light theme",
+               .run = toggle_theme,
+               .checked = [](const AppState& state) { return state.settings.dark; }});
+  actions.add({.name = "app.palette",
+               .menu = "Help",
+               .label = "Find a command...",
+               .tooltip = "Searches all commands by name",
+               .shortcut = "ctrl+k",
+               .run = [](AppState& state) { state.interface.palette_open = true; }});
+  actions.add({.name = "app.help",
+               .menu = "Help",
+               .label = "Keyboard and mouse shortcuts",
+               .tooltip = "Lists all keyboard and mouse shortcuts",
+               .shortcut = "f1 ?",
+               .run = [](AppState& state) { state.interface.help_open = !state.interface.help_open; },
+               .checked = [](const AppState& state) { return state.interface.help_open; }});
+}
+
+}  // namespace
+
+void add_view_actions(ActionList& actions) {
+  add_framing_actions(actions);
+  add_display_actions(actions);
+  add_interface_actions(actions);
+}
+
+}  // namespace etendue::viewer

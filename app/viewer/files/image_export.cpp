@@ -1,0 +1,88 @@
+#include "viewer/files/image_export.h"
+
+#include <algorithm>
+
+#include "advisor/certificate.h"
+#include "render/image_output.h"
+#include "render/session.h"
+#include "viewer/state/editor.h"
+
+namespace etendue::viewer {
+namespace {
+
+// Time limit for measuring missing paths, for integrators that do not declare to find all of them.
+constexpr double kCertificateSeconds = 0.5;
+
+std::string certificate_of(const render::Session& session, const render::Document& document,
+                           const advisor::RenderStatistics& evidence) {
+  render::Session separate_session({.threads = 1, .scene = session.scene()});
+  const auto keep_going = [](double, const std::string&) { return true; };
+  return advisor::certificate_json(
+      advisor::certificate(separate_session, document, evidence, kCertificateSeconds, keep_going));
+}
+
+// Returns an empty name if the session has another version of the document.
+Result<std::string> write(const std::string& file, render::Session& session, const render::Document& document,
+                          uint64_t version) {
+  if (auto known = render::check_output_name(file); !known) return known.error();
+  const film::Film film = session.film_copy();
+  auto displayed = session.reweighted_copy();
+  const render::Status status = session.status();
+  const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), status.rejected, session.model(),
+                                           status.reliability ? status.reliability->tail.khat : std::nullopt};
+  // If the document was edited before the copy, the film belongs to other settings.
+  if (session.status().version != version) return std::string();
+  const render::Rendering rendering{document, film, status.samples, certificate_of(session, document, evidence),
+                                    std::move(displayed)};
+  if (auto written = render::write_image(file, rendering); !written) return written.error();
+  return file;
+}
+
+}  // namespace
+
+void ImageExport::finish_pass() {
+  const render::Status status = session_.status();
+  const uint32_t limit = editor_.document().limits.samples;
+  const bool is_current = status.version == editor_.version();
+  // A session that has stopped at its limit of samples has finished the pass already.
+  if (is_current && status.finished && limit > 0 && status.samples >= limit) {
+    version_ = editor_.version();
+  } else {
+    session_.pause(false);
+    const uint32_t samples = is_current ? std::max(1u, status.samples) : 1;
+    version_ = editor_.submit_with_limits({.samples = samples, .seconds = 0, .rmse = 0});
+  }
+  stage_ = Stage::finishing_pass;
+}
+
+std::optional<Result<std::string>> ImageExport::update() {
+  if (files_.empty() || editor_.empty()) return std::nullopt;
+  if (stage_ == Stage::idle) {
+    was_paused_ = session_.paused();
+    finish_pass();
+  }
+  if (stage_ == Stage::finishing_pass) {
+    // After an edit, the new image is exported.
+    if (editor_.version() != version_) finish_pass();
+    const render::Status status = session_.status();
+    if (status.version != version_ || !status.finished) return std::nullopt;
+    stage_ = Stage::writing;
+    const auto work = [file = files_.front(), document = editor_.document(), version = version_, &session = session_] {
+      return write(file, session, document, version);
+    };
+    task_.start(work, wake_);
+  }
+  auto result = task_.take_result();
+  if (!result) return std::nullopt;
+  if (*result && (*result)->empty()) {
+    finish_pass();
+    return std::nullopt;
+  }
+  stage_ = Stage::idle;
+  files_.pop_front();
+  if (was_paused_) session_.pause(true);
+  editor_.submit();
+  return result;
+}
+
+}  // namespace etendue::viewer

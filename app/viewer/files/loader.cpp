@@ -1,0 +1,49 @@
+#include "viewer/files/loader.h"
+
+#include "image/image.h"
+#include "render/image_output.h"
+#include "viewer/files/file_names.h"
+
+namespace etendue::viewer {
+namespace {
+
+using Kind = OpenedFile::Kind;
+
+Result<OpenedFile> read_environment(const std::string& file, const render::Document& current) {
+  if (!current.scene)
+    return usage_error(file + ": is an environment map, but no scene is open; open a .gltf or .glb file first");
+  auto document = render::with_environment(current, file);
+  if (!document) return document.error();
+  return OpenedFile{.kind = Kind::environment, .file = file, .document = std::move(*document)};
+}
+
+Result<OpenedFile> read(const std::string& file, const render::Document& current) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".hdr") return read_environment(file, current);
+  if (extension == ".exr") {
+    const auto image = image::read_exr(file);
+    if (!image) return image.error();
+    const auto state = image->attributes.find(render::kStateAttribute);
+    if (state == image->attributes.end()) return read_environment(file, current);
+    auto document = render::document_from_state(state->second, file);
+    if (!document) return document.error();
+    return OpenedFile{.kind = Kind::snapshot, .file = file, .document = std::move(*document)};
+  }
+  auto document = render::new_document(file);
+  if (!document) return document.error();
+  return OpenedFile{.kind = Kind::scene, .file = file, .document = std::move(*document)};
+}
+
+}  // namespace
+
+void Loader::open(const std::string& file, const render::Document& current) {
+  file_ = file;
+  start_ = std::chrono::steady_clock::now();
+  task_.start([file, current] { return read(file, current); }, wake_);
+}
+
+double Loader::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,45 @@
+// Opens files in the background.
+//
+// The content of a file decides what it is: a scene, a snapshot (an .exr with a stored document), or an environment map
+// (any other .exr, or .hdr).
+#pragma once
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "render/document.h"
+#include "viewer/tasks/background_task.h"
+
+namespace etendue::viewer {
+
+struct OpenedFile {
+  enum class Kind { scene, snapshot, environment };
+  Kind kind = Kind::scene;
+  std::string file;
+  render::Document document;
+};
+
+class Loader {
+ public:
+  explicit Loader(std::function<void()> wake) : wake_(std::move(wake)) {}
+
+  // Starts to read a file; a file that is still being read is abandoned. If it is an environment map, it is added to a
+  // copy of `current`.
+  void open(const std::string& file, const render::Document& current);
+  void cancel() { task_.abandon(); }
+  bool is_busy() const { return task_.running(); }
+  // The file that was opened last.
+  const std::string& file() const { return file_; }
+  // Seconds since it was opened.
+  double seconds() const;
+  std::optional<Result<OpenedFile>> take_result() { return task_.take_result(); }
+
+ private:
+  std::function<void()> wake_;
+  BackgroundTask<Result<OpenedFile>> task_;
+  std::string file_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace etendue::viewer

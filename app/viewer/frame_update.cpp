@@ -1,0 +1,160 @@
+#include "viewer/frame_update.h"
+
+#include <algorithm>
+
+#include "render/session.h"
+#include "viewer/files/file_names.h"
+#include "viewer/files/image_export.h"
+#include "viewer/files/loader.h"
+#include "viewer/files/scene_export.h"
+#include "viewer/platform/platform.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
+#include "viewer/tasks/path_class_task.h"
+#include "viewer/tasks/surface_analysis.h"
+#include "viewer/viewport/aov_layer.h"
+#include "viewer/viewport/comparison.h"
+#include "viewer/viewport/image_view.h"
+#include "viewer/viewport/stored_points.h"
+#include "viewer/widgets/format.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr int kMinImageSize = 16;  // pixels
+
+std::vector<Task*> all_tasks(const AppState& state) {
+  std::vector<Task*> tasks{state.tasks.path_classes.get(), state.tasks.surface_analysis.get()};
+  for (const auto& panel : state.panels.all())
+    for (Task* task : panel->tasks()) tasks.push_back(task);
+  return tasks;
+}
+
+// Replaces the environment. Edits that were made while the file was read stay in effect.
+void use_environment(AppState& state, const OpenedFile& opened) {
+  render::Document changed = state.document();
+  auto scene = std::make_shared<scene::Scene>(*changed.scene);
+  scene->environment = opened.document.scene->environment;
+  changed.scene = std::move(scene);
+  state.edit(std::move(changed), "Environment");
+  state.notices.add_message("Environment map: " + base_name(opened.file));
+}
+
+void open_document(AppState& state, OpenedFile opened) {
+  render::Document& document = opened.document;
+  // A scene whose camera has no aspect ratio gets an image of the size of the viewport.
+  if (opened.kind == OpenedFile::Kind::scene && document.camera.aspect <= 0) {
+    document.width = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.x));
+    document.height = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.y));
+  }
+  state.selection = {};
+  state.previous_integrator.clear();
+  for (Task* task : all_tasks(state)) task->reset(state.task_context);
+  state.session->pause(false);
+  state.editor->open(std::move(document));
+  state.viewport.pivot_is_outdated = true;
+  state.platform.set_title(base_name(state.document().scene_name) + " - \u00c9tendue");
+  for (const auto& warning : state.document().scene->warnings) state.notices.add_message(warning);
+}
+
+void take_opened_file(AppState& state) {
+  auto opened = state.files.loader->take_result();
+  if (!opened) return;
+  if (!*opened) return state.notices.add_error(opened->error().message);
+  remember_recent(state.settings, (*opened)->file);
+  if ((*opened)->kind == OpenedFile::Kind::environment)
+    use_environment(state, **opened);
+  else
+    open_document(state, std::move(**opened));
+}
+
+void take_saved_files(AppState& state) {
+  if (const auto saved = state.files.image_export->update()) {
+    if (*saved)
+      state.notices.add_message("Saved " + **saved);
+    else
+      state.notices.add_error(saved->error().message);
+  }
+  if (const auto saved = state.files.scene_export->take_result()) {
+    if (!*saved) return state.notices.add_error(saved->error().message);
+    state.notices.add_message("Saved " + (*saved)->file);
+    for (const auto& warning : (*saved)->warnings) state.notices.add_message(warning);
+  }
+}
+
+void take_loaded_image(AppState& state) {
+  const auto loaded = state.viewport.comparison->take_load_result();
+  if (!loaded) return;
+  if (*loaded)
+    state.notices.add_message(**loaded);
+  else
+    state.notices.add_error(loaded->error().message);
+}
+
+// Uploads the newest frame, or the AOV if one is shown.
+void update_image(AppState& state, ImageView& live_image) {
+  ViewportState& viewport = state.viewport;
+  const bool has_new_aov = viewport.aov->update(viewport.aov_name);
+  const bool shows_aov = state.shows_aov();
+  const bool switched = shows_aov != viewport.aov_is_uploaded;
+  if (shows_aov && (has_new_aov || switched)) {
+    const AovImage& image = viewport.aov->image();
+    live_image.upload(image.width, image.height, image.pixels);
+  }
+  const auto latest = state.session->frame();
+  if (latest && (latest != viewport.frame || switched)) {
+    // After an edit that does not change the light, frames share their pixels.
+    const bool is_uploaded = viewport.frame && viewport.frame->pixels == latest->pixels && !switched;
+    viewport.frame = latest;
+    if (!shows_aov && !is_uploaded) live_image.upload(latest->width, latest->height, *latest->pixels);
+  }
+  viewport.aov_is_uploaded = shows_aov;
+}
+
+void update_comparison_source(AppState& state) {
+  const auto& frame = state.viewport.frame;
+  if (!frame || frame->version != state.editor->version()) return;
+  const auto& method = state.document().method;
+  const std::string spec = method.integrator + ":sampler=" + method.sampler;
+  const std::string samples = formatted(", %u spp", frame->samples);
+  state.viewport.comparison->live = {
+      .name = short_method_name(spec) + samples, .label = method_label(spec) + samples, .frame = frame};
+}
+
+void update_pivot(AppState& state) {
+  if (!state.viewport.pivot_is_outdated || state.session->status().version < state.editor->version()) return;
+  const auto scene = state.session->scene();
+  if (!scene) return;
+  state.viewport.camera_controller.reset_pivot(state.document().camera, *scene);
+  state.viewport.pivot_is_outdated = false;
+}
+
+}  // namespace
+
+void update_state(AppState& state, ImageView& live_image) {
+  take_opened_file(state);
+  take_saved_files(state);
+  take_loaded_image(state);
+  if (!state.has_document()) return;
+  update_image(state, live_image);
+  update_comparison_source(state);
+  for (const auto& panel : state.panels.all()) panel->update(state);
+  state.tasks.surface_analysis->update(state.task_context, state.selection.material);
+  state.viewport.stored_points->update(state.viewport.show_stored_points);
+  const auto& display = state.document().display;
+  state.viewport.comparison->update(display.exposure, display.curve);
+  update_pivot(state);
+}
+
+bool has_task_update(const AppState& state) {
+  return std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->has_update(); });
+}
+
+bool is_file_active(const AppState& state) {
+  const FileState& files = state.files;
+  const bool any_file = files.loader->is_busy() || files.image_export->is_busy() || files.scene_export->is_busy();
+  return any_file || std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->is_saving(); });
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,66 @@
+#include "viewer/layout/interface.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/document.h"
+#include "viewer/layout/bottom_panel.h"
+#include "viewer/layout/menu_bar.h"
+#include "viewer/layout/popups.h"
+#include "viewer/layout/right_column.h"
+#include "viewer/layout/status_bar.h"
+#include "viewer/state/app_state.h"
+#include "viewer/viewport/overlays.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr size_t kEscape = 256;  // GLFW_KEY_ESCAPE
+
+// Draws everything around the viewport and returns the region that is left for it.
+Placement draw_frame(AppState& state) {
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  if (!state.interface.visible) return {Vec2(0), glm::max(Vec2(screen.x, screen.y), Vec2(1))};
+  draw_menu_bar(state);
+  const float top = ImGui::GetFrameHeight();
+  const float status_top = screen.y - std::floor(ImGui::GetFontSize() + 10);
+  draw_status_bar(state, status_top, screen.y - status_top);
+  const float right = draw_right_column(state, top, status_top);
+  const float bottom = draw_bottom_panel(state, top, right, status_top);
+  return {Vec2(0, top), glm::max(Vec2(right, bottom - top), Vec2(1))};
+}
+
+}  // namespace
+
+void Interface::draw(AppState& state, float seconds) {
+  const Input& input = state.ui.input;
+  InterfaceState& interface = state.interface;
+  ViewportState& viewport = state.viewport;
+  state.ui.items.begin_frame();
+  interface.typing = ImGui::GetIO().WantTextInput;
+  // Escape closes a popup; it is then not a shortcut.
+  const bool closes_popup = interface.popup_open && input.keys_pressed[kEscape];
+  const bool flying = input.buttons[static_cast<size_t>(Button::right)];  // W, A, S, D, Q and E move the camera
+  if (!interface.typing && !closes_popup && !state.files.request && !flying) state.actions.run_pressed(state, input);
+
+  viewport.region = draw_frame(state);
+  if (state.has_document())
+    viewport.image = fit_inside(viewport.region, {state.document().width, state.document().height});
+  viewport_.handle_input(state, seconds);
+  draw_viewport_overlays(state);
+  draw_loading(state);
+  draw_notices(state);
+  draw_help(state);
+  palette_.draw(state);
+  file_dialog_.draw(state);
+  // Dear ImGui closes popups on Escape only with keyboard navigation, which is off.
+  const bool any_popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  if (closes_popup && any_popup) ImGui::ClosePopupToLevel(0, true);
+  interface.popup_open =
+      interface.help_open || interface.palette_open || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,161 @@
+#include "viewer/layout/popups.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "render/session.h"
+#include "viewer/files/file_names.h"
+#include "viewer/files/loader.h"
+#include "viewer/state/app_state.h"
+#include "viewer/widgets/basic_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr ImGuiWindowFlags kPopup = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+struct MouseShortcut {
+  const char* effect;
+  const char* input;
+};
+
+constexpr MouseShortcut kMouseShortcuts[] = {
+    {"Orbit", "left drag"},
+    {"Pan", "middle drag, Shift + left drag"},
+    {"Dolly to the pointer", "wheel"},
+    {"Fly", "hold right: W A S D Q E, wheel for speed"},
+    {"Select", "click"},
+    {"Focus and orbit centre", "double click"},
+    {"Move the divider of A and B", "drag; double click to centre"},
+    {"Show the reference", "hold Shift"},
+    {"Samples of a pixel", "Ctrl + click, Sampling panel open"},
+    {"Enter a number", "double click"},
+    {"Reset a parameter", "Ctrl + click"},
+    {"Open a file", "drop it on the window"},
+};
+
+void table_row(const std::string& effect, const std::string& input) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(effect.c_str());
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", input.c_str());
+}
+
+// All actions with shortcuts: those of one menu, or those of all other menus.
+void shortcut_rows(const AppState& state, bool integrators) {
+  for (const auto& action : state.actions.all())
+    if (!action.shortcut.empty() && (action.menu == "Integrator") == integrators)
+      table_row(action.label, label(action.chords()));
+}
+
+// `width` is relative to the font size.
+bool begin_table(const char* name, float width) {
+  return ImGui::BeginTable(name, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_PadOuterX,
+                           {ImGui::GetFontSize() * width, 0});
+}
+
+// A bar that moves back and forth, because the duration is unknown.
+void draw_activity_bar(double seconds, float width) {
+  constexpr double kPeriod = 1.5;    // seconds
+  constexpr float kBarShare = 0.2f;  // of the width
+  const float position = static_cast<float>(std::fmod(seconds, kPeriod) / kPeriod) * (1 - kBarShare);
+  const float height = ImGui::GetFontSize() * 0.35f;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float bottom = corner.y + height;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(corner, {corner.x + width, bottom}, ImGui::GetColorU32(ImGuiCol_FrameBg), height / 2);
+  draw->AddRectFilled({corner.x + width * position, corner.y}, {corner.x + width * (position + kBarShare), bottom},
+                      ImGui::GetColorU32(ImGuiCol_PlotHistogram), height / 2);
+  ImGui::Dummy({width, height});
+}
+
+}  // namespace
+
+void draw_help(AppState& state) {
+  bool& open = state.interface.help_open;
+  if (!open) return;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
+  ImGui::Begin("##help", nullptr, kPopup);
+  ImGui::TextColored(state.ui.theme.accent, "Keyboard and mouse shortcuts");
+  ImGui::Spacing();
+  if (begin_table("##mouse", 35)) {
+    for (const auto& shortcut : kMouseShortcuts) table_row(shortcut.effect, shortcut.input);
+    shortcut_rows(state, true);
+    ImGui::EndTable();
+  }
+  ImGui::SameLine();
+  if (begin_table("##keys", 23)) {
+    shortcut_rows(state, false);
+    ImGui::EndTable();
+  }
+  ImGui::Spacing();
+  if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
+  state.ui.items.add("help.close");
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+void draw_loading(AppState& state) {
+  Loader& loader = *state.files.loader;
+  const bool is_compiling =
+      state.has_document() && state.session->status().phase == "compiling" && !state.viewport.frame;
+  if (!loader.is_busy() && !is_compiling) return;
+  const Placement& region = state.viewport.region;
+  const Vec2 centre = region.corner + region.size * 0.5f;
+  ImGui::SetNextWindowPos({centre.x, centre.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::Begin("##loading", nullptr, kPopup);
+  const std::string text =
+      loader.is_busy() ? "Opening " + base_name(loader.file()) : "Building acceleration structures";
+  ImGui::TextUnformatted(text.c_str());
+  draw_activity_bar(loader.is_busy() ? loader.seconds() : ImGui::GetTime(), ImGui::GetFontSize() * 20);
+  if (loader.is_busy()) {
+    ImGui::PushFont(state.ui.fonts.monospace);
+    ImGui::TextDisabled("%.1f s", loader.seconds());
+    ImGui::PopFont();
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Cancel")) loader.cancel();
+    state.ui.items.add("file.cancel");
+  }
+  ImGui::End();
+}
+
+void draw_notices(AppState& state) {
+  const Placement& region = state.viewport.region;
+  const Theme& theme = state.ui.theme;
+  float bottom = region.corner.y + region.size.y - 10;
+  std::optional<size_t> closed;
+  const auto& notices = state.notices.all();
+  // The newest notice is at the bottom.
+  for (size_t i = notices.size(); i-- > 0;) {
+    const auto& notice = notices[i];
+    ImGui::SetNextWindowPos({region.corner.x + 10, bottom}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {region.size.x - 20, region.size.y});
+    ImGui::SetNextWindowBgAlpha(0.92f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::Begin(("##notice" + std::to_string(i)).c_str(), nullptr, kPopup);
+    ImGui::PushTextWrapPos(std::min(region.size.x - 90, ImGui::GetFontSize() * 40));
+    ImGui::TextColored(notice.is_error ? theme.warning : theme.text, "%s", notice.text.c_str());
+    ImGui::PopTextWrapPos();
+    if (notice.is_error) {
+      ImGui::SameLine();
+      if (ImGui::SmallButton("Close")) closed = i;
+      state.ui.items.add("notice.close");
+    }
+    bottom = ImGui::GetWindowPos().y - 6;
+    ImGui::End();
+    ImGui::PopStyleVar();
+  }
+  if (closed) state.notices.close(*closed);
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,137 @@
+#include "viewer/layout/status_bar.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "render/session.h"
+#include "viewer/files/loader.h"
+#include "viewer/state/app_state.h"
+#include "viewer/tasks/exclusive_task.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/format.h"
+#include "viewer/widgets/status_icon.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr double kMaxPrediction = 100 * 3600;  // seconds
+
+// "0:48 ± 0:06 left": the larger of the two distances to the ends of the prediction interval.
+std::string remaining_time(const render::Prediction& prediction) {
+  if (prediction.seconds > kMaxPrediction) return "days left";
+  const double uncertainty =
+      std::max(prediction.interval.high - prediction.seconds, prediction.seconds - prediction.interval.low);
+  const std::string range = uncertainty >= 1 ? " \u00b1 " + clock_text(uncertainty) : "";
+  return clock_text(prediction.seconds) + range + " left";
+}
+
+// Parts from left to right, as long as there is space.
+class StatusLine {
+ public:
+  StatusLine(AppState& state, float end) : state_(state), end_(end) {}
+
+  // Moves to the position of the next part. Returns false if there is not enough space for this width.
+  bool next(float width) {
+    const float gap = ImGui::GetFontSize() * 1.3f;
+    if (!first_) {
+      if (ImGui::GetItemRectMax().x + gap + width > end_) return false;
+      ImGui::SameLine(0, gap);
+    }
+    first_ = false;
+    return true;
+  }
+
+  void add(const std::string& text, const char* tooltip_text, bool is_warning = false) {
+    if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
+    const Theme& theme = state_.ui.theme;
+    ImGui::TextColored(is_warning ? theme.warning : theme.text, "%s", text.c_str());
+    if (ImGui::IsItemHovered()) tooltip(state_.ui, tooltip_text);
+  }
+
+  // An icon that opens the Reliability panel.
+  void add_reliability(const render::Reliability& reliability) {
+    const char* label = reliability_label(reliability.verdict);
+    if (!next(ImGui::GetTextLineHeight() + 4 + ImGui::CalcTextSize(label).x)) return;
+    ImGui::BeginGroup();
+    status_icon(state_.ui, status_of(reliability.verdict));
+    ImGui::SameLine(0, 4);
+    ImGui::TextUnformatted(label);
+    ImGui::EndGroup();
+    state_.ui.items.add("status.reliability");
+    if (ImGui::IsItemHovered()) tooltip(state_.ui, std::string("Error estimate ") + label + ": " + reliability.reason);
+    const Action* action = state_.actions.find("view.panel.reliability");
+    if (ImGui::IsItemClicked() && action) action->run(state_);
+  }
+
+ private:
+  AppState& state_;
+  float end_;
+  bool first_ = true;
+};
+
+std::string phase_text(const AppState& state, const render::Status& status) {
+  const std::string exclusive = state.tasks.exclusive->status();
+  std::string text = exclusive.empty() ? status.phase : exclusive;
+  if (text.empty()) text = "starting";
+  if (status.phase_progress > 0) text += formatted(" %.0f %%", 100 * status.phase_progress);
+  return text;
+}
+
+void draw_parts(AppState& state, StatusLine& line) {
+  const render::Status status = state.session->status();
+  const uint32_t limit = state.document().limits.samples;
+  line.add(phase_text(state, status), "What the renderer is doing");
+  line.add(limit > 0 ? formatted("%u / %u spp", status.samples, limit) : formatted("%u spp", status.samples),
+           "Samples per pixel");
+  line.add(clock_text(status.seconds), "Rendering time of this image");
+  if (status.time_left && !status.finished)
+    line.add(remaining_time(*status.time_left),
+             "Predicted time to the limit. With an error limit, the range is an 80 % prediction interval");
+  line.add(formatted("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
+  line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
+  line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
+  line.add(
+      status.error.known ? formatted("RMSE %.2g", status.error.rmse) : "RMSE ?",
+      "Root mean square error, estimated from the two half-buffers of the film. Known when all pixels have samples "
+      "in both");
+  if (status.reliability) line.add_reliability(*status.reliability);
+  if (status.rejected.total() > 0)
+    line.add(formatted("%llu invalid", static_cast<unsigned long long>(status.rejected.total())),
+             "Samples that were not finite or negative; they are left out", true);
+  line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share), "Share of the time spent on the interface");
+  line.add(state.session->model().summary(), "Features in use: only those that the scene needs");
+}
+
+}  // namespace
+
+void draw_status_bar(AppState& state, float top, float height) {
+  const float width = ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({0, top});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, state.ui.theme.background);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10, 4});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  ImGui::Begin("##status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PushFont(state.ui.fonts.monospace);
+  if (!state.has_document()) {
+    ImGui::TextUnformatted(state.files.loader->is_busy() ? "opening" : "no scene");
+  } else {
+    const double progress = state.session->status().progress;
+    if (progress > 0) {
+      const ImVec2 size{ImGui::GetFontSize() * 6, ImGui::GetFontSize() * 0.9f};
+      ImGui::ProgressBar(static_cast<float>(progress), size, "");
+      ImGui::SameLine();
+    }
+    StatusLine line(state, width - 10);
+    draw_parts(state, line);
+  }
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,124 @@
+// The camera: projection, lens, focus, position and orientation.
+#include <imgui.h>
+
+#include <cmath>
+
+#include "render/document.h"
+#include "render/session.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/viewport/viewport.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/number_widget.h"
+#include "viewer/widgets/parameter_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr const char* kFocusTool = "camera.focus-by-click";
+
+// Takes position, projection and aspect ratio from a camera of the file. The image keeps its height.
+void use_camera(AppState& state, const Camera& camera) {
+  render::Document changed = state.document();
+  changed.camera = camera;
+  changed.camera_name = camera.name;
+  if (camera.aspect > 0)
+    changed.width = std::max(1, static_cast<int>(std::lround(static_cast<float>(changed.height) * camera.aspect)));
+  state.edit(std::move(changed), "Camera " + camera.name);
+  if (const auto scene = state.session->scene()) state.viewport.camera_controller.reset_pivot(camera, *scene);
+}
+
+void camera_combo(AppState& state) {
+  const auto cameras = scene::placed_cameras(*state.document().scene);
+  if (cameras.empty()) return note(state.ui, "The file has no camera. The default camera shows the whole scene.");
+  label_column("Camera");
+  size_t current = cameras.size();
+  for (size_t i = 0; i < cameras.size(); ++i)
+    if (cameras[i].to_world == state.document().camera.to_world) current = i;
+  const auto name = [&](size_t i) { return object_name(cameras[i].name, "camera", i); };
+  if (ImGui::BeginCombo("##camera", current < cameras.size() ? name(current).c_str() : "User view")) {
+    for (size_t i = 0; i < cameras.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      if (ImGui::Selectable(name(i).c_str(), i == current)) use_camera(state, cameras[i]);
+      ImGui::PopID();
+      state.ui.items.add("camera.choose." + std::to_string(i));
+    }
+    ImGui::EndCombo();
+  }
+  state.ui.items.add("camera.choose");
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Cameras of the file");
+}
+
+// The size parameter that does not belong to the projection is shown only if a script requests it.
+void projection_widgets(AppState& state) {
+  const bool perspective = state.document().camera.projection == Projection::perspective;
+  const ItemRegistry& items = state.ui.items;
+  section_widgets_for(state, "camera", {"projection"});
+  if (perspective || items.is_requested("camera.yfov")) section_widgets_for(state, "camera", {"yfov"});
+  if (!perspective || items.is_requested("camera.ymag")) section_widgets_for(state, "camera", {"ymag"});
+}
+
+void focus_checkbox(AppState& state) {
+  bool active = state.is_active_tool(kFocusTool);
+  const bool toggled = ImGui::Checkbox("Focus by click", &active);
+  state.ui.items.add(kFocusTool);
+  if (ImGui::IsItemHovered())
+    tooltip(state.ui, "The next click in the image sets the focus distance. A double click does so at any time");
+  if (!toggled) return;
+  const auto use = [](AppState& s, Vec2 position) {
+    if (!focus_at(s, position)) return false;
+    select_at(s, position);
+    return true;
+  };
+  state.toggle_tool({.name = kFocusTool, .use = use});
+  if (active) state.notices.add_message("Click the surface to focus on.");
+}
+
+class CameraPanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "tab.camera",
+            .label = "Camera",
+            .description = "Projection, lens, focus, position and orientation of the camera",
+            .place = PanelPlace::right_column};
+  }
+
+  void draw(AppState& state) override {
+    const UiContext& ui = state.ui;
+    camera_combo(state);
+    action_button(state, "view.frame-all");
+    ImGui::SameLine();
+    action_button(state, "view.frame-selection");
+    if (group(ui, "Projection", "camera.")) projection_widgets(state);
+    if (group(ui, "Lens", "camera.")) {
+      section_widgets_for(state, "camera", {"lens-radius", "focus-distance", "shutter"});
+      focus_checkbox(state);
+    }
+    if (group(ui, "Position", "camera.eye.")) section_widgets_for(state, "camera", {"eye.x", "eye.y", "eye.z"});
+    const bool axis_requested = ui.items.is_requested_below("camera.right") ||
+                                ui.items.is_requested_below("camera.up") || ui.items.is_requested_below("camera.back");
+    if (axis_requested) ImGui::SetNextItemOpen(true);
+    if (group(ui, "Orientation", "", false))
+      section_widgets_for(state, "camera",
+                          {"right.x", "right.y", "right.z", "up.x", "up.y", "up.z", "back.x", "back.y", "back.z"});
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {{"camera.choose", "Camera", "Opens the list of the cameras of the file"},
+            {"camera.choose.N", "Camera N", "Uses camera N of the open list"},
+            {kFocusTool, "Focus by click", "The next click in the image sets the focus distance"}};
+  }
+
+  bool reveal_parameter(AppState&, const std::string& name) override {
+    // The exposure is in the Display panel.
+    return name.starts_with("camera.") && name != "camera.exposure";
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_camera_panel() { return std::make_unique<CameraPanel>(); }
+
+}  // namespace etendue::viewer

@@ -1,0 +1,420 @@
+// A live comparison of methods: their errors over time or samples.
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "integrator/integrator.h"
+#include "viewer/actions/action.h"
+#include "viewer/panels/convergence_chart.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+#include "viewer/tasks/convergence_task.h"
+#include "viewer/viewport/comparison.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/chart_painter.h"
+#include "viewer/widgets/format.h"
+#include "viewer/widgets/parameter_field.h"
+#include "viewer/widgets/parameter_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+using Phase = bench::LiveBenchmarkSnapshot::Phase;
+
+template <class E>
+void compact_parameter(AppState& state, Choice<E>& choice, float width) {
+  if (const auto value = compact_choice(state, describe(choice), width)) assign(choice, *value);
+}
+
+// A drag field: the value would not be legible on a slider of this width.
+template <class T>
+void compact_parameter(AppState& state, Number<T>& number, float width) {
+  const ParameterInfo info = describe(number);
+  const float speed = std::max(0.02f, 0.01f * static_cast<float>(number.value));
+  ImGui::PushID(info.name.c_str());
+  ImGui::SetNextItemWidth(width);
+  if (const auto edit = number_field(state.ui, info, speed); edit.value) assign(number, *edit.value);
+  ImGui::PopID();
+}
+
+// A choice with the entries of a registry.
+template <class Entries>
+ParameterInfo registry_choice(const char* name, const char* label, const char* doc, const std::string& value,
+                              const Entries& entries) {
+  ParameterInfo info;
+  info.name = name;
+  info.label = label;
+  info.doc = doc;
+  info.type = ParameterType::choice;
+  info.default_value = value;
+  for (const auto& entry : entries) {
+    info.options.push_back(entry.name);
+    info.option_labels.push_back(entry.label);
+  }
+  return info;
+}
+
+ParameterInfo integrator_parameter(const std::string& value) {
+  return registry_choice("compare.integrator", "Integrator", "Integrator of the method to add", value,
+                         integrator::integrator_infos());
+}
+
+ParameterInfo sampler_parameter(const std::string& value) {
+  return registry_choice("compare.sampler", "Sampler", "Sampler of the method to add", value, sampler_infos());
+}
+
+struct Column {
+  const char* label;
+  const char* tooltip;
+};
+constexpr Column kColumns[] = {
+    {"", ""},
+    {"method", "Integrator, sampler and parameters. The tooltip has the name for `etendue bench`"},
+    {"RMSE", "Root mean square error of the first repeat; the error of the reference is subtracted"},
+    {"slope",
+     "Slope of log RMSE over the logarithm of the horizontal axis, with its standard error over repeats. Independent "
+     "random numbers give -0.5, low-discrepancy points are steeper, bias makes the curve flat"},
+    {"eff.", "Efficiency 1 / (MSE x time), relative to the best method"},
+    {"spp", "Samples per pixel of the first repeat"},
+    {"s", "Rendering time of the first repeat in seconds"},
+    {"", ""},
+};
+constexpr size_t kValueColumns = 5;
+
+void color_swatch(size_t method) {
+  const float size = ImGui::GetFontSize() * 0.75f;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float top = corner.y + (ImGui::GetTextLineHeight() - size) * 0.5f;
+  ImGui::GetWindowDrawList()->AddRectFilled({corner.x, top}, {corner.x + size, top + size},
+                                            color_of(metrics::method_color(method)), 2);
+  ImGui::Dummy({size, ImGui::GetTextLineHeight()});
+  ImGui::SameLine(0, size * 0.6f);
+}
+
+void cell(const std::string& text) {
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.c_str());
+}
+
+std::string slope_text(const metrics::Estimate& slope) {
+  if (!slope.known) return "?";
+  if (slope.degrees == 0) return formatted("%.2f", slope.value);
+  return formatted("%.2f \u00b1%.2f", slope.value, slope.standard_error);
+}
+
+double best_efficiency(const bench::LiveBenchmarkSnapshot& snapshot) {
+  double best = 0;
+  for (const auto& method : snapshot.methods)
+    if (method.efficiency.known) best = std::max(best, method.efficiency.value);
+  return best;
+}
+
+void value_cells(const bench::LiveBenchmarkSnapshot& snapshot, const bench::MethodStatus& method,
+                 metrics::Abscissa axis) {
+  if (method.samples == 0) {
+    for (size_t i = 0; i < kValueColumns; ++i) cell("");
+    return;
+  }
+  cell(method.rmse > 0 ? formatted("%.3g", method.rmse) : "< ref.");
+  cell(slope_text(axis == metrics::Abscissa::seconds ? method.slope : method.slope_over_samples));
+  cell(method.efficiency.known ? formatted("%.2f", method.efficiency.value / best_efficiency(snapshot)) : "");
+  cell(formatted("%u", method.samples));
+  cell(formatted("%.1f", method.seconds));
+}
+
+class ConvergencePanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "panel.convergence",
+            .label = "Convergence",
+            .description = "Compare methods: error over time",
+            .place = PanelPlace::bottom};
+  }
+
+  void draw(AppState& state) override {
+    task_.propose_methods(state.document());
+    const float em = ImGui::GetFontSize();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float list_width = std::min(std::max(width * 0.46f, em * 27), width * 0.62f);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {em * 0.4f, em * 0.25f});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {em * 0.4f, em * 0.1f});
+    ImGui::BeginChild("##list", {list_width, 0});
+    draw_budget(state);
+    draw_progress(state.ui);
+    draw_methods(state);
+    draw_new_method(state);
+    draw_chart_parameters(state);
+    draw_reference_status(state.ui);
+    ImGui::EndChild();
+    ImGui::SameLine(0, em);
+    ImGui::BeginChild("##chart");
+    draw_convergence_chart(state.ui, task_);
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+  }
+
+  std::vector<ParameterInfo> parameters() const override {
+    ConvergenceTask::Parameters defaults;
+    auto list = describe_all(defaults.all());
+    list.push_back(integrator_parameter(defaults.integrator));
+    list.push_back(sampler_parameter(defaults.sampler));
+    return list;
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {{"compare.add", "Add", "Adds the selected integrator and sampler to the list of methods"},
+            {"compare.a.N", "A", "Shows the image of method N to the left of the divider"},
+            {"compare.b.N", "B", "Shows the image of method N to the right of the divider"},
+            {"compare.remove.N", "Remove", "Removes method N from the list"},
+            {"compare.chart", "Chart", "The error curves. Move the pointer over the chart to read values"}};
+  }
+
+  void add_actions(ActionList& actions) override;
+  std::vector<WaitCondition> wait_conditions() override;
+  void report(AppState& state, nlohmann::json& json) override;
+
+  void update(AppState& state) override { task_.update(state.task_context, *state.viewport.comparison); }
+  std::vector<Task*> tasks() override { return {&task_}; }
+
+ private:
+  void draw_budget(AppState& state) {
+    auto& parameters = task_.parameters;
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+    action_button(state, task_.running() ? "compare.stop" : "compare.start");
+    ImGui::PopStyleColor();
+    if (task_.can_resume()) {
+      ImGui::SameLine();
+      action_button(state, "compare.continue");
+    }
+    ImGui::SameLine();
+    compact_parameter(state, parameters.rule, em * 8.2f);
+    ImGui::SameLine();
+    if (parameters.rule == bench::Rule::equal_time)
+      compact_parameter(state, parameters.seconds, em * 4.6f);
+    else
+      compact_parameter(state, parameters.samples, em * 5.6f);
+    ImGui::SameLine();
+    compact_parameter(state, parameters.repeats, em * 3);
+  }
+
+  void draw_progress(const UiContext& ui) const {
+    const auto* snapshot = task_.result();
+    const float height = std::max(2.0f, std::floor(2 * ui.scale));
+    const float share = snapshot ? static_cast<float>(snapshot->progress) : 0;
+    progress_line(share, ImGui::GetContentRegionAvail().x, height,
+                  task_.running() ? ui.theme.accent : ui.theme.secondary_text);
+  }
+
+  void draw_methods(AppState& state) {
+    ImGui::PushFont(state.ui.fonts.small);
+    const float em = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {em * 0.4f, std::floor(em * 0.2f)});
+    std::optional<size_t> removed;
+    const int columns = static_cast<int>(std::size(kColumns));
+    if (ImGui::BeginTable("##methods", columns, ImGuiTableFlags_SizingFixedFit)) {
+      for (size_t i = 0; i < std::size(kColumns); ++i)
+        ImGui::TableSetupColumn(kColumns[i].label,
+                                i == 1 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
+      ImGui::TableNextRow();
+      for (const Column& column : kColumns) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", column.label);
+        if (*column.tooltip && ImGui::IsItemHovered()) tooltip(state.ui, column.tooltip);
+      }
+      for (size_t row = 0; row < task_.parameters.methods.size(); ++row) {
+        ImGui::PushID(static_cast<int>(row));
+        if (draw_method(state.ui, row)) removed = row;
+        ImGui::PopID();
+      }
+      ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    if (removed) task_.remove_method(*removed);
+  }
+
+  // Returns true if the method is to be removed.
+  bool draw_method(UiContext& ui, size_t row) {
+    auto& parameters = task_.parameters;
+    const std::string& spec = parameters.methods[row];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    draw_side_button(ui, "A", "compare.a.", row, parameters.a);
+    ImGui::SameLine(0, 2);
+    draw_side_button(ui, "B", "compare.b.", row, parameters.b);
+    ImGui::TableNextColumn();
+    const auto index = task_.index_in_result(spec);
+    color_swatch(index.value_or(row));
+    ImGui::TextUnformatted(method_label(spec).c_str());
+    if (ImGui::IsItemHovered()) tooltip(ui, method_label(spec) + "\n" + spec);
+    if (index)
+      value_cells(*task_.result(), task_.result()->methods[*index], parameters.axis);
+    else
+      for (size_t i = 0; i < kValueColumns; ++i) cell("");
+    ImGui::TableNextColumn();
+    const bool removed = ImGui::SmallButton("\u00d7");
+    ui.items.add("compare.remove." + std::to_string(row));
+    if (ImGui::IsItemHovered()) tooltip(ui, "Removes the method from the list");
+    return removed;
+  }
+
+  // A button that shows the image of a method on one side of the viewport.
+  void draw_side_button(UiContext& ui, const char* letter, const char* item, size_t row, size_t& selected) {
+    const bool is_selected = selected == row;
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(is_selected ? ImGuiCol_Header : ImGuiCol_FrameBg));
+    ImGui::PushStyleColor(ImGuiCol_Text, is_selected ? ui.theme.text : ui.theme.secondary_text);
+    if (ImGui::SmallButton(letter)) {
+      selected = row;
+      task_.request_images();
+    }
+    ImGui::PopStyleColor(2);
+    ui.items.add(item + std::to_string(row));
+    if (ImGui::IsItemHovered()) tooltip(ui, std::string("Shows the image of this method as ") + letter);
+  }
+
+  void draw_new_method(AppState& state) {
+    auto& parameters = task_.parameters;
+    const float em = ImGui::GetFontSize();
+    if (const auto value = compact_choice(state, integrator_parameter(parameters.integrator), em * 8.4f))
+      parameters.integrator = std::get<std::string>(*value);
+    ImGui::SameLine();
+    if (const auto value = compact_choice(state, sampler_parameter(parameters.sampler), em * 7.4f))
+      parameters.sampler = std::get<std::string>(*value);
+    ImGui::SameLine();
+    if (ImGui::Button("Add")) task_.add_method(parameters.integrator + ":sampler=" + parameters.sampler);
+    state.ui.items.add("compare.add");
+    if (ImGui::IsItemHovered()) tooltip(state.ui, "Adds this method to the list");
+    ImGui::SameLine();
+    action_button(state, "compare.add-current");
+  }
+
+  void draw_chart_parameters(AppState& state) {
+    const float em = ImGui::GetFontSize();
+    compact_parameter(state, task_.parameters.error, em * 6);
+    ImGui::SameLine();
+    compact_parameter(state, task_.parameters.axis, em * 7.6f);
+    ImGui::SameLine();
+    action_button(state, "compare.export");
+  }
+
+  void draw_reference_status(const UiContext& ui) const {
+    const auto* snapshot = task_.result();
+    if (!snapshot) return;
+    ImGui::PushFont(ui.fonts.small);
+    std::string text = snapshot->phase == Phase::preparing
+                           ? "preparing"
+                           : formatted("repeat %d of %d", snapshot->repeat, snapshot->repeats);
+    if (snapshot->reference)
+      text += formatted("; reference: %u spp, %.1f s", snapshot->reference_samples, snapshot->reference_seconds);
+    if (std::isfinite(snapshot->reference_error)) text += formatted(", standard error %.2g", snapshot->reference_error);
+    note(ui, text);
+    if (snapshot->too_noisy)
+      warning(ui, formatted("Reference too noisy: errors below about %.2g are uncertain. Continue to refine it.",
+                            10 * snapshot->reference_error));
+    ImGui::PopFont();
+  }
+
+  void request_export(AppState& state) {
+    state.files.request =
+        FileRequest{.title = "Export the chart (.svg, .png) or its data (.csv)",
+                    .extensions = {".svg", ".png", ".csv"},
+                    .saves = true,
+                    .name = scene_stem(state.document()) + "-convergence.svg",
+                    .accept = [this, &state](const std::string& file) { task_.save_chart(state.task_context, file); }};
+  }
+
+  ConvergenceTask task_;
+};
+
+void ConvergencePanel::add_actions(ActionList& actions) {
+  const auto has_document = [](const AppState& state) { return state.has_document(); };
+  const auto start = [this](AppState& state) {
+    state.panels.open(*this);
+    task_.propose_methods(state.document());
+    const auto started = task_.start(state.task_context);
+    if (!started) state.notices.add_error(started.error().message);
+  };
+  actions.add({.name = "compare.start",
+               .menu = "Compare",
+               .label = "Start comparison",
+               .tooltip = "Renders the methods of the Convergence panel in turns and plots their errors over time",
+               .run = start,
+               .enabled = has_document,
+               .group = "Methods"});
+  actions.add({.name = "compare.stop",
+               .menu = "Compare",
+               .label = "Stop comparison",
+               .tooltip = "Stops the comparison. The curves stay",
+               .run = [this](AppState& state) { task_.stop(state.task_context); },
+               .enabled = [this](const AppState&) { return task_.running(); },
+               .group = "Methods"});
+  actions.add({.name = "compare.continue",
+               .menu = "Compare",
+               .label = "Continue",
+               .tooltip = "Continues the comparison. Doubles the budget if it is used up",
+               .run = [this](AppState& state) { task_.resume(state.task_context); },
+               .enabled = [this](const AppState&) { return task_.can_resume(); },
+               .group = "Methods"});
+  actions.add({.name = "compare.add-current",
+               .menu = "Compare",
+               .label = "Add current",
+               .tooltip = "Adds the method of the Render panel to the list",
+               .run = [this](AppState& state) { task_.add_method(method_spec(state.document().method)); },
+               .enabled = has_document,
+               .group = "Methods"});
+  actions.add({.name = "compare.export",
+               .menu = "Compare",
+               .label = "Export chart...",
+               .tooltip = "Saves the chart as .svg or .png, or its data as .csv",
+               .run = [this](AppState& state) { request_export(state); },
+               .enabled = [this](const AppState&) { return task_.result() != nullptr; },
+               .group = "Methods"});
+}
+
+std::vector<WaitCondition> ConvergencePanel::wait_conditions() {
+  const auto check = [this](AppState&, std::optional<uint32_t> samples) -> StepStatus {
+    const auto* snapshot = task_.result();
+    if (!snapshot) return {.error = "no methods are compared; click compare.start first"};
+    if (!samples) {
+      const bool at_rest = snapshot->phase == Phase::stopped || snapshot->phase == Phase::done;
+      return {.done = !task_.running() && at_rest && !task_.is_saving()};
+    }
+    const auto has_samples = [&](const bench::MethodStatus& method) { return method.samples >= *samples; };
+    if (std::ranges::all_of(snapshot->methods, has_samples)) return {.done = true};
+    if (task_.running()) return {};
+    return {.error = "the comparison has ended with fewer samples; increase its budget"};
+  };
+  return {{.name = "contest", .check = check}};
+}
+
+void ConvergencePanel::report(AppState&, nlohmann::json& json) {
+  auto& report = json["contest"];
+  report = {{"running", task_.running()}, {"up_to_date", task_.is_current()}, {"methods", nlohmann::json::array()}};
+  const auto* snapshot = task_.result();
+  if (!snapshot) return;
+  constexpr const char* kPhases[] = {"preparing", "comparing", "stopped", "done"};
+  report["phase"] = kPhases[static_cast<size_t>(snapshot->phase)];
+  report["progress"] = snapshot->progress;
+  report["repeat"] = snapshot->repeat;
+  report["reference"] = {{"samples", snapshot->reference_samples},
+                         {"seconds", snapshot->reference_seconds},
+                         {"too_noisy", snapshot->too_noisy}};
+  if (std::isfinite(snapshot->reference_error)) report["reference"]["error"] = snapshot->reference_error;
+  for (const auto& m : snapshot->methods) {
+    nlohmann::json method{
+        {"name", m.name}, {"samples", m.samples}, {"seconds", m.seconds}, {"rmse", m.rmse}, {"slope", nullptr}};
+    if (m.slope.known) method["slope"] = m.slope.value;
+    report["methods"].push_back(std::move(method));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_convergence_panel() { return std::make_unique<ConvergencePanel>(); }
+
+}  // namespace etendue::viewer

@@ -1,0 +1,210 @@
+// Light sources, the light meter, and the environment.
+#include <imgui.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "light/area_light.h"
+#include "light/light_presets.h"
+#include "render/document.h"
+#include "viewer/actions/action.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/tools/light_meter.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/format.h"
+#include "viewer/widgets/parameter_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr const char* kPresetItem = "light.preset";
+
+void list_lights(AppState& state, const scene::Scene& scene) {
+  for (size_t i = 0; i < scene.lights.size(); ++i) {
+    const Light& light = scene.lights[i];
+    const int index = static_cast<int>(i);
+    const std::string text = object_name(light.name, "light", i) + "  (" + light.info().description.name + ")";
+    ImGui::PushID(index);
+    if (ImGui::Selectable(text.c_str(), state.selection.light == index)) state.selection.light = index;
+    ImGui::PopID();
+    state.ui.items.add("light.choose." + std::to_string(i));
+  }
+}
+
+void list_emissive_materials(AppState& state, const scene::Scene& scene) {
+  for (size_t i = 0; i < scene.materials.size(); ++i) {
+    if (!scene.materials[i].is_emissive()) continue;
+    const std::string text = object_name(scene.materials[i].name, "material", i) + "  (emissive material)";
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(text.c_str()))
+      state.panels.reveal_parameter(state, "material." + std::to_string(i) + ".emission.r");
+    ImGui::PopID();
+    state.ui.items.add("light.surface." + std::to_string(i));
+    if (ImGui::IsItemHovered())
+      tooltip(state.ui, "An emissive surface. Click to edit its emission in the Material panel");
+  }
+}
+
+// Colour and power of well-known light sources.
+void preset_widget(AppState& state, size_t index, Efficacy efficacy) {
+  const Light& light = state.document().scene->lights[index];
+  ParameterInfo info;
+  info.name = kPresetItem;
+  info.label = "Preset";
+  info.doc = "Sets colour and power to those of a well-known light source";
+  info.type = ParameterType::choice;
+  info.default_value = std::string("none");
+  info.options = {"none"};
+  info.option_labels = {"Choose a light source"};
+  for (const LightPreset& preset : kLightPresets) {
+    if (!fits(preset, light)) continue;
+    info.options.emplace_back(preset.name);
+    info.option_labels.emplace_back(preset.label);
+  }
+  if (info.options.size() < 2) return;
+  const auto chosen = parameter_widget(state, info);
+  for (const LightPreset& preset : kLightPresets) {
+    if (!chosen || *chosen != Value(std::string(preset.name))) continue;
+    render::Document changed = state.document();
+    auto scene = std::make_shared<scene::Scene>(*changed.scene);
+    scene->lights[index] = with_preset(light, preset, efficacy);
+    changed.scene = std::move(scene);
+    state.edit(std::move(changed), preset.label);
+  }
+}
+
+// Returns "W/m\u00b2" for "W/m^2".
+std::string with_superscripts(std::string unit) {
+  if (const size_t position = unit.find("^2"); position != std::string::npos) unit.replace(position, 2, "\u00b2");
+  return unit;
+}
+
+// The power of a light in radiometric and photometric units.
+void light_values(const UiContext& ui, const Light& light, Efficacy efficacy) {
+  const auto both = [&](const char* label, const Rgb& value, const std::string& unit,
+                        const std::string& photometric_unit) {
+    labelled_value(ui, label, formatted("%.4g %s", static_cast<double>(luminance(value)), unit.c_str()));
+    labelled_value(ui, "", formatted("%.4g %s", photometric(value, efficacy), photometric_unit.c_str()));
+  };
+  const RadiometricQuantity& quantity = *light.info().description.quantity;
+  const auto surface = light.model->area_light(light.color);
+  both(quantity.name, surface ? surface->radiance : light.color * light.intensity(), with_superscripts(quantity.unit),
+       with_superscripts(quantity.photometric_unit));
+  if (const Rgb flux = light.flux(); !is_black(flux)) both("Flux", flux, "W", "lm");
+}
+
+class LightPanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "tab.light",
+            .label = "Light",
+            .description = "Light sources, light meter and environment",
+            .place = PanelPlace::right_column};
+  }
+
+  void draw(AppState& state) override {
+    const auto scene = state.document().scene;
+    if (group(state.ui, "Lights", "light.")) draw_lights(state, *scene);
+    if (group(state.ui, "Light meter", "meter.")) meter_.draw(state);
+    if (group(state.ui, "Environment", "environment.")) draw_environment(state, scene->environment);
+  }
+
+  std::vector<ParameterInfo> parameters() const override {
+    return describe_all(LightMeter::Parameters(meter_.parameters).all());
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {
+        {"light.choose.N", "Light N", "Selects light N"},
+        {"light.surface.N", "Emissive material N", "Opens material N, which emits light, in the Material panel"},
+        {kPresetItem, "Preset", "Sets colour and power of the selected light to those of a well-known light source"}};
+  }
+
+  void add_actions(ActionList& actions) override {
+    const auto use = [this](AppState& state, Vec2 position) {
+      const auto& d = state.document();
+      const Placement& image = state.viewport.image;
+      meter_.measure((position - image.corner) / image.size * Vec2(d.width, d.height));
+      state.panels.open(*this);
+      return true;
+    };
+    actions.add({.name = kLightMeterAction,
+                 .menu = "View",
+                 .label = "Light meter",
+                 .tooltip = "Measures radiance, irradiance, luminance, illuminance and flux where you click next",
+                 .shortcut = "m",
+                 .run = [use](AppState& state) { state.toggle_tool({.name = kLightMeterAction, .use = use}); },
+                 .enabled = [](const AppState& state) { return state.has_document(); },
+                 .checked = [](const AppState& state) { return state.is_active_tool(kLightMeterAction); }});
+  }
+
+  std::vector<WaitCondition> wait_conditions() override {
+    const auto check = [this](AppState& state, std::optional<uint32_t>) -> StepStatus {
+      if (!meter_.position()) return {.error = "nothing is measured; click meter.pick and then the image first"};
+      return {.done = meter_.is_complete(state.editor->version())};
+    };
+    return {{"meter", check}};
+  }
+
+  void report(AppState& state, nlohmann::json& json) override {
+    json["meter"] = meter_.report(state.editor->version());
+  }
+
+  bool reveal_parameter(AppState& state, const std::string& name) override {
+    if (name == kPresetItem || name.starts_with("environment.")) return true;
+    if (const auto index = object_index(name, "light")) {
+      state.selection.light = *index;
+      return true;
+    }
+    return Panel::reveal_parameter(state, name);
+  }
+
+  void update(AppState& state) override { meter_.update(state.task_context); }
+  std::vector<Task*> tasks() override { return {&meter_}; }
+
+  void draw_overlay(AppState& state, ImDrawList& draw) override {
+    if (state.is_visible(*this)) meter_.draw_marker(state, draw);
+  }
+
+ private:
+  void draw_lights(AppState& state, const scene::Scene& scene) {
+    const bool has_emissive = std::ranges::any_of(scene.materials, [](const Material& m) { return m.is_emissive(); });
+    if (scene.lights.empty() && !has_emissive)
+      note(state.ui, "The scene has no light sources. It is lit by the environment only.");
+    if (scene.lights.empty() && has_emissive && scene.environment.black())
+      note(state.ui,
+           "Lit by emissive surfaces only. If the image is too dark, load an environment map or raise the radiance of "
+           "the environment.");
+    list_lights(state, scene);
+    list_emissive_materials(state, scene);
+    const int selected = state.selection.light;
+    if (selected < 0 || static_cast<size_t>(selected) >= scene.lights.size()) return;
+    const auto index = static_cast<size_t>(selected);
+    const Efficacy efficacy = meter_.parameters.efficacy;
+    ImGui::Separator();
+    preset_widget(state, index, efficacy);
+    section_widgets(state, "light." + std::to_string(index));
+    light_values(state.ui, scene.lights[index], efficacy);
+  }
+
+  static void draw_environment(AppState& state, const Environment& environment) {
+    if (environment.map)
+      note(state.ui, environment.file);
+    else
+      note(state.ui, environment.black() ? "No environment" : "Uniform environment");
+    section_widgets(state, "environment");
+    action_button(state, "environment.load");
+  }
+
+  LightMeter meter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_light_panel() { return std::make_unique<LightPanel>(); }
+
+}  // namespace etendue::viewer

@@ -1,0 +1,136 @@
+// The objects of the scene: selection, visibility and transforms.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "render/document.h"
+#include "scene/rotation.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/vector_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+// "mesh", "light", "camera", or empty for a node that only groups others.
+const char* kind_of(const scene::Node& node) {
+  if (node.mesh >= 0) return "mesh";
+  if (node.light >= 0) return "light";
+  if (node.camera >= 0) return "camera";
+  return "";
+}
+
+std::string node_name(const scene::Scene& scene, int index) {
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  const char* kind = *kind_of(node) ? kind_of(node) : "node";
+  return object_name(node.name, kind, static_cast<size_t>(index));
+}
+
+bool is_ancestor(const scene::Scene& scene, int ancestor, int node) {
+  for (int i = scene.nodes[static_cast<size_t>(node)].parent; i >= 0; i = scene.nodes[static_cast<size_t>(i)].parent)
+    if (i == ancestor) return true;
+  return false;
+}
+
+bool is_animated(const scene::Scene& scene, int index) {
+  const auto moves_node = [&](const scene::AnimationChannel& channel) {
+    return channel.node == index && channel.path != scene::AnimatedPath::weights;
+  };
+  return std::ranges::any_of(
+      scene.animations, [&](const auto& animation) { return std::ranges::any_of(animation->channels, moves_node); });
+}
+
+void draw_selected_node(AppState& state, const scene::Scene& scene, int index) {
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  section_widgets(state, "node." + std::to_string(index));
+  if (!scene::decompose(node.transform))
+    note(state.ui, "The matrix has shear or a zero scale, so rotation and scale cannot be edited.");
+  if (is_animated(scene, index))
+    note(state.ui, "This transform is animated. Edits to animated channels have no effect.");
+  if (node.camera >= 0) note(state.ui, "The parameters of the current view are in the Camera panel.");
+  action_button(state, "view.frame-selection");
+}
+
+void visibility_checkbox(AppState& state, const scene::Node& node, const std::string& section) {
+  bool visible = node.visible;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2, 2});
+  const bool toggled = ImGui::Checkbox("##visible", &visible);
+  ImGui::PopStyleVar();
+  state.ui.items.add("scene." + section + ".visible");
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Visible. Hidden objects are not rendered and cast no shadows");
+  if (toggled) state.set_parameter(section + ".visible", visible);
+}
+
+// A node and its children.
+void draw_node(AppState& state, const scene::Scene& scene, int index) {
+  const auto& node = scene.nodes[static_cast<size_t>(index)];
+  const std::string section = "node." + std::to_string(index);
+  const int selected = state.selection.node;
+  ImGui::PushID(index);
+  visibility_checkbox(state, node, section);
+  ImGui::SameLine();
+  ImGuiTreeNodeFlags flags =
+      ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_DefaultOpen;
+  if (node.children.empty()) flags |= ImGuiTreeNodeFlags_Leaf | ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  if (selected == index) flags |= ImGuiTreeNodeFlags_Selected;
+  if (selected >= 0 && is_ancestor(scene, index, selected)) ImGui::SetNextItemOpen(true, ImGuiCond_Once);
+  if (!node.visible) ImGui::PushStyleColor(ImGuiCol_Text, state.ui.theme.secondary_text);
+  const bool open = ImGui::TreeNodeEx("##node", flags, "%s", node_name(scene, index).c_str());
+  if (!node.visible) ImGui::PopStyleColor();
+  if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) state.select(index, -1);
+  state.ui.items.add("scene." + section);
+  if (ImGui::IsItemHovered() && *kind_of(node)) tooltip(state.ui, std::string(kind_of(node)) + ", " + section);
+  if (open && !node.children.empty()) {
+    for (const int child : node.children) draw_node(state, scene, child);
+    ImGui::TreePop();
+  }
+  ImGui::PopID();
+}
+
+class ScenePanel final : public Panel {
+ public:
+  PanelInfo info() const override {
+    return {.name = "tab.scene",
+            .label = "Scene",
+            .description = "Objects of the scene: selection, visibility and transforms",
+            .place = PanelPlace::right_column};
+  }
+
+  void draw(AppState& state) override {
+    // The widgets may replace the scene of the document while the tree is drawn.
+    const auto scene = state.document().scene;
+    section_widgets(state, "scene");
+    const int selected = state.selection.node;
+    const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->nodes.size();
+    const float space_below = has_selection ? ImGui::GetFrameHeightWithSpacing() * 6.5f : 0;
+    if (group(state.ui, "Objects", "")) {
+      const float available = ImGui::GetContentRegionAvail().y - space_below;
+      ImGui::BeginChild("##tree", {0, std::max(available, ImGui::GetFrameHeight() * 6)});
+      for (const int root : scene->roots) draw_node(state, *scene, root);
+      ImGui::EndChild();
+    }
+    if (!has_selection) return;
+    if (group(state.ui, node_name(*scene, selected).c_str(), "node.")) draw_selected_node(state, *scene, selected);
+  }
+
+  std::vector<ItemInfo> items() const override {
+    return {{"scene.node.N", "Object", "Selects node N"}, {"scene.node.N.visible", "Visible", "Shows or hides node N"}};
+  }
+
+  bool reveal_parameter(AppState& state, const std::string& name) override {
+    if (name.starts_with("scene.")) return true;
+    const auto index = object_index(name, "node");
+    if (index) state.selection.node = *index;
+    return index.has_value();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Panel> make_scene_panel() { return std::make_unique<ScenePanel>(); }
+
+}  // namespace etendue::viewer

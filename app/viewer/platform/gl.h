@@ -1,0 +1,60 @@
+// The OpenGL 3.3 functions that the viewer calls, loaded from the library that created the context.
+#pragma once
+#include <GL/glcorearb.h>
+
+#include <functional>
+
+namespace etendue::viewer {
+
+struct Gl {
+  PFNGLGETSTRINGPROC GetString;
+  PFNGLVIEWPORTPROC Viewport;
+  PFNGLCLEARPROC Clear;
+  PFNGLCLEARCOLORPROC ClearColor;
+  PFNGLDISABLEPROC Disable;
+  PFNGLENABLEPROC Enable;
+  PFNGLSCISSORPROC Scissor;
+  PFNGLFINISHPROC Finish;
+  PFNGLREADPIXELSPROC ReadPixels;
+  PFNGLPIXELSTOREIPROC PixelStorei;
+  PFNGLGENTEXTURESPROC GenTextures;
+  PFNGLDELETETEXTURESPROC DeleteTextures;
+  PFNGLBINDTEXTUREPROC BindTexture;
+  PFNGLACTIVETEXTUREPROC ActiveTexture;
+  PFNGLTEXIMAGE2DPROC TexImage2D;
+  PFNGLTEXSUBIMAGE2DPROC TexSubImage2D;
+  PFNGLTEXPARAMETERIPROC TexParameteri;
+  PFNGLGENFRAMEBUFFERSPROC GenFramebuffers;
+  PFNGLDELETEFRAMEBUFFERSPROC DeleteFramebuffers;
+  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer;
+  PFNGLFRAMEBUFFERTEXTURE2DPROC FramebufferTexture2D;
+  PFNGLCHECKFRAMEBUFFERSTATUSPROC CheckFramebufferStatus;
+  PFNGLBLITFRAMEBUFFERPROC BlitFramebuffer;
+  PFNGLGENVERTEXARRAYSPROC GenVertexArrays;
+  PFNGLDELETEVERTEXARRAYSPROC DeleteVertexArrays;
+  PFNGLBINDVERTEXARRAYPROC BindVertexArray;
+  PFNGLDRAWARRAYSPROC DrawArrays;
+  PFNGLCREATESHADERPROC CreateShader;
+  PFNGLSHADERSOURCEPROC ShaderSource;
+  PFNGLCOMPILESHADERPROC CompileShader;
+  PFNGLGETSHADERIVPROC GetShaderiv;
+  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog;
+  PFNGLDELETESHADERPROC DeleteShader;
+  PFNGLCREATEPROGRAMPROC CreateProgram;
+  PFNGLATTACHSHADERPROC AttachShader;
+  PFNGLLINKPROGRAMPROC LinkProgram;
+  PFNGLGETPROGRAMIVPROC GetProgramiv;
+  PFNGLDELETEPROGRAMPROC DeleteProgram;
+  PFNGLUSEPROGRAMPROC UseProgram;
+  PFNGLGETUNIFORMLOCATIONPROC GetUniformLocation;
+  PFNGLUNIFORM1IPROC Uniform1i;
+  PFNGLUNIFORM1FPROC Uniform1f;
+  PFNGLUNIFORM2FPROC Uniform2f;
+  PFNGLUNIFORM3FVPROC Uniform3fv;
+
+  using Loader = std::function<void*(const char*)>;
+  // Returns false if a function is missing.
+  bool load(const Loader& loader);
+};
+
+}  // namespace etendue::viewer

@@ -1,0 +1,28 @@
+// Colours and fonts of the interface: a dark and a light theme, in which all text has a contrast of at least 4.5:1.
+#pragma once
+#include <imgui.h>
+
+namespace etendue::viewer {
+
+struct Theme {
+  bool dark = true;
+  ImVec4 background{};  // of the viewport, the menu bar and the status bar
+  ImVec4 panel{};       // background of panels
+  ImVec4 text{};
+  ImVec4 secondary_text{};  // notes, axis labels and inactive items
+  ImVec4 accent{};
+  ImVec4 warning{};
+};
+
+// The fonts of the interface, loaded at the scale of the display.
+struct Fonts {
+  ImFont* text = nullptr;       // proportional
+  ImFont* monospace = nullptr;  // for numbers
+  ImFont* small = nullptr;      // small monospace, for charts and tables
+};
+
+// Sets the style of Dear ImGui; `scale` is that of the platform.
+Theme apply_theme(bool dark, float scale);
+Fonts load_fonts(float scale);
+
+}  // namespace etendue::viewer

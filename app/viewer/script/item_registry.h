@@ -1,0 +1,62 @@
+// The named items on screen: where each one was drawn, and the value that a script requests for it.
+//
+// A script reaches widgets only through this registry. It requests a value for a name. The widget of that name takes
+// the value when it is drawn, and handles it like a value that the user enters. An item that is not drawn cannot be
+// set.
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "viewer/viewport/placement.h"
+
+namespace etendue::viewer {
+
+// The description of an item for `etendue list widgets`.
+struct ItemInfo {
+  std::string name;
+  std::string label;
+  std::string description;
+};
+
+class ItemRegistry {
+ public:
+  void begin_frame() { placements_.clear(); }
+
+  // Records the placement of the last ImGui item under this name.
+  void add(const std::string& name);
+  // Records the placement of something that is not an ImGui item.
+  void add(const std::string& name, const Placement& placement) { placements_[name] = placement; }
+  // The placement of an item in this frame, or null if it was not drawn or is not visible.
+  const Placement* find(const std::string& name) const;
+
+  // --- for scripts
+  // Requests a value for an item; replaces the previous request.
+  void request(const std::string& name, const std::string& value);
+  void cancel_request() { request_.reset(); }
+  // The error message of the widget that took the request (empty if it succeeded). Nothing while no widget has
+  // answered.
+  std::optional<std::string> take_answer();
+  // Scrolls this item into view in the next frames. An empty name ends that.
+  void scroll_to(const std::string& name) { scroll_target_ = name; }
+
+  // --- for widgets
+  bool is_requested(std::string_view name) const { return request_ && request_->name == name; }
+  bool is_requested_below(std::string_view prefix) const { return request_ && request_->name.starts_with(prefix); }
+  // The value that a script requests for this item, once. The widget then calls `answer`.
+  std::optional<std::string> take_request(const std::string& name);
+  void answer(const std::string& error) { answer_ = error; }
+
+ private:
+  struct Request {
+    std::string name;
+    std::string value;
+  };
+  std::map<std::string, Placement, std::less<>> placements_;
+  std::optional<Request> request_;
+  std::optional<std::string> answer_;
+  std::string scroll_target_;
+};
+
+}  // namespace etendue::viewer

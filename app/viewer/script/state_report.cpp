@@ -1,0 +1,105 @@
+#include "viewer/script/state_report.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "render/session.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/viewport/comparison.h"
+#include "viewer/viewport/stored_points.h"
+
+namespace etendue::viewer {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Value& value) {
+  return std::visit([](const auto& v) { return json(v); }, value);
+}
+
+// Percentiles of durations in milliseconds; only the count if there are none.
+json percentiles(std::vector<double> values) {
+  json j{{"count", values.size()}};
+  if (values.empty()) return j;
+  std::ranges::sort(values);
+  const auto quantile = [&](double q) {
+    return values[static_cast<size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
+  };
+  j["p50"] = quantile(0.5);
+  j["p95"] = quantile(0.95);
+  j["p99"] = quantile(0.99);
+  j["max"] = values.back();
+  return j;
+}
+
+json document_parameters(const AppState& state) {
+  json parameters = json::object();
+  if (!state.has_document()) return parameters;
+  const auto& d = state.document();
+  for (const auto& section : render::sections(d))
+    for (const auto& parameter : render::section_parameters(d, section))
+      parameters[parameter.info.name] = to_json(parameter.info.default_value);
+  return parameters;
+}
+
+json comparison_report(const Comparison& c) {
+  json j{{"mode", name_of(c.mode)}, {"divider", c.divider}, {"swapped", c.swapped},
+         {"a", c.first().name},     {"b", c.b.name},        {"reference", c.reference.name}};
+  j["reference_on_screen"] = c.reference_is_shown();
+  if (c.mode != CompareMode::off && !c.problem().empty()) j["problem"] = c.problem();
+  const auto map = c.map();
+  if (!map) return j;
+  // Whether the map belongs to the newest images.
+  j["fresh"] = map->input.left == c.left().frame->pixels && map->input.right == c.right().frame->pixels;
+  j[c.mode == CompareMode::flip ? "flip" : "mean_difference"] = map->mean;
+  if (c.mode == CompareMode::difference) j["scale"] = map->scale;
+  return j;
+}
+
+// The former name of a bottom panel, "sheet.health" for "panel.reliability"; an empty text for none.
+std::string sheet_name(const Panel* panel) {
+  if (!panel) return "";
+  const std::string name = panel->info().name;
+  if (name == "panel.reliability") return "sheet.health";
+  return "sheet" + name.substr(name.find('.'));
+}
+
+}  // namespace
+
+std::string state_report(AppState& state) {
+  const render::Status status = state.session->status();
+  const Editor& editor = *state.editor;
+  const Selection& selection = state.selection;
+  const Panel* tab = state.panels.open_tab();
+  const Panel* bottom_panel = state.panels.open_bottom_panel();
+  json j{{"parameters", document_parameters(state)},
+         {"undo_depth", editor.undo_depth()},
+         {"redo_depth", editor.redo_depth()},
+         {"undo", editor.undo_name()},
+         {"redo", editor.redo_name()},
+         {"samples", status.version == editor.version() ? status.samples : 0},
+         {"seconds", status.seconds},
+         {"paused", state.session->paused()},
+         {"phase", status.phase},
+         {"obstacle", state.incompatibility()},
+         {"scene", editor.document().scene_name},
+         {"selection", {{"node", selection.node}, {"material", selection.material}, {"light", selection.light}}},
+         {"tab", tab ? tab->info().name : ""},
+         {"bottom_panel", bottom_panel ? bottom_panel->info().name : ""},
+         {"sheet", sheet_name(bottom_panel)},
+         {"comparison", comparison_report(*state.viewport.comparison)},
+         {"points", nullptr},
+         {"interface_share", state.timing.interface_share},
+         {"first_picture_seconds", state.timing.first_image_seconds},
+         {"latency_ms", percentiles(state.session->take_latencies())},
+         {"restart_latency_ms", percentiles(state.session->take_restart_latencies())},
+         {"statistics", json::object()}};
+  for (const auto& statistic : status.statistics) j["statistics"][statistic.name] = statistic.value;
+  if (const auto* points = state.viewport.stored_points->result())
+    j["points"] = {{"kept", points->stored}, {"seen", points->points.size()}};
+  for (const auto& panel : state.panels.all()) panel->report(state, j);
+  return j.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,117 @@
+// The list of everything that scripts can name: actions, panels, items and parameters.
+#include <nlohmann/json.hpp>
+
+#include "render/document.h"
+#include "viewer/actions/action.h"
+#include "viewer/actions/all_actions.h"
+#include "viewer/panels/panel_set.h"
+#include "viewer/panels/registry.h"
+#include "viewer/viewer.h"
+#include "viewer/widgets/vector_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+using nlohmann::json;
+
+json to_json(const Value& value) {
+  return std::visit([](const auto& v) { return json(v); }, value);
+}
+
+json describe_parameter(const ParameterInfo& p) {
+  json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)},           {"unit", p.unit},
+         {"min", nullptr}, {"max", nullptr},   {"default", to_json(p.default_value)}, {"doc", p.doc}};
+  if (p.type == ParameterType::integer || p.type == ParameterType::number) {
+    j["min"] = p.min;
+    j["max"] = p.max;
+  }
+  if (p.type == ParameterType::choice) j["options"] = p.options;
+  return j;
+}
+
+json parameter_entry(const ParameterInfo& p) {
+  return {{"name", p.name},
+          {"label", p.label},
+          {"doc", p.doc},
+          {"kind", "parameter"},
+          {"parameters", json::array({describe_parameter(p)})}};
+}
+
+json item_entry(const std::string& name, const std::string& label, const std::string& description) {
+  return {{"name", name}, {"label", label}, {"doc", description}, {"kind", "item"}, {"parameters", json::array()}};
+}
+
+// Items of the layout and the viewport. The items of panels are listed by the panels.
+const std::vector<ItemInfo>& layout_items() {
+  static const std::vector<ItemInfo> items{
+      {"menu.file", "File", "Opens the File menu"},
+      {"menu.edit", "Edit", "Opens the Edit menu"},
+      {"menu.view", "View", "Opens the View menu"},
+      {"menu.compare", "Compare", "Opens the Compare menu"},
+      {"menu.integrator", "Integrator", "Opens the Integrator menu"},
+      {"menu.render", "Render", "Opens the Render menu"},
+      {"menu.help", "Help", "Opens the Help menu"},
+      {"menu.palette", "Find a command", "Opens the command palette"},
+      {"layout.column", "Splitter of the right column", "Drag to change the width; double-click to reset it"},
+      {"layout.bottom-panel", "Upper side of the bottom panel", "Drag to change the height; double-click to reset it"},
+      {"status.reliability", "Reliability", "Opens the Reliability panel"},
+      {"compare.divider", "Divider", "Drag to move the border between A and B; double-click to centre it"},
+      {"files.name", "File name", "The text field of the file dialog"},
+      {"files.accept", "Open or Save", "Accepts the file dialog"},
+      {"files.cancel", "Cancel", "Closes the file dialog"},
+      {"help.close", "Close", "Closes the list of shortcuts"},
+      {"notice.close", "Close", "Closes an error message"},
+  };
+  return items;
+}
+
+// A document that has at least one object of each kind that has parameters.
+render::Document sample_document() {
+  render::Document d;
+  if (auto cornell = render::new_document("cornell")) d = std::move(*cornell);
+  auto scene = std::make_shared<scene::Scene>(*d.scene);
+  scene->lights.push_back(make_light("spot"));
+  d.scene = std::move(scene);
+  return d;
+}
+
+// Parameters of the document. Objects are represented by the first one of each kind: "material.0.roughness".
+void append_document_parameters(json& list) {
+  const auto document = sample_document();
+  for (const auto& section : render::sections(document)) {
+    const size_t dot = section.find('.');
+    if (dot != std::string::npos && section.substr(dot + 1) != "0") continue;
+    for (const auto& parameter : render::section_parameters(document, section))
+      list.push_back(parameter_entry(parameter.info));
+    if (!section.starts_with("node.")) continue;
+    for (const auto& info : euler_parameters(section, Vec3(0))) list.push_back(parameter_entry(info));
+  }
+}
+
+}  // namespace
+
+std::string widgets_json() {
+  const PanelSet panels(make_panels());
+  ActionList actions;
+  add_all_actions(actions, panels);
+  json list = json::array();
+  for (const auto& action : actions.all()) {
+    json entry = item_entry(action.name, action.label, action.tooltip);
+    entry["shortcut"] = json::array();
+    for (const Chord& chord : action.chords()) entry["shortcut"].push_back(label(chord));
+    list.push_back(entry);
+  }
+  for (const auto& panel : panels.all()) {
+    const PanelInfo info = panel->info();
+    list.push_back(item_entry(info.name, info.label, info.description));
+  }
+  for (const ItemInfo& item : layout_items()) list.push_back(item_entry(item.name, item.label, item.description));
+  for (const auto& panel : panels.all()) {
+    for (const ItemInfo& item : panel->items()) list.push_back(item_entry(item.name, item.label, item.description));
+    for (const auto& info : panel->parameters()) list.push_back(parameter_entry(info));
+  }
+  append_document_parameters(list);
+  return list.dump(2);
+}
+
+}  // namespace etendue::viewer

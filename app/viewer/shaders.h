@@ -1,9 +1,0 @@
-// The text of the files in shaders/, made part of the program by CMake.
-#pragma once
-
-namespace etendue::viewer {
-
-extern const char* const k_screen_vert;
-extern const char* const k_display_frag;
-
-}  // namespace etendue::viewer

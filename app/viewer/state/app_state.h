@@ -1,0 +1,165 @@
+// The state of the viewer: the document and its rendering, what is selected and shown, settings, and files in progress.
+//
+// Panels, actions, the layout and scripts use this; it depends on none of them. State that only one panel uses belongs
+// to that panel.
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/parameter.h"
+#include "viewer/actions/action.h"
+#include "viewer/files/file_request.h"
+#include "viewer/panels/panel_set.h"
+#include "viewer/state/notices.h"
+#include "viewer/state/settings.h"
+#include "viewer/tasks/task.h"
+#include "viewer/tools/camera_controller.h"
+#include "viewer/viewer.h"
+#include "viewer/viewport/placement.h"
+#include "viewer/widgets/ui_context.h"
+
+namespace etendue::render {
+struct Document;
+struct DocumentParameter;
+struct Frame;
+class Session;
+}  // namespace etendue::render
+
+namespace etendue::viewer {
+
+class AovLayer;
+class Comparison;
+class Editor;
+class ExclusiveTask;
+class ImageExport;
+class Loader;
+class PathClassTask;
+class Platform;
+class SceneExport;
+class StoredPoints;
+class SurfaceAnalysis;
+
+// Indices into the scene; -1 if nothing is selected.
+struct Selection {
+  int node = -1;
+  int material = -1;
+  int light = -1;
+};
+
+// A tool that uses the next click in the image.
+struct ClickTool {
+  std::string name;  // of the action that activates it
+  // `position` is in window pixels. Returns false if the click was not suitable; the tool then stays active.
+  std::function<bool(AppState&, Vec2 position)> use;
+};
+
+// The image on screen and what is drawn over it. None of this changes the document.
+struct ViewportState {
+  Placement region;                            // of the window that is left for the image
+  Placement image;                             // within the region
+  std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
+
+  bool false_color = false;
+  bool show_reliability = false;
+  bool show_stored_points = false;
+  std::string aov_name;  // the AOV that is shown instead of the image; empty for the image
+  std::unique_ptr<AovLayer> aov;
+  std::unique_ptr<Comparison> comparison;
+  std::unique_ptr<StoredPoints> stored_points;
+
+  bool aov_is_uploaded = false;  // the texture of the live image has an AOV
+
+  CameraController camera_controller;
+  bool pivot_is_outdated = false;  // it belongs to the previous document
+  std::optional<ClickTool> click_tool;
+};
+
+struct InterfaceState {
+  bool visible = true;
+  bool help_open = false;
+  bool palette_open = false;
+  bool popup_open = false;  // something that Escape closes covers the interface
+  bool typing = false;      // a text field has the keyboard focus
+};
+
+// Files that are being read or written, and the request for a file name while the file dialog is open.
+struct FileState {
+  std::unique_ptr<Loader> loader;
+  std::unique_ptr<ImageExport> image_export;
+  std::unique_ptr<SceneExport> scene_export;
+  std::optional<FileRequest> request;
+};
+
+// Background tasks that several panels use.
+struct SharedTasks {
+  std::unique_ptr<ExclusiveTask> exclusive;
+  std::unique_ptr<PathClassTask> path_classes;
+  std::unique_ptr<SurfaceAnalysis> surface_analysis;
+};
+
+struct Timing {
+  double interface_share = 0;      // share of the time that drawing the interface takes
+  double first_image_seconds = 0;  // from the start of the process to the first image on screen; 0 before that
+};
+
+struct AppState {
+  AppState(Platform& platform, const ViewOptions& options);
+  ~AppState();
+  AppState(const AppState&) = delete;
+  AppState& operator=(const AppState&) = delete;
+
+  bool has_document() const;
+  const render::Document& document() const;
+
+  // All edits of the document. Edits with the same `gesture`, one after the other, make one step of undo.
+  void edit(const render::DocumentParameter& parameter, const Value& value, const std::string& gesture = "");
+  // Several parameters of one object in one step, which is named after the first parameter.
+  void edit(std::span<const render::DocumentParameter> parameters, std::span<const Value> values,
+            const std::string& gesture);
+  void edit(render::Document changed, const std::string& name, const std::string& gesture = "");
+  void edit_camera(const Camera& camera, const std::string& name, const std::string& gesture = "");
+  // A parameter by its qualified name, in a step of its own. Does nothing if the document has no such parameter.
+  void set_parameter(const std::string& name, const Value& value);
+
+  // Why the integrator cannot render the scene, as one sentence; empty if it can or if that is not known yet.
+  std::string incompatibility() const;
+  // Opens a scene, a snapshot or an environment map in the background.
+  void open_file(const std::string& file);
+  // Selects a node, and its material and light. A negative material stands for the first one of the node.
+  void select(int node, int material);
+
+  // Whether the panel is open and the interface is not hidden.
+  bool is_visible(const Panel& panel) const { return interface.visible && panels.is_open(panel); }
+  // Whether an AOV is shown instead of the image.
+  bool shows_aov() const;
+
+  bool is_active_tool(std::string_view name) const;
+  // Activates a tool, or deactivates it if it is active. Replaces the tool that was active.
+  void toggle_tool(ClickTool tool);
+
+  Platform& platform;
+  const ViewOptions options;
+  Settings settings;
+  Notices notices;
+  UiContext ui;
+  InterfaceState interface;
+  Selection selection;
+  ActionList actions;
+  std::string previous_integrator;  // for the action that switches back to it
+  Timing timing;
+  bool quit = false;
+
+  const std::unique_ptr<render::Session> session;
+  const std::unique_ptr<Editor> editor;
+  const SharedTasks tasks;
+  const TaskContext task_context;
+  FileState files;
+  ViewportState viewport;
+  PanelSet panels;
+};
+
+}  // namespace etendue::viewer

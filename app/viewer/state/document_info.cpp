@@ -1,0 +1,71 @@
+#include "viewer/state/document_info.h"
+
+#include <filesystem>
+
+#include "integrator/integrator.h"
+#include "render/document.h"
+
+namespace etendue::viewer {
+
+bool same_view(const render::Document& a, const render::Document& b) {
+  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
+         a.filter == b.filter && a.forced_flags == b.forced_flags;
+}
+
+std::optional<render::DocumentParameter> document_parameter(const render::Document& document, const std::string& name) {
+  for (const auto& section : render::sections(document)) {
+    if (!name.starts_with(section + ".")) continue;
+    for (auto& parameter : render::section_parameters(document, section))
+      if (parameter.info.name == name) return std::move(parameter);
+  }
+  return std::nullopt;
+}
+
+std::string method_spec(const render::MethodSettings& method) {
+  std::string spec = method.integrator + ":sampler=" + method.sampler;
+  for (const auto& [name, value] : method.settings) {
+    const size_t dot = name.find('.');
+    const std::string owner = name.substr(0, dot);
+    if (owner == method.integrator || owner == method.sampler)
+      spec += ":" + name.substr(dot + 1) + "=" + to_string(value);
+  }
+  return spec;
+}
+
+std::string short_method_name(const std::string& spec) {
+  std::string text;
+  for (const char c : spec) text += c == ':' ? ", " : std::string(1, c);
+  const std::string sampler = "sampler=";
+  if (const size_t at = text.find(sampler); at != std::string::npos) text.erase(at, sampler.size());
+  return text;
+}
+
+std::string method_label(const std::string& spec) {
+  const std::string sampler_key = "sampler=";
+  std::string text;
+  for (size_t start = 0; start <= spec.size();) {
+    const size_t end = std::min(spec.find(':', start), spec.size());
+    std::string part = spec.substr(start, end - start);
+    if (start == 0) {
+      part = integrator_label(part);
+    } else if (part.starts_with(sampler_key)) {
+      part = part.substr(sampler_key.size());
+      if (const auto* sampler = find_sampler(part)) part = sampler->label;
+    }
+    text += (text.empty() ? "" : ", ") + part;
+    start = end + 1;
+  }
+  return text;
+}
+
+std::string integrator_label(const std::string& name) {
+  const auto* info = integrator::find_integrator(name);
+  return info ? info->label : name;
+}
+
+std::string scene_stem(const render::Document& document) {
+  const std::string stem = std::filesystem::path(document.scene_name).stem().string();
+  return stem.empty() ? "scene" : stem;
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,34 @@
+// Comparison of documents, and names of what they render.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace etendue::render {
+struct Document;
+struct DocumentParameter;
+struct MethodSettings;
+}  // namespace etendue::render
+
+namespace etendue::viewer {
+
+// Whether two documents show the same scene from the same camera at the same size. Integrator, sampler, path filter and
+// display may differ.
+bool same_view(const render::Document& a, const render::Document& b);
+
+// The description of a parameter by its qualified name, or nothing if the document has no such parameter.
+std::optional<render::DocumentParameter> document_parameter(const render::Document& document, const std::string& name);
+
+// The method of a document as `bench` writes it: "path:sampler=sobol:max-depth=3".
+std::string method_spec(const render::MethodSettings& method);
+// A method in short form: "path, sobol, max-depth=3".
+std::string short_method_name(const std::string& spec);
+// A method with the labels of its integrator and sampler: "Path tracing, Sobol', max-depth=3".
+std::string method_label(const std::string& spec);
+// The label of an integrator; its name if there is no such integrator.
+std::string integrator_label(const std::string& name);
+
+// The name of the scene file without folder and extension, or "scene".
+std::string scene_stem(const render::Document& document);
+
+}  // namespace etendue::viewer

@@ -1,0 +1,61 @@
+// The document that is edited, with undo and redo.
+//
+// Each step stores the document before the edit. All edits of one gesture (a slider drag, an orbit) make one step.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "render/document.h"
+
+namespace etendue::render {
+class Session;
+}
+
+namespace etendue::viewer {
+
+class Editor {
+ public:
+  explicit Editor(render::Session& session) : session_(session) {}
+
+  bool empty() const { return !document_.scene; }
+  const render::Document& document() const { return document_; }
+  // The version of the document that the session returned; frames carry the version that they show.
+  uint64_t version() const { return version_; }
+
+  // Replaces the document and clears the undo history.
+  void open(render::Document document);
+
+  // Replaces the document by an edited one. `name` is the name of the step in the menu. Consecutive edits with the same
+  // gesture make one step, until `end_gesture`; an empty gesture always makes a step of its own.
+  void apply(render::Document changed, const std::string& name, const std::string& gesture = "");
+  void end_gesture() { gesture_.clear(); }
+  // Reverts the last step if it was made by this gesture. The step cannot be redone.
+  void discard_step(const std::string& gesture);
+
+  bool undo();
+  bool redo();
+  size_t undo_depth() const { return undo_steps_.size(); }
+  size_t redo_depth() const { return redo_steps_.size(); }
+  std::string undo_name() const { return undo_steps_.empty() ? "" : undo_steps_.back().name; }
+  std::string redo_name() const { return redo_steps_.empty() ? "" : redo_steps_.back().name; }
+
+  // Submits the document to the session with other limits, without a step. `submit` restores its own limits.
+  uint64_t submit_with_limits(const render::Limits& limits);
+  void submit();
+
+ private:
+  struct Step {
+    render::Document document;
+    std::string name;
+    std::string gesture;
+  };
+
+  render::Session& session_;
+  render::Document document_;
+  uint64_t version_ = 0;
+  std::vector<Step> undo_steps_;
+  std::vector<Step> redo_steps_;
+  std::string gesture_;
+};
+
+}  // namespace etendue::viewer

@@ -1,0 +1,87 @@
+#include "viewer/state/settings.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/file.h"
+
+namespace etendue::viewer {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr size_t kMaxRecent = 12;
+
+fs::path settings_file() {
+  const char* config = std::getenv("XDG_CONFIG_HOME");
+  const char* home = std::getenv("HOME");
+  // The XDG specification requires relative paths to be ignored.
+  if (config && fs::path(config).is_absolute()) return fs::path(config) / "etendue" / "viewer.json";
+  return home ? fs::path(home) / ".config" / "etendue" / "viewer.json" : fs::path();
+}
+
+Settings from_json(const json& j) {
+  Settings s;
+  s.window.width = std::clamp(j.at("window").at("width").get<int>(), 320, 16384);
+  s.window.height = std::clamp(j.at("window").at("height").get<int>(), 240, 16384);
+  s.window.maximised = j.at("window").at("maximised").get<bool>();
+  s.column_width = std::clamp(j.at("column").get<float>(), 0.0f, 4096.0f);
+  s.bottom_panel_height = std::clamp(j.value("drawer", 0.0f), 0.0f, 4096.0f);
+  s.dark = j.at("dark").get<bool>();
+  s.recent = j.at("recent").get<std::vector<std::string>>();
+  s.folder = j.at("folder").get<std::string>();
+  return s;
+}
+
+json to_json(const Settings& s) {
+  return {{"window", {{"width", s.window.width}, {"height", s.window.height}, {"maximised", s.window.maximised}}},
+          {"column", s.column_width},
+          {"drawer", s.bottom_panel_height},
+          {"dark", s.dark},
+          {"recent", s.recent},
+          {"folder", s.folder}};
+}
+
+}  // namespace
+
+Settings load_settings(std::string& note) {
+  const fs::path file = settings_file();
+  std::error_code code;
+  if (file.empty() || !fs::exists(file, code)) return {};
+  if (const auto bytes = read_file(file)) {
+    const auto* text = reinterpret_cast<const char*>(bytes->data());
+    const json j = json::parse(text, text + bytes->size(), nullptr, false);
+    try {
+      return from_json(j);
+    } catch (const json::exception&) {
+      // The file is renamed below.
+    }
+  }
+  fs::path renamed = file;
+  renamed += ".damaged";
+  fs::rename(file, renamed, code);
+  note = "The settings file could not be read. It was renamed to " + renamed.string() + "; defaults are used";
+  return {};
+}
+
+bool save_settings(const Settings& settings) {
+  const fs::path file = settings_file();
+  if (file.empty()) return false;
+  std::error_code code;
+  fs::create_directories(file.parent_path(), code);
+  const std::string text = to_json(settings).dump(2, ' ', false, json::error_handler_t::replace);
+  return static_cast<bool>(write_file(file, text.data(), text.size()));
+}
+
+void remember_recent(Settings& settings, const std::string& file) {
+  std::error_code code;
+  const std::string path = fs::absolute(file, code).string();
+  std::erase(settings.recent, path);
+  settings.recent.insert(settings.recent.begin(), path);
+  if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
+  settings.folder = fs::path(path).parent_path().string();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,114 @@
+#include "viewer/tasks/recommendation_task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/session.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
+#include "viewer/state/notices.h"
+#include "viewer/tasks/exclusive_task.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr float kMinError = 1e-6f;
+constexpr float kMaxError = 100;
+constexpr float kDefaultError = 0.01f;
+
+// Whether a ranking for one document is valid for the other. Integrator and sampler may differ.
+bool same_question(const render::Document& a, const render::Document& b) {
+  return same_view(a, b) && a.method.paths == b.method.paths && a.method.settings == b.method.settings &&
+         a.method.adaptive == b.method.adaptive;
+}
+
+float rounded_to_one_digit(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  return static_cast<float>(std::round(value / power) * power);
+}
+
+}  // namespace
+
+float RecommendationTask::target_error(const render::Document& document) const {
+  if (parameters.error) return *parameters.error;
+  const double limit = document.limits.rmse;
+  const float error = limit > 0 ? static_cast<float>(limit) : default_error_.value_or(kDefaultError);
+  return std::clamp(error, kMinError, kMaxError);
+}
+
+void RecommendationTask::measure_luminance(const render::Frame& frame, uint64_t document_version) {
+  if (default_error_ || frame.samples == 0 || frame.version != document_version) return;
+  double sum = 0;
+  for (const Rgb& pixel : *frame.pixels) sum += double{luminance(pixel)};
+  const double mean = sum / static_cast<double>(frame.pixels->size());
+  default_error_ = std::isfinite(mean) && mean > 0 ? rounded_to_one_digit(0.01 * mean) : kDefaultError;
+}
+
+std::vector<ParameterInfo> RecommendationTask::describe_parameters(const render::Document* document) const {
+  const Number<float> error{
+      "advice.error",
+      "Target RMSE",
+      document ? target_error(*document) : kDefaultError,
+      {kMinError, kMaxError},
+      "Root mean square error of the image in radiance, W/(m\u00b2 sr). Integrators are ranked by "
+      "the time to reach it",
+      "",
+      Scale::logarithmic};
+  return {describe(error), describe(parameters.pilot)};
+}
+
+void RecommendationTask::start(const TaskContext& context) {
+  if (context.editor.empty()) return;
+  cancel(context);
+  document_ = context.editor.document();
+  context.exclusive.begin(
+      {.status = "piloting", .measures_path_classes = true, .cancel = [this, context] { cancel(context); }});
+  task_.reset();
+  advisor::AdviceRequest question;
+  question.target = double{target_error(document_)};
+  question.pilot_seconds = double{parameters.pilot.value};
+  question.seed = document_.seed;
+  const auto work = [document = document_, question, threads = context.threads, scene = context.session.scene()](
+                        const auto& publish, const bench::Progress& progress) {
+    render::Session session({.threads = threads, .scene = scene});
+    publish(advisor::advise(session, document, question, progress, publish));
+  };
+  task_.start(work, context.wake);
+}
+
+void RecommendationTask::cancel(const TaskContext& context) {
+  if (!running()) return;
+  task_.cancel();
+  context.exclusive.end();
+}
+
+void RecommendationTask::update(const TaskContext& context) {
+  if (task_.update()) context.exclusive.end();
+  if (!running() || same_question(context.editor.document(), document_)) return;
+  cancel(context);
+  context.notices.add_message("The scene was edited. The recommendation was cancelled.");
+}
+
+void RecommendationTask::reset(const TaskContext& context) {
+  cancel(context);
+  task_.reset();
+  parameters.error.reset();
+  default_error_.reset();
+}
+
+bool RecommendationTask::is_current(const render::Document& document) const {
+  return result() && same_question(document, document_);
+}
+
+void RecommendationTask::apply(Editor& editor, size_t row) const {
+  if (!result() || row >= result()->methods.size()) return;
+  render::Document changed = editor.document();
+  // The path filter is not part of the recommendation.
+  std::string path_filter = std::move(changed.method.paths);
+  changed.method = result()->methods[row].method.document.method;
+  changed.method.paths = std::move(path_filter);
+  changed.limits.rmse = result()->target;
+  editor.apply(std::move(changed), "Recommended method");
+}
+
+}  // namespace etendue::viewer

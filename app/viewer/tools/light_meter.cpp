@@ -1,0 +1,106 @@
+#include "viewer/tools/light_meter.h"
+
+#include <imgui.h>
+
+#include <nlohmann/json.hpp>
+
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/format.h"
+#include "viewer/widgets/parameter_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr uint32_t kSamples = 2048;
+
+void draw_reading(const UiContext& ui, const char* label, const render::MeterReading& reading, double lumens,
+                  const char* unit, const char* photometric_unit, const char* tooltip_text) {
+  const auto value = static_cast<double>(luminance(reading.value));
+  const double error = reading.standard_error;
+  labelled_value(ui, label, formatted("%.4g \u00b1 %.1g %s", value, error, unit), tooltip_text);
+  labelled_value(ui, "", formatted("%.4g \u00b1 %.1g %s", lumens * value, lumens * error, photometric_unit));
+}
+
+}  // namespace
+
+void LightMeter::measure(Vec2 raster) {
+  raster_ = raster;
+  version_ = 0;
+  task_.reset();
+}
+
+void LightMeter::reset(const TaskContext&) {
+  raster_.reset();
+  task_.reset();
+}
+
+void LightMeter::update(const TaskContext& context) {
+  task_.update();
+  const uint64_t version = context.editor.version();
+  const auto scene = context.session.scene();
+  if (!raster_ || !scene || version_ == version || context.session.status().version != version) return;
+  version_ = version;
+  const auto& document = context.editor.document();
+  const auto point = render::meter_point_at(document, *scene, *raster_);
+  if (!point) return task_.reset();
+  // One thread, because the main rendering continues.
+  const auto work = [document, scene, point = *point](const auto& publish, const bench::Progress& progress) {
+    render::measure_light(document, scene, point, kSamples, 1, [&](const render::MeterReadings& readings) {
+      publish(readings);
+      return progress(static_cast<double>(readings.samples) / kSamples, "");
+    });
+  };
+  task_.start(work, context.wake);
+}
+
+void LightMeter::draw(AppState& state) {
+  const UiContext& ui = state.ui;
+  action_button(state, kLightMeterAction);
+  parameter_widgets(state, parameters.all());
+  if (state.is_active_tool(kLightMeterAction)) return note(ui, "Click a surface in the image.");
+  const render::MeterReadings* readings = result();
+  if (!readings) {
+    if (raster_) note(ui, "There is no surface at this pixel, or the measurement is still running.");
+    return;
+  }
+  const double lumens = lumens_per_watt(parameters.efficacy);
+  draw_reading(ui, "Radiance", readings->radiance, lumens, "W/(m\u00b2 sr)", "cd/m\u00b2",
+               "Radiance and luminance from the surface towards the camera");
+  draw_reading(ui, "Irradiance", readings->irradiance, lumens, "W/m\u00b2", "lx",
+               "Irradiance and illuminance on the side of the surface that faces the camera");
+  if (!is_black(readings->emitted_flux))
+    draw_reading(ui, "Emitted flux", {readings->emitted_flux, 0}, lumens, "W", "lm",
+                 "Radiant and luminous flux that the whole object emits");
+  if (!is_complete(state.editor->version())) note(ui, "Measuring: the errors decrease with more samples.");
+}
+
+void LightMeter::draw_marker(const AppState& state, ImDrawList& draw) const {
+  if (!raster_) return;
+  const auto& d = state.document();
+  const Placement& image = state.viewport.image;
+  const Vec2 at = image.corner + *raster_ * image.size / Vec2(d.width, d.height);
+  const float r = ImGui::GetFontSize() * 0.5f;
+  const auto draw_cross = [&](ImU32 color, float width) {
+    draw.AddCircle({at.x, at.y}, r, color, 0, width);
+    draw.AddLine({at.x - 0.3f * r, at.y}, {at.x + 0.3f * r, at.y}, color, width);
+    draw.AddLine({at.x, at.y - 0.3f * r}, {at.x, at.y + 0.3f * r}, color, width);
+  };
+  draw_cross(IM_COL32(0, 0, 0, 170), 3.5f);
+  draw_cross(IM_COL32(255, 220, 80, 255), 1.5f);
+}
+
+nlohmann::json LightMeter::report(uint64_t document_version) const {
+  const render::MeterReadings* readings = result();
+  if (!readings) return nullptr;
+  const auto to_json = [](const render::MeterReading& r) {
+    return nlohmann::json{{"value", {r.value.r, r.value.g, r.value.b}}, {"standard_error", r.standard_error}};
+  };
+  return {{"whole", is_complete(document_version)},
+          {"radiance", to_json(readings->radiance)},
+          {"irradiance", to_json(readings->irradiance)}};
+}
+
+}  // namespace etendue::viewer

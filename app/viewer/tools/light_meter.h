@@ -1,0 +1,59 @@
+// The light meter: measures radiance, irradiance and emitted flux at a point of a surface, in radiometric and
+// photometric units.
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "base/vec.h"
+#include "render/light_meter.h"
+#include "spectrum/photometry.h"
+#include "viewer/tasks/progressive_task.h"
+#include "viewer/tasks/task.h"
+
+struct ImDrawList;
+
+namespace etendue::viewer {
+
+struct AppState;
+
+class LightMeter final : public Task {
+ public:
+  struct Parameters {
+    Choice<Efficacy> efficacy{"meter.efficacy", "Luminous efficacy", Efficacy::equal_energy,
+                              "Spectrum assumed when converting watts to lumens. RGB radiance does not determine it"};
+    auto all() { return std::tie(efficacy); }
+  };
+  Parameters parameters;
+
+  // Measures at a position of the image, in pixels.
+  void measure(Vec2 raster);
+  std::optional<Vec2> position() const { return raster_; }
+
+  // Called once per frame. An edit of the scene repeats the measurement.
+  void update(const TaskContext& context);
+  void reset(const TaskContext& context) override;
+  bool has_update() const override { return task_.has_update(); }
+
+  // Null if there is no measurement yet.
+  const render::MeterReadings* result() const { return task_.result().get(); }
+  // Whether the result has all samples and belongs to the current document.
+  bool is_complete(uint64_t document_version) const {
+    return result() && !task_.running() && version_ == document_version;
+  }
+
+  // The parameters and the readings.
+  void draw(AppState& state);
+  // A marker at the position in the image.
+  void draw_marker(const AppState& state, ImDrawList& draw) const;
+  nlohmann::json report(uint64_t document_version) const;
+
+ private:
+  std::optional<Vec2> raster_;
+  uint64_t version_ = 0;  // of the document that is measured
+  ProgressiveTask<render::MeterReadings> task_;
+};
+
+// The name of the action that activates the light meter.
+inline constexpr const char* kLightMeterAction = "meter.pick";
+
+}  // namespace etendue::viewer

@@ -1,0 +1,116 @@
+#include "viewer/viewport/aov_layer.h"
+
+#include <cmath>
+
+#include "base/hash.h"
+#include "render/aov.h"
+#include "render/session.h"
+#include "spectrum/colormap.h"
+#include "viewer/state/editor.h"
+#include "viewer/viewport/error_layer.h"
+#include "viewer/viewport/srgb.h"
+#include "viewer/widgets/format.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr uint32_t kSamples = 2;  // per pixel
+
+// A random colour for each id, so that neighbouring ids differ. Id 0 is black.
+Rgb color_of_id(float id) {
+  if (id < 0.5f) return Rgb(0);
+  const uint64_t bits = mix_bits(static_cast<uint64_t>(id));
+  const auto channel = [&](unsigned shift) {
+    return 0.2f + 0.75f * static_cast<float>((bits >> shift) & 0xff) / 255.0f;
+  };
+  return linear_from_srgb({channel(0), channel(8), channel(16)});
+}
+
+// Maps a vector with components in [-max, max] to a colour.
+Rgb color_of_vector(const float* v, float max) {
+  return linear_from_srgb({v[0] / max * 0.5f + 0.5f, v[1] / max * 0.5f + 0.5f, v[2] / max * 0.5f + 0.5f});
+}
+
+std::vector<Rgb> false_colors(const image::Layer& layer, size_t pixels) {
+  std::vector<Rgb> colors(pixels);
+  const size_t channels = layer.channels.size();
+  float max = 0;
+  for (const float v : layer.pixels) max = std::max(max, std::abs(v));
+  for (size_t i = 0; i < pixels; ++i) {
+    const float* v = layer.pixels.data() + i * channels;
+    if (layer.name == "albedo") {
+      colors[i] = {v[0], v[1], v[2]};
+    } else if (layer.name == "depth") {
+      colors[i] = v[0] > 0 ? linear_from_srgb(viridis(1 - v[0] / max)) : Rgb(0);
+    } else if (layer.name == "position") {
+      colors[i] = color_of_vector(v, max);
+    } else if (channels == 3) {
+      // Normals; they are zero where no surface was hit.
+      const bool is_zero = v[0] == 0 && v[1] == 0 && v[2] == 0;
+      colors[i] = is_zero ? Rgb(0) : color_of_vector(v, 1);
+    } else {
+      colors[i] = color_of_id(v[0]);
+    }
+  }
+  return colors;
+}
+
+AovImage error_image(render::Session& session, uint64_t version) {
+  const film::Film film = session.film_copy();
+  ErrorLayer layer = error_layer(film);
+  return {.name = kErrorLayer,
+          .version = version,
+          .samples = session.status().samples,
+          .scale = formatted("%.2g to %.2g, dark to bright", layer.low, layer.high),
+          .width = film.width(),
+          .height = film.height(),
+          .pixels = std::move(layer.pixels)};
+}
+
+AovImage aov_image(const scene::CompiledScene& scene, const std::string& name, const render::Document& document,
+                   uint64_t version) {
+  const auto layers = render::render_aovs(scene, document, {name}, kSamples, 1);
+  const size_t pixels = static_cast<size_t>(document.width) * static_cast<size_t>(document.height);
+  return {.name = name,
+          .version = version,
+          .width = document.width,
+          .height = document.height,
+          .pixels = layers.empty() ? std::vector<Rgb>(pixels) : false_colors(layers.front(), pixels)};
+}
+
+}  // namespace
+
+std::vector<std::string> aov_layer_names() {
+  auto names = render::aov_names();
+  names.emplace_back(kErrorLayer);
+  return names;
+}
+
+// The error layer is updated when the number of samples has grown by a quarter.
+bool AovLayer::is_outdated(const std::string& name) const {
+  if (image_.name != name || image_.version != editor_.version()) return true;
+  if (name != kErrorLayer) return false;
+  const render::Status status = session_.status();
+  return status.samples > image_.samples + image_.samples / 4 || (status.finished && status.samples > image_.samples);
+}
+
+bool AovLayer::update(const std::string& name) {
+  bool has_new_image = false;
+  if (auto image = task_.take_result()) {
+    image_ = std::move(*image);
+    has_new_image = true;
+  }
+  const auto scene = session_.scene();
+  const uint64_t version = editor_.version();
+  const bool can_start = !task_.running() && scene && session_.status().version == version;
+  if (name.empty() || !can_start || !is_outdated(name)) return has_new_image;
+  if (name == kErrorLayer)
+    task_.start([&session = session_, version] { return error_image(session, version); }, wake_);
+  else
+    task_.start(
+        [scene, name, document = editor_.document(), version] { return aov_image(*scene, name, document, version); },
+        wake_);
+  return has_new_image;
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,128 @@
+#include "viewer/viewport/comparison.h"
+
+#include <utility>
+
+#include "image/image.h"
+#include "viewer/files/file_names.h"
+#include "viewer/widgets/format.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr double kShiftDelay = 0.2;  // seconds
+
+double seconds_between(Comparison::Clock::time_point start, Comparison::Clock::time_point end) {
+  return std::chrono::duration<double>(end - start).count();
+}
+
+Result<Side> read_side(const std::string& file) {
+  const auto image = image::read_linear(file);
+  if (!image) return image.error();
+  const image::Layer* layer = image->find("");
+  if (!layer || layer->channels.size() != 3)
+    return input_error(file + ": has no channels R, G and B; load an RGB image");
+  auto frame = std::make_shared<render::Frame>();
+  frame->width = image->width;
+  frame->height = image->height;
+  auto pixels = std::make_shared<std::vector<Rgb>>(layer->pixels.size() / 3);
+  for (size_t i = 0; i < pixels->size(); ++i)
+    (*pixels)[i] = {layer->pixels[3 * i], layer->pixels[3 * i + 1], layer->pixels[3 * i + 2]};
+  frame->pixels = std::move(pixels);
+  const std::string name = base_name(file);
+  return Side{.name = name, .label = name, .frame = std::move(frame)};
+}
+
+bool same_size(const Side& a, const Side& b) {
+  return a.frame->width == b.frame->width && a.frame->height == b.frame->height;
+}
+
+std::string size_text(const Side& side) { return formatted("%d x %d", side.frame->width, side.frame->height); }
+
+}  // namespace
+
+std::string Comparison::problem() const {
+  if (!first().frame) return "There is no image yet.";
+  if (!b.frame) return "There is no image B. Pin the current image or load one.";
+  if (!same_size(first(), b))
+    return "A is " + size_text(first()) + ", B is " + size_text(b) + ". Images of different size cannot be compared.";
+  return "";
+}
+
+bool Comparison::reference_is_shown() const {
+  const bool requested = shows_reference || shift_ == Shift::shows_reference;
+  return requested && reference.frame && live.frame && same_size(reference, live);
+}
+
+void Comparison::load(const std::string& file, Target target) {
+  const auto work = [file, target]() -> Result<LoadedImage> {
+    auto side = read_side(file);
+    if (!side) return side.error();
+    return LoadedImage{target, std::move(*side)};
+  };
+  loading_.start(work, wake_);
+}
+
+std::optional<Result<std::string>> Comparison::take_load_result() {
+  auto loaded = loading_.take_result();
+  if (!loaded) return std::nullopt;
+  if (!*loaded) return Result<std::string>(loaded->error());
+  Side& side = (*loaded)->side;
+  if (live.frame && !same_size(side, live))
+    return Result<std::string>(input_error(side.name + ": is " + size_text(side) + ", the image is " + size_text(live) +
+                                           "; images of different size cannot be compared"));
+  const bool is_b = (*loaded)->target == Target::b;
+  if (is_b && mode == CompareMode::off) mode = CompareMode::wipe;
+  const std::string message = is_b ? "Image B: " + side.name : "Reference: " + side.name + ". Hold Shift to show it.";
+  (is_b ? b : reference) = std::move(side);
+  return Result<std::string>(message);
+}
+
+void Comparison::update(float exposure, image::ToneCurve curve) {
+  if (map_task_.running() && computing_mode_ != mode) map_task_.abandon();
+  if (auto map = map_task_.take_result()) {
+    map_ = std::move(*map);
+    map_time_ = Clock::now();
+  }
+  const bool needs_map = mode == CompareMode::difference || mode == CompareMode::flip;
+  map_is_current_ = !needs_map || !is_active();
+  if (map_is_current_ || map_task_.running()) return;
+  DifferenceInput input{.mode = mode, .left = left().frame->pixels, .right = right().frame->pixels};
+  if (mode == CompareMode::flip) {
+    input.exposure = exposure;
+    input.curve = curve;
+  }
+  map_is_current_ = map_ && map_->input == input;
+  // While the image changes all the time, maps take at most half of the time of one core.
+  const bool too_early = map() && seconds_between(map_time_, Clock::now()) < map_->seconds;
+  if (map_is_current_ || too_early) return;
+  computing_mode_ = mode;
+  const auto work = [input, width = left().frame->width, height = left().frame->height] {
+    return make_difference_map(input, width, height);
+  };
+  map_task_.start(work, wake_);
+}
+
+std::shared_ptr<const DifferenceMap> Comparison::map() const {
+  const bool fits =
+      map_ && is_active() && map_->input.mode == mode && map_->values.size() == left().frame->pixels->size();
+  return fits ? map_ : nullptr;
+}
+
+bool Comparison::update_shift(const Input& input, bool typing, Clock::time_point now) {
+  const Shift before = shift_;
+  const bool any_button = input.buttons[0] || input.buttons[1] || input.buttons[2];
+  const bool shift_alone = input.keys.count() == 1 && !typing && !any_button && input.wheel == 0;
+  if (!input.shift()) {
+    shift_ = Shift::up;
+  } else if (!shift_alone) {
+    shift_ = Shift::used;
+  } else if (shift_ == Shift::up) {
+    shift_ = Shift::held;
+    shift_time_ = now;
+  } else if (shift_ == Shift::held && seconds_between(shift_time_, now) >= kShiftDelay) {
+    shift_ = Shift::shows_reference;
+  }
+  return (before == Shift::shows_reference) != (shift_ == Shift::shows_reference);
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,138 @@
+#include "viewer/viewport/overlays.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/session.h"
+#include "scene/compiled_scene.h"
+#include "spectrum/colormap.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+#include "viewer/viewport/aov_layer.h"
+#include "viewer/viewport/comparison.h"
+#include "viewer/viewport/comparison_overlay.h"
+#include "viewer/viewport/image_view.h"
+#include "viewer/viewport/picking.h"
+#include "viewer/viewport/reliability_overlay.h"
+#include "viewer/viewport/stored_points.h"
+#include "viewer/widgets/format.h"
+#include "viewer/widgets/scale_bar.h"
+
+namespace etendue::viewer {
+namespace {
+
+// The bounding box of the selected node. A light line on a dark one is visible on any image.
+void draw_selection(const AppState& state, ImDrawList* draw) {
+  const auto scene = state.session->scene();
+  const Placement& image = state.viewport.image;
+  if (state.selection.node < 0 || !scene || image.size.x < 2) return;
+  const Bounds bounds = bounds_of_node(*scene, state.selection.node);
+  if (bounds.empty()) return;
+  const Camera& camera = state.document().camera;
+  const auto corner = [&](int i) {
+    return Vec3(i & 1 ? bounds.max.x : bounds.min.x, i & 2 ? bounds.max.y : bounds.min.y,
+                i & 4 ? bounds.max.z : bounds.min.z);
+  };
+  const auto draw_edges = [&](ImU32 color, float width) {
+    for (int i = 0; i < 8; ++i)
+      for (const int bit : {1, 2, 4}) {
+        if (i & bit) continue;
+        const auto from = project(camera, image, corner(i));
+        const auto to = project(camera, image, corner(i | bit));
+        if (from && to) draw->AddLine({from->x, from->y}, {to->x, to->y}, color, width);
+      }
+  };
+  draw_edges(IM_COL32(0, 0, 0, 140), 3.5f);
+  draw_edges(IM_COL32(120, 190, 240, 255), 1.5f);
+}
+
+void draw_false_color_scale(const AppState& state, ImDrawList* draw) {
+  const Vec2 range = false_color_range(state.document().display.exposure);
+  std::string labels[5];
+  for (int i = 0; i <= 4; ++i) {
+    const float stops = range.x + (range.y - range.x) * static_cast<float>(i) / 4;
+    labels[i] = formatted("%.2g", static_cast<double>(std::exp2(stops)));
+  }
+  draw_scale_bar(state.ui, draw, state.viewport.image, viridis, labels, "luminance, W/(m\u00b2 sr)");
+}
+
+std::string aov_title(const AppState& state) {
+  const std::string& name = state.viewport.aov_name;
+  const AovImage& image = state.viewport.aov->image();
+  if (image.name != name) return name + ": computing";
+  if (!image.scale.empty()) return name + ", " + image.scale;
+  return state.viewport.aov->is_busy() ? name + ": computing" : name;
+}
+
+void draw_stored_points(const AppState& state, ImDrawList* draw) {
+  const VisiblePoints* visible = state.viewport.stored_points->result();
+  if (!visible || state.shows_aov()) return;
+  const Placement& image = state.viewport.image;
+  const auto& d = state.document();
+  const Vec2 scale = image.size / Vec2(d.width, d.height);
+  const float em = ImGui::GetFontSize();
+  const float half = std::max(1.0f, em * (visible->points.size() > 2000 ? 0.07f : 0.14f));
+  for (const VisiblePoint& point : visible->points) {
+    const Vec2 at = image.corner + point.raster * scale;
+    const ImVec4 color{std::sqrt(point.color.r), std::sqrt(point.color.g), std::sqrt(point.color.b), 1};
+    // A dark border separates a point from the image and from other points.
+    draw->AddRectFilled({at.x - half - 1, at.y - half - 1}, {at.x + half + 1, at.y + half + 1}, IM_COL32(0, 0, 0, 150));
+    draw->AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, ImGui::GetColorU32(color));
+  }
+  const std::string text =
+      visible->stored == 0
+          ? integrator_label(d.method.integrator) + " stores no photons or virtual lights"
+          : formatted("%zu points stored, %zu visible from the camera", visible->stored, visible->points.size());
+  const float bottom = image.corner.y + image.size.y - em * 0.6f;
+  draw_label(draw, Vec2(image.corner.x + em * 0.6f, bottom - label_size(text).y), text);
+}
+
+// Says in the middle of the image why it stays black.
+void draw_incompatibility(const AppState& state, ImDrawList* draw) {
+  const std::string text = state.incompatibility();
+  if (text.empty() || state.shows_aov()) return;
+  const Placement& image = state.viewport.image;
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(em * 26, state.viewport.region.size.x - 2 * em);
+  const ImVec2 text_size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  const Vec2 size(text_size.x, text_size.y);
+  const Vec2 corner = glm::floor(image.corner + (image.size - size) * 0.5f);
+  const Vec2 margin(em * 0.7f, em * 0.5f);
+  const Vec2 from = corner - margin;
+  const Vec2 to = corner + size + margin;
+  const float rounding = em * 0.25f;
+  draw->AddRectFilled({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(ImGuiCol_WindowBg, 0.92f), rounding);
+  draw->AddRect({from.x, from.y}, {to.x, to.y}, ImGui::GetColorU32(state.ui.theme.warning), rounding);
+  draw->AddText(ImGui::GetFont(), em, {corner.x, corner.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str(), nullptr,
+                width);
+}
+
+}  // namespace
+
+void draw_viewport_overlays(AppState& state) {
+  if (!state.has_document()) return;
+  const ViewportState& viewport = state.viewport;
+  ImDrawList* draw = ImGui::GetBackgroundDrawList();
+  const Placement& region = viewport.region;
+  draw->PushClipRect({region.corner.x, region.corner.y},
+                     {region.corner.x + region.size.x, region.corner.y + region.size.y});
+  if (state.interface.visible) draw_selection(state, draw);
+  if (viewport.show_reliability)
+    if (const auto reliability = state.session->status().reliability)
+      draw_reliability_overlay(state, *reliability, draw);
+  if (viewport.show_stored_points) draw_stored_points(state, draw);
+  const Comparison& comparison = *viewport.comparison;
+  const bool shows_map = comparison.map() && !comparison.reference_is_shown();
+  if (viewport.false_color && viewport.aov_name.empty() && !shows_map) draw_false_color_scale(state, draw);
+  draw_comparison_overlay(state, draw);
+  for (const auto& panel : state.panels.all()) panel->draw_overlay(state, *draw);
+  if (state.interface.visible) draw_incompatibility(state, draw);
+  if (!viewport.aov_name.empty())
+    draw_label(draw, viewport.image.corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));
+  draw->PopClipRect();
+}
+
+}  // namespace etendue::viewer

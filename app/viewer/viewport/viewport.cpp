@@ -1,0 +1,188 @@
+#include "viewer/viewport/viewport.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include <cmath>
+#include <optional>
+
+#include "render/session.h"
+#include "scene/compiled_scene.h"
+#include "viewer/panels/panel.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/viewport/picking.h"
+#include "viewer/widgets/format.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr float kClickTolerance = 4;  // pixels that the pointer may move during a click
+constexpr double kDoubleClickSeconds = 0.35;
+constexpr double kScrollGestureSeconds = 0.6;  // a longer pause starts a new step of undo
+constexpr float kFlySpeedFactor = 1.25f;       // per notch of the wheel
+constexpr float kMaxFlySeconds = 0.2f;         // longest time step, so that a slow frame causes no jump
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::optional<PickedSurface> pick_at(const AppState& state, Vec2 position) {
+  const auto scene = state.session->scene();
+  return scene ? pick(state.document(), *scene, state.viewport.image, position) : std::nullopt;
+}
+
+// The direction of flight from the keys W, A, S, D, Q and E, in camera coordinates.
+Vec3 fly_direction(const Input& input) {
+  const auto axis = [&](int positive, int negative) {
+    return (input.keys[static_cast<size_t>(positive)] ? 1.0f : 0.0f) -
+           (input.keys[static_cast<size_t>(negative)] ? 1.0f : 0.0f);
+  };
+  return {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q), axis(GLFW_KEY_S, GLFW_KEY_W)};
+}
+
+bool use_tool(AppState& state, Vec2 position) {
+  if (!state.viewport.click_tool || !state.viewport.image.contains(position)) return false;
+  // The tool may activate another one, so it is copied.
+  const ClickTool tool = *state.viewport.click_tool;
+  if (!tool.use(state, position)) return false;
+  if (state.is_active_tool(tool.name)) state.viewport.click_tool.reset();
+  return true;
+}
+
+bool use_panel(AppState& state, Vec2 position) {
+  if (!state.viewport.image.contains(position)) return false;
+  for (const auto& panel : state.panels.all())
+    if (state.panels.is_open(*panel) && panel->handle_click(state, position)) return true;
+  return false;
+}
+
+}  // namespace
+
+void ViewportController::handle_input(AppState& state, float seconds) {
+  if (!state.has_document()) return;
+  const Input& input = state.ui.input;
+  const bool hovered = !ImGui::GetIO().WantCaptureMouse && state.viewport.region.contains(input.mouse);
+  const bool moves_divider = drag_ == Drag::none && divider_.handle_input(state, hovered);
+  if (drag_ == Drag::none && hovered && !moves_divider) begin_drag(state);
+  if (drag_ != Drag::none) {
+    continue_drag(state);
+    if (drag_ == Drag::fly) fly(state, seconds);
+    end_drag(state);
+  }
+  if (input.wheel != 0 && (hovered || drag_ == Drag::fly)) scroll(state);
+}
+
+void ViewportController::begin_drag(AppState& state) {
+  const Input& input = state.ui.input;
+  const auto pressed = [&](Button b) { return input.pressed[static_cast<size_t>(b)]; };
+  if (pressed(Button::left)) drag_ = input.shift() ? Drag::pan : Drag::orbit;
+  if (pressed(Button::middle)) drag_ = Drag::pan;
+  if (pressed(Button::right)) drag_ = Drag::fly;
+  if (drag_ == Drag::none) return;
+  state.editor->end_gesture();
+  drag_start_ = input.mouse;
+  last_position_ = input.mouse;
+  moved_ = false;
+}
+
+void ViewportController::continue_drag(AppState& state) {
+  const Vec2 position = state.ui.input.mouse;
+  const Vec2 movement = position - last_position_;
+  if (glm::length(position - drag_start_) > kClickTolerance) moved_ = true;
+  if (!moved_ || movement == Vec2(0)) return;
+  last_position_ = position;
+  const Camera& camera = state.document().camera;
+  CameraController& controller = state.viewport.camera_controller;
+  const float height = state.viewport.image.size.y;
+  if (drag_ == Drag::orbit) state.edit_camera(controller.orbit(camera, movement), "Orbit", "camera.orbit");
+  if (drag_ == Drag::pan) state.edit_camera(controller.pan(camera, movement, height), "Pan", "camera.pan");
+  if (drag_ == Drag::fly) state.edit_camera(controller.look_around(camera, movement), "Fly", "camera.fly");
+}
+
+void ViewportController::fly(AppState& state, float seconds) {
+  const Vec3 direction = fly_direction(state.ui.input);
+  if (direction == Vec3(0)) return;
+  const CameraController& controller = state.viewport.camera_controller;
+  state.edit_camera(controller.fly(state.document().camera, direction, std::min(seconds, kMaxFlySeconds)), "Fly",
+                    "camera.fly");
+}
+
+void ViewportController::end_drag(AppState& state) {
+  const auto& buttons = state.ui.input.buttons;
+  const auto is_down = [&](Button b) { return buttons[static_cast<size_t>(b)]; };
+  const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
+  if (held) return;
+  if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
+  if (drag_ == Drag::fly && moved_) {
+    // After a flight, the camera orbits the point at the image centre. The speed stays.
+    CameraController& controller = state.viewport.camera_controller;
+    const float speed = controller.fly_speed();
+    if (const auto scene = state.session->scene()) controller.reset_pivot(state.document().camera, *scene);
+    controller.set_fly_speed(speed);
+  }
+  drag_ = Drag::none;
+  state.editor->end_gesture();
+}
+
+void ViewportController::click(AppState& state, Vec2 position) {
+  if (use_tool(state, position) || use_panel(state, position)) return;
+  const bool is_double =
+      seconds_since(click_time_) < kDoubleClickSeconds && glm::length(position - click_position_) <= kClickTolerance;
+  click_time_ = is_double ? Clock::time_point{} : Clock::now();
+  click_position_ = position;
+  if (is_double) focus_at(state, position);
+  select_at(state, position);
+}
+
+void ViewportController::scroll(AppState& state) {
+  CameraController& controller = state.viewport.camera_controller;
+  const float notches = state.ui.input.wheel;
+  if (drag_ == Drag::fly) return controller.set_fly_speed(controller.fly_speed() * std::pow(kFlySpeedFactor, notches));
+  if (seconds_since(scroll_time_) > kScrollGestureSeconds) state.editor->end_gesture();
+  scroll_time_ = Clock::now();
+  const auto picked = pick_at(state, state.ui.input.mouse);
+  const Vec3 target = picked ? picked->position : controller.pivot();
+  state.edit_camera(controller.dolly(state.document().camera, target, notches), "Dolly", "camera.dolly");
+}
+
+bool focus_at(AppState& state, Vec2 position) {
+  const auto picked = pick_at(state, position);
+  if (!picked) return false;
+  state.viewport.camera_controller.set_pivot(picked->position);
+  Camera camera = state.document().camera;
+  camera.focus_distance = picked->axial_distance;
+  if (!(camera == state.document().camera)) state.edit_camera(camera, "Focus");
+  state.notices.add_message(
+      formatted("Focus distance and orbit centre: %.4g m", static_cast<double>(picked->axial_distance)));
+  return true;
+}
+
+void select_at(AppState& state, Vec2 position) {
+  const auto picked = pick_at(state, position);
+  if (picked)
+    state.select(picked->node, picked->material);
+  else
+    state.selection.node = -1;
+}
+
+void frame_scene(AppState& state) {
+  const auto scene = state.session->scene();
+  if (!state.has_document() || !scene) return;
+  const auto& d = state.document();
+  const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);
+  state.edit_camera(state.viewport.camera_controller.frame(d.camera, scene->bounds(), aspect), "Frame all");
+}
+
+void frame_selection(AppState& state) {
+  const auto scene = state.session->scene();
+  if (!state.has_document() || !scene) return;
+  const Bounds bounds = bounds_of_node(*scene, state.selection.node);
+  if (bounds.empty()) return frame_scene(state);
+  const auto& d = state.document();
+  const float aspect = static_cast<float>(d.width) / static_cast<float>(d.height);
+  state.edit_camera(state.viewport.camera_controller.frame(d.camera, bounds, aspect), "Frame selection");
+}
+
+}  // namespace etendue::viewer

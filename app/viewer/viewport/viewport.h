@@ -1,0 +1,48 @@
+// Pointer and keyboard input over the image: camera movements, selection, and clicks for tools.
+#pragma once
+#include <chrono>
+
+#include "base/vec.h"
+#include "viewer/viewport/comparison_overlay.h"
+
+namespace etendue::viewer {
+
+struct AppState;
+
+class ViewportController {
+ public:
+  // Called once per frame; `seconds` is the time since the last frame.
+  void handle_input(AppState& state, float seconds);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Drag { none, orbit, pan, fly };
+
+  void begin_drag(AppState& state);
+  void continue_drag(AppState& state);
+  void fly(AppState& state, float seconds);
+  void end_drag(AppState& state);
+  void click(AppState& state, Vec2 position);
+  void scroll(AppState& state);
+
+  Drag drag_ = Drag::none;
+  Vec2 drag_start_{0};
+  Vec2 last_position_{0};
+  bool moved_ = false;  // since the start of the drag; otherwise it is a click
+  Vec2 click_position_{-1e6f};
+  Clock::time_point click_time_{};
+  Clock::time_point scroll_time_{};
+  DividerControl divider_;
+};
+
+// Sets the focus distance to that of the surface at a position, and the centre of orbits to that point. Returns false
+// if there is no surface.
+bool focus_at(AppState& state, Vec2 position);
+// Selects the node and the material at a position of the window; clears the selected node if there is no surface.
+void select_at(AppState& state, Vec2 position);
+
+// Moves the camera so that it shows the whole scene, or the selected node.
+void frame_scene(AppState& state);
+void frame_selection(AppState& state);
+
+}  // namespace etendue::viewer

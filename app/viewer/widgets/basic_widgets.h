@@ -1,0 +1,33 @@
+// Text, tooltips, groups, and the arrangement of panels.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "viewer/widgets/ui_context.h"
+
+namespace etendue::viewer {
+
+inline constexpr double kTooltipDelay = 0.4;  // seconds
+
+// Shows a tooltip if the pointer has not moved for kTooltipDelay. To be called while an item is hovered.
+void tooltip(const UiContext& ui, const std::string& text);
+
+// Wrapped text: secondary information, and warnings.
+void note(const UiContext& ui, const std::string& text);
+void warning(const UiContext& ui, const std::string& text);
+
+// A line with a label on the left and a value in monospace.
+void labelled_value(const UiContext& ui, const char* label, const std::string& value, const char* tooltip_text = "");
+
+// A header that folds the widgets below it; returns whether they are visible. The group unfolds if a script requests an
+// item whose name begins with `prefix`.
+bool group(const UiContext& ui, const char* label, const std::string& prefix, bool open_by_default = true);
+
+// A line of `width` at the current position, filled to this share.
+void progress_line(float share, float width, float height, const ImVec4& color);
+
+// Places `controls` of this width to the right of `content`, or below it in windows of less than three times the width.
+void with_controls(const UiContext& ui, float width, const std::function<void()>& content,
+                   const std::function<void()>& controls);
+
+}  // namespace etendue::viewer

@@ -1,0 +1,16 @@
+// Draws the charts of lab/metrics with Dear ImGui.
+#pragma once
+#include <imgui.h>
+
+#include "metrics/drawing.h"
+
+namespace etendue::viewer {
+
+// `corner` is the upper left corner of the drawing on screen, `scale` the size of one unit of the drawing in pixels.
+// Text is drawn at the size of `font`, independent of the size in the drawing, because scaled glyphs would be blurred.
+void paint(ImDrawList& list, const metrics::Drawing& drawing, const ImVec2& corner, float scale, ImFont* font);
+
+ImU32 color_of(const metrics::Color& color);
+metrics::Color chart_color(const ImVec4& color);
+
+}  // namespace etendue::viewer

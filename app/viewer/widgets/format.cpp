@@ -1,0 +1,36 @@
+#include "viewer/widgets/format.h"
+
+#include <cctype>
+#include <cstdarg>
+#include <cstdio>
+
+namespace etendue::viewer {
+
+std::string formatted(const char* format, ...) {
+  char text[1001];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds);
+  if (whole >= 3600) return formatted("%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60, whole % 60);
+  return formatted("%lld:%02lld", whole / 60, whole % 60);
+}
+
+std::string memory_text(size_t bytes) {
+  const double mebibytes = static_cast<double>(bytes) / (1 << 20);
+  if (mebibytes < 1) return formatted("%.0f kB", mebibytes * 1024);
+  if (mebibytes < 1024) return formatted("%.0f MB", mebibytes);
+  return formatted("%.1f GB", mebibytes / 1024);
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,18 @@
+// Numbers and times as text.
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace etendue::viewer {
+
+// As printf; the result is cut off after 1000 characters.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
+// A duration: "0:48", "1:02:03".
+std::string clock_text(double seconds);
+// A number of bytes: "312 kB", "1.4 GB".
+std::string memory_text(size_t bytes);
+
+std::string lower_case(std::string text);
+
+}  // namespace etendue::viewer

@@ -1,0 +1,163 @@
+#include "viewer/widgets/number_widget.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "viewer/widgets/format.h"
+
+namespace etendue::viewer {
+namespace {
+
+// With a wider range, the steps of a slider would be too coarse: max - min on a linear scale, max / min on a
+// logarithmic one.
+constexpr double kMaxSliderRange = 1000;
+constexpr double kMaxSliderRatio = 1e7;
+
+// Distances of this size are shown as unlimited.
+constexpr double kUnlimited = 1e9;
+
+bool is_slider(const ParameterInfo& info) {
+  if (info.logarithmic) return info.min > 0 && info.max / info.min <= kMaxSliderRatio;
+  return info.max - info.min <= kMaxSliderRange;
+}
+
+// Escapes a text for printf.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) out += c == '%' ? "%%" : std::string(1, c);
+  return out;
+}
+
+// Whether the description of a parameter says that 0 stands for no limit.
+bool zero_is_no_limit(const std::string& doc) {
+  const auto contains = [&](const char* text) { return doc.find(text) != std::string::npos; };
+  return contains("no limit") || contains("unlimited") || contains("0 goes on");
+}
+
+// A printf format with enough digits for the range of the parameter.
+std::string format_of(const ParameterInfo& info, double value) {
+  if (info.logarithmic && value >= kUnlimited) return "unlimited";
+  std::string format = info.type == ParameterType::integer ? "%lld" : "%.4g";
+  if (info.type == ParameterType::number && !info.logarithmic && info.max - info.min <= 10 && std::abs(value) < 1e3)
+    format = "%.3f";
+  if (!info.unit.empty()) format += " " + escaped(info.unit);
+  if (value == 0 && zero_is_no_limit(info.doc)) format += " (no limit)";
+  return format;
+}
+
+// Opens text input for the slider or drag field with this ID. The widget then shows text input until editing ends.
+bool text_input(ImGuiID id, ImGuiDataType type, void* value, const char* format, const void* min, const void* max) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImRect box(corner, {corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()});
+  ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
+  return ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable) &&
+         ImGui::TempInputScalar(box, id, "##", type, value, format, min, max);
+}
+
+// Angles are in radians everywhere except on screen.
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+ParameterInfo in_degrees(ParameterInfo info) {
+  info.unit = "\u00b0";
+  info.min *= kDegrees;
+  info.max *= kDegrees;
+  if (auto* value = std::get_if<double>(&info.default_value)) *value *= kDegrees;
+  return info;
+}
+
+WidgetEdit angle_widget(const ParameterInfo& info) {
+  WidgetEdit edit = number_widget(in_degrees(info));
+  if (edit.value)
+    if (auto* value = std::get_if<double>(&*edit.value)) *value /= kDegrees;
+  return edit;
+}
+
+// Cuts off a text that is wider than this and appends dots.
+std::string shortened(std::string text, float max_width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= max_width) return text;
+  const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // of UTF-8
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > max_width) {
+    while (text.size() > 1 && is_continuation(text.back())) text.pop_back();
+    text.pop_back();
+  }
+  return text + "...";
+}
+
+}  // namespace
+
+float label_width() { return std::floor(ImGui::GetFontSize() * 8.9f); }
+
+void label_column(const std::string& label) {
+  const float gap = ImGui::GetFontSize() * 0.4f;
+  const float max_width = std::max(label_width(), ImGui::GetContentRegionAvail().x * 0.58f);
+  const std::string text = shortened(label, max_width - gap);
+  // A label that is wider than the column moves its widget to the right.
+  const float width = std::max(label_width(), std::ceil(ImGui::CalcTextSize(text.c_str()).x + gap));
+  const float left = ImGui::GetCursorPosX() - ImGui::GetStyle().WindowPadding.x;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::SameLine(std::max(label_width(), left + width));
+  ImGui::SetNextItemWidth(-1);
+}
+
+std::string range_text(const ParameterInfo& info) {
+  if (info.unit == "rad") return range_text(in_degrees(info));
+  const std::string range = formatted("%.4g to %.4g", info.min, info.max);
+  return info.unit.empty() ? range : range + " " + info.unit;
+}
+
+WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
+  if (info.unit == "rad") return angle_widget(info);
+  WidgetEdit edit;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 opposite{corner.x + ImGui::CalcItemWidth(), corner.y + ImGui::GetFrameHeight()};
+  const bool hovered = ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(corner, opposite);
+  const bool starts_typing = hovered && ImGui::IsMouseDoubleClicked(0);
+  edit.reset = hovered && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && !starts_typing;
+  edit.starts_typing = starts_typing;
+
+  const bool is_integer = info.type == ParameterType::integer;
+  int64_t i = 0;
+  double d = 0;
+  if (const auto* integer = std::get_if<int64_t>(&info.default_value)) {
+    i = *integer;
+    d = static_cast<double>(i);
+  }
+  if (const auto* number = std::get_if<double>(&info.default_value)) d = *number;
+  const auto i_min = static_cast<int64_t>(info.min);
+  const auto i_max = static_cast<int64_t>(info.max);
+  const std::string format = format_of(info, d);
+  const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (info.logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
+  const ImGuiDataType type = is_integer ? ImGuiDataType_S64 : ImGuiDataType_Double;
+  void* value = is_integer ? static_cast<void*>(&i) : &d;
+  const void* min = is_integer ? static_cast<const void*>(&i_min) : &info.min;
+  const void* max = is_integer ? static_cast<const void*>(&i_max) : &info.max;
+
+  // Dear ImGui opens text input on Ctrl+click. Here a double click does, and Ctrl+click resets, so the widget is
+  // disabled for that click.
+  ImGui::PushItemFlag(ImGuiItemFlags_Disabled, edit.reset);
+  bool changed = false;
+  if (starts_typing) {
+    changed = text_input(ImGui::GetID("##"), type, value, format.c_str(), min, max);
+  } else if (drag_speed <= 0 && is_slider(info)) {
+    changed = ImGui::SliderScalar("##", type, value, min, max, format.c_str(), flags);
+  } else {
+    // The speed is proportional to the value, which suits small and large values.
+    const float speed = drag_speed > 0 ? drag_speed
+                        : is_integer   ? std::max(0.1f, 0.01f * std::abs(static_cast<float>(i)))
+                                       : std::max(0.002f, 0.005f * std::abs(static_cast<float>(d)));
+    changed = ImGui::DragScalar("##", type, value, speed, min, max, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  }
+  ImGui::PopItemFlag();
+  edit.ended = ImGui::IsItemDeactivated();
+  if (changed && !edit.reset)
+    edit.value = is_integer ? Value(std::clamp(i, i_min, i_max)) : Value(std::clamp(d, info.min, info.max));
+  return edit;
+}
+
+}  // namespace etendue::viewer

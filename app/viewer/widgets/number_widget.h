@@ -1,0 +1,31 @@
+// A widget for one number: a slider if the range is narrow enough, otherwise a drag field.
+//
+// A double click opens text input. Ctrl+click resets.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "base/parameter.h"
+
+namespace etendue::viewer {
+
+// What the user did in this frame.
+struct WidgetEdit {
+  std::optional<Value> value;  // if it was changed
+  bool reset = false;          // Ctrl+click
+  bool starts_typing = false;  // double click
+  bool ended = false;          // the drag or the text input has ended
+  bool scripted = false;       // the value comes from a script
+};
+
+// `info.default_value` is the current value. A positive `drag_speed`, in units per pixel, makes it a drag field.
+WidgetEdit number_widget(const ParameterInfo& info, float drag_speed = 0);
+// The range as the user sees it: "0 to 180 °".
+std::string range_text(const ParameterInfo& info);
+
+// The width of the column of labels. The widgets fill the rest of the line.
+float label_width();
+// Draws a label, which is shortened if it is too long. The next item fills the rest of the line.
+void label_column(const std::string& label);
+
+}  // namespace etendue::viewer

@@ -1,0 +1,107 @@
+#include "viewer/widgets/parameter_field.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "integrator/integrator.h"
+#include "render/document.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/basic_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+// How an option is shown in a list: its group, and its tooltip. Only integrators and reflection models have groups.
+struct OptionDescription {
+  const char* group = nullptr;
+  const char* group_tooltip = "";
+  const char* tooltip = "";
+};
+
+OptionDescription describe_option(const ParameterInfo& info, const std::string& option) {
+  if (info.name.ends_with("integrator"))
+    if (const auto* integrator = integrator::find_integrator(option)) {
+      const auto& group = integrator::info_of(integrator->group);
+      return {.group = group.label, .group_tooltip = group.doc, .tooltip = integrator->summary.c_str()};
+    }
+  if (info.name.ends_with(".model"))
+    if (const auto* model = find_bsdf_model(option)) {
+      const auto kind = static_cast<size_t>(model->description.model_class);
+      return {.group = Options<ModelClass>::kOptions[kind].label, .tooltip = model->description.summary};
+    }
+  return {};
+}
+
+}  // namespace
+
+std::optional<Value> take_requested_value(UiContext& ui, const ParameterInfo& info) {
+  const auto text = ui.items.take_request(info.name);
+  if (!text) return std::nullopt;
+  auto value = parse_value(info, *text);
+  ui.items.answer(value ? "" : value.error().message);
+  if (!value) return std::nullopt;
+  return *value;
+}
+
+void describe_item(UiContext& ui, const ParameterInfo& info) {
+  ui.items.add(info.name);
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) return;
+  std::string text = info.label + ": " + info.doc;
+  if (info.type == ParameterType::number || info.type == ParameterType::integer)
+    text += "\n" + range_text(info) + "\nDouble click: enter a value. Ctrl+click: reset";
+  tooltip(ui, text + "\n" + info.name);
+}
+
+WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_speed) {
+  ImGui::PushFont(ui.fonts.monospace);
+  WidgetEdit edit = number_widget(info, drag_speed);
+  ImGui::PopFont();
+  describe_item(ui, info);
+  if (edit.value) return edit;
+  edit.value = take_requested_value(ui, info);
+  edit.scripted = edit.value.has_value();
+  return edit;
+}
+
+std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected) {
+  std::optional<Value> chosen;
+  const char* group = nullptr;
+  for (size_t i = 0; i < info.options.size(); ++i) {
+    const OptionDescription option = describe_option(info, info.options[i]);
+    if (option.group && std::exchange(group, option.group) != option.group) {
+      ImGui::TextColored(ui.theme.secondary_text, "%s", option.group);
+      if (ImGui::IsItemHovered()) tooltip(ui, option.group_tooltip);
+    }
+    const float indent = ImGui::GetFontSize() * 0.6f;
+    if (option.group) ImGui::Indent(indent);
+    if (ImGui::Selectable(info.option_labels[i].c_str(), i == selected)) chosen = info.options[i];
+    if (ImGui::IsItemHovered()) tooltip(ui, option.tooltip);
+    if (option.group) ImGui::Unindent(indent);
+  }
+  return chosen;
+}
+
+std::optional<Value> original_value(const AppState& state, const std::string& name) {
+  const auto& original = state.document().origin;
+  if (!original) return std::nullopt;
+  const auto value = render::get(*original, name);
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit) {
+  const ParameterInfo& info = parameter.info;
+  if (edit.scripted) state.editor->end_gesture();
+  // The first click of a double click has moved the slider. That edit is discarded.
+  if (edit.starts_typing) state.editor->discard_step(info.name);
+  if (edit.reset) {
+    const auto value = original_value(state, info.name);
+    if (value && *value != info.default_value) state.edit(parameter, *value);
+  } else if (edit.value && *edit.value != info.default_value) {
+    state.edit(parameter, *edit.value, info.name);
+  }
+  if (edit.ended) state.editor->end_gesture();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,36 @@
+// The parts of a parameter widget: reading requests of scripts, the tooltip, and the edit of the document.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "base/parameter.h"
+#include "viewer/widgets/number_widget.h"
+
+namespace etendue::render {
+struct DocumentParameter;
+}
+
+namespace etendue::viewer {
+
+struct AppState;
+struct UiContext;
+
+// The value that a script requests for a parameter. Values outside of the range are answered with an error.
+std::optional<Value> take_requested_value(UiContext& ui, const ParameterInfo& info);
+
+// Registers the last item under the name of the parameter, and shows its tooltip while it is hovered.
+void describe_item(UiContext& ui, const ParameterInfo& info);
+
+// A number widget of the current item width that scripts can set. `drag_speed` as in number_widget.
+WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_speed = 0);
+
+// The options of a choice, to be called in an open combo box. Returns the option that was chosen.
+std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected);
+
+// Applies an edit of a widget to the document, and ends the gesture if the drag has ended.
+void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit);
+
+// The value of a parameter in the file that was opened; nothing if the document has no such file.
+std::optional<Value> original_value(const AppState& state, const std::string& name);
+
+}  // namespace etendue::viewer

@@ -1,0 +1,245 @@
+#include "viewer/widgets/parameter_widgets.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <span>
+
+#include "render/document.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/parameter_field.h"
+#include "viewer/widgets/vector_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+using Parameters = std::vector<render::DocumentParameter>;
+
+// A combo box with the options. Without `preview` it is only a button.
+void options_combo(UiContext& ui, const ParameterInfo& info, const char* preview, size_t selected, WidgetEdit& edit) {
+  ImGuiComboFlags flags = ImGuiComboFlags_HeightLarge;
+  if (!preview) flags |= ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft;
+  if (!ImGui::BeginCombo("##options", preview, flags)) return;
+  if (auto chosen = option_list(ui, info, selected)) edit.value = std::move(chosen);
+  ImGui::EndCombo();
+}
+
+size_t index_of_option(const ParameterInfo& info) {
+  const auto& current = std::get<std::string>(info.default_value);
+  return static_cast<size_t>(std::ranges::find(info.options, current) - info.options.begin());
+}
+
+WidgetEdit choice_widget(UiContext& ui, const ParameterInfo& info) {
+  WidgetEdit edit;
+  const size_t selected = index_of_option(info);
+  const auto& current = std::get<std::string>(info.default_value);
+  const std::string& preview = selected < info.options.size() ? info.option_labels[selected] : current;
+  options_combo(ui, info, preview.c_str(), selected, edit);
+  describe_item(ui, info);
+  return edit;
+}
+
+// A text field with a list of proposals. Errors of the text are shown while it is typed.
+WidgetEdit text_widget(AppState& state, const ParameterInfo& info) {
+  WidgetEdit edit;
+  UiContext& ui = state.ui;
+  const auto& current = std::get<std::string>(info.default_value);
+  std::string text = current;  // while the field is active, ImGui keeps the edited text itself
+  ImGui::SetNextItemWidth(ImGui::CalcItemWidth() - ImGui::GetFrameHeight());
+  ImGui::PushFont(ui.fonts.monospace);
+  const std::string hint = info.option_labels.empty() ? "" : info.option_labels.front();
+  const bool entered = ImGui::InputTextWithHint("##text", hint.c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PopFont();
+  const bool active = ImGui::IsItemActive();
+  describe_item(ui, info);
+  ValidatedText& validated = ui.validated_text;
+  if (validated.parameter != info.name || validated.text != text)
+    validated = {info.name, text, text == current ? Result<void>() : info.validate_text(text)};
+  const Result<void> accepted = text == current ? Result<void>() : validated.result;
+  if (entered && accepted) edit.value = text;
+  if (entered && !accepted) state.notices.add_error(info.label + ": " + accepted.error().message);
+  ImGui::SameLine(0, 0);
+  options_combo(ui, info, nullptr, index_of_option(info), edit);
+  if (active && !accepted) warning(ui, accepted.error().message);
+  return edit;
+}
+
+WidgetEdit toggle_widget(UiContext& ui, const ParameterInfo& info) {
+  WidgetEdit edit;
+  bool on = std::get<bool>(info.default_value);
+  if (ImGui::Checkbox("##", &on)) edit.value = on;
+  describe_item(ui, info);
+  return edit;
+}
+
+WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
+  WidgetEdit edit;
+  ImGui::PushID(info.name.c_str());
+  label_column(info.label);
+  switch (info.type) {
+    case ParameterType::toggle:
+      edit = toggle_widget(state.ui, info);
+      break;
+    case ParameterType::choice:
+      edit = info.validate_text ? text_widget(state, info) : choice_widget(state.ui, info);
+      break;
+    case ParameterType::integer:
+    case ParameterType::number:
+      edit = number_field(state.ui, info);
+      break;
+  }
+  ImGui::PopID();
+  if (!edit.value) {
+    edit.value = take_requested_value(state.ui, info);
+    edit.scripted = edit.value.has_value();
+  }
+  return edit;
+}
+
+// A parameter without effect: its widget is disabled, and the tooltip says why.
+void disabled_widget(AppState& state, const render::DocumentParameter& parameter) {
+  const ParameterInfo& info = parameter.info;
+  if (state.ui.items.take_request(info.name)) state.ui.items.answer(info.name + ": " + parameter.inactive_reason);
+  ParameterInfo explained = info;
+  explained.doc += "\nNot available: " + parameter.inactive_reason;
+  ImGui::BeginDisabled();
+  any_widget(state, explained);
+  ImGui::EndDisabled();
+}
+
+void document_widget(AppState& state, const render::DocumentParameter& parameter) {
+  if (!parameter.inactive_reason.empty()) return disabled_widget(state, parameter);
+  const WidgetEdit edit = any_widget(state, parameter.info);
+  apply_edit(state, parameter, edit);
+  const ParameterType type = parameter.info.type;
+  const bool single_step = type == ParameterType::toggle || type == ParameterType::choice;
+  if (single_step && edit.value) state.editor->end_gesture();
+}
+
+// The name of a parameter without its last two characters, such as ".r".
+std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
+
+// Three parameters in one widget: a colour button and three numbers.
+void color_widget(AppState& state, std::span<const render::DocumentParameter> rgb) {
+  UiContext& ui = state.ui;
+  const std::string stem = stem_of(rgb[0].info.name);
+  float color[3];
+  for (size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(std::get<double>(rgb[c].info.default_value));
+  ImGui::PushID(stem.c_str());
+  label_column(rgb[0].info.label);
+  ImGui::PushFont(ui.fonts.monospace);
+  ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip;
+  if (rgb[0].info.max > 1) flags |= ImGuiColorEditFlags_HDR;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
+  const bool hovered = ImGui::IsMouseHoveringRect(corner, {corner.x + size.x, corner.y + size.y});
+  const bool reset = hovered && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0);
+  bool edited = false;
+  // ColorEdit3 would open text input on Ctrl+click.
+  if (reset)
+    ImGui::ColorButton("##", {color[0], color[1], color[2], 1}, flags, size);
+  else
+    edited = ImGui::ColorEdit3("##", color, flags);
+  const bool ended = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::PopFont();
+  ParameterInfo info = rgb[0].info;
+  info.name = stem;
+  describe_item(ui, info);
+  bool scripted = false;
+  for (size_t c = 0; c < 3; ++c) {
+    ui.items.add(rgb[c].info.name);
+    if (const auto value = take_requested_value(ui, rgb[c].info)) {
+      color[c] = static_cast<float>(std::get<double>(*value));
+      scripted = true;
+    }
+    const auto original = reset ? original_value(state, rgb[c].info.name) : std::nullopt;
+    if (original) color[c] = static_cast<float>(std::get<double>(*original));
+  }
+  if (scripted) state.editor->end_gesture();
+  if (edited || scripted || reset) {
+    Value values[3];
+    bool differs = false;
+    for (size_t c = 0; c < 3; ++c) {
+      values[c] = std::clamp(static_cast<double>(color[c]), rgb[c].info.min, rgb[c].info.max);
+      differs = differs || values[c] != rgb[c].info.default_value;
+    }
+    if (differs) state.edit(rgb, values, stem);
+  }
+  if (ended || scripted || reset) state.editor->end_gesture();
+  ImGui::PopID();
+}
+
+// The number of parameters from index i on whose names differ only in the endings, if all endings of a known set are
+// there: 3 for a colour or a vector, 4 for a quaternion, otherwise 0.
+size_t length_of_group(const Parameters& list, size_t i, std::span<const char* const> endings) {
+  const std::string stem = stem_of(list[i].info.name);
+  size_t n = 0;
+  while (n < endings.size() && i + n < list.size() && list[i + n].info.name == stem + endings[n]) ++n;
+  return n >= 3 ? n : 0;
+}
+
+template <class Predicate>
+void widgets_if(AppState& state, const std::string& section, Predicate is_shown) {
+  constexpr const char* kColorEndings[] = {".r", ".g", ".b"};
+  constexpr const char* kVectorEndings[] = {".x", ".y", ".z", ".w"};
+  const Parameters list = render::section_parameters(state.document(), section);
+  for (size_t i = 0; i < list.size(); ++i) {
+    if (!is_shown(list[i].info.name.substr(section.size() + 1))) continue;
+    const size_t color_length = length_of_group(list, i, kColorEndings);
+    const size_t vector_length = length_of_group(list, i, kVectorEndings);
+    const size_t length = std::max(color_length, vector_length);
+    const auto parameters = std::span(list).subspan(i, std::max<size_t>(1, length));
+    if (color_length == 3)
+      color_widget(state, parameters);
+    else if (vector_length == 3)
+      vector_widget(state, parameters);
+    else if (vector_length == 4)
+      rotation_widget(state, parameters);
+    else
+      document_widget(state, list[i]);
+    i += parameters.size() - 1;
+  }
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+}  // namespace
+
+void section_widgets(AppState& state, const std::string& section) {
+  widgets_if(state, section, [](const std::string&) { return true; });
+}
+
+void section_widgets_for(AppState& state, const std::string& section, const std::vector<std::string>& names) {
+  widgets_if(state, section, [&](const std::string& name) { return contains(names, name); });
+}
+
+void section_widgets_except(AppState& state, const std::string& section, const std::vector<std::string>& names) {
+  widgets_if(state, section, [&](const std::string& name) { return !contains(names, name); });
+}
+
+std::optional<Value> parameter_widget(AppState& state, const ParameterInfo& info) {
+  return any_widget(state, info).value;
+}
+
+std::optional<Value> compact_choice(AppState& state, const ParameterInfo& info, float width) {
+  std::optional<Value> chosen;
+  const size_t selected = index_of_option(info);
+  ImGui::PushID(info.name.c_str());
+  ImGui::SetNextItemWidth(width);
+  const bool open = ImGui::BeginCombo("##", info.option_labels[selected].c_str());
+  if (open) {
+    chosen = option_list(state.ui, info, selected);
+    ImGui::EndCombo();
+  } else {
+    describe_item(state.ui, info);
+  }
+  ImGui::PopID();
+  return chosen ? chosen : take_requested_value(state.ui, info);
+}
+
+}  // namespace etendue::viewer

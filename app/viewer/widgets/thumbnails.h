@@ -1,0 +1,44 @@
+// Small images as textures, displayed like the main image.
+#pragma once
+#include <imgui.h>
+
+#include <memory>
+#include <vector>
+
+#include "image/display.h"
+#include "viewer/platform/gl.h"
+
+namespace etendue::viewer {
+
+// Linear radiance, three numbers per pixel, and how it is displayed.
+struct ThumbnailImage {
+  int width = 0;
+  int height = 0;
+  std::shared_ptr<const std::vector<float>> pixels;
+  float exposure = 0;
+  image::ToneCurve curve = image::ToneCurve::none;
+
+  friend bool operator==(const ThumbnailImage&, const ThumbnailImage&) = default;
+};
+
+class Thumbnails {
+ public:
+  Thumbnails() = default;
+  ~Thumbnails();
+  Thumbnails(const Thumbnails&) = delete;
+  Thumbnails& operator=(const Thumbnails&) = delete;
+
+  // The texture of the image with this index. It is uploaded if the image differs from that of the last call. All calls
+  // have the same `gl`, which outlives this object.
+  ImTextureID texture(const Gl& gl, size_t index, const ThumbnailImage& image);
+
+ private:
+  struct Entry {
+    GLuint texture = 0;
+    ThumbnailImage image;
+  };
+  const Gl* gl_ = nullptr;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace etendue::viewer

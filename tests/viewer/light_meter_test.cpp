@@ -1,0 +1,62 @@
+// The light meter and the light presets.
+#include <cmath>
+
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+json wait_for(const char* what) { return {{"do", "wait"}, {"for", what}}; }
+json steps_of(std::initializer_list<json> steps) { return json::array_t(steps); }
+
+class LightMeterPanel : public Viewer {};
+
+TEST_F(LightMeterPanel, MeasuresAtTheClickedPoint) {
+  const auto steps =
+      joined(small(1), steps_of({file_step("state", path("before.json")),
+                                 click("meter.pick"),
+                                 {{"do", "drag"}, {"from", {280, 330}}, {"to", {280, 330}}, {"button", "left"}},
+                                 wait_for("meter"),
+                                 file_step("state", path("a.json")),
+                                 file_step("screenshot", path("a.png")),
+                                 set("meter.efficacy", "maximal"),
+                                 click("tab.material"),
+                                 set("material.0.base-color.r", 0.1),
+                                 click("tab.light"),
+                                 wait_for("meter"),
+                                 file_step("state", path("b.json"))}));
+  ASSERT_EQ(run(steps), 0);
+  const auto a = state("a.json")["meter"], b = state("b.json")["meter"];
+  ASSERT_TRUE(a["whole"].get<bool>() && b["whole"].get<bool>());
+  EXPECT_GT(a["irradiance"]["value"][0].get<double>(), 0);
+  // The walls reflect less red, so less arrives. The measurement restarts by itself.
+  EXPECT_LT(b["irradiance"]["value"][0].get<double>(), a["irradiance"]["value"][0].get<double>());
+  EXPECT_EQ(state("a.json")["undo_depth"], state("before.json")["undo_depth"])
+      << "measuring must not edit the document";
+}
+
+// A preset is one step of undo.
+TEST_F(LightMeterPanel, PresetSetsIntensityAndColour) {
+  const auto steps =
+      joined(small(1), steps_of({click("tab.light"), click("light.choose.0"), file_step("state", path("before.json")),
+                                 set("light.preset", "bulb-60"), file_step("state", path("bulb.json")), key("ctrl+z"),
+                                 file_step("state", path("after.json"))}));
+  ASSERT_EQ(run(steps, "spot-indirect"), 0);
+  const auto bulb = state("bulb.json")["parameters"];
+  const auto number = [&](const char* name) { return bulb[std::string("light.0.") + name].get<double>(); };
+  // Full intensity within the inner cone; a third of it between the cones, because the falloff is t^2.
+  const double inner = std::cos(number("inner-cone")), outer = std::cos(number("outer-cone"));
+  const double cones = 1 - inner + (inner - outer) / 3;
+  const double y = 0.212671 * number("color.r") + 0.71516 * number("color.g") + 0.072169 * number("color.b");
+  EXPECT_NEAR(683.0 * 107 / 500 * y * number("intensity") * 2 * 3.14159265 * cones, 710, 0.5);
+  EXPECT_EQ(state("bulb.json")["undo_depth"].get<int>(), state("before.json")["undo_depth"].get<int>() + 1);
+  EXPECT_EQ(state("after.json")["parameters"]["light.0.intensity"],
+            state("before.json")["parameters"]["light.0.intensity"]);
+}
+
+TEST_F(LightMeterPanel, WaitFailsWithoutAMeasurement) {
+  EXPECT_EQ(run(joined(small(1), steps_of({wait_for("meter")}))), 1);
+}
+
+}  // namespace
+}  // namespace etendue
