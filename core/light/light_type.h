@@ -45,10 +45,12 @@
 // samples it, with points given by the two surface coordinates of AnalyticShape.
 //
 //   static constexpr AnalyticShape::Kind kShape;
-//   static Vec2 sample_area(Vec2 u);                                                       // uniform over the surface
-//   static bool sample_from(const AnalyticShape& shape, const Vec3& from, Vec2 u, Vec2& at);  // as the receiver sees
-//   it static float pdf_from(const AnalyticShape& shape, const Vec3& from, const Vec3& point);   // of that, per solid
-//   angle static LightBounds bounds(const AnalyticShape& shape, bool two_sided, float intensity);
+//   static Vec2 sample_area(Vec2 u);  // uniform over the surface
+//   // A point as the receiver sees it, by solid angle where that is possible.
+//   static bool sample_from(const AnalyticShape& shape, const Vec3& from, Vec2 u, Vec2& at);
+//   // Its density per solid angle.
+//   static float pdf_from(const AnalyticShape& shape, const Vec3& from, const Vec3& point);
+//   static LightBounds bounds(const AnalyticShape& shape, bool two_sided, float intensity);
 #pragma once
 #include <array>
 #include <source_location>
