@@ -10,12 +10,12 @@
 namespace etendue {
 namespace {
 
+using integrator::BootstrapPaths;
 using integrator::ChainRandom;
 using integrator::EdgeCounts;
 using integrator::LightPath;
 using integrator::Mutation;
 using integrator::MutationPlan;
-using integrator::BootstrapPaths;
 using integrator::PathShape;
 using integrator::PathSpace;
 using integrator::PathVertex;
@@ -83,16 +83,16 @@ TEST(LightPaths, FromNothingAreWorthThePicture) {
 double log_contribution(const LightPath<M>& x) {
   double f = std::log(x.brightness);
   for (int i = 1; i < x.edges(); ++i) f += std::log(double{x[i].value});
-  for (int i = 0; i + 1 < x.edges(); ++i) f += std::log(x.cosine_to_camera(i) * x.spread(i));
+  for (int i = 0; i + 1 < x.edges(); ++i) f += std::log(x.cosine_to_camera(i) * x.inverse_square(i));
   const int last = x.edges() - 1;
   if (last > 0 || !x.light.infinite) f += std::log(x.cosine_to_camera(last) * double{x.importance});
   return f;
 }
 
 // The density per area of x_{i+1} seen from x_i, and of x_{i-1}, for a density per solid angle of one.
-double area_ahead(const LightPath<M>& y, int i) { return y.cosine_to_light(i + 1) * y.spread(i); }
+double area_ahead(const LightPath<M>& y, int i) { return y.cosine_to_light(i + 1) * y.inverse_square(i); }
 double area_back(const LightPath<M>& y, int i) {
-  return i == 1 && y.light.infinite ? 1 : y.cosine_to_camera(i - 1) * y.spread(i - 1);
+  return i == 1 && y.light.infinite ? 1 : y.cosine_to_camera(i - 1) * y.inverse_square(i - 1);
 }
 double pixels_back(const LightPath<M>& y) {
   const int last = y.edges() - 1;
@@ -128,7 +128,7 @@ double log_contribution_outside(const LightPath<M>& x, int l, int m) {
   for (int i = 1; i < x.edges(); ++i)
     if (i < l || i > m) f += std::log(double{x[i].value});
   for (int i = 0; i + 1 < x.edges(); ++i)
-    if (i < l || i >= m) f += std::log(x.cosine_to_camera(i) * x.spread(i));
+    if (i < l || i >= m) f += std::log(x.cosine_to_camera(i) * x.inverse_square(i));
   const int last = x.edges() - 1;
   if (m <= last && (last > 0 || !x.light.infinite)) f += std::log(x.cosine_to_camera(last) * double{x.importance});
   // The walk from the light brings its cosine along.
@@ -215,13 +215,13 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
 // standard errors.
 TEST(LightPaths, DistancesOfPerturbations) {
   constexpr integrator::LogUniform kLaw{0.1f, 50};
-  EXPECT_FLOAT_EQ(kLaw.at(0), 50);
-  EXPECT_NEAR(kLaw.at(kOneMinusEpsilon), 0.1, 1e-6);
+  EXPECT_FLOAT_EQ(kLaw.sample(0), 50);
+  EXPECT_NEAR(kLaw.sample(kOneMinusEpsilon), 0.1, 1e-6);
   ChainRandom random(1);
   constexpr int kNumbers = 100000;
   double sum = 0, squares = 0, below = 0;
   for (int i = 0; i < kNumbers; ++i) {
-    const double r = double{glm::distance(integrator::moved({3, 4}, kLaw, random), Vec2(3, 4))};
+    const double r = double{glm::distance(integrator::perturb_raster({3, 4}, kLaw, random), Vec2(3, 4))};
     sum += r, squares += r * r, below += r < std::sqrt(5.0) ? 1 : 0;
   }
   const double mean = sum / kNumbers;

@@ -23,17 +23,17 @@ TEST(Metropolis, EveryIterationCounts) {
   std::uniform_real_distribution<double> uniform;
   double counted[2] = {0, 0}, went[2] = {0, 0};
   size_t at = 0;
-  Occupancy stay;
+  Occupancy occupancy;
   Acceptance acceptance;
   for (int i = 0; i < kIterations; ++i) {
     const size_t next = 1 - at;
-    const AcceptanceDecision verdict = decide_acceptance(kTarget[at], kTarget[next], uniform(engine));
-    acceptance.count(verdict);
-    stay.take(
-        verdict, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
-    if (verdict.accepted) at = next, went[at] += 1;
+    const AcceptanceDecision decision = decide_acceptance(kTarget[at], kTarget[next], uniform(engine));
+    acceptance.count(decision);
+    occupancy.record(
+        decision, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
+    if (decision.accepted) at = next, went[at] += 1;
   }
-  counted[at] += stay.settle();
+  counted[at] += occupancy.take_remaining();
   EXPECT_NEAR(counted[0] + counted[1], kIterations, 1e-6);
   EXPECT_NEAR(counted[1] / kIterations, 0.75, 4.5 * std::sqrt(0.25 * 0.75 * 0.5 / kIterations));
   EXPECT_NEAR(went[1] / (went[0] + went[1]), 0.5, 1e-5);
@@ -48,16 +48,16 @@ TEST(Metropolis, ProposalsNeedNotBeSymmetric) {
   std::uniform_real_distribution<double> uniform;
   double counted[2] = {0, 0};
   size_t at = 0;
-  Occupancy stay;
+  Occupancy occupancy;
   for (int i = 0; i < kIterations; ++i) {
     const size_t next = uniform(engine) < kProposed[at] ? 1 - at : at;
     const double back = next == at ? 1 : kProposed[next] / kProposed[at];
-    const AcceptanceDecision verdict = decide_acceptance(kTarget[at], kTarget[next], uniform(engine), back);
-    stay.take(
-        verdict, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
-    if (verdict.accepted) at = next;
+    const AcceptanceDecision decision = decide_acceptance(kTarget[at], kTarget[next], uniform(engine), back);
+    occupancy.record(
+        decision, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
+    if (decision.accepted) at = next;
   }
-  counted[at] += stay.settle();
+  counted[at] += occupancy.take_remaining();
   EXPECT_NEAR(counted[1] / kIterations, 0.75, 4.5 * std::sqrt(0.25 * 0.75 / kIterations));
 }
 
@@ -124,16 +124,16 @@ Interval integral_near_one(int iterations, bool chosen) {
     const auto record = [&](double x, double n) { found += x >= 0.9 ? n : 0; };
     for (const uint32_t start : starts) {
       double x = double{weight[start]};
-      Occupancy stay;
+      Occupancy occupancy;
       for (int i = 0; i < iterations; ++i) {
         double y = std::abs(x + 0.1 * uniform(engine) - 0.05);
         if (y > 1) y = 2 - y;
-        const AcceptanceDecision verdict = decide_acceptance(x, y, uniform(engine));
-        stay.take(
-            verdict, [&](double n) { record(x, n); }, [&](double n) { record(y, n); });
-        if (verdict.accepted) x = y;
+        const AcceptanceDecision decision = decide_acceptance(x, y, uniform(engine));
+        occupancy.record(
+            decision, [&](double n) { record(x, n); }, [&](double n) { record(y, n); });
+        if (decision.accepted) x = y;
       }
-      record(x, stay.settle());
+      record(x, occupancy.take_remaining());
     }
     const double estimate = b * found / (static_cast<double>(kChains) * iterations);
     sum += estimate, squares += estimate * estimate;

@@ -31,12 +31,12 @@ class Occupancy {
   // on_leave(weight) records the state that the chain leaves, on_reject(weight) a proposal that was rejected. `extra`
   // is added to the weight of the proposal.
   template <class OnLeave, class OnReject>
-  void record(const AcceptanceDecision& verdict, OnLeave&& on_leave, OnReject&& on_reject, double extra = 0) {
-    iterations_ += 1 - verdict.acceptance;
-    if (verdict.accepted)
-      on_leave(std::exchange(iterations_, verdict.acceptance + extra));
-    else if (verdict.acceptance + extra > 0)
-      on_reject(verdict.acceptance + extra);
+  void record(const AcceptanceDecision& decision, OnLeave&& on_leave, OnReject&& on_reject, double extra = 0) {
+    iterations_ += 1 - decision.acceptance;
+    if (decision.accepted)
+      on_leave(std::exchange(iterations_, decision.acceptance + extra));
+    else if (decision.acceptance + extra > 0)
+      on_reject(decision.acceptance + extra);
   }
   // The weight to be recorded for the current state at the end.
   double take_remaining() { return std::exchange(iterations_, 0.0); }
@@ -49,9 +49,9 @@ class Occupancy {
 struct Acceptance {
   uint64_t proposed = 0, accepted = 0;
 
-  void count(const AcceptanceDecision& verdict) {
+  void count(const AcceptanceDecision& decision) {
     ++proposed;
-    accepted += verdict.accepted ? 1 : 0;
+    accepted += decision.accepted ? 1 : 0;
   }
   Acceptance& operator+=(const Acceptance& other) {
     proposed += other.proposed;

@@ -86,12 +86,12 @@ class MutationRunner {
     PathShape shape;
     const double ratio =
         propose(mutation, *plan_, space_, chain.path, chain.shape, chain.random, point, proposal_, shape);
-    const AcceptanceDecision verdict = decide_acceptance(1, 1, double{chain.random.next()}, ratio);
-    count(mutation, verdict);
+    const AcceptanceDecision decision = decide_acceptance(1, 1, double{chain.random.next()}, ratio);
+    count(mutation, decision);
     occupancy_.record(
-        verdict, [&](double n) { splat(chain.path, n * double{scale}, chain.random, splats); },
+        decision, [&](double n) { splat(chain.path, n * double{scale}, chain.random, splats); },
         [&](double n) { splat(proposal_, n * double{scale}, chain.random, splats); });
-    if (!verdict.accepted) return;
+    if (!decision.accepted) return;
     std::swap(chain.path, proposal_);
     chain.shape = shape;
   }

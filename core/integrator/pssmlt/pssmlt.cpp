@@ -287,14 +287,14 @@ class PrimaryKernel {
     const bool large = is_large(lane_key);
     const PrimaryState& current = group.states[lane];
     const float target = target_paths.targets[lane];
-    const AcceptanceDecision verdict =
+    const AcceptanceDecision decision =
         decide_acceptance(double{current.target}, double{target}, to_unit_double(mix_bits(lane_key ^ 2)));
-    group.tally.kinds[large ? 0 : 1].count(verdict);
+    group.tally.kinds[large ? 0 : 1].count(decision);
     occupancy.record(
-        verdict, [&](double n) { count.record(current.splats, current.target, n, splats); },
+        decision, [&](double n) { count.record(current.splats, current.target, n, splats); },
         [&](double n) { count.record(target_paths.splats[lane], target, n, splats); },
         large && integrator_->combined && target > 0 ? count.expected_weight / count.mean_weight : 0.0);
-    if (verdict.accepted) accept(target_paths, lane, group);
+    if (decision.accepted) accept(target_paths, lane, group);
   }
 
   // Replaces the state of the chain by its proposal.
