@@ -8,7 +8,7 @@
 #   PRIVATE    external libraries that only its .cpp files use
 #
 # The include directory holds nothing but the module, so a module cannot include another one that neither it nor one of
-# its dependencies names. The test `modules` compares both lists with the actual includes (tests/unit/modules).
+# its dependencies names. The test `Modules` compares both lists with the actual includes (tests/unit/project).
 set_property(GLOBAL PROPERTY ETENDUE_MODULES "")
 
 function(etendue_module name)

@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
-# The real window, on a display of its own, moved by a real pointer and keyboard: orbit, switch the integrator, save a snapshot,
-# quit. Then the snapshot must hold what was done, and render again without a display.
+# Drives the window on a virtual display with a real pointer and keyboard: orbits, switches the integrator, saves a
+# snapshot, quits. The snapshot must contain these changes and render again without a display.
 # Usage: window_test.sh ETENDUE_BINARY
 set -euo pipefail
 etendue=$1
+for tool in xvfb-run xdotool; do
+  command -v "$tool" >/dev/null || { echo "skipped: there is no $tool"; exit 77; }  # the value that CTest counts as skipped
+done
 if [ -z "${ETENDUE_WINDOW_TEST:-}" ]; then
   ETENDUE_WINDOW_TEST=1 exec xvfb-run -a -s "-screen 0 1400x900x24" "$0" "$@"
 fi

@@ -288,7 +288,7 @@ class PathSpace {
     if (is_black(transmittance)) return false;
     if (!scene_->solids().any_has_alpha()) return true;
     path[i].media.transmittance = transmittance;
-    return settle_color(path);
+    return evaluate_color(path);
   }
 
   void build_surface(Vertex& x, float time) const {

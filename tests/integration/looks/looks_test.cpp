@@ -1,0 +1,106 @@
+// Every glTF file of the test data opens and renders: no sample is refused, and there is something to see.
+#include <gtest/gtest.h>
+
+#include "integration/looks/assets.h"
+#include "integration/looks/sheet.h"
+#include "support/scenes.h"
+
+namespace etendue::looks {
+namespace {
+
+constexpr int kSize = 24;
+constexpr uint32_t kSamples = 4;
+
+// Files that have to be refused, and what the refusal names.
+std::string expected_refusal(const std::string& name) {
+  if (name.ends_with("Compatibility_04.gltf")) return "glTF 2.1";
+  if (name.ends_with("Compatibility_05.gltf")) return "FAKE_materials_quantumRendering";
+  return "";
+}
+
+// Triangles that are not cut away: one file's cutoff is above one.
+bool shows_something(const std::string& name, const scene::Scene& scene) {
+  if (name.ends_with("Material_AlphaMask_03.gltf")) return false;
+  for (const auto& group : scene.meshes)
+    for (const auto& primitive : group.primitives)
+      if (!primitive.mesh->triangles.empty()) return true;
+  return false;
+}
+
+// Whether two pixels differ: a camera that misses and a surface that is black would both look constant.
+bool varies(const film::Film& film) {
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x)
+      if (film.mean(x, y) != film.mean(0, 0)) return true;
+  return false;
+}
+
+TEST(Looks, EveryFileRenders) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  const auto views = gallery(data);
+  EXPECT_GT(views.size(), 100U);
+  for (const View& view : views) {
+    SCOPED_TRACE(view.name);
+    const auto document = open(view, kSize, false);
+    const std::string refusal = expected_refusal(view.name);
+    if (!refusal.empty()) {
+      ASSERT_FALSE(document);
+      EXPECT_NE(document.error().message.find(refusal), std::string::npos) << document.error().message;
+      continue;
+    }
+    ASSERT_TRUE(document) << document.error().message;
+    const film::Film film = test::rendered(*document, kSamples);
+    EXPECT_EQ(film.invalid_samples().total(), 0U);
+    EXPECT_EQ(varies(film), shows_something(view.name, *document->scene));
+  }
+}
+
+TEST(Looks, KnowWhereEveryPublishedPictureWasTakenFrom) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  for (const View& view : gallery(data))
+    if (!view.pictures.empty()) {
+      EXPECT_TRUE(view.camera || view.from) << view.name;
+    }
+}
+
+// A published picture shows the fox as it was modelled, not the first moment of one of its movements.
+TEST(Looks, ShowPublishedFilesWithoutAnimations) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  for (const View& view : gallery(data))
+    if (view.name == "Fox.glb") {
+      EXPECT_TRUE(open(view, kSize, false)->scene->animations.empty());
+    }
+}
+
+TEST(Looks, FindTheScenesWithTheirReferences) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  const auto found = scenes(data);
+  ASSERT_EQ(found.size(), 3U);
+  for (const Reference& r : found) {
+    EXPECT_EQ(r.width, 1024) << r.view.name;
+    EXPECT_TRUE(std::filesystem::exists(r.linear)) << r.view.name;
+  }
+}
+
+TEST(Sheet, PlacesPicturesAndText) {
+  const Picture white{2, 2, std::vector<uint8_t>(12, 255)};
+  Sheet sheet(8, 2);
+  sheet.add(&white, "A");
+  sheet.end_row();
+  sheet.add(nullptr, "");
+  const Picture p = sheet.picture();
+  const auto at = [&](int x, int y) { return p.rgb[static_cast<size_t>((y * p.width + x) * 3)]; };
+  EXPECT_EQ(p.width, 20);
+  EXPECT_EQ(p.height, 32);
+  EXPECT_EQ(at(3, 3), 255);
+  EXPECT_EQ(at(2, 3), 24);
+  EXPECT_EQ(at(1, 9), 230) << "the tip of the A";
+  EXPECT_EQ(at(0, 9), 24);
+}
+
+}  // namespace
+}  // namespace etendue::looks

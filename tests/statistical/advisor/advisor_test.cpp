@@ -1,0 +1,112 @@
+// The advisor: who is taken out and why, who is fast, and what it says on the way.
+#include "advisor/advisor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "statistical/advisor/test_scenes.h"
+#include "advisor/report.h"
+
+namespace etendue::test {
+namespace {
+
+using advisor::Advice;
+using advisor::Ranking;
+
+Ranking ranked(const render::Document& d, double target, double pilot = 0.1) {
+  render::Session session({2});
+  advisor::AdviceRequest question;
+  question.target = target, question.pilot_seconds = pilot;
+  return advisor::advise(session, d, question, go_on);
+}
+
+Advice of(const Ranking& ranking, const std::string& name) {
+  return *std::ranges::find_if(ranking.methods, [&](const Advice& a) { return a.method.name == name; });
+}
+
+TEST(Advisor, CandidatesAreEveryMethodOnce) {
+  const auto list = advisor::candidates(cornell(8));
+  for (const auto& integrator : integrator::integrator_infos())
+    for (const auto& sampler : sampler_infos())
+      EXPECT_EQ(std::ranges::count(list, integrator.name + ":sampler=" + sampler.name, &bench::MethodSpec::name), 1);
+}
+
+TEST(Advisor, RanksWhatItCanHave) {
+  const Ranking ranking = ranked(cornell(32), 0.01);
+  ASSERT_TRUE(ranking.best());
+  EXPECT_TRUE(ranking.best()->suitable);
+  const Advice biased = of(ranking, "raycast:sampler=sobol");
+  EXPECT_FALSE(biased.suitable);
+  EXPECT_TRUE(biased.reason.starts_with("biased")) << biased.reason;
+  EXPECT_FALSE(biased.time);
+  EXPECT_GT(biased.misses.share, 0.1);
+  double before = 0;
+  for (const Advice& advice : ranking.methods) {
+    EXPECT_FALSE(advice.reason.empty());
+    if (!advice.time) continue;
+    EXPECT_GE(advice.time->seconds, before);
+    EXPECT_LE(advice.time->interval.low, advice.time->seconds);
+    EXPECT_GE(advice.time->interval.high, advice.time->seconds);
+    before = advice.time->seconds;
+  }
+}
+
+TEST(Advisor, WhatIsHinderedIsNotRanked) {
+  // An error so large that nothing found would do.
+  const Advice hindered = of(ranked(cornell(16), 100, 0.02), "light-pure:sampler=sobol");
+  EXPECT_FALSE(hindered.suitable);
+  EXPECT_FALSE(hindered.time);
+  EXPECT_NE(hindered.reason.find("camera.lens-radius"), std::string::npos) << hindered.reason;
+}
+
+TEST(Advisor, WhatIsMissingCountsAgainstTheTarget) {
+  const auto d = things_under(true, false, true, 24);
+  const Advice fine = of(ranked(d, 1e-3, 0.02), "path-pure:sampler=sobol");
+  EXPECT_FALSE(fine.suitable);
+  EXPECT_TRUE(fine.reason.starts_with("misses ")) << fine.reason;
+  // An error larger than all the picture is reached without point lights too.
+  EXPECT_TRUE(of(ranked(d, 100, 0.02), "path-pure:sampler=sobol").suitable);
+  const Ranking cut = ranked(changed(d, "path.max-depth", "2"), 1e-3, 0.02);
+  EXPECT_FALSE(of(cut, "path:sampler=sobol").suitable);
+}
+
+TEST(Advisor, ALargePictureIsPilotedSmall) {
+  auto d = cornell(8);
+  d.width = 400, d.height = 300;
+  render::Session session({2});
+  const auto pilots = advisor::run_pilots(session, *bench::parse_methods("path", d), {0.05, 1e-3, 0, 4800}, go_on);
+  ASSERT_EQ(pilots.pilots.size(), 1u);
+  EXPECT_EQ(pilots.pilots[0].method.document.width, 80);
+  EXPECT_EQ(pilots.pilots[0].film.height(), 60);
+  EXPECT_GT(pilots.enlargement.seconds, 3);
+  EXPECT_NEAR(pilots.enlargement.rmse, 1, 0.5);
+}
+
+TEST(Advisor, PublishesOnTheWayAndMayBeCutShort) {
+  render::Session session({2});
+  size_t published = 0;
+  advisor::AdviceRequest question;
+  question.target = 0.01, question.pilot_seconds = 0.02;
+  const auto whole = advisor::advise(session, cornell(16), question, go_on, [&](const Ranking&) { ++published; });
+  EXPECT_FALSE(whole.interrupted);
+  EXPECT_GT(published, 2u);
+  const auto cut =
+      advisor::advise(session, cornell(16), question, [](double done, const std::string&) { return done < 0.3; });
+  EXPECT_TRUE(cut.interrupted);
+}
+
+TEST(Advisor, SaysItForScriptsAndForPeople) {
+  const Ranking ranking = ranked(things_under(false, false, true, 16), 0.05, 0.02);
+  const auto j = nlohmann::json::parse(advisor::ranking_json(ranking, "things"));
+  EXPECT_EQ(j["scene"], "things");
+  EXPECT_EQ(j["methods"].size(), ranking.methods.size());
+  EXPECT_EQ(j["beyond_all_methods"].size(), ranking.beyond_methods.size());
+  EXPECT_FALSE(j["table"]["classes"].empty());
+  const std::string text = advisor::ranking_text(ranking);
+  for (const auto& advice : ranking.methods) EXPECT_NE(text.find(advice.method.name), std::string::npos);
+}
+
+}  // namespace
+}  // namespace etendue::test

@@ -1,0 +1,185 @@
+// What integrators declare against what they produce, for every one in the registry: a false declaration is found.
+#include "advisor/missing_paths.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "statistical/advisor/test_scenes.h"
+#include "advisor/reference_method.h"
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
+#include "transport/path_expression/path_expression.h"
+
+namespace etendue::test {
+namespace {
+
+using advisor::ClassTable;
+using advisor::DeclaredPaths;
+using advisor::MissingPaths;
+using transport::Automaton;
+using transport::PathExpression;
+
+ClassTable table_of(const render::Document& d) {
+  render::Session session({2});
+  return advisor::class_table(session, d, {}, go_on);
+}
+
+// Every comparison of a scene together has one false alarm in a hundred: two-sided, Sidak.
+double threshold(size_t comparisons) {
+  const double alarms = 1 - std::pow(0.99, 1.0 / static_cast<double>(comparisons));
+  double low = 0, high = 10;
+  while (high - low > 1e-6) {
+    const double middle = 0.5 * (low + high);
+    (std::erfc(middle / std::sqrt(2.0)) > alarms ? low : high) = middle;
+  }
+  return low;
+}
+
+advisor::ClassEnergy energy_by(const std::string& integrator, const render::Document& d, const std::string& paths,
+                               uint32_t samples) {
+  render::Document made = changed(changed(advisor::trusted(d), "film.paths", paths), "render.integrator", integrator);
+  made.seed = 77;
+  return advisor::class_energy(rendered(made, samples));
+}
+
+// What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
+std::vector<std::string> lies(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
+                              const ClassTable& table) {
+  const render::Document made = changed(advisor::trusted(d), "render.integrator", info.name);
+  const bool hindered = !render::incompatibility(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
+  const Found found = hindered ? Found() : advisor::declared_paths(info);
+  const Automaton& declared = points ? found.point_paths : found.paths;
+  std::vector<std::string> list;
+  const Automaton rest = advisor::without(PathExpression::all().automaton(), declared);
+  if (!rest.empty())
+    if (const auto energy = energy_by(info.name, d, expression_of(rest), 16); energy.found())
+      list.push_back("finds some of " + expression_of(rest));
+  std::vector<const advisor::ClassRow*> rows;
+  for (const auto& row : table.rows)
+    if (!row.energy.uncertain() &&
+        advisor::without(PathExpression::parse_paths(row.paths)->automaton(), declared).empty())
+      rows.push_back(&row);
+  // Only of unbiased methods more is expected than that there is light.
+  const bool unbiased = info.bias == integrator::Bias::unbiased;
+  for (const auto* row : rows) {
+    const auto energy = energy_by(info.name, unbiased ? d : sized(d, 16), row->paths, 64);
+    if (!energy.found()) list.push_back("finds nothing of " + row->paths);
+    if (!unbiased) continue;
+    const double z = (energy.mean - row->energy.mean) / std::hypot(energy.standard_error, row->energy.standard_error);
+    if (std::abs(z) > threshold(rows.size())) list.push_back(row->paths + " is off by " + std::to_string(z) + " sigma");
+  }
+  return list;
+}
+
+struct Place {
+  const char* name;
+  render::Document document;
+  bool points;
+};
+
+std::vector<Place> places() {
+  return {{"area", things_under(true, false, false, 32), false},
+          {"sky", things_under(false, true, false, 32), false},
+          {"point", things_under(false, false, true, 32), true},
+          {"cornell", cornell(32), false}};
+}
+
+TEST(Declared, AgainstProduced) {
+  for (const auto& place : places()) {
+    const ClassTable table = table_of(place.document);
+    for (const auto& info : integrator::integrator_infos())
+      for (const auto& lie : lies(info, place.document, place.points, table))
+        ADD_FAILURE() << info.name << " under " << place.name << ": " << lie;
+  }
+}
+
+TEST(Declared, ALieIsFound) {
+  const auto d = things_under(true, false, false, 32), points = things_under(false, false, true, 32);
+  const auto table = table_of(d), under_points = table_of(points);
+  const auto said = [](const char* name, const char* paths, const char* point_paths) {
+    auto info = *integrator::find_integrator(name);
+    info.paths = paths, info.point_paths = point_paths;
+    return info;
+  };
+  EXPECT_FALSE(lies(said("raycast", "E.*L", ""), d, false, table).empty());
+  EXPECT_FALSE(lies(said("raycast", "EL", ""), d, false, table).empty());
+  EXPECT_FALSE(lies(said("path", "E[D|G]L", ""), d, false, table).empty());
+  EXPECT_FALSE(lies(said("raycast", "E.*L", "E.*DL"), points, true, under_points).empty());
+  EXPECT_FALSE(lies(said("path", "E.*L", ""), points, true, under_points).empty());
+}
+
+TEST(Declared, AMethodThatIsHinderedFindsNothing) {
+  const auto d = changed(things_under(true, false, false, 16), "render.integrator", "light-pure");
+  const auto found = [](const render::Document& document) {
+    return advisor::declared_paths(document, *scene::compile(document.scene, document.camera, nullptr));
+  };
+  EXPECT_TRUE(found(d).paths.empty());
+  EXPECT_FALSE(found(changed(d, "camera.lens-radius", "0.1")).paths.empty());
+  const auto points = changed(things_under(false, false, true, 16), "render.integrator", "path-pure");
+  EXPECT_TRUE(found(points).paths.empty());
+  EXPECT_FALSE(found(changed(things_under(true, false, true, 16), "render.integrator", "path-pure")).paths.empty());
+}
+
+TEST(Declared, PointPathsAreAmongThePaths) {
+  for (const auto& info : integrator::integrator_infos()) {
+    const Found found = advisor::declared_paths(info);
+    EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty()) << info.name;
+  }
+}
+
+TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
+  const auto found = advisor::declared_paths(changed(cornell(8), "path.max-depth", "2").method);
+  EXPECT_EQ(found.paths, PathExpression::parse_paths("E[.]L")->automaton());
+  EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G)L")->automaton());
+  EXPECT_EQ(advisor::bias_of(changed(cornell(8), "path.max-depth", "2").method), integrator::Bias::biased);
+  EXPECT_EQ(advisor::bias_of(cornell(8).method), integrator::Bias::unbiased);
+}
+
+TEST(MissingPaths, OfAMethodThatFindsAll) {
+  const ClassTable table = table_of(things_under(true, true, true, 16));
+  const MissingPaths none = advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
+  EXPECT_TRUE(none.none());
+  EXPECT_EQ(none.share, 0);
+  EXPECT_EQ(advisor::missing_paths_text(none), "misses nothing that was found to carry light");
+}
+
+// What is missing is what a rendering without it lacks.
+TEST(MissingPaths, ShareAndErrorOfWhatIsMissing) {
+  const auto d = things_under(true, true, false, 32);
+  const ClassTable table = table_of(d);
+  const MissingPaths missing = advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("raycast")), table);
+  const auto whole = energy_by("path", d, "", 256), rest = energy_by("path", d, "E(S|(D|G).).*L", 256);
+  EXPECT_NEAR(spots.share, rest.mean / whole.mean, 0.05);
+  EXPECT_NEAR(spots.rms, advisor::rms_of({&rest, 1}), 0.1 * spots.rms);
+  for (const auto& spot : spots.classes) EXPECT_FALSE(spot.partial) << spot.paths;
+  EXPECT_TRUE(advisor::missing_paths_text(spots).starts_with("misses ")) << advisor::missing_paths_text(spots);
+}
+
+TEST(MissingPaths, PointLightsAreInvisibleToWalks) {
+  const ClassTable alone = table_of(things_under(false, false, true, 16)),
+                   mixed = table_of(things_under(true, false, true, 16));
+  const Found pure = advisor::declared_paths(*integrator::find_integrator("path-pure"));
+  EXPECT_NEAR(advisor::missing_paths(pure, alone).share, 1, 1e-6);
+  const MissingPaths missing = advisor::missing_paths(pure, mixed);
+  EXPECT_NEAR(spots.share, mixed.total.from_points.mean / mixed.total.energy.mean, 1e-3);
+  EXPECT_TRUE(std::ranges::all_of(spots.classes, &advisor::MissingPathClass::points));
+}
+
+TEST(MissingPaths, BeyondAllMethods) {
+  const auto sentences = [](const render::Document& d) {
+    return advisor::beyond_all_methods(*scene::compile(d.scene, d.camera, nullptr));
+  };
+  // Walks from the lights find what a point casts through glass.
+  EXPECT_TRUE(sentences(things_under(false, false, true, 16)).empty());
+  EXPECT_TRUE(sentences(things_under(true, true, false, 16)).empty());
+  auto plain = cornell(16);
+  scene::Scene scene = *plain.scene;
+  test::add_point_light(scene, {0, 0, 0}, 1);
+  plain.scene = std::make_shared<const scene::Scene>(scene);
+  EXPECT_TRUE(sentences(plain).empty());
+}
+
+}  // namespace
+}  // namespace etendue::test
