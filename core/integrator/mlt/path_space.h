@@ -222,10 +222,10 @@ class PathSpace {
   }
 
   // Finds the surface that a ray hits if it starts in this medium state. In models with media,
-  // `set_transmittance` receives the transmittance of the segment.
-  template <class SetTransmittance>
+  // `store_transmittance` receives the transmittance of the segment.
+  template <class StoreTransmittance>
   bool trace(const Ray& ray, const Medium& medium, float time, ChainRandom& random, Vertex& x,
-             SetTransmittance&& set_transmittance) {
+             StoreTransmittance&& store_transmittance) {
     ++rays_;
     Hit hit;
     if constexpr (M::kMedia) {
@@ -234,7 +234,7 @@ class PathSpace {
       rays_ += segment.rays;
       hit = segment.hit;
       x.media.interface = segment.interface;
-      set_transmittance(segment.transmittance);
+      store_transmittance(segment.transmittance);
     } else {
       hit = scene_->intersect(ray, random.bits(), time);
     }
