@@ -235,15 +235,15 @@ TEST(ModifiedPhong, AlbedoIsMonotone) {
 // Item 39, and with all of it at other angles: nothing is lost in clear glass.
 TEST(ThinDielectric, LetsThroughWhatBothInterfacesLeave) {
   ThinDielectric<Rgb> pane;
-  EXPECT_NEAR(pane.parts(1).passed.r, 0.923077, 1e-6);
-  EXPECT_NEAR(pane.parts(1).reflected.r, 0.076923, 1e-6);
+  EXPECT_NEAR(pane.coefficients(1).transmitted.r, 0.923077, 1e-6);
+  EXPECT_NEAR(pane.coefficients(1).reflected.r, 0.076923, 1e-6);
   for (const float c : {1.0f, 0.7f, 0.3f, 0.05f, 1e-3f, 0.0f}) {
-    const auto parts = pane.parts(c);
-    EXPECT_NEAR(parts.passed.r + parts.reflected.r, 1, 1e-6) << c;
+    const auto parts = pane.coefficients(c);
+    EXPECT_NEAR(parts.transmitted.r + parts.reflected.r, 1, 1e-6) << c;
   }
   pane.tint = Rgb(0.5f);
   const double f = 0.04, t = 0.5;
-  EXPECT_NEAR(pane.parts(1).passed.r, sqr(1 - f) * t / (1 - sqr(f * t)), 1e-6);
+  EXPECT_NEAR(pane.coefficients(1).transmitted.r, sqr(1 - f) * t / (1 - sqr(f * t)), 1e-6);
 }
 
 // Ashikhmin and Shirley's own example of how the diffuse part gives way.
