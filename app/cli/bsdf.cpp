@@ -165,7 +165,7 @@ Result<void> write_table(const Subject& s, const Arguments& a) {
   return BrdfTable::measured(f, a.steps[0], a.steps[1], isotropic).write(a.table);
 }
 
-// Prints all models with default parameters as a Markdown table, for docs/materials.md.
+// Prints all models with default parameters as a Markdown table, for docs/results/materials.md.
 void print_all_models() {
   std::printf(
       "| model | class | non-negative | reciprocal | energy conserving | largest albedo | hemispherical albedo | "

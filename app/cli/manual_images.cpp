@@ -55,16 +55,18 @@ render::Document stage(const Material& material, scene::Scene scene) {
   scene::add(scene, scene::quad(8), floor);
   Mat4 above(1);
   above[3] = Vec4(0, 1, 0, 1);
-  scene::add(scene, scene::sphere(1, 64), material, above);
+  scene::add(scene, scene::sphere(1, 64, false), material, above);
   render::Document d;
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   d.camera = look_at({0, 2.2f, 5.2f}, {0, 0.9f, 0}, {0, 1, 0}, 0.55f);
   return d;
 }
 
-scene::Scene lit_by(Light light, const Vec3& position) {
+scene::Scene lit_by(const Light& light, const Vec3& position) {
   scene::Scene scene;
-  scene::add(scene, light, look_at(position, {0, 0.5f, 0}, {0, 0.99f, 0.1f}, 1).to_world);
+  scene::Transform transform;
+  transform.matrix = look_at(position, {0, 0.5f, 0}, {0, 0.99f, 0.1f}, 1).to_world;
+  scene::add(scene, light, transform);
   return scene;
 }
 

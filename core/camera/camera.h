@@ -1,4 +1,4 @@
-// Cameras as a user edits them                                                                  [Lang, sec. 8.3]
+// Cameras as a user edits them                                                                  [Lang, sec. 8.4.3]
 #pragma once
 #include <string>
 

@@ -1,4 +1,4 @@
-// Motion of a camera while the shutter is open                                          [Lang, sec. 8.3.4, eq. 8.61]
+// Motion of a camera while the shutter is open                                          [Lang, sec. 8.4.3.3, eq. 8.61]
 //
 // A CameraMotion stores poses at times evenly spaced from the opening (time 0) to the closing of the shutter (time 1).
 // Between two poses, the position is interpolated linearly and the rotation with constant angular velocity. Linear

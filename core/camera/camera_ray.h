@@ -1,5 +1,5 @@
 // Camera rays, and the view of points, directions and rays by the camera
-//                                           [Lang, sec. 8.3.3-8.3.4 and 9.2, eq. 8.55-8.62, corrected, eq. 9.33-9.35]
+//                                           [Lang, sec. 8.4.3 and 9.2, eq. 8.55-8.62, corrected, eq. 9.33-9.35]
 //
 // Thin lens without refraction: the image plane is placed in the plane in focus, and rays start on the lens, so that
 // points at the focus distance are sharp.

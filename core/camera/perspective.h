@@ -1,4 +1,4 @@
-// Perspective projection                                                                     [Lang, sec. 8.3.3]
+// Perspective projection                                                                     [Lang, sec. 8.4.3.2]
 //
 // Camera rays go from the lens point l to the point f p of the plane in focus, where p = (x, y, -1) is a point of the
 // image plane and f the focus distance. A direction d seen from l therefore has the image point d / |d.z| + l / f.

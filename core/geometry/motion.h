@@ -1,4 +1,4 @@
-// Motion of a mesh while the shutter is open                                            [Lang, sec. 8.3.4, eq. 8.61]
+// Motion of a mesh while the shutter is open                                            [Lang, sec. 8.4.3.3, eq. 8.61]
 //
 // A Motion stores poses at times evenly spaced from the opening (time 0) to the closing of the shutter (time 1).
 // Between two steps, all numbers are interpolated linearly, as Embree does, so that shading uses the points that rays

@@ -1,4 +1,4 @@
-// The motion of nodes, meshes and cameras while the shutter is open.                  [Lang, sec. 8.3.4, eq. 8.61]
+// The motion of nodes, meshes and cameras while the shutter is open.                  [Lang, sec. 8.4.3.3, eq. 8.61]
 //
 // Animations move along arbitrary curves. They are sampled finely enough to resolve every keyframe. Each motion is then
 // approximated by the smallest number of linear segments whose deviation stays below a fraction of the object's size,

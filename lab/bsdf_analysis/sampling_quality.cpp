@@ -35,13 +35,13 @@ struct WeightStatistics {
   }
 };
 
-WeightStatistics sample_lobes(const Lobes& lobes, const Vec3& wo, uint32_t samples) {
+WeightStatistics sample_lobes(const SampledSurface& surface, const Vec3& wo, uint32_t samples) {
   WeightStatistics t;
   for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
     for (uint32_t i = 0; i < samples / kReplicates; ++i) {
       LobeSample<Rgb> s;
-      if (!lobes.sample(wo, draw_of(r, i), TransportMode::radiance, s)) {
+      if (!surface.sample(wo, draw_of(r, i), s)) {
         ++t.absorbed;
         t.add(0);
         continue;
@@ -57,19 +57,18 @@ WeightStatistics sample_lobes(const Lobes& lobes, const Vec3& wo, uint32_t sampl
 }
 
 // Cosine-weighted directions; on transmissive surfaces half of them on either side.
-WeightStatistics sample_cosine(const Lobes& lobes, const Vec3& wo, bool transmits, uint32_t samples) {
+WeightStatistics sample_cosine(const SampledSurface& surface, const Vec3& wo, uint32_t samples) {
   WeightStatistics t;
-  const double share = transmits ? 0.5 : 1;
+  const double share = surface.transmits ? 0.5 : 1;
   for (uint32_t r = 0; r < kReplicates; ++r) {
     double common = 0;
     for (uint32_t i = 0; i < samples / kReplicates; ++i) {
       const LobeRandom draw = draw_of(100 + r, i);
       Vec3 wi = draw.cosine_direction;
-      if ((wo.z < 0) != (transmits && draw.choice < 0.5f)) wi.z = -wi.z;
-      const double weight =
-          static_cast<double>(average(lobes.eval(wo, wi, TransportMode::radiance))) * 3.14159265358979323846 / share;
+      if ((wo.z < 0) != (surface.transmits && draw.choice < 0.5f)) wi.z = -wi.z;
+      const double weight = static_cast<double>(average(surface.eval(wo, wi))) * 3.14159265358979323846 / share;
       t.add(weight);
-      if (is_common(lobes.pdf(wo, wi, TransportMode::radiance), wi)) common += weight;
+      if (is_common(surface.pdf(wo, wi), wi)) common += weight;
     }
     t.common.add(common / (samples / kReplicates));
   }
@@ -78,10 +77,18 @@ WeightStatistics sample_cosine(const Lobes& lobes, const Vec3& wo, bool transmit
 
 }  // namespace
 
-SamplingQuality sampling_quality_at(const Lobes& lobes, double degrees, const SamplingOptions& options) {
+SampledSurface sampled_surface(const Lobes& lobes) {
+  return {.eval = [&lobes](const Vec3& wo, const Vec3& wi) { return lobes.eval(wo, wi, TransportMode::radiance); },
+          .pdf = [&lobes](const Vec3& wo, const Vec3& wi) { return lobes.pdf(wo, wi, TransportMode::radiance); },
+          .sample = [&lobes](const Vec3& wo, const LobeRandom& random,
+                             LobeSample<Rgb>& s) { return lobes.sample(wo, random, TransportMode::radiance, s); },
+          .transmits = transmits_light(lobes)};
+}
+
+SamplingQuality sampling_quality_at(const SampledSurface& surface, double degrees, const SamplingOptions& options) {
   const Vec3 wo = direction(degrees, options.azimuth);
-  const WeightStatistics by_lobes = sample_lobes(lobes, wo, options.samples);
-  const WeightStatistics by_cosine = sample_cosine(lobes, wo, transmits_light(lobes), options.samples);
+  const WeightStatistics by_lobes = sample_lobes(surface, wo, options.samples);
+  const WeightStatistics by_cosine = sample_cosine(surface, wo, options.samples);
   SamplingQuality q;
   q.degrees = degrees;
   q.deviation = by_lobes.deviation();

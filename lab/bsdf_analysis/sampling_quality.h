@@ -3,6 +3,7 @@
 // If the density were f cos / albedo, every sample weight f cos / pdf would equal the albedo. The relative standard
 // deviation of the weights is the noise that one scattering event adds to the throughput of a path.
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "bsdf_analysis/test_surface.h"
@@ -26,7 +27,21 @@ struct SamplingOptions {
   uint32_t samples = 8192;
 };
 
-SamplingQuality sampling_quality_at(const Lobes& lobes, double degrees, const SamplingOptions& options = {});
+// A surface as sampling sees it: f, the density per solid angle that is claimed for samples, and samples with their
+// weights f cos / pdf. All for radiance.
+struct SampledSurface {
+  std::function<Rgb(const Vec3& wo, const Vec3& wi)> eval;
+  std::function<float(const Vec3& wo, const Vec3& wi)> pdf;
+  std::function<bool(const Vec3& wo, const LobeRandom& random, LobeSample<Rgb>& s)> sample;
+  bool transmits = false;  // samples cross the surface
+};
+// Refers to the lobes, which must outlive it.
+SampledSurface sampled_surface(const Lobes& lobes);
+
+SamplingQuality sampling_quality_at(const SampledSurface& surface, double degrees, const SamplingOptions& options = {});
+inline SamplingQuality sampling_quality_at(const Lobes& lobes, double degrees, const SamplingOptions& options = {}) {
+  return sampling_quality_at(sampled_surface(lobes), degrees, options);
+}
 std::vector<SamplingQuality> sampling_curve(const Lobes& lobes, const SamplingOptions& options = {},
                                             const KeepGoing& keep_going = {});
 

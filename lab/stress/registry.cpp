@@ -5,7 +5,7 @@
 #include "stress/cases/camera_inside_glass.h"
 #include "stress/cases/caustic_behind_glass.h"
 #include "stress/cases/caustic_of_a_point_light.h"
-#include "stress/cases/caustic_of_a_small_lamp.h"
+#include "stress/cases/caustic_of_a_small_light.h"
 #include "stress/cases/chains_in_two_places.h"
 #include "stress/cases/closed_room_of_albedo_one.h"
 #include "stress/cases/coincident_lights.h"
@@ -21,11 +21,11 @@
 #include "stress/cases/infinite_emission.h"
 #include "stress/cases/integrating_sphere.h"
 #include "stress/cases/inverted_normals.h"
-#include "stress/cases/lamp_in_a_sphere.h"
 #include "stress/cases/late_dimensions.h"
 #include "stress/cases/lens_of_no_size.h"
 #include "stress/cases/lens_too_small_to_hit.h"
 #include "stress/cases/light_from_one_patch.h"
+#include "stress/cases/light_in_a_sphere.h"
 #include "stress/cases/light_of_a_micrometre.h"
 #include "stress/cases/light_that_touches_a_wall.h"
 #include "stress/cases/light_through_a_gap.h"
@@ -118,8 +118,8 @@ const std::vector<Case>& cases() {
       kLensTooSmallToHit,
       kIntegratingSphere,
       kSmallLightByChance,
-      kLampInASphere,
-      kCausticOfASmallLamp,
+      kLightInASphere,
+      kCausticOfASmallLight,
       kLightFromOnePatch,
       kLightThroughAGap,
       kViewOfASmallPart,
@@ -180,6 +180,9 @@ const std::vector<Case>& cases() {
 }
 
 const Case* find_case(std::string_view name) {
+  // Former names remain valid.
+  if (name == "lamp-in-a-sphere") name = "light-in-a-sphere";
+  if (name == "caustic-of-a-small-lamp") name = "caustic-of-a-small-light";
   for (const Case& c : cases())
     if (c.name == name) return &c;
   return nullptr;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "film/film.h"
 #include "integrator/integrator.h"
 #include "render/pixel_samples.h"
 #include "viewer/actions/action.h"

@@ -18,9 +18,9 @@ class Editor;
 
 struct AovImage {
   std::string name;
-  uint64_t version = 0;  // of the document
-  uint32_t samples = 0;  // of the rendering, for the error
-  std::string scale;     // meaning of the colours: "0.001 to 0.03"
+  uint64_t version = 0;    // of the document
+  uint32_t samples = 0;    // of the rendering, for the error
+  std::string scale = {};  // meaning of the colours: "0.001 to 0.03"
   int width = 0;
   int height = 0;
   std::vector<Rgb> pixels;  // linear colours

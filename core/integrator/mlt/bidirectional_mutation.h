@@ -1,4 +1,4 @@
-// The bidirectional mutation: replaces a part of a path.     [Lang, sec. 9.4.4, eq. 9.119-9.122, corrected;
+// The bidirectional mutation: replaces a part of a path.     [Lang, sec. 9.4.2, eq. 9.119-9.122, corrected;
 //                                                            Veach and Guibas 1997, sec. 5.1, 5.2]
 //
 // The vertices between l and m are deleted, and new ones are sampled by subpaths from either end and a connection. The

@@ -1,4 +1,4 @@
-// A light path as a value: the state of Markov chains over paths.   [Lang, sec. 8.3.4, 9.4.4; Veach 1997, ch. 8 and 11]
+// A light path as a value: the state of Markov chains over paths.   [Lang, sec. 8.4.3.3, 9.4.2; Veach 1997, ch. 8 and 11]
 //
 // A path of k edges has vertices x_0 .. x_k, x_0 on a light and x_k on the lens. Its contribution is the product
 //

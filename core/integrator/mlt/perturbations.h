@@ -1,5 +1,5 @@
 // Perturbations: small changes of a path that keep its number of edges and its specular vertices.
-//                               [Lang, sec. 9.4.4, eq. 9.123, 9.124, Remark 9.22; Veach and Guibas 1997, sec. 5.3, 5.4]
+//                               [Lang, sec. 9.4.2, eq. 9.123, 9.124, Remark 9.22; Veach and Guibas 1997, sec. 5.3, 5.4]
 //
 // Vertices are retraced from one end of the path: its first ray is moved a little, specular directions are recomputed,
 // and the first other vertex is connected to the unchanged rest. The displacement of the ray is symmetric in the image

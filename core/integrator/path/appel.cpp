@@ -1,4 +1,4 @@
-// Ray casting with shadow rays                                                 [Lang, sec. 8.2.1, fig. 8.8; Appel 1968]
+// Ray casting with shadow rays                                                 [Lang, sec. 8.2, fig. 8.8; Appel 1968]
 //
 // Direct light at the first surface that a camera ray hits:
 //

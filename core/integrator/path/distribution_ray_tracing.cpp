@@ -1,4 +1,4 @@
-// Distribution ray tracing                              [Lang, sec. 8.3.1, eq. 8.37, 8.44, corrected; Cook et al. 1984]
+// Distribution ray tracing                              [Lang, sec. 8.4, eq. 8.37, 8.44, corrected; Cook et al. 1984]
 //
 // A tree of rays from every camera ray. The first vertices branch into N rays each, later vertices into one:
 //

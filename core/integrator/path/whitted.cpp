@@ -1,4 +1,4 @@
-// Classic ray tracing                             [Lang, sec. 8.2.2, eq. 8.24-8.26, 8.30-8.33, corrected; Whitted 1980]
+// Classic ray tracing                             [Lang, sec. 8.3, eq. 8.24-8.26, 8.30-8.33, corrected; Whitted 1980]
 //
 // At every vertex: direct light by shadow rays to all lights, and one ray along each mirror and refraction direction,
 // weighted by its reflectance or transmittance:

@@ -1,4 +1,4 @@
-// Photon mapping                                   [Lang, sec. 9.5.3, 9.5.4, eq. 9.140-9.147; Jensen 1996; Jensen 2001]
+// Photon mapping                                   [Lang, sec. 9.5.3, eq. 9.140-9.147; Jensen 1996; Jensen 2001]
 //
 // A first pass stores photons where they hit surfaces; the second estimates reflected radiance from the photons in a
 // disc of radius r around a point,

@@ -3,9 +3,9 @@
 namespace etendue {
 namespace {
 
-// The tree pays from this number of lights (docs/lights.md), if they are apart: their area is less than this part of
-// the squared radius around them. The triangles of one large light are all equally near; choosing among them by power
-// keeps the strata of the random numbers intact.
+// The tree pays from this number of lights (docs/results/lights.md), if they are apart: their area is less than this
+// part of the squared radius around them. The triangles of one large light are all equally near; choosing among them by
+// power keeps the strata of the random numbers intact.
 constexpr size_t kMinLightsForTree = 8;
 constexpr float kMaxAreaOverRadius2 = 0.5f;
 

@@ -1,4 +1,4 @@
-// Branching paths on a wavefront.                                               [Lang, sec. 8.2.2, 8.3; eq. 8.24, 8.37]
+// Branching paths on a wavefront.                                               [Lang, sec. 8.3, 8.4; eq. 8.24, 8.37]
 //
 // A wavefront has one ray per path. Further branches from a vertex are queued here by their number of edges from the
 // camera, and processed in batches once all paths of the wavefront have ended: the deepest first, as many as the

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "statistical/advisor/test_scenes.h"
 #include "advisor/report.h"
+#include "statistical/advisor/test_scenes.h"
 
 namespace etendue::test {
 namespace {
@@ -80,8 +80,8 @@ TEST(Advisor, ALargePictureIsPilotedSmall) {
   ASSERT_EQ(pilots.pilots.size(), 1u);
   EXPECT_EQ(pilots.pilots[0].method.document.width, 80);
   EXPECT_EQ(pilots.pilots[0].film.height(), 60);
-  EXPECT_GT(pilots.enlargement.seconds, 3);
-  EXPECT_NEAR(pilots.enlargement.rmse, 1, 0.5);
+  EXPECT_GT(pilots.size_ratio.seconds, 3);
+  EXPECT_NEAR(pilots.size_ratio.rmse, 1, 0.5);
 }
 
 TEST(Advisor, PublishesOnTheWayAndMayBeCutShort) {

@@ -6,21 +6,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistical/advisor/test_scenes.h"
 #include "advisor/certify.h"
 #include "film/film_image.h"
 #include "metrics/metrics.h"
+#include "statistical/advisor/test_scenes.h"
 
 namespace etendue::test {
 namespace {
 
 using advisor::Certificate;
-using advisor::CertifiedImage;
 using advisor::CertificationResult;
+using advisor::CertifiedImage;
 using advisor::Verdict;
 
 // A rendering with its certificate, as etendue render leaves it.
-Claim claim_of(const render::Document& d, uint32_t samples) {
+CertifiedImage certified_image(const render::Document& d, uint32_t samples) {
   render::Session session({2});
   render::Document limited = d;
   limited.limits = {samples, 0, 0};
@@ -28,29 +28,29 @@ Claim claim_of(const render::Document& d, uint32_t samples) {
   session.finish();
   const auto film = session.film_copy();
   const auto status = session.status();
-  Claim claim;
-  claim.document = limited, claim.samples = samples, claim.picture = film::layered_image_of(film);
-  claim.certificate = advisor::certificate(
+  CertifiedImage image;
+  image.document = limited, image.samples = samples, image.image = film::layered_image_of(film);
+  image.certificate = advisor::certificate(
       session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1, go_on);
-  return claim;
+  return image;
 }
 
-Finding judged(const Claim& claim, double seconds = 20) {
+CertificationResult certification(const CertifiedImage& image, double seconds = 20) {
   render::Session session({2});
-  return advisor::certify(session, claim, {seconds, 0}, go_on);
+  return advisor::certify(session, image, {seconds, 0}, go_on);
 }
 
-std::string said(const Finding& finding) {
-  std::string text(advisor::verdict_name(finding.verdict));
-  for (const auto& reason : finding.reasons) text += "; " + reason;
+std::string text_of(const CertificationResult& result) {
+  std::string text(advisor::verdict_name(result.verdict));
+  for (const auto& reason : result.reasons) text += "; " + reason;
   return text;
 }
 
-std::vector<float>& pixels(Claim& claim) { return claim.picture.layers[0].pixels; }
+std::vector<float>& pixels(CertifiedImage& image) { return image.image.layers[0].pixels; }
 
 TEST(Certificate, StatesNoiseOfAMethodThatMissesNothing) {
-  const Claim claim = claim_of(cornell(32), 16);
-  const Certificate& c = claim.certificate;
+  const CertifiedImage image = certified_image(cornell(32), 16);
+  const Certificate& c = image.certificate;
   ASSERT_TRUE(c.rmse && c.relmse);
   EXPECT_LT(c.rmse->interval.low, c.rmse->value);
   EXPECT_GT(c.rmse->interval.high, c.rmse->value);
@@ -61,34 +61,35 @@ TEST(Certificate, StatesNoiseOfAMethodThatMissesNothing) {
 }
 
 TEST(Certificate, StatesWhatACutOfPathsLoses) {
-  const Claim claim = claim_of(changed(cornell(32), "path.max-depth", "2"), 256);
-  const Certificate& c = claim.certificate;
+  const CertifiedImage image = certified_image(changed(cornell(32), "path.max-depth", "2"), 256);
+  const Certificate& c = image.certificate;
   EXPECT_EQ(c.bias, integrator::Bias::biased);
   ASSERT_EQ(c.missing.size(), 1u);
   EXPECT_EQ(c.missing[0].paths, "EDD+L");
   const auto truth = film::radiance_of(rendered(cornell(32), 1024));
-  const double rmse = metrics::metrics_of(claim.rgb(), truth).rmse;
+  const double rmse = metrics::metrics_of(image.rgb(), truth).rmse;
   EXPECT_GT(rmse, c.rmse->interval.low);
   EXPECT_LT(rmse, c.rmse->interval.high);
-  EXPECT_EQ(judged(claim).verdict, Verdict::confirmed) << said(judged(claim));
+  EXPECT_EQ(certification(image).verdict, Verdict::confirmed) << text_of(certification(image));
 }
 
 TEST(Certificate, NothingFromAboveOfAMethodWithABiasOfItsOwn) {
-  const Claim claim = claim_of(changed(cornell(16), "render.integrator", "raycast"), 8);
-  EXPECT_TRUE(std::isinf(claim.certificate.rmse->interval.high));
-  EXPECT_GT(claim.certificate.missing_share, 0.1);
+  const CertifiedImage image = certified_image(changed(cornell(16), "render.integrator", "raycast"), 8);
+  EXPECT_TRUE(std::isinf(image.certificate.rmse->interval.high));
+  EXPECT_GT(image.certificate.missing_share, 0.1);
 }
 
 TEST(Certificate, PointLightsThatWalksMiss) {
-  const Claim claim = claim_of(changed(things_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
-  ASSERT_FALSE(claim.certificate.missing.empty());
-  EXPECT_TRUE(std::ranges::all_of(claim.certificate.missing, &Certificate::Missing::points));
+  const CertifiedImage image =
+      certified_image(changed(things_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
+  ASSERT_FALSE(image.certificate.missing.empty());
+  EXPECT_TRUE(std::ranges::all_of(image.certificate.missing, &Certificate::Missing::from_point_lights));
 }
 
 TEST(Certificate, ThereAndBackAgain) {
   for (const char* integrator : {"path", "raycast"}) {
     const Certificate c =
-        claim_of(changed(things_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
+        certified_image(changed(things_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
     const auto again = advisor::certificate_from_json(advisor::certificate_json(c), "test");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(advisor::certificate_json(*again), advisor::certificate_json(c));
@@ -106,73 +107,73 @@ TEST(Certify, HonestPicturesStand) {
   for (uint64_t seed = 1; seed <= 4; ++seed)
     for (auto d : {cornell(32), things_under(true, true, false, 32)}) {
       d.seed = seed;
-      const Finding finding = judged(claim_of(d, 32));
-      EXPECT_EQ(finding.verdict, Verdict::confirmed) << seed << ' ' << said(finding);
-      EXPECT_NE(finding.method.find("path"), std::string::npos);
+      const CertificationResult result = certification(certified_image(d, 32));
+      EXPECT_EQ(result.verdict, Verdict::confirmed) << seed << ' ' << text_of(result);
+      EXPECT_NE(result.method.find("path"), std::string::npos);
     }
 }
 
 TEST(Certify, AnEditedStatementFalls) {
   for (const double factor : {0.5, 2.0}) {
-    Claim claim = claim_of(cornell(32), 32);
-    for (auto* stated : {&claim.certificate.rmse, &claim.certificate.relmse}) {
+    CertifiedImage image = certified_image(cornell(32), 32);
+    for (auto* stated : {&image.certificate.rmse, &image.certificate.relmse}) {
       (*stated)->value *= factor;
       (*stated)->interval.low *= factor, (*stated)->interval.high *= factor;
     }
-    EXPECT_EQ(judged(claim).verdict, Verdict::refuted);
+    EXPECT_EQ(certification(image).verdict, Verdict::refuted);
     // Without the layer that contradicts it, by the truth alone.
-    claim.picture.layers.resize(1);
-    const Finding finding = judged(claim);
-    EXPECT_EQ(finding.verdict, Verdict::refuted) << factor;
-    EXPECT_GT(finding.samples, 0u);
+    image.image.layers.resize(1);
+    const CertificationResult result = certification(image);
+    EXPECT_EQ(result.verdict, Verdict::refuted) << factor;
+    EXPECT_GT(result.samples, 0u);
   }
 }
 
 TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
   for (const double factor : {0.1, 10.0}) {
-    Claim claim = claim_of(cornell(32), 32);
-    auto& stated = *claim.certificate.relmse;
+    CertifiedImage image = certified_image(cornell(32), 32);
+    auto& stated = *image.certificate.relmse;
     stated = {stated.value * factor, {stated.interval.low * factor, stated.interval.high * factor}};
-    const Finding finding = judged(claim);
-    EXPECT_EQ(finding.verdict, Verdict::refuted) << factor;
-    EXPECT_NE(said(finding).find("a relMSE of"), std::string::npos) << said(finding);
+    const CertificationResult result = certification(image);
+    EXPECT_EQ(result.verdict, Verdict::refuted) << factor;
+    EXPECT_NE(text_of(result).find("a relMSE of"), std::string::npos) << text_of(result);
   }
 }
 
 TEST(Certify, ABiasedPictureWhoseStatementHidesItFalls) {
   const auto cut = changed(cornell(32), "path.max-depth", "2");
-  Claim claim = claim_of(cut, 64);
+  CertifiedImage image = certified_image(cut, 64);
   // Its own noise, stated for a method that misses nothing.
   render::Session session({2});
   const film::Film film = rendered(cut, 64);
   const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), {}, {}, {}};
-  claim.certificate = advisor::certificate(session, cornell(32), evidence, 1, go_on);
-  const Finding finding = judged(claim);
-  EXPECT_EQ(finding.verdict, Verdict::refuted);
-  EXPECT_TRUE(std::ranges::any_of(finding.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
-      << said(finding);
+  image.certificate = advisor::certificate(session, cornell(32), evidence, 1, go_on);
+  const CertificationResult result = certification(image);
+  EXPECT_EQ(result.verdict, Verdict::refuted);
+  EXPECT_TRUE(std::ranges::any_of(result.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
+      << text_of(result);
 }
 
 TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
-  const Claim honest = claim_of(cornell(48), 64);
-  Claim claim = honest;
+  const CertifiedImage honest = certified_image(cornell(48), 64);
+  CertifiedImage image = honest;
   // Four pixels on the floor, a fifth darker: little in the error of the whole.
   for (const int y : {40, 41})
     for (const int x : {20, 21})
-      for (size_t c = 0; c < 3; ++c) pixels(claim)[static_cast<size_t>(y * 48 + x) * 3 + c] *= 0.6f;
-  const Finding finding = judged(claim);
-  EXPECT_EQ(finding.verdict, Verdict::refuted);
-  ASSERT_FALSE(finding.changed.empty()) << said(finding);
-  EXPECT_EQ(finding.changed[0].x, 20);
-  EXPECT_EQ(finding.changed[0].y, 40);
-  EXPECT_LT(finding.changed[0].sigmas, 0);
+      for (size_t c = 0; c < 3; ++c) pixels(image)[static_cast<size_t>(y * 48 + x) * 3 + c] *= 0.6f;
+  const CertificationResult result = certification(image);
+  EXPECT_EQ(result.verdict, Verdict::refuted);
+  ASSERT_FALSE(result.changed.empty()) << text_of(result);
+  EXPECT_EQ(result.changed[0].x, 20);
+  EXPECT_EQ(result.changed[0].y, 40);
+  EXPECT_LT(result.changed[0].sigmas, 0);
 }
 
 TEST(Certify, SaysWhenItCannotTell) {
-  const Claim claim = claim_of(things_under(true, true, false, 32), 1024);
-  const Finding finding = judged(claim, 1e-3);
-  EXPECT_EQ(finding.verdict, Verdict::undecided) << said(finding);
-  EXPECT_GT(finding.seconds_needed, finding.seconds);
+  const CertifiedImage image = certified_image(things_under(true, true, false, 32), 1024);
+  const CertificationResult result = certification(image, 1e-3);
+  EXPECT_EQ(result.verdict, Verdict::undecided) << text_of(result);
+  EXPECT_GT(result.seconds_needed, result.seconds);
 }
 
 // The error of a picture that is known: noise of the rendering that tells it takes nothing off.

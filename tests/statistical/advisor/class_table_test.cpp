@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistical/advisor/test_scenes.h"
 #include "advisor/declared_paths.h"
-#include "advisor/reference_method.h"
+#include "advisor/reference_integrator.h"
+#include "statistical/advisor/test_scenes.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::test {
@@ -51,21 +51,21 @@ TEST(ClassTable, RowsPartThePathsAndAddUpToThePicture) {
     std::vector<float> pixels(24 * 24 * 3, 0.0f);
     for (const auto& row : table.rows) {
       sum += row.energy.mean;
-      for (size_t i = 0; i < pixels.size(); ++i) pixels[i] += row.energy.picture->first[i];
+      for (size_t i = 0; i < pixels.size(); ++i) pixels[i] += row.energy.image->first[i];
     }
     EXPECT_NEAR(sum, table.total.energy.mean, 1e-5 * sum);
     // The same random numbers make the same picture.
-    const auto film = rendered(advisor::trusted(d), table.samples);
+    const auto film = rendered(advisor::with_reference_integrator(d), table.samples);
     const auto whole = advisor::class_energy(film);
     EXPECT_EQ(whole.mean, table.total.energy.mean);
     for (size_t i = 0; i < pixels.size(); ++i)
-      ASSERT_NEAR(pixels[i], whole.picture->first[i], 1e-4 * whole.picture->first[i] + 1e-6);
+      ASSERT_NEAR(pixels[i], whole.image->first[i], 1e-4 * whole.image->first[i] + 1e-6);
   }
 }
 
 TEST(ClassTable, NothingIsLostWhereItStopsEarly) {
   TableOptions brief;
-  brief.most_rows = 3, brief.samples = 2;
+  brief.max_rows = 3, brief.samples = 2;
   const ClassTable table = table_of(things_under(true, true, false, 16), brief);
   expect_partition(classes_of(table), PathExpression::all().automaton());
   double sum = 0;
@@ -98,7 +98,7 @@ TEST(ClassTable, StandardErrorsAreThoseOfRepeats) {
   std::vector<double> means;
   double claimed = 0;
   for (int i = 0; i < kRepeats; ++i) {
-    auto again = changed(advisor::trusted(d), "film.paths", "EDD+L");
+    auto again = changed(advisor::with_reference_integrator(d), "film.paths", "EDD+L");
     again.seed = 100 + static_cast<uint64_t>(i);
     const auto energy = advisor::class_energy(rendered(again, 8));
     means.push_back(energy.mean), claimed += sqr(energy.standard_error) / kRepeats;
@@ -164,7 +164,7 @@ TEST(ClassTable, GetsBetterAsItIsMadeAndMayBeCutShort) {
 }
 
 TEST(ClassEnergy, RmsIsThatOfThePictureWithoutItsNoise) {
-  auto d = advisor::trusted(cornell(32));
+  auto d = advisor::with_reference_integrator(cornell(32));
   const auto noisy = advisor::class_energy(rendered(d, 32));
   const auto clean = rendered(d, 1024);
   double squares = 0;

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistical/advisor/test_scenes.h"
-#include "advisor/reference_method.h"
+#include "advisor/reference_integrator.h"
 #include "render/incompatibility.h"
 #include "scene/compiled_scene.h"
+#include "statistical/advisor/test_scenes.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue::test {
@@ -39,7 +39,8 @@ double threshold(size_t comparisons) {
 
 advisor::ClassEnergy energy_by(const std::string& integrator, const render::Document& d, const std::string& paths,
                                uint32_t samples) {
-  render::Document made = changed(changed(advisor::trusted(d), "film.paths", paths), "render.integrator", integrator);
+  render::Document made =
+      changed(changed(advisor::with_reference_integrator(d), "film.paths", paths), "render.integrator", integrator);
   made.seed = 77;
   return advisor::class_energy(rendered(made, samples));
 }
@@ -47,9 +48,9 @@ advisor::ClassEnergy energy_by(const std::string& integrator, const render::Docu
 // What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
 std::vector<std::string> lies(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
                               const ClassTable& table) {
-  const render::Document made = changed(advisor::trusted(d), "render.integrator", info.name);
+  const render::Document made = changed(advisor::with_reference_integrator(d), "render.integrator", info.name);
   const bool hindered = !render::incompatibility(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
-  const Found found = hindered ? Found() : advisor::declared_paths(info);
+  const advisor::DeclaredPaths found = hindered ? advisor::DeclaredPaths() : advisor::declared_paths(info);
   const Automaton& declared = points ? found.point_paths : found.paths;
   std::vector<std::string> list;
   const Automaton rest = advisor::without(PathExpression::all().automaton(), declared);
@@ -124,7 +125,7 @@ TEST(Declared, AMethodThatIsHinderedFindsNothing) {
 
 TEST(Declared, PointPathsAreAmongThePaths) {
   for (const auto& info : integrator::integrator_infos()) {
-    const Found found = advisor::declared_paths(info);
+    const advisor::DeclaredPaths found = advisor::declared_paths(info);
     EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty()) << info.name;
   }
 }
@@ -139,7 +140,8 @@ TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
 
 TEST(MissingPaths, OfAMethodThatFindsAll) {
   const ClassTable table = table_of(things_under(true, true, true, 16));
-  const MissingPaths none = advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
+  const MissingPaths none =
+      advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
   EXPECT_TRUE(none.none());
   EXPECT_EQ(none.share, 0);
   EXPECT_EQ(advisor::missing_paths_text(none), "misses nothing that was found to carry light");
@@ -149,22 +151,23 @@ TEST(MissingPaths, OfAMethodThatFindsAll) {
 TEST(MissingPaths, ShareAndErrorOfWhatIsMissing) {
   const auto d = things_under(true, true, false, 32);
   const ClassTable table = table_of(d);
-  const MissingPaths missing = advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("raycast")), table);
+  const MissingPaths missing =
+      advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("raycast")), table);
   const auto whole = energy_by("path", d, "", 256), rest = energy_by("path", d, "E(S|(D|G).).*L", 256);
-  EXPECT_NEAR(spots.share, rest.mean / whole.mean, 0.05);
-  EXPECT_NEAR(spots.rms, advisor::rms_of({&rest, 1}), 0.1 * spots.rms);
-  for (const auto& spot : spots.classes) EXPECT_FALSE(spot.partial) << spot.paths;
-  EXPECT_TRUE(advisor::missing_paths_text(spots).starts_with("misses ")) << advisor::missing_paths_text(spots);
+  EXPECT_NEAR(missing.share, rest.mean / whole.mean, 0.05);
+  EXPECT_NEAR(missing.rms, advisor::rms_of({&rest, 1}), 0.1 * missing.rms);
+  for (const auto& spot : missing.classes) EXPECT_FALSE(spot.partial) << spot.paths;
+  EXPECT_TRUE(advisor::missing_paths_text(missing).starts_with("misses ")) << advisor::missing_paths_text(missing);
 }
 
 TEST(MissingPaths, PointLightsAreInvisibleToWalks) {
   const ClassTable alone = table_of(things_under(false, false, true, 16)),
                    mixed = table_of(things_under(true, false, true, 16));
-  const Found pure = advisor::declared_paths(*integrator::find_integrator("path-pure"));
+  const advisor::DeclaredPaths pure = advisor::declared_paths(*integrator::find_integrator("path-pure"));
   EXPECT_NEAR(advisor::missing_paths(pure, alone).share, 1, 1e-6);
   const MissingPaths missing = advisor::missing_paths(pure, mixed);
-  EXPECT_NEAR(spots.share, mixed.total.from_points.mean / mixed.total.energy.mean, 1e-3);
-  EXPECT_TRUE(std::ranges::all_of(spots.classes, &advisor::MissingPathClass::points));
+  EXPECT_NEAR(missing.share, mixed.total.from_points.mean / mixed.total.energy.mean, 1e-3);
+  EXPECT_TRUE(std::ranges::all_of(missing.classes, &advisor::MissingPathClass::from_point_lights));
 }
 
 TEST(MissingPaths, BeyondAllMethods) {

@@ -35,7 +35,7 @@ double error_of(const Document& d, const std::string& lights) {
   return sum;
 }
 
-// Far less than the measured factor of ten (docs/lights.md), so that chance cannot decide.
+// Far less than the measured factor of ten (docs/results/lights.md), so that chance cannot decide.
 TEST(ManyLights, TheTreeHasLessNoise) {
   const Document d = hall(300);
   EXPECT_LT(3 * error_of(d, "tree"), error_of(d, "one"));

@@ -31,8 +31,8 @@ class Emitted {
     for (int i = 0; i < plan.tasks(); ++i) emission_.run(context, integrator::PhotonEmission::kTrace, i, {});
     emission_.finish(integrator::PhotonEmission::kTrace);
     for (int i = 0; i < photon::PhotonMap::kPieces; ++i)
-      emission_.run(context, integrator::PhotonEmission::kOrder, i, {});
-    emission_.finish(integrator::PhotonEmission::kOrder);
+      emission_.run(context, integrator::PhotonEmission::kBuild, i, {});
+    emission_.finish(integrator::PhotonEmission::kBuild);
   }
 
   std::span<const photon::Photon> photons() const { return emission_.map().photons(); }

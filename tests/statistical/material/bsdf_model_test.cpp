@@ -12,8 +12,8 @@ namespace etendue {
 namespace {
 
 using test::direction;
-using test::Draw;
 using test::ModelCase;
+using test::Random;
 
 std::vector<std::string> model_names() {
   std::vector<std::string> names;
@@ -38,11 +38,12 @@ TEST_P(EveryModel, IsSampledByItsDensity) {
   for (const ModelCase& c : test::cases_of(GetParam())) {
     if (!c.lobes.has_non_delta_lobe()) continue;
     for (const Vec3& wo : outs) {
-      Draw draw(++seed);
+      Random random(++seed);
       const auto result = test::chi_square_on_sphere(
           [&](Vec3& wi) {
             LobeSample<Rgb> s;
-            const bool ok = c.lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s) && !s.delta;
+            const bool ok =
+                c.lobes.sample(wo, {random.uniform(), random.uniform2()}, TransportMode::radiance, s) && !s.delta;
             wi = s.wi;
             return ok;
           },
@@ -83,11 +84,12 @@ TEST_P(EveryModel, IsFiniteAndNotNegative) {
 TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
-      Draw draw(3);
+      Random random(3);
       for (int k = 0; k < 300; ++k) {
-        const Vec3 wo = direction(k % 3 == 0 ? 89.99f : 85 * draw.one(), 6 * draw.one()) * (k % 2 ? 1.0f : -1.0f);
+        const Vec3 wo =
+            direction(k % 3 == 0 ? 89.99f : 85 * random.uniform(), 6 * random.uniform()) * (k % 2 ? 1.0f : -1.0f);
         LobeSample<Rgb> s;
-        if (!c.lobes.sample(wo, {draw.one(), draw.two()}, mode, s)) continue;
+        if (!c.lobes.sample(wo, {random.uniform(), random.uniform2()}, mode, s)) continue;
         ASSERT_NEAR(glm::length(s.wi), 1, 1e-5f) << c.name;
         ASSERT_TRUE(is_finite(s.weight)) << c.name;
         if (s.delta) continue;
@@ -105,10 +107,10 @@ TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
       for (const Vec3& wo : {direction(10), direction(75, 2), -direction(30)}) {
         DeltaSet<Rgb> deltas;
         c.lobes.add_deltas(wo, mode, deltas);
-        Draw draw(9);
+        Random random(9);
         for (int k = 0; k < 200; ++k) {
           LobeSample<Rgb> s;
-          if (!c.lobes.sample(wo, {draw.one(), draw.two()}, mode, s) || !s.delta) continue;
+          if (!c.lobes.sample(wo, {random.uniform(), random.uniform2()}, mode, s) || !s.delta) continue;
           bool listed = false;
           for (size_t d = 0; d < static_cast<size_t>(deltas.count); ++d) {
             const auto& delta = deltas.lobes[d];
@@ -124,10 +126,11 @@ TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
 
 // The parts of all letters are the whole, and a part that is said not to be there is black.
 TEST_P(EveryModel, IsTheSumOfItsLetters) {
-  Draw draw(3);
+  Random random(3);
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (int k = 0; k < 100; ++k) {
-      const Vec3 wo = direction(180 * draw.one(), 6 * draw.one()), wi = direction(180 * draw.one(), 6 * draw.one());
+      const Vec3 wo = direction(180 * random.uniform(), 6 * random.uniform()),
+                 wi = direction(180 * random.uniform(), 6 * random.uniform());
       const Rgb f = c.lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
       for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
@@ -161,13 +164,13 @@ double asymmetry(const ModelCase& c) {
   const auto parameters = c.model->parameters();
   if (c.model->is_solid())
     eta2 = static_cast<float>(sqr(std::get<double>(find_parameter(parameters, "eta")->default_value)));
-  Draw draw(5);
+  Random random(5);
   double most = 0;
   for (int k = 0; k < 1000; ++k) {
-    const Vec3 a = direction(89 * draw.one(), 6 * draw.one());
-    Vec3 b = direction(89 * draw.one(), 6 * draw.one());
+    const Vec3 a = direction(89 * random.uniform(), 6 * random.uniform());
+    Vec3 b = direction(89 * random.uniform(), 6 * random.uniform());
     // Half of them near the mirrored direction, where narrow lobes are.
-    if (k % 2) b = glm::normalize(Vec3(-a.x, -a.y, a.z) + 0.1f * draw.upper());
+    if (k % 2) b = glm::normalize(Vec3(-a.x, -a.y, a.z) + 0.1f * random.upper_direction());
     if (b.z <= 0) continue;
     if (k % 3 == 0) b = -b;
     const Rgb forth = c.lobes.eval(a, b, TransportMode::radiance) * (b.z < 0 ? eta2 : 1);
@@ -196,11 +199,11 @@ TEST_P(EveryModel, IsReciprocalUpToTheSquaredIndexLawOrKnownNotToBe) {
 // <f, K g> = <K* f, g> with the same directions on both sides, for K by radiance and K* by importance.
 TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
   std::vector<Vec3> directions;
-  Draw draw(7);
+  Random random(7);
   for (int k = 0; k < 24; ++k)
-    directions.push_back(direction(89 * draw.one(), 6 * draw.one()) * (k % 3 ? 1.0f : -1.0f));
+    directions.push_back(direction(89 * random.uniform(), 6 * random.uniform()) * (k % 3 ? 1.0f : -1.0f));
   std::vector<double> left, right;
-  for (size_t k = 0; k < directions.size(); ++k) left.push_back(draw.one()), right.push_back(draw.one());
+  for (size_t k = 0; k < directions.size(); ++k) left.push_back(random.uniform()), right.push_back(random.uniform());
   for (const ModelCase& c : test::cases_of(GetParam())) {
     double forward = 0, adjoint = 0, rounding = 0;
     for (size_t o = 0; o < directions.size(); ++o)
@@ -222,10 +225,11 @@ double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo) {
   double sum = 0;
   for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k) sum += max_component(deltas.lobes[k].weight);
   if (!lobes.has_non_delta_lobe()) return sum;
-  Draw draw(11);
+  Random random(11);
   std::vector<Vec3> scouts;
   for (int k = 0; k < 4000; ++k)
-    if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::importance, s) && !s.delta)
+    if (LobeSample<Rgb> s;
+        lobes.sample(wo, {random.uniform(), random.uniform2()}, TransportMode::importance, s) && !s.delta)
       scouts.push_back(s.wi);
   const test::SpherePartition cells(scouts, 20);
   return sum + cells.integrate(

@@ -11,15 +11,15 @@ namespace etendue {
 namespace {
 
 using test::direction;
-using test::Draw;
+using test::Random;
 
 // Directions by cos^n about an axis against the density of cos^m, times a factor.
 double p_value(float n, float m, double factor, unsigned seed) {
   const Frame frame(direction(50));
-  Draw draw(seed);
+  Random random(seed);
   return test::chi_square_on_sphere(
              [&](Vec3& w) {
-               w = frame.to_world(square_to_cosine_power(draw.two(), n));
+               w = frame.to_world(square_to_cosine_power(random.uniform2(), n));
                return true;
              },
              [&](const Vec3& w) {
@@ -43,10 +43,10 @@ TEST(ChiSquare, TellsWrongDensitiesFromRightOnes) {
 
 // A part of the sphere where the density says that there is something, and nothing is drawn.
 TEST(ChiSquare, SeesWhatIsNeverDrawn) {
-  Draw draw(5);
+  Random random(5);
   const auto result = test::chi_square_on_sphere(
       [&](Vec3& w) {
-        w = draw.upper();
+        w = random.upper_direction();
         return true;
       },
       [](const Vec3& w) { return w.z > 0 ? w.z * kInvPi : 0.02f * kInvPi; }, 20'000);

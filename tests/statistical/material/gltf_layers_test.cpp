@@ -1,8 +1,8 @@
 // What the extensions' layers must keep: samples follow the density, reciprocity, no energy out of nothing.
 #include <gtest/gtest.h>
 
-#include "support/gltf_cases.h"
 #include "support/chi_square.h"
+#include "support/gltf_cases.h"
 
 namespace etendue::test {
 namespace {
@@ -18,11 +18,11 @@ TEST_P(EveryLayer, IsSampledByItsDensity) {
   const double significance = 1 - std::pow(0.99, 1.0 / static_cast<double>(all.size() * outs.size()));
   auto seed = static_cast<unsigned>(1000 + GetParam() * outs.size());
   for (const Vec3& wo : outs) {
-    Draw draw(++seed);
+    Random random(++seed);
     const auto result = chi_square_on_sphere(
         [&](Vec3& wi) {
           LobeSample<Rgb> s;
-          const bool ok = lobes.sample(wo, draw.lobe(), TransportMode::radiance, s);
+          const bool ok = lobes.sample(wo, random.lobe(), TransportMode::radiance, s);
           wi = s.wi;
           return ok;
         },
@@ -37,11 +37,11 @@ TEST(GltfLayers, SampleWeightIsEvalOverPdf) {
   for (const auto& c : gltf_cases())
     for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       const auto lobes = lobes_of(c);
-      Draw draw(3);
+      Random random(3);
       for (int i = 0; i < 500; ++i) {
-        const Vec3 wo = draw.anywhere();
+        const Vec3 wo = random.any_direction();
         LobeSample<Rgb> s;
-        if (!lobes.sample(wo, draw.lobe(), mode, s) || s.delta) continue;
+        if (!lobes.sample(wo, random.lobe(), mode, s) || s.delta) continue;
         EXPECT_EQ(s.transmitted, s.wi.z * wo.z < 0) << c.name;
         const Rgb expected = lobes.eval(wo, s.wi, mode) * (std::abs(s.wi.z) / lobes.pdf(wo, s.wi, mode));
         for (int k = 0; k < 3; ++k) ASSERT_NEAR(s.weight[k], expected[k], 1e-3f * (1 + expected[k])) << c.name;
@@ -55,9 +55,9 @@ TEST(GltfLayers, AreReciprocal) {
     const Material& m = c.material;
     const auto lobes = lobes_of(c);
     const float eta2 = m.transmission > 0 && m.thickness > 0 ? sqr(m.ior) : 1;
-    Draw draw(5);
+    Random random(5);
     for (int i = 0; i < 2000; ++i) {
-      const Vec3 a = direction(89.5f * draw.one(), 6 * draw.one()), b = draw.anywhere();
+      const Vec3 a = direction(89.5f * random.uniform(), 6 * random.uniform()), b = random.any_direction();
       const Rgb forth = lobes.eval(a, b, TransportMode::radiance), back = lobes.eval(b, a, TransportMode::radiance);
       const Rgb adjoint = lobes.eval(b, a, TransportMode::importance);
       const float scale = b.z < 0 ? eta2 : 1;
@@ -72,12 +72,12 @@ TEST(GltfLayers, AreReciprocal) {
 }
 
 double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo, double& error) {
-  Draw draw(11);
+  Random random(11);
   double sum = 0, squares = 0;
   constexpr int kN = 20'000;
   for (int i = 0; i < kN; ++i) {
     LobeSample<Rgb> s;
-    if (!lobes.sample(wo, draw.lobe(), TransportMode::importance, s)) continue;
+    if (!lobes.sample(wo, random.lobe(), TransportMode::importance, s)) continue;
     const double most = max_component(s.weight);
     sum += most, squares += sqr(most);
   }
@@ -109,11 +109,11 @@ TEST(GltfLayers, DoNotGainEnergy) {
 
 // Letters add up to the whole, and only letters that the surface names have a part.
 TEST(GltfLayers, PartsOfTheLettersAddUp) {
-  Draw draw(3);
+  Random random(3);
   for (const auto& c : gltf_cases()) {
     const auto lobes = lobes_of(c);
     for (int i = 0; i < 200; ++i) {
-      const Vec3 wo = draw.anywhere(), wi = draw.anywhere();
+      const Vec3 wo = random.any_direction(), wi = random.any_direction();
       const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
       Rgb sum(0);
       for (const ScatterType letter : {ScatterType::diffuse, ScatterType::glossy, ScatterType::specular}) {
@@ -137,10 +137,10 @@ TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
       double listed = 0, sampled = 0, probability = 0, hits = 0;
       for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
         listed += average(deltas.lobes[k].weight), probability += deltas.probabilities[k];
-      Draw draw(9);
+      Random random(9);
       for (int i = 0; i < kSamples; ++i) {
         LobeSample<Rgb> s;
-        if (!lobes.sample(wo, draw.lobe(), TransportMode::radiance, s) || !s.delta) continue;
+        if (!lobes.sample(wo, random.lobe(), TransportMode::radiance, s) || !s.delta) continue;
         bool known = false;
         for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
           known = known || (glm::length(deltas.lobes[k].wi - s.wi) < 1e-4f && s.eta == deltas.lobes[k].eta);

@@ -17,9 +17,9 @@ namespace etendue {
 namespace {
 
 using test::direction;
-using test::Draw;
 using test::lobes_of;
 using test::model_with;
+using test::Random;
 
 std::filesystem::path temporary(const std::string& name) {
   return std::filesystem::path(testing::TempDir()) / ("etendue_measured_" + name);
@@ -46,10 +46,10 @@ std::vector<std::filesystem::path> rgl_files() {
 
 // There and back, and the density adds to one; also between slices, and where parts are empty.
 TEST(BilinearDensity, IsInvertedAndNormalised) {
-  Draw draw(2);
+  Random random(2);
   constexpr size_t kWidth = 7, kHeight = 5;
   std::vector<float> values(2 * kWidth * kHeight);
-  for (float& v : values) v = draw.one() < 0.2f ? 0 : 3 * draw.one();
+  for (float& v : values) v = random.uniform() < 0.2f ? 0 : 3 * random.uniform();
   const BilinearDensity density(values, kWidth, kHeight);
   for (const float t : {0.0f, 0.3f, 1.0f}) {
     double sum = 0;
@@ -62,7 +62,7 @@ TEST(BilinearDensity, IsInvertedAndNormalised) {
                 .pdf;
     EXPECT_NEAR(sum / (kSteps * kSteps), 1, 1e-3);
     for (int k = 0; k < 1000; ++k) {
-      const Vec2 u = draw.two();
+      const Vec2 u = random.uniform2();
       const auto sample = density.sample(u, {0, t});
       const auto back = density.invert(sample.p, {0, t});
       // A step where the density is near nothing is a long way.
@@ -85,11 +85,11 @@ TEST(Rgl, IsDrawnNearlyByItself) {
     const auto lobes = lobes_of(*model_with("rgl", {{"file", file.string()}}), Rgb(1));
     for (const float theta : {1.0f, 30.0f, 60.0f, 80.0f}) {
       const Vec3 wo = direction(theta, 0.5f);
-      Draw draw(++seed);
+      Random random(++seed);
       double sum = 0, squares = 0;
       constexpr int kSamples = 20'000;
       for (int k = 0; k < kSamples; ++k)
-        if (LobeSample<Rgb> s; lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s)) {
+        if (LobeSample<Rgb> s; lobes.sample(wo, {random.uniform(), random.uniform2()}, TransportMode::radiance, s)) {
           const double w = luminance(s.weight);
           ASSERT_TRUE(std::isfinite(w) && w >= 0);
           sum += w / kSamples, squares += w * w / kSamples;
@@ -100,7 +100,7 @@ TEST(Rgl, IsDrawnNearlyByItself) {
       const auto chi = test::chi_square_on_sphere(
           [&](Vec3& wi) {
             LobeSample<Rgb> s;
-            const bool ok = lobes.sample(wo, {draw.one(), draw.two()}, TransportMode::radiance, s);
+            const bool ok = lobes.sample(wo, {random.uniform(), random.uniform2()}, TransportMode::radiance, s);
             wi = s.wi;
             return ok;
           },
@@ -128,10 +128,11 @@ TEST(Rgl, IsReciprocalAsMeasurementsAre) {
   for (const auto& file : rgl_files()) {
     const RglBrdf* brdf = rgl_data(file.string());
     ASSERT_NE(brdf, nullptr);
-    Draw draw(8);
+    Random random(8);
     double off = 0, all = 0;
     for (int k = 0; k < 5000; ++k) {
-      const Vec3 a = direction(70 * draw.one(), 6 * draw.one()), b = direction(70 * draw.one(), 6 * draw.one());
+      const Vec3 a = direction(70 * random.uniform(), 6 * random.uniform()),
+                 b = direction(70 * random.uniform(), 6 * random.uniform());
       const double forth = brdf->f(a, b).g, back = brdf->f(b, a).g;
       off += std::abs(forth - back), all += forth;
     }
@@ -156,11 +157,12 @@ TEST(Rgl, DamagedFilesAreErrors) {
   EXPECT_FALSE(RglBrdf::read(temporary("not there.bsdf")));
   EXPECT_FALSE(accepts_rgl_file("/no/such/file_rgb.bsdf"));
   // The directory of fields, with bytes that are anything.
-  Draw draw(4);
+  Random random(4);
   for (int k = 0; k < 300; ++k) {
     auto bytes = whole;
     for (int hits = 0; hits < 3; ++hits)
-      bytes[static_cast<size_t>(draw.one() * 416)] = static_cast<char>(static_cast<int>(draw.one() * 256) - 128);
+      bytes[static_cast<size_t>(random.uniform() * 416)] =
+          static_cast<char>(static_cast<int>(random.uniform() * 256) - 128);
     write_bytes(path, bytes);
     if (const auto read = RglBrdf::read(path)) {
       const Rgb f = read->f(direction(30), direction(50, 3));
@@ -197,9 +199,10 @@ TEST(Merl, IsReadInItsOwnAngles) {
   write_bytes(path, merl_bytes(60, 60, 90));
   const auto read = MerlBrdf::read(path);
   ASSERT_TRUE(read) << read.error().message;
-  Draw draw(3);
+  Random random(3);
   for (int k = 0; k < 2000; ++k) {
-    const Vec3 a = direction(85 * draw.one(), 6 * draw.one()), b = direction(85 * draw.one(), 6 * draw.one());
+    const Vec3 a = direction(85 * random.uniform(), 6 * random.uniform()),
+               b = direction(85 * random.uniform(), 6 * random.uniform());
     // The angles by rotations, as the database's own page has them.
     const Vec3 h = glm::normalize(a + b);
     const double theta_h = std::acos(std::min(1.0, double{h.z})), phi_h = std::atan2(h.y, h.x);
@@ -218,7 +221,8 @@ TEST(Merl, IsReadInItsOwnAngles) {
     const auto chi = test::chi_square_on_sphere(
         [&](Vec3& wi) {
           LobeSample<Rgb> s;
-          const bool ok = lobes.sample(direction(theta), {draw.one(), draw.two()}, TransportMode::radiance, s);
+          const bool ok =
+              lobes.sample(direction(theta), {random.uniform(), random.uniform2()}, TransportMode::radiance, s);
           wi = s.wi;
           return ok;
         },
@@ -255,10 +259,10 @@ std::function<Rgb(const Vec3&, const Vec3&)> function_of(const AllLobes<Rgb>& lo
 // The root of the mean squared difference of f cos cos, over that of f cos cos itself.
 template <class Table>
 double error_of(const Table& table, const AllLobes<Rgb>& lobes) {
-  Draw draw(9);
+  Random random(9);
   double off = 0, all = 0;
   for (int k = 0; k < 20'000; ++k) {
-    const Vec3 o = draw.upper(), i = draw.upper();
+    const Vec3 o = random.upper_direction(), i = random.upper_direction();
     const double f = lobes.eval(o, i, TransportMode::radiance).r;
     off += sqr(table.f(o, i).r - f), all += sqr(f);
   }
@@ -296,9 +300,9 @@ TEST(BrdfTable, SurvivesItsFile) {
     ASSERT_TRUE(made->function().write(path));
     const auto read = BrdfTable::read(path);
     ASSERT_TRUE(read) << read.error().message;
-    Draw draw(3);
+    Random random(3);
     for (int k = 0; k < 200; ++k) {
-      const Vec3 o = draw.upper(), i = draw.upper();
+      const Vec3 o = random.upper_direction(), i = random.upper_direction();
       ASSERT_EQ(read->f(o, i), made->f(o, i));
     }
   }
@@ -373,10 +377,10 @@ TEST(Harmonics, RingingIsReported) {
   for (const auto& [bands, cut] : all)
     EXPECT_NEAR(HarmonicBrdf(function_of(lobes), bands).clamped_part(), cut, 5e-3f) << bands;
   const HarmonicBrdf harmonics(function_of(lobes), 6);
-  Draw draw(3);
+  Random random(3);
   bool negative = false;
   for (int k = 0; k < 2000; ++k) {
-    const Vec3 o = draw.upper(), i = draw.upper();
+    const Vec3 o = random.upper_direction(), i = random.upper_direction();
     negative = negative || harmonics.sum(o, i).r < 0;
     ASSERT_GE(harmonics.f(o, i).r, 0);
     ASSERT_NEAR(harmonics.sum(o, i).r, harmonics.sum(i, o).r, 1e-5f * (1 + std::abs(harmonics.sum(o, i).r)));

@@ -11,9 +11,9 @@ namespace etendue {
 namespace {
 
 using test::direction;
-using test::Draw;
 using test::lobes_of;
 using test::model_with;
+using test::Random;
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
@@ -25,10 +25,10 @@ Settings specular_only(Settings settings, const char* scale = "1") {
 
 // By quadrature that is fine where samples are dense: to the digits that are given.
 double albedo(const AllLobes<Rgb>& lobes, const Vec3& wi) {
-  Draw draw(3);
+  Random random(3);
   std::vector<Vec3> scouts;
   for (int k = 0; k < 4000; ++k)
-    if (LobeSample<Rgb> s; lobes.sample(wi, {draw.one(), draw.two()}, TransportMode::importance, s))
+    if (LobeSample<Rgb> s; lobes.sample(wi, {random.uniform(), random.uniform2()}, TransportMode::importance, s))
       scouts.push_back(s.wi);
   const test::SpherePartition cells(scouts, 40);
   return cells.integrate([&](const Vec3& wo) { return lobes.eval(wi, wo, TransportMode::importance).r * wo.z; }, 1e-8,
@@ -235,15 +235,15 @@ TEST(ModifiedPhong, AlbedoIsMonotone) {
 // Item 39, and with all of it at other angles: nothing is lost in clear glass.
 TEST(ThinDielectric, LetsThroughWhatBothInterfacesLeave) {
   ThinDielectric<Rgb> pane;
-  EXPECT_NEAR(pane.parts(1).passed.r, 0.923077, 1e-6);
-  EXPECT_NEAR(pane.parts(1).reflected.r, 0.076923, 1e-6);
+  EXPECT_NEAR(pane.coefficients(1).transmitted.r, 0.923077, 1e-6);
+  EXPECT_NEAR(pane.coefficients(1).reflected.r, 0.076923, 1e-6);
   for (const float c : {1.0f, 0.7f, 0.3f, 0.05f, 1e-3f, 0.0f}) {
-    const auto parts = pane.parts(c);
-    EXPECT_NEAR(parts.passed.r + parts.reflected.r, 1, 1e-6) << c;
+    const auto parts = pane.coefficients(c);
+    EXPECT_NEAR(parts.transmitted.r + parts.reflected.r, 1, 1e-6) << c;
   }
   pane.tint = Rgb(0.5f);
   const double f = 0.04, t = 0.5;
-  EXPECT_NEAR(pane.parts(1).passed.r, sqr(1 - f) * t / (1 - sqr(f * t)), 1e-6);
+  EXPECT_NEAR(pane.coefficients(1).transmitted.r, sqr(1 - f) * t / (1 - sqr(f * t)), 1e-6);
 }
 
 // Ashikhmin and Shirley's own example of how the diffuse part gives way.
@@ -271,11 +271,12 @@ TEST(OrenNayar, GainsWhereEonDoesNot) {
 TEST(Eon, IsDrawnNearlyByItself) {
   const auto eon = lobes_of(*model_with("eon", {{"roughness", "1"}}), Rgb(1));
   for (const float theta : {5.0f, 45.0f, 85.0f}) {
-    Draw draw(5);
+    Random random(5);
     double squares = 0;
     constexpr int kSamples = 20'000;
     for (int k = 0; k < kSamples; ++k)
-      if (LobeSample<Rgb> s; eon.sample(direction(theta), {draw.one(), draw.two()}, TransportMode::radiance, s))
+      if (LobeSample<Rgb> s;
+          eon.sample(direction(theta), {random.uniform(), random.uniform2()}, TransportMode::radiance, s))
         squares += sqr(double{s.weight.r});
     EXPECT_LT(squares / kSamples - 1, 0.04) << theta;
   }
@@ -319,9 +320,9 @@ TEST(Beckmann, SeenFacetsCoverTheSurface) {
     for (const float theta : {0.0f, 30.0f, 60.0f, 80.0f, 88.0f}) {
       const Beckmann facets{alpha, 0.7f * alpha};
       const Vec3 wo = direction(theta);
-      Draw draw(1);
+      Random random(1);
       std::vector<Vec3> scouts;
-      for (int k = 0; k < 3000; ++k) scouts.push_back(facets.sample_visible(wo, draw.two()));
+      for (int k = 0; k < 3000; ++k) scouts.push_back(facets.sample_visible(wo, random.uniform2()));
       const test::SpherePartition cells(scouts, 30);
       const double seen =
           cells.integrate([&](const Vec3& h) { return h.z > 0 ? std::max(0.0f, glm::dot(wo, h)) * facets.d(h) : 0.0f; },

@@ -1,6 +1,6 @@
 // A bench from end to end on small pictures, at equal samples: curves are the same each time, but for their seconds.
-#include "base/base64.h"
 #include "bench/benchmark.h"
+#include "base/base64.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -86,27 +86,27 @@ TEST(Methods, MayNotChangeThePicture) {
 
 TEST(PictureKey, IsOfThePictureOnly) {
   const auto d = cornell(8);
-  const uint64_t key = bench::picture_key(d);
+  const uint64_t key = bench::image_key(d);
   auto other = d;
   other.seed = 5, other.limits.samples = 3, other.display.exposure = 2, other.scene_name = "elsewhere";
-  EXPECT_EQ(bench::picture_key(other), key);
-  EXPECT_EQ(bench::picture_key(cornell(8)), key);
-  EXPECT_NE(bench::picture_key(cornell(9)), key);
-  EXPECT_NE(bench::picture_key(changed(d, "film.filter", "box")), key);
-  EXPECT_NE(bench::picture_key(changed(d, "material.0.metallic", "0.5")), key);
-  EXPECT_NE(bench::picture_key(changed(d, "path.max-depth", "3")), key);
-  EXPECT_NE(bench::picture_key(changed(d, "camera.yfov", "0.5")), key);
+  EXPECT_EQ(bench::image_key(other), key);
+  EXPECT_EQ(bench::image_key(cornell(8)), key);
+  EXPECT_NE(bench::image_key(cornell(9)), key);
+  EXPECT_NE(bench::image_key(changed(d, "film.filter", "box")), key);
+  EXPECT_NE(bench::image_key(changed(d, "material.0.metallic", "0.5")), key);
+  EXPECT_NE(bench::image_key(changed(d, "path.max-depth", "3")), key);
+  EXPECT_NE(bench::image_key(changed(d, "camera.yfov", "0.5")), key);
 }
 
 TEST(PictureKey, SeesAMovedVertex) {
   auto d = cornell(8);
-  const uint64_t key = bench::picture_key(d);
+  const uint64_t key = bench::image_key(d);
   auto scene = std::make_shared<scene::Scene>(*d.scene);
   auto mesh = std::make_shared<Mesh>(*scene->meshes[0].primitives[0].mesh);
   mesh->positions[0].x += 1e-3f;
   scene->meshes[0].primitives[0].mesh = mesh;
   d.scene = scene;
-  EXPECT_NE(bench::picture_key(d), key);
+  EXPECT_NE(bench::image_key(d), key);
 }
 
 TEST(Reference, IsExtendedToTheSameBits) {
@@ -230,15 +230,15 @@ TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
   EXPECT_NEAR(good.slope_over_samples.value, -0.5, 5 * good.slope_over_samples.standard_error);
   EXPECT_LT(good.slope_over_samples.standard_error, 0.1);
   EXPECT_NEAR(good.bias.value, 0, 5 * good.bias.standard_error);
-  EXPECT_FALSE(good.too_noisy);
+  EXPECT_FALSE(good.reference_too_noisy);
   // Connections to a lamp on the ceiling are bounded.
   ASSERT_TRUE(good.khat);
-  EXPECT_FALSE(good.heavy_tail);
+  EXPECT_FALSE(good.has_heavy_tail);
   const auto dark = bench::summary_of(outcome.methods[1], reference, {});
   EXPECT_LT(dark.bias.value, -20 * dark.bias.standard_error);
-  ASSERT_TRUE(good.split && dark.split);
-  EXPECT_GT(dark.split->squared_bias, 3 * dark.split->variance);
-  EXPECT_LT(std::abs(good.split->squared_bias), 0.5 * good.split->variance);
+  ASSERT_TRUE(good.bias_variance && dark.bias_variance);
+  EXPECT_GT(dark.bias_variance->squared_bias, 3 * dark.bias_variance->variance);
+  EXPECT_LT(std::abs(good.bias_variance->squared_bias), 0.5 * good.bias_variance->variance);
   EXPECT_GT(dark.flip, good.flip);
 }
 

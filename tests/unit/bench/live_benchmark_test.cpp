@@ -208,7 +208,7 @@ TEST(LiveBenchmark, AfterTheEndItGoesOnToTwiceTheBudget) {
   plan.rule = Rule::equal_samples, plan.samples = 6, plan.repeats = 2;
   Watched watched(plan);
   const auto before = watched.until(Phase::done);
-  watched.contest().go_on();
+  watched.contest().resume();
   const auto after = watched.until([](const auto& s) { return s.phase == Phase::done && s.samples == 12; });
   for (size_t m = 0; m < 2; ++m)
     for (size_t r = 0; r < 2; ++r) {
@@ -227,7 +227,7 @@ TEST(LiveBenchmark, StopsAtOnceAndGoesOn) {
   watched.contest().stop();
   const auto stopped = watched.until(Phase::stopped);
   EXPECT_GE(stopped->methods[1].samples, 2u);
-  watched.contest().go_on();
+  watched.contest().resume();
   watched.until([&](const auto& s) { return s.methods[1].samples > stopped->methods[1].samples; });
 }
 
@@ -236,8 +236,8 @@ TEST(LiveBenchmark, ItsEndDoesNotWaitForASample) {
   LiveBenchmarkPlan plan = plan_of(cornell(2048), "path");
   plan.threads = 1;
   plan.reference = bench::Reference{};
-  plan.reference->picture.width = plan.reference->picture.height = 2048;
-  plan.reference->picture.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(size_t{2048} * 2048 * 3)});
+  plan.reference->image.width = plan.reference->image.height = 2048;
+  plan.reference->image.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(size_t{2048} * 2048 * 3)});
   auto contest = std::make_unique<LiveBenchmark>(plan, nullptr);
   contest->stop();
   contest.reset();

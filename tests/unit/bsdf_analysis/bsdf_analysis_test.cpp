@@ -15,16 +15,16 @@ Material modelled(const char* model, std::initializer_list<std::pair<const char*
   return m;
 }
 
-bool holds(const Audit& audit, std::string_view name) {
-  for (const Check& b : audit.checks)
+bool holds(const SurfaceAnalysis& analysis, std::string_view name) {
+  for (const Check& b : analysis.checks)
     if (b.name == name) return b.holds;
-  ADD_FAILURE() << "no badge " << name;
+  ADD_FAILURE() << "no check " << name;
   return false;
 }
 
 // A white Lambertian surface gives back all light from everywhere, and its weights are all alike.
-TEST(Audit, Lambert) {
-  const Audit a = audit(lobes_of(modelled("lambert")));
+TEST(SurfaceAnalysis, Lambert) {
+  const SurfaceAnalysis a = analyze(lobes_of(modelled("lambert")));
   for (const Check& b : a.checks) EXPECT_TRUE(b.holds) << b.name << ' ' << b.reason;
   for (const Albedo& point : a.albedo) {
     EXPECT_NEAR(point.value.r, 1, 1e-5) << point.degrees;
@@ -35,10 +35,10 @@ TEST(Audit, Lambert) {
 }
 
 // The albedo of Phong's BRDF, as the thesis's formula gives it by quadrature, and its axioms.
-TEST(Audit, PhongIsNeitherReciprocalNorConserving) {
+TEST(SurfaceAnalysis, PhongIsNeitherReciprocalNorConserving) {
   const Material phong =
       modelled("phong", {{"diffuse", 0}, {"specular.r", 1}, {"specular.g", 1}, {"specular.b", 1}, {"exponent", 10}});
-  const Audit a = audit(lobes_of(phong));
+  const SurfaceAnalysis a = analyze(lobes_of(phong));
   EXPECT_FALSE(holds(a, "reciprocal"));
   EXPECT_FALSE(holds(a, "conserves-energy"));
   EXPECT_TRUE(holds(a, "non-negative"));
@@ -50,17 +50,17 @@ TEST(Audit, PhongIsNeitherReciprocalNorConserving) {
   }
 }
 
-TEST(Audit, ModifiedPhongIsPlausible) {
-  const Audit a = audit(lobes_of(modelled("modified-phong", {{"diffuse", 0.5}, {"exponent", 50}})));
+TEST(SurfaceAnalysis, ModifiedPhongIsPlausible) {
+  const SurfaceAnalysis a = analyze(lobes_of(modelled("modified-phong", {{"diffuse", 0.5}, {"exponent", 50}})));
   EXPECT_TRUE(holds(a, "reciprocal"));
   EXPECT_TRUE(holds(a, "conserves-energy"));
 }
 
 // A boundary of glass keeps all power from either side, and is reciprocal by the law of squared indices.
-TEST(Audit, RoughGlass) {
+TEST(SurfaceAnalysis, RoughGlass) {
   Material glass = scene::glass();
   glass.roughness = 0.15f;
-  const Audit a = audit(lobes_of(glass));
+  const SurfaceAnalysis a = analyze(lobes_of(glass));
   EXPECT_TRUE(holds(a, "reciprocal")) << a.plausibility.asymmetry;
   EXPECT_TRUE(holds(a, "conserves-energy"));
   ASSERT_FALSE(a.albedo_inside.empty());
@@ -70,7 +70,7 @@ TEST(Audit, RoughGlass) {
 }
 
 // Deltas are energy too: smooth glass lets 96 % through at a right angle, and reflects totally from inside.
-TEST(Audit, SmoothGlass) {
+TEST(SurfaceAnalysis, SmoothGlass) {
   const auto lobes = lobes_of(scene::glass());
   const Albedo straight = albedo_at(lobes, 0, {20, 1 << 16}), inside = albedo_at(lobes, 180 - 45);
   EXPECT_NEAR(straight.value.g, 1, 2e-3);
@@ -80,20 +80,37 @@ TEST(Audit, SmoothGlass) {
   EXPECT_EQ(inside.transmitted.g, 0);
 }
 
-// What draws by one density and says another is found out where both are common.
-TEST(Audit, SamplesThatDoNotFollowTheirDensityAreSeen) {
-  const Material wide = modelled("modified-phong", {{"diffuse", 0.5}, {"exponent", 3}});
-  const SamplingQuality honest = sampling_quality_at(lobes_of(wide), 45);
-  EXPECT_LT(std::abs(honest.discrepancy), kDiscrepancy);
-  // A curve that is taken for the one of another surface: 20 % more than the cosine finds.
-  std::vector<SamplingQuality> curve{honest};
-  EXPECT_TRUE(well_sampled(curve));
-  curve[0].discrepancy = 40;
-  EXPECT_FALSE(well_sampled(curve));
+// The samples of one lobe with the density that another lobe claims; the weights f cos / pdf follow from the claim.
+SampledSurface with_claimed_density(const Lobes& lobes, const Lobes& claimed) {
+  SampledSurface surface = sampled_surface(lobes);
+  surface.pdf = [&](const Vec3& wo, const Vec3& wi) { return claimed.pdf(wo, wi, TransportMode::radiance); };
+  surface.sample = [&](const Vec3& wo, const LobeRandom& random, LobeSample<Rgb>& s) {
+    if (!lobes.sample(wo, random, TransportMode::radiance, s)) return false;
+    s.pdf_solid_angle = claimed.pdf(wo, s.wi, TransportMode::radiance);
+    s.weight = lobes.eval(wo, s.wi, TransportMode::radiance) * (std::abs(s.wi.z) / s.pdf_solid_angle);
+    return true;
+  };
+  return surface;
+}
+
+// Negative control of the check "well-sampled": it holds for the right density, and fails for that of a slightly
+// narrower lobe, although all weights are moderate.
+TEST(SurfaceAnalysis, WrongDensitiesAreDetected) {
+  const auto lobe = [](double exponent) {
+    return lobes_of(modelled("modified-phong", {{"diffuse", 0.5}, {"exponent", exponent}}));
+  };
+  const Lobes lobes = lobe(3), narrower = lobe(4);
+  for (const double degrees : {0.0, 30.0, 45.0, 60.0}) {
+    const SamplingQuality right = sampling_quality_at(with_claimed_density(lobes, lobes), degrees);
+    EXPECT_TRUE(is_well_sampled({right})) << degrees << ": " << right.discrepancy;
+    const SamplingQuality wrong = sampling_quality_at(with_claimed_density(lobes, narrower), degrees);
+    EXPECT_GT(std::abs(wrong.discrepancy), 2 * kMaxDiscrepancy) << degrees;
+    EXPECT_FALSE(is_well_sampled({wrong})) << degrees;
+  }
 }
 
 // The slice of a Lambertian surface times the cosine is a circle through the origin.
-TEST(Audit, SliceOfLambert) {
+TEST(SurfaceAnalysis, SliceOfLambert) {
   const Slice s = slice(lobes_of(modelled("lambert")), 30);
   ASSERT_EQ(s.angles.size(), s.values.size());
   for (size_t i = 0; i < s.angles.size(); ++i) {
@@ -103,7 +120,7 @@ TEST(Audit, SliceOfLambert) {
 }
 
 // A mirror's peak lies where a mirror would send the eye.
-TEST(Audit, NarrowLobesAreSeenInSpace) {
+TEST(SurfaceAnalysis, NarrowLobesAreSeenInSpace) {
   const LobeSurface lobe = lobe_surface(lobes_of(modelled("modified-phong", {{"diffuse", 0}, {"exponent", 1e4}})), 50);
   size_t best = 0;
   for (size_t i = 0; i < lobe.values.size(); ++i)
@@ -112,13 +129,13 @@ TEST(Audit, NarrowLobesAreSeenInSpace) {
   EXPECT_GT(lobe.largest, 100);
 }
 
-TEST(Audit, StopsWhenNobodyWantsIt) {
-  const Audit a = audit(lobes_of(modelled("phong")), [] { return false; });
+TEST(SurfaceAnalysis, StopsWhenNobodyWantsIt) {
+  const SurfaceAnalysis a = analyze(lobes_of(modelled("phong")), [] { return false; });
   EXPECT_TRUE(a.albedo.empty());
   EXPECT_EQ(a.plausibility.pairs, 0u);
 }
 
-TEST(Audit, DrawingsHoldWhatIsDrawn) {
+TEST(SurfaceAnalysis, DrawingsHoldWhatIsDrawn) {
   const auto lobes = lobes_of(modelled("blinn-phong"));
   const std::vector<Slice> slices{slice(lobes, 45)};
   const std::vector<std::string> names{"Blinn & Phong"};

@@ -127,10 +127,12 @@ TEST(LightFlux, SpotLight) {
 }
 
 TEST(LightFlux, InfiniteLightsHaveNoFluxOfTheirOwn) {
-  for (const LightTypeInfo& info : light_type_infos())
-    if (info.description.light_class == LightClass::delta_direction ||
-        info.description.light_class == LightClass::ambient)
+  for (const LightTypeInfo& info : light_type_infos()) {
+    const LightClass light_class = info.description.light_class;
+    if (light_class == LightClass::delta_direction || light_class == LightClass::ambient) {
       EXPECT_EQ(make_light(info.description.name).flux(), Rgb(0)) << info.description.name;
+    }
+  }
 }
 
 // 2 pi A s L0 / (k + 2), as the integral of L0 cos^k times the cosine over both the area and the hemisphere.

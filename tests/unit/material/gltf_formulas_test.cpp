@@ -37,12 +37,12 @@ TEST(Sheen, TableIsItsAlbedo) {
       Sheen<Rgb> sheen;
       sheen.color = Rgb(1), sheen.roughness = roughness;
       const Vec3 wo = direction(theta);
-      Draw draw(3);
+      Random random(3);
       double sum = 0, squares = 0;
       constexpr int kN = 100'000;
       for (int i = 0; i < kN; ++i) {
         LobeSample<Rgb> s;
-        if (!sheen.sample(wo, draw.lobe(), TransportMode::radiance, s)) continue;
+        if (!sheen.sample(wo, random.lobe(), TransportMode::radiance, s)) continue;
         sum += s.weight.r, squares += sqr(double{s.weight.r});
       }
       const double mean = sum / kN, error = std::sqrt((squares / kN - mean * mean) / kN);

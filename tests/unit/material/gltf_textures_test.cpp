@@ -26,9 +26,9 @@ void expect_same(const Material& textured, const Material& plain, const std::str
   AllLobes<Rgb> lobes;
   add_lobes(surface, {}, lobes);
   const auto expected = lobes_of(plain);
-  Draw draw(7);
+  Random random(7);
   for (int i = 0; i < 200; ++i) {
-    const Vec3 o = draw.anywhere(), wi = draw.anywhere();
+    const Vec3 o = random.any_direction(), wi = random.any_direction();
     const Rgb a = lobes.eval(o, wi, TransportMode::radiance), b = expected.eval(o, wi, TransportMode::radiance);
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(a[k], b[k], 1e-3f * (1e-3f + b[k])) << name;
   }

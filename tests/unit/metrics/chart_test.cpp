@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "metrics/log_axis.h"
 #include "metrics/convergence_chart.h"
+#include "metrics/log_axis.h"
 
 namespace etendue::test {
 namespace {
@@ -58,6 +58,10 @@ size_t count(const std::string& text, const std::string& part) {
 
 bool sound(const std::string& svg) { return well_formed(svg) && count(svg, "nan") == 0 && count(svg, "inf") == 0; }
 
+std::string svg_chart(std::span<const MethodCurves> methods, const ChartOptions& options) {
+  return to_svg(convergence_chart(methods, options));
+}
+
 TEST(WellFormed, TellsGoodFromBad) {
   EXPECT_TRUE(well_formed("<a b=\"c>d\"><e/>&amp;</a>"));
   EXPECT_FALSE(well_formed("<a><b></a></b>"));
@@ -68,7 +72,7 @@ TEST(WellFormed, TellsGoodFromBad) {
 TEST(SvgChart, ShowsEveryMethodWithItsSlope) {
   const std::vector<MethodCurves> methods{power_law("path:sampler=sobol", 1, -0.75),
                                           power_law("path:sampler=random", 2, -0.5)};
-  const std::string svg = svg_chart(methods, {"Cornell box"});
+  const std::string svg = svg_chart(methods, {.title = "Cornell box"});
   EXPECT_TRUE(sound(svg)) << svg;
   for (const auto& method : methods) {
     EXPECT_EQ(count(svg, ">" + method.name + "</text>"), 1u);
@@ -85,7 +89,7 @@ TEST(SvgChart, ShowsEveryMethodWithItsSlope) {
 
 TEST(SvgChart, KnowsSamplesAndRelativeErrors) {
   const std::vector<MethodCurves> methods{power_law("path", 1, -0.5)};
-  const std::string svg = svg_chart(methods, {"", Abscissa::samples, ErrorKind::relmse});
+  const std::string svg = svg_chart(methods, {.abscissa = Abscissa::samples, .kind = ErrorKind::relmse});
   EXPECT_TRUE(sound(svg));
   EXPECT_EQ(count(svg, ">samples per pixel</text>"), 1u);
   EXPECT_EQ(count(svg, ">relMSE</text>"), 1u);
@@ -94,7 +98,7 @@ TEST(SvgChart, KnowsSamplesAndRelativeErrors) {
 
 TEST(SvgChart, NamesAreEscaped) {
   const std::vector<MethodCurves> methods{power_law("<a href=\"x\">&'\x01", 1, -0.5)};
-  const std::string svg = svg_chart(methods, {"R&D <1>"});
+  const std::string svg = svg_chart(methods, {.title = "R&D <1>"});
   EXPECT_TRUE(sound(svg));
   EXPECT_EQ(count(svg, "&lt;a href=&quot;x&quot;&gt;&amp;&#39;</text>"), 1u);
   EXPECT_EQ(count(svg, "R&amp;D &lt;1&gt;"), 2u);
@@ -106,12 +110,12 @@ TEST(SvgChart, OddDataGiveSoundCharts) {
   one.repeats.resize(1), one.repeats[0].points.resize(1);
   odd.repeats[0].points[2].mse = NAN, odd.repeats[1].points[0].seconds = 0, odd.repeats[2].points[9].mse = INFINITY;
   for (const auto& method : {nothing, zero, one, odd, wide}) {
-    const std::string svg = svg_chart(std::vector{method}, {"t", Abscissa::seconds, ErrorKind::rmse, 900, 520, 1e-3});
+    const std::string svg = svg_chart(std::vector{method}, {.title = "t", .reference_error = 1e-3});
     EXPECT_TRUE(sound(svg)) << method.name;
     EXPECT_EQ(count(svg, ">" + method.name + "</text>"), 1u);
   }
-  EXPECT_TRUE(sound(svg_chart({}, {"empty"})));
-  EXPECT_TRUE(sound(svg_chart(std::vector{nothing, zero, one, odd, wide}, {"all"})));
+  EXPECT_TRUE(sound(svg_chart({}, {.title = "empty"})));
+  EXPECT_TRUE(sound(svg_chart(std::vector{nothing, zero, one, odd, wide}, {.title = "all"})));
 }
 
 TEST(SvgChart, EverythingLiesInside) {

@@ -192,9 +192,9 @@ TEST(Convergence, TheReferencesVarianceIsTakenOff) {
 TEST(Convergence, ANoisyReferenceIsFlagged) {
   // The smallest RMSE is 10^-0.5.
   const auto method = method_of({power_law(1, -0.5)});
-  EXPECT_FALSE(too_noisy(method, {}));
-  EXPECT_FALSE(too_noisy(method, {0.1 / 101, 0}));
-  EXPECT_TRUE(too_noisy(method, {0.1 / 99, 0}));
+  EXPECT_FALSE(is_reference_too_noisy(method, {}));
+  EXPECT_FALSE(is_reference_too_noisy(method, {0.1 / 101, 0}));
+  EXPECT_TRUE(is_reference_too_noisy(method, {0.1 / 99, 0}));
 }
 
 TEST(Convergence, PointsWithoutErrorAreLeftOut) {
@@ -234,7 +234,7 @@ TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
       }
       mse_of_mean += std::pow(sum / kRepeats, 2) / kPixels;
     }
-    const auto parts = split(mean_mse, mse_of_mean, kRepeats);
+    const auto parts = bias_and_variance(mean_mse, mse_of_mean, kRepeats);
     ASSERT_TRUE(parts);
     biases.push_back(parts->squared_bias), variances.push_back(parts->variance);
   }
@@ -242,7 +242,7 @@ TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
   EXPECT_NEAR(bias.value, 0.04, 3.3 * bias.standard_error);
   EXPECT_NEAR(variance.value, 1, 3.3 * variance.standard_error);
   EXPECT_LT(bias.standard_error, 0.01);
-  EXPECT_FALSE(split(1, 1, 1));
+  EXPECT_FALSE(bias_and_variance(1, 1, 1));
 }
 
 TEST(Convergence, TheBiasHasTheReferencesErrorInIt) {

@@ -123,7 +123,7 @@ TEST(Tail, TheVarianceOfTheVarianceFollowsFromTheFourthMoment) {
   }
 }
 
-// Of squares without a mean, sum p^2 over their shares p is 1 - alpha / 2 in expectation (Pitman & Yor 1997). Its
+// Of squares without a mean, sum p^2 over their shares p is 1 - alpha / 2 in expectation [Pitman and Yor 1997]. Its
 // spread is known to a twentieth from 200 runs; two per cent is four times the error of the mean.
 TEST(Tail, WithoutAVarianceTheVarianceOfTheVarianceStays) {
   for (const double alpha : {0.7, 1.0, 1.4}) {

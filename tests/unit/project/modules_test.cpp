@@ -104,7 +104,7 @@ TEST(Modules, DeclareNothingThatIsUnused) {
   }
 }
 
-// Strongly connected components with more than one node (Tarjan 1972).
+// Strongly connected components with more than one node [Tarjan 1972].
 class Cycles {
  public:
   using Graph = std::map<std::string, Names>;

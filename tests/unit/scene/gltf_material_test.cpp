@@ -1,5 +1,5 @@
 // Materials, their extensions and their textures.
-#include "image/crafted.h"
+#include "unit/image/file_bytes.h"
 #include "unit/scene/gltf_builder.h"
 
 namespace etendue::test {

@@ -6,7 +6,7 @@
 
 namespace etendue::stress {
 
-inline void lamp_in_a_sphere(TestContext& test) {
+inline void light_in_a_sphere(TestContext& test) {
   constexpr float kAlbedo = 0.5f;
   constexpr uint32_t kSamples = 16;
   for (const double share : {1e-2, 1e-3, 1e-4}) {
@@ -34,12 +34,12 @@ inline void lamp_in_a_sphere(TestContext& test) {
   }
 }
 
-inline constexpr Case kLampInASphere{
-    .name = "lamp-in-a-sphere",
+inline constexpr Case kLightInASphere{
+    .name = "light-in-a-sphere",
     .kind = Kind::heavy_tails,
     .theory =
         "If only BSDF sampling finds the light, the relative deviation of a path grows as 1 / "
         "sqrt(area of the light); with light sampling the contribution is nearly constant in a sphere",
-    .run = lamp_in_a_sphere};
+    .run = light_in_a_sphere};
 
 }  // namespace etendue::stress

@@ -5,7 +5,7 @@
 
 namespace etendue::stress {
 
-inline void caustic_of_a_small_lamp(TestContext& test) {
+inline void caustic_of_a_small_light(TestContext& test) {
   scene::Scene scene = scene::find_builtin("glass-caustic")->make();
   const Camera camera = *scene::choose_camera(scene, "");
   auto with_glass = test.document(scene, camera);
@@ -27,13 +27,13 @@ inline void caustic_of_a_small_lamp(TestContext& test) {
   test.expect_near("sppm", "caustic, expected from light tracing", caustic("sppm"), expected, 0.2);
 }
 
-inline constexpr Case kCausticOfASmallLamp{
-    .name = "caustic-of-a-small-lamp",
+inline constexpr Case kCausticOfASmallLight{
+    .name = "caustic-of-a-small-light",
     .kind = Kind::heavy_tails,
     .theory =
         "Light sampling through glass is blocked, so a few BSDF samples carry the whole caustic and "
         "the error estimate must be reported as unreliable, while light tracing and photons find the "
         "caustic easily",
-    .run = caustic_of_a_small_lamp};
+    .run = caustic_of_a_small_light};
 
 }  // namespace etendue::stress
