@@ -1,5 +1,5 @@
-// How often the interval that a picture states for its error holds the true one, and how often honest pictures fall:
-// a hundred small renderings of each scene against a long one.
+// Coverage of the error intervals that an image states, and false alarms of the block test on unmodified images: a
+// hundred small renderings of each scene against a long one.
 //
 //   certificate_bench [RENDERINGS] [SCENE...]
 #include <cstdio>
@@ -43,7 +43,7 @@ void cover(const std::string& scene, int renderings) {
     unchanged += advisor::changed_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
   }
   std::printf(
-      "%-60s RMSE held %d, relMSE held %d, blocks unsuspected %d of %d; high / low %.3f, %.3f; reference %.2g\n",
+      "%-60s RMSE covered %d, relMSE covered %d, block test passed %d of %d; high / low %.3f, %.3f; reference %.2g\n",
       scene.c_str(), held, held_relative, unchanged, renderings, width, width_relative, reference.error().rmse);
   std::fflush(stdout);
 }

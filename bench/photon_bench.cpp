@@ -1,6 +1,6 @@
-// What photons cost: rays per second of their walks against those of `path`, ordering them, and looking them up.
+// Cost of photon mapping: rays per second of photon tracing relative to `path`, building the photon map, and lookups.
 //
-// The Cornell box on one thread; the three take turns, and the best of each counts.
+// The Cornell box on one thread. The three measurements alternate; the best of each counts.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -37,7 +37,7 @@ class Rig {
     sampler_->prepare(0, 64);
   }
 
-  // Rays per second of one sample of all pixels.
+  // Rays per second for one sample of all pixels.
   double paths(uint32_t sample) const {
     std::vector<Rgb> radiance(PixelBlock::kMostPixels);
     uint64_t rays = 0;
@@ -95,7 +95,7 @@ class Rig {
 
 void run() {
   const Rig rig;
-  std::printf("photons    stored  Mrays/s of path  of photons  ratio  ordering ms  ns a photon  us a lookup of 50\n");
+  std::printf("photons    stored  Mrays/s of path  of photons  ratio  ordering ms  ns/photon  us/lookup of 50\n");
   for (const int emitted : {10'000, 100'000, 500'000}) {
     double paths = 0, rays = 0, ordering = 1e9, lookup = 1e9;
     size_t stored = 0;

@@ -54,7 +54,7 @@ std::vector<GltfCase> rough_gltf_cases() {
   return {
       {"coat over a dielectric", coated(base(0, 0.5f), 1, 0.2f)},
       {"rough coat over a metal", coated(base(1, 0.3f), 0.7f, 1)},
-      {"bent coat over a metal", coated(base(1, 0.5f), 1, 0.4f), bent},
+      {"tilted coat over a metal", coated(base(1, 0.5f), 1, 0.4f), bent},
       {"coat over rough glass", coated(glass(1, 0.4f), 1, 0.3f)},
       {"sheen of roughness 0", with_sheen(base(0, 0.8f), 0)},
       {"sheen of roughness 0.3", with_sheen(base(0, 0.8f), 0.3f)},
@@ -65,13 +65,13 @@ std::vector<GltfCase> rough_gltf_cases() {
       {"half a film on half a metal", with_film(base(0.5f, 1), 0.5f, 2.5f, 800)},
       {"film without thickness", with_film(base(0.5f, 0.5f), 1, 1.3f, 0)},
       {"film without index", with_film(base(0.5f, 0.5f), 1, 1, 400)},
-      {"film on a sheet", with_film(glass(0, 0.4f), 1, 1.6f, 300)},
+      {"film on a thin sheet", with_film(glass(0, 0.4f), 1, 1.6f, 300)},
       {"film on rough glass", with_film(glass(1, 0.4f), 1, 1.6f, 300)},
       {"paper", translucent(base(0, 0.6f), 0.5f)},
-      {"nothing but what passes", translucent(base(0, 1), 1)},
+      {"diffuse transmission only", translucent(base(0, 1), 1)},
       {"wax", translucent(base(0.2f, 0.4f), 0.7f, 1)},
       {"paper under a film", with_film(translucent(base(0, 0.4f), 0.5f), 1, 1.8f, 500)},
-      {"a sheet that scatters too", translucent(
+      {"thin sheet with diffuse transmission", translucent(
                                         [] {
                                           Material m = glass(0, 0.5f);
                                           m.transmission = 0.5f;
@@ -99,10 +99,10 @@ std::vector<GltfCase> rough_gltf_cases() {
 std::vector<GltfCase> gltf_cases() {
   auto all = rough_gltf_cases();
   all.push_back({"smooth coat", coated(base(0, 0.5f), 1, 0)});
-  all.push_back({"smooth bent coat over a mirror", coated(base(1, 0), 1, 0), direction(20, 1)});
+  all.push_back({"smooth tilted coat over a mirror", coated(base(1, 0), 1, 0), direction(20, 1)});
   all.push_back({"smooth coat over smooth glass", coated(glass(1, 0), 1, 0)});
   all.push_back({"film on smooth glass", with_film(glass(1, 0), 1, 1.6f, 300)});
-  all.push_back({"film on a smooth sheet", with_film(glass(0, 0), 1, 1.6f, 300)});
+  all.push_back({"film on a smooth thin sheet", with_film(glass(0, 0), 1, 1.6f, 300)});
   all.push_back({"weak smooth glass", tinted(glass(1, 0), 0.5f)});
   all.push_back({"coloured glass of index 1", tinted(glass(1, 0.3f, 1), 0.5f)});
   all.push_back({"glossiness of 1", glossy(0)});

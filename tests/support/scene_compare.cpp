@@ -125,9 +125,9 @@ class Comparison {
     same(".name", x.name, y.name), same(".nearest", x.nearest, y.nearest);
     same(".wrap", std::pair(x.wrap_u, x.wrap_v), std::pair(y.wrap_u, y.wrap_v));
     same(".image", !x.image, !y.image);
-    if (x.image && y.image) picture(*x.image, *y.image);
+    if (x.image && y.image) image(*x.image, *y.image);
   }
-  void picture(const image::Image& x, const image::Image& y) {
+  void image(const image::Image& x, const image::Image& y) {
     same(".image size", std::tuple(x.width, x.height, x.channels), std::tuple(y.width, y.height, y.channels));
     bits(".image bytes", x.bytes, y.bytes), bits(".image floats", x.floats, y.floats);
   }
@@ -146,7 +146,7 @@ class Comparison {
     same("environment", std::tuple(x.tint, x.rotation, x.visible), std::tuple(y.tint, y.rotation, y.visible));
     same("environment.map", !x.map, !y.map);
     place_ = "environment";
-    if (x.map && y.map) picture(*x.map, *y.map);
+    if (x.map && y.map) image(*x.map, *y.map);
     place_.clear();
   }
 

@@ -17,9 +17,9 @@ inline render::Document changed(const render::Document& d, const std::string& na
   return *render::with_text(d, name, value);
 }
 
-// The things of test::glossy_things under other lights than their own.
+// The things of test::glossy_scene under other lights than their own.
 inline render::Document things_under(bool area, bool sky, bool point, int size) {
-  render::Document d = sized(glossy_things(), size);
+  render::Document d = sized(glossy_scene(), size);
   scene::Scene scene = *d.scene;
   if (!area)
     for (Material& m : scene.materials) m.emission = Rgb(0);

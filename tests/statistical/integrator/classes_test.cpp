@@ -25,7 +25,7 @@ render::Document cornell() {
 
 // A shiny pot: smooth glaze over clay, so that deltas stand beside densities in one surface.
 render::Document glazed() {
-  auto d = test::glossy_things();
+  auto d = test::glossy_scene();
   auto scene = *d.scene;
   for (auto& m : scene.materials)
     if (m.metallic == 0 && m.transmission == 0 && m.specular == 1) m.roughness = 0;
@@ -52,7 +52,7 @@ const std::vector<Partition> kPartitions{
 };
 
 TEST(Classes, EveryPathIsTheWholeImageBitForBit) {
-  for (const auto& d : {cornell(), test::glossy_things(), glazed()})
+  for (const auto& d : {cornell(), test::glossy_scene(), glazed()})
     for (const char* integrator : kMethods) {
       const auto document = with(d, "render.integrator", integrator);
       const auto whole = test::rendered(document, 16);
@@ -64,7 +64,7 @@ TEST(Classes, EveryPathIsTheWholeImageBitForBit) {
 }
 
 TEST(Classes, PartitionsAddUpSampleBySample) {
-  for (const auto& d : {cornell(), test::glossy_things(), glazed()})
+  for (const auto& d : {cornell(), test::glossy_scene(), glazed()})
     for (const char* integrator : kMethods)
       for (const Partition& partition : kPartitions) {
         const auto document = with(d, "render.integrator", integrator);
@@ -85,7 +85,7 @@ TEST(Classes, PartitionsAddUpSampleBySample) {
 
 // The same in expectation: other seeds for every part.
 TEST(Classes, PartitionsAddUpInExpectation) {
-  for (const auto& d : {cornell(), test::glossy_things()})
+  for (const auto& d : {cornell(), test::glossy_scene()})
     for (const Partition& partition : {kPartitions[0], kPartitions[1]}) {
       const auto whole = replicated(d, 64, 1);
       auto sum = replicated(only(d, partition[0]), 64, 100);
@@ -96,7 +96,7 @@ TEST(Classes, PartitionsAddUpInExpectation) {
 
 // A walk alone splits the lobes as it scatters, next event estimation as it connects: they agree class by class.
 TEST(Classes, MethodsAgreeClassByClass) {
-  const auto d = test::glossy_things();
+  const auto d = test::glossy_scene();
   for (const char* paths : {"EDL", "EGL", "E(D|G)DL", "EDGL", "E.*DS+L", "ES+.*L"}) {
     const auto filtered = only(d, paths);
     const auto path = replicated(with(filtered, "render.integrator", "path"), 128);

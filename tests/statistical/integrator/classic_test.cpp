@@ -7,12 +7,12 @@
 
 #include "camera/camera_ray.h"
 #include "integrator/integrator.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
 
-using test::by;
+using test::with_integrator;
 using test::expect_agreement;
 using test::replicated;
 using test::same_bits;
@@ -28,7 +28,7 @@ render::Document relit(const render::Document& d, const std::function<void(scene
 
 // Mirrors, clear glass in a sheet and in a ball, glaze, rough metal; under a lamp and a sky, or under two points.
 render::Document mirrors(bool points) {
-  return relit(test::glossy_things(), [&](scene::Scene& scene) {
+  return relit(test::glossy_scene(), [&](scene::Scene& scene) {
     for (Material& m : scene.materials)
       if (m.transmission > 0 || (m.metallic == 0 && m.specular == 1)) m.roughness = 0;
     Material mirror;
@@ -54,10 +54,10 @@ render::Document floor_under_points(int lights) {
 TEST(Classic, PointLightsAddUp) {
   for (const int lights : {1, 2, 5})
     for (const char* method : {"raycast", "appel", "whitted", "distribution", "path"}) {
-      const double mean = test::mean_of(test::rendered(by(floor_under_points(lights), method), 4)).value;
+      const double mean = test::mean_of(test::rendered(with_integrator(floor_under_points(lights), method), 4)).value;
       EXPECT_NEAR(mean, lights * 0.31662870, lights * 1e-5) << method << ' ' << lights;
     }
-  const auto plain = with(by(floor_under_points(1), "raycast"), "raycast.local", "off");
+  const auto plain = with(with_integrator(floor_under_points(1), "raycast"), "raycast.local", "off");
   EXPECT_EQ(test::mean_of(test::rendered(plain, 4)).value, 0);
 }
 
@@ -66,7 +66,7 @@ TEST(Classic, ManyLightsAddUp) {
   auto d = floor_under_points(100);
   d.width = d.height = 32;
   for (const char* method : {"raycast", "appel", "whitted"})
-    EXPECT_NEAR(test::mean_of(test::rendered(by(d, method), 2)).value, 31.662870, 2e-3) << method;
+    EXPECT_NEAR(test::mean_of(test::rendered(with_integrator(d, method), 2)).value, 31.662870, 2e-3) << method;
 }
 
 // L = rho L_e r^2 / (r^2 + h^2) below a disk; two disks in one place count twice.
@@ -90,7 +90,7 @@ TEST(Classic, DiskLight) {
       for (const char* method : {"raycast", "appel", "whitted", "distribution", "path"}) {
         const bool shadows = std::strcmp(method, "raycast") != 0;
         const double expected = shadows ? one : lights * one;
-        const double mean = test::mean_of(test::rendered(by(d, method), 256)).value;
+        const double mean = test::mean_of(test::rendered(with_integrator(d, method), 256)).value;
         EXPECT_NEAR(mean, expected, 3e-3 * expected) << method << ' ' << r << ' ' << lights;
       }
     }
@@ -105,7 +105,7 @@ TEST(Classic, RaycastIsAppelWhereNothingStandsBetween) {
   test::add(scene, test::quad(1), test::diffuse(Rgb(0), Rgb(6)), above);
   test::add_point_light(scene, {1, 2, 0}, 3);
   const auto d = test::document(scene, look_at({0, 2, 5}, {0, 0.4f, 0}, {0, 1, 0}, 0.8f), 32, 32);
-  const auto lit = test::rendered(by(d, "raycast"), 8), shadowed = test::rendered(by(d, "appel"), 8);
+  const auto lit = test::rendered(with_integrator(d, "raycast"), 8), shadowed = test::rendered(with_integrator(d, "appel"), 8);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 32; ++x)
       for (int c = 0; c < 3; ++c)
@@ -125,7 +125,7 @@ TEST(Appel, ShadowOfABall) {
   constexpr int kSide = 64;
   auto d = test::document(scene, look_at({0, 3, 6}, {0, 0, 0}, {0, 1, 0}, 0.7f), kSide, kSide);
   d.filter = film::FilterKind::centre;
-  const auto lit = test::rendered(by(d, "raycast"), 2), shadowed = test::rendered(by(d, "appel"), 2);
+  const auto lit = test::rendered(with_integrator(d, "raycast"), 2), shadowed = test::rendered(with_integrator(d, "appel"), 2);
   const CameraRays camera(d.camera, kSide, kSide);
   int dark = 0, bright = 0;
   for (int y = 0; y < kSide; ++y)
@@ -149,7 +149,7 @@ TEST(Appel, IsPathTracingOfDirectLight) {
   for (const auto& d : {cornell, mirrors(false), mirrors(true)}) {
     const auto path = replicated(with(d, "film.paths", "E[D|G]L"), 128);
     for (const char* lights : {"one", "every"})
-      expect_agreement(replicated(with(by(d, "appel"), "appel.lights", lights), 128, 2000), path, lights, 6);
+      expect_agreement(replicated(with(with_integrator(d, "appel"), "appel.lights", lights), 128, 2000), path, lights, 6);
   }
 }
 
@@ -158,7 +158,7 @@ TEST(Whitted, IsPathTracingOfItsClass) {
   for (const auto& d : {cornell, mirrors(false), mirrors(true)}) {
     const auto path = replicated(with(d, "film.paths", "ES*[D|G]L"), 128);
     for (const char* lights : {"one", "every"}) {
-      auto whitted = with(with(by(d, "whitted"), "whitted.lights", lights), "whitted.threshold", "1e-5");
+      auto whitted = with(with(with_integrator(d, "whitted"), "whitted.lights", lights), "whitted.threshold", "1e-5");
       expect_agreement(replicated(whitted, 64, 2000), path, lights, 6);
     }
   }
@@ -168,7 +168,7 @@ TEST(Whitted, IsPathTracingOfItsClass) {
 TEST(Whitted, HasNoNoiseUnderPointLights) {
   auto d = mirrors(true);
   d.filter = film::FilterKind::centre;
-  d = by(d, "whitted");
+  d = with_integrator(d, "whitted");
   const auto one = test::rendered(d, 2);
   EXPECT_GT(test::mean_of(one).value, 0.01);
   d.seed = 12345;
@@ -185,7 +185,7 @@ TEST(Whitted, CountsEdgesBetweenMirrors) {
                             m.base_color = Rgb(1), m.metallic = 1, m.roughness = 0, m.specular = 1;
                           });
   for (const int depth : {1, 2, 5, 16, 100}) {
-    const auto d = with(by(hall, "whitted"), "whitted.max-depth", std::to_string(depth));
+    const auto d = with(with_integrator(hall, "whitted"), "whitted.max-depth", std::to_string(depth));
     EXPECT_NEAR(test::mean_of(test::rendered(d, 2)).value, depth, 1e-4 * depth);
   }
 }
@@ -198,12 +198,12 @@ TEST(Whitted, CutsBranchesThatCarryLittle) {
   test::add(scene, test::quad(10), glass);
   scene.environment.tint = Rgb(1);
   const auto d = test::document(scene, look_at({0, 2, 0.01f}, {0, 0, 0}, {0, 1, 0}, 0.1f), 8, 8);
-  const auto seen = [&](const char* threshold) {
-    return test::mean_of(test::rendered(with(by(d, "whitted"), "whitted.threshold", threshold), 2)).value;
+  const auto mean_radiance = [&](const char* threshold) {
+    return test::mean_of(test::rendered(with(with_integrator(d, "whitted"), "whitted.threshold", threshold), 2)).value;
   };
-  EXPECT_NEAR(seen("0.01"), 1, 1e-4);
-  EXPECT_NEAR(seen("0.1"), 0.96, 1e-3);
-  EXPECT_EQ(seen("1"), 0);
+  EXPECT_NEAR(mean_radiance("0.01"), 1, 1e-4);
+  EXPECT_NEAR(mean_radiance("0.1"), 0.96, 1e-3);
+  EXPECT_EQ(mean_radiance("1"), 0);
 }
 
 }  // namespace

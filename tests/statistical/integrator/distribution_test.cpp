@@ -36,7 +36,7 @@ render::Document branching(const render::Document& d, int first, int second, int
 
 // A walk that takes turns with nobody is the same walk.
 TEST(Distribution, OneBranchIsPathTracingBitForBit) {
-  for (const auto& d : {test::cornell(test::kSize), test::glossy_things()})
+  for (const auto& d : {test::cornell(test::kSize), test::glossy_scene()})
     for (const auto& sampler : sampler_infos())
       for (const char* paths : {"", "E.*S.*L|EDL"}) {
         const Settings common{{"render.sampler", sampler.name}, {"film.paths", paths}};
@@ -49,7 +49,7 @@ TEST(Distribution, OneBranchIsPathTracingBitForBit) {
 }
 
 TEST(Distribution, TheMeanDoesNotDependOnBranching) {
-  for (const auto& d : {test::cornell(test::kSize), test::glossy_things()}) {
+  for (const auto& d : {test::cornell(test::kSize), test::glossy_scene()}) {
     const auto path = replicated(d, 256);
     const std::pair<const char*, render::Document> trees[] = {
         {"4 2 1", branching(d, 4, 2, 1)},

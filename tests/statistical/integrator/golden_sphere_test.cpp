@@ -8,13 +8,13 @@
 
 #include <cmath>
 
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
 
 using scene::Cap;
-using test::by;
+using test::with_integrator;
 using test::with;
 
 // Of one walk.
@@ -119,7 +119,7 @@ TEST(GoldenSphere, MeanAndVarianceOfWalks) {
   for (const Point& p :
        {Point{0.1, 0.5f, Cap::reflecting}, Point{0.1, 0.5f, Cap::black}, Point{0.01, 0.5f, Cap::reflecting}})
     for (const Way& way : kWays) {
-      const auto d = with(by(test::integrating_sphere(p.a, p.rho, p.cap), way.integrator), "path.heuristic", way.heuristic);
+      const auto d = with(with_integrator(test::integrating_sphere(p.a, p.rho, p.cap), way.integrator), "path.heuristic", way.heuristic);
       expect_moments(d, 8, theory(p.a, p.rho, way.weight(p.a), p.cap),
                      std::string(way.integrator) + ' ' + way.heuristic + " a " + std::to_string(p.a));
     }
@@ -129,14 +129,14 @@ TEST(GoldenSphere, MeanAndVarianceOfWalks) {
 TEST(GoldenSphere, ClassicMethodsAreConstant) {
   constexpr double kShare = 0.1, kAlbedo = 0.5;
   for (const char* method : {"raycast", "appel", "whitted"})
-    expect_moments(by(test::integrating_sphere(kShare, kAlbedo), method), 4, {kAlbedo * kShare, 0}, method);
+    expect_moments(with_integrator(test::integrating_sphere(kShare, kAlbedo), method), 4, {kAlbedo * kShare, 0}, method);
 }
 
 // N branches at the first vertex are N walks that share the pixel: each finds the cap with N times the density there,
 // for the weight, and their mean has a part in N of the variance.
 TEST(GoldenSphere, BranchesDivideTheVariance) {
   constexpr double kShare = 0.1, kAlbedo = 0.5;
-  const auto place = by(test::integrating_sphere(kShare, kAlbedo), "distribution");
+  const auto place = with_integrator(test::integrating_sphere(kShare, kAlbedo), "distribution");
   for (const int branches : {2, 5})
     for (const bool connected : {false, true}) {
       const auto weight = [&](double density) { return connected ? sqr(density) / (1 + sqr(density)) : 1; };
@@ -156,7 +156,7 @@ constexpr int kLongest = 8;
 double mean_of_short_paths(double a, double rho) { return a * rho * (1 - std::pow(rho, kLongest - 1)) / (1 - rho); }
 double sum_of_squares(double rho) { return rho * rho * (1 - std::pow(rho, 2 * (kLongest - 1))) / (1 - rho * rho); }
 render::Document short_paths(const std::string& integrator, double a, double rho) {
-  const auto d = by(test::integrating_sphere(a, static_cast<float>(rho), Cap::reflecting, kSide), integrator);
+  const auto d = with_integrator(test::integrating_sphere(a, static_cast<float>(rho), Cap::reflecting, kSide), integrator);
   return with(d, "max-depth", std::to_string(kLongest));
 }
 
@@ -259,7 +259,7 @@ TEST(GoldenSphere, EachConnectionIsConstant) {
 TEST(GoldenSphere, VirtualLights) {
   constexpr double kShare = 0.1, kAlbedo = 0.5;
   constexpr int kPathsOfAPixel = 4;
-  auto d = by(test::integrating_sphere(kShare, kAlbedo, Cap::reflecting, 16), "igi");
+  auto d = with_integrator(test::integrating_sphere(kShare, kAlbedo, Cap::reflecting, 16), "igi");
   d = with(with(d, "interleave", "16"), "light-paths", std::to_string(256 * kPathsOfAPixel));
   const double variance = sqr(kShare * sqr(kAlbedo) / (1 - kAlbedo)) * kAlbedo / kPathsOfAPixel;
   expect_moments(d, 4, {kAlbedo * kShare / (1 - kAlbedo), variance}, "igi", 8);
@@ -269,7 +269,7 @@ TEST(GoldenSphere, VirtualLights) {
 // all in the middle, so that a picture has one estimate for each pixel.
 TEST(GoldenSphere, NearestPhotons) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
-  auto d = by(test::integrating_sphere(kShare, kAlbedo, Cap::reflecting, 32), "photonmap");
+  auto d = with_integrator(test::integrating_sphere(kShare, kAlbedo, Cap::reflecting, 32), "photonmap");
   d.filter = film::FilterKind::centre;
   d = with(with(with(d, "mode", "direct"), "photons", "100000"), "radius", "0");
   for (const int nearest : {5, 10})
@@ -283,7 +283,7 @@ TEST(GoldenSphere, NearestPhotons) {
 TEST(GoldenSphere, PhotonsWithinARadius) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   constexpr double kPhotons = 40'000, kRadius = 0.4;  // pixels
-  auto d = by(test::integrating_sphere(kShare, kAlbedo, Cap::reflecting, 32), "sppm");
+  auto d = with_integrator(test::integrating_sphere(kShare, kAlbedo, Cap::reflecting, 32), "sppm");
   d.filter = film::FilterKind::centre;
   d = with(with(with(d, "connect", "off"), "photons", "40000"), "radius", std::to_string(kRadius));
   const double pixel = 2 * kHalfPicture / 32;

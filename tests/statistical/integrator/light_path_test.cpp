@@ -5,7 +5,7 @@
 
 #include "integrator/mlt/bootstrap_paths.h"
 #include "integrator/mlt/mutation_chain.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
@@ -41,12 +41,12 @@ struct Place {
 
 std::vector<std::pair<const char*, render::Document>> places() {
   return {{"cornell", test::cornell(test::kSize)},
-          {"glossy things", test::glossy_things()},
-          {"lamp", test::under_a_lamp()},
-          {"sky", test::under_a_sky()},
-          {"point", test::under("point")},
-          {"spot", test::under("spot")},
-          {"directional through a lens", test::through_a_lens(test::under("directional"))}};
+          {"glossy things", test::glossy_scene()},
+          {"lamp", test::balls_under_area_light()},
+          {"sky", test::balls_under_sky()},
+          {"point", test::balls_under_light("point")},
+          {"spot", test::balls_under_light("spot")},
+          {"directional through a lens", test::with_lens(test::balls_under_light("directional"))}};
 }
 
 constexpr integrator::LogUniform kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
@@ -74,7 +74,7 @@ TEST(LightPaths, FromNothingAreWorthThePicture) {
     }
     const double pixels = d.width * d.height, mean = sum / kPaths,
                  error = std::sqrt((squares / kPaths - sqr(mean)) / kPaths);
-    const auto expected = test::mean_of(test::rendered(test::by(d, "bdpt"), 256));
+    const auto expected = test::mean_of(test::rendered(test::with_integrator(d, "bdpt"), 256));
     EXPECT_NEAR(mean / pixels, expected.value, 4.5 * (error / pixels + expected.standard_error)) << name;
   }
 }

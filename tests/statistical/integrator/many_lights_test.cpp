@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/builtin/many_lights.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
@@ -18,10 +18,10 @@ Document hall(int lamps) {
 
 TEST(ManyLights, EveryStrategyMakesTheSamePicture) {
   const Document d = hall(24);
-  const auto power = test::replicated(test::with(test::by(d, "path"), "path.lights", "one"), 256, 1000);
-  const auto tree = test::replicated(test::with(test::by(d, "path"), "path.lights", "tree"), 64, 2000);
-  const auto every = test::replicated(test::with(test::by(d, "distribution"), "distribution.lights", "every"), 8, 3000);
-  const auto both_ways = test::replicated(test::by(d, "bdpt"), 64, 4000);
+  const auto power = test::replicated(test::with(test::with_integrator(d, "path"), "path.lights", "one"), 256, 1000);
+  const auto tree = test::replicated(test::with(test::with_integrator(d, "path"), "path.lights", "tree"), 64, 2000);
+  const auto every = test::replicated(test::with(test::with_integrator(d, "distribution"), "distribution.lights", "every"), 8, 3000);
+  const auto both_ways = test::replicated(test::with_integrator(d, "bdpt"), 64, 4000);
   test::expect_agreement(power, tree, "power and tree", 4);
   test::expect_agreement(every, tree, "every and tree", 4);
   test::expect_agreement(every, power, "every and power", 4);
@@ -29,7 +29,7 @@ TEST(ManyLights, EveryStrategyMakesTheSamePicture) {
 }
 
 double error_of(const Document& d, const std::string& lights) {
-  const auto estimate = test::replicated(test::with(test::by(d, "path"), "path.lights", lights), 16);
+  const auto estimate = test::replicated(test::with(test::with_integrator(d, "path"), "path.lights", lights), 16);
   double sum = 0;
   for (const double v : estimate.variance) sum += v;
   return sum;

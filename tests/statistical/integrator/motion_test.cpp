@@ -173,7 +173,7 @@ TEST(Shutter, OfWhatStandsStillIsNotSeen) {
 }
 
 TEST(Shutter, OfNoTimeIsTheStillPicture) {
-  auto d = *render::with(test::lens_and_shutter(), "scene.time", 0.5);
+  auto d = *render::with(test::motion_and_lens_scene(), "scene.time", 0.5);
   d.camera.shutter = 0;
   auto still = *d.scene;
   still.animations.clear();
@@ -282,7 +282,7 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingSurfaceLights) {
 }
 
 TEST(BlurredPicture, IsTheMeanOfStillOnesOfEverything) {
-  expect_mean_of_moments(test::lens_and_shutter(), 1024, 48, "everything");
+  expect_mean_of_moments(test::motion_and_lens_scene(), 1024, 48, "everything");
 }
 
 // Photons and virtual lights belong to the time of those who ask for them. Bias there is, the same in all pictures.
@@ -296,7 +296,7 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesByMethodsInTwoPasses) {
        {"photonmap.renew", "on"}},
       {{"render.integrator", "igi"}, {"igi.light-paths", "20"}}};
   for (const auto& settings : methods) {
-    auto d = test::lens_and_shutter();
+    auto d = test::motion_and_lens_scene();
     for (const auto& [name, value] : settings) d = *render::with_text(d, name, value);
     const auto still = test::replicated([&](uint64_t seed) { return mean_of_moments(d, 4, seed); }, 5000);
     test::expect_agreement(test::replicated(d, 96), still, settings[0].second, static_cast<int>(methods.size()));
@@ -315,7 +315,7 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesFromAMovingCamera) {
           {before.x, before.y, before.z, before.w, after.x, after.y, after.z, after.w});
   animate(scene, eye, AnimatedPath::translation, {0, 1},
           {from.x, from.y, from.z, from.x + 0.5f, from.y + 0.2f, from.z + 1});
-  auto d = test::through_its_camera(scene, test::kSize);
+  auto d = test::from_scene_camera(scene, test::kSize);
   d.camera.shutter = 1;
   expect_mean_of_moments(d, 512, 24, "camera");
 }

@@ -7,9 +7,9 @@
 
 #include "advisor/declared_paths.h"
 #include "integrator/integrator.h"
-#include "support/media_places.h"
+#include "support/media_scenes.h"
 #include "support/motion.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
@@ -51,7 +51,7 @@ std::vector<std::string> other_values(const ParameterInfo& parameter) {
 
 // A method as it is, and with each of its choices and switches turned.
 std::vector<Form> forms_of(const IntegratorInfo& info, const Document& place) {
-  Document d = test::by(place, info.name);
+  Document d = test::with_integrator(place, info.name);
   // A few chains that go far, rather than many that hardly leave their starts.
   if (info.group == integrator::Group::markov_chain) d = test::with(d, "chains", "32");
   std::vector<Form> forms{{info.name, d}};
@@ -112,28 +112,28 @@ TEST(Pairwise, DirectLightOfCornell) { expect_pairs_agree(builtin("cornell"), "E
 TEST(Pairwise, GlossyPlates) { expect_pairs_agree(builtin("glossy-plates"), "E(D|G)*L", 64); }
 
 // Metal, glass rough and smooth, a sheet, glaze: every lobe.
-TEST(Pairwise, GlossyThings) { expect_pairs_agree(test::glossy_things(), "E[(D|G).*]L", 64); }
-TEST(Pairwise, GlossyThingsInMirrors) { expect_pairs_agree(test::glossy_things(), "ES.*L", 64); }
+TEST(Pairwise, GlossyThings) { expect_pairs_agree(test::glossy_scene(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, GlossyThingsInMirrors) { expect_pairs_agree(test::glossy_scene(), "ES.*L", 64); }
 
 // Not reciprocal, brushed, rough, tabulated, coated: both ways through every kind of lobe.
-TEST(Pairwise, ModelledThings) { expect_pairs_agree(test::modelled_things(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, ModelledThings) { expect_pairs_agree(test::bsdf_model_scene(), "E[(D|G).*]L", 64); }
 
-TEST(Pairwise, UnderALamp) { expect_pairs_agree(test::under_a_lamp(), "E[(D|G).*]L", 64); }
-TEST(Pairwise, GlassBallUnderALamp) { expect_pairs_agree(test::under_a_lamp(), "ES.*L", 64); }
+TEST(Pairwise, UnderALamp) { expect_pairs_agree(test::balls_under_area_light(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, GlassBallUnderALamp) { expect_pairs_agree(test::balls_under_area_light(), "ES.*L", 64); }
 
 // A quad, a disk and a sphere, whose points each method finds in its own way.
-TEST(Pairwise, UnderSurfaceLights) { expect_pairs_agree(test::under_surface_lights(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, UnderSurfaceLights) { expect_pairs_agree(test::balls_under_analytic_lights(), "E[(D|G).*]L", 64); }
 
-TEST(Pairwise, UnderASky) { expect_pairs_agree(test::under_a_sky(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, UnderASky) { expect_pairs_agree(test::balls_under_sky(), "E[(D|G).*]L", 64); }
 // Long paths through the ball are tried in the multiplexed form by one technique at a time, of which one finds them:
 // once in a million samples, which then count as much as all others. Twelve pictures have no normal distribution then.
 const std::vector<std::string> kRareThroughGlass{"pssmlt:form=multiplexed"};
-TEST(Pairwise, GlassBallUnderASky) { expect_pairs_agree(test::under_a_sky(), "ES.*L", 64, kRareThroughGlass); }
+TEST(Pairwise, GlassBallUnderASky) { expect_pairs_agree(test::balls_under_sky(), "ES.*L", 64, kRareThroughGlass); }
 
 // On a lens of 15 cm one walk in some thousands ends.
-TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::lens_and_shutter(), "E(D|G)*L", 64, {"light-pure"}); }
+TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::motion_and_lens_scene(), "E(D|G)*L", 64, {"light-pure"}); }
 TEST(Pairwise, DirectLightThroughLensAndShutter) {
-  expect_pairs_agree(test::lens_and_shutter(), "E(D|G)L", 64, {"light-pure"});
+  expect_pairs_agree(test::motion_and_lens_scene(), "E(D|G)L", 64, {"light-pure"});
 }
 
 TEST(Pairwise, WideLens) {
@@ -142,7 +142,7 @@ TEST(Pairwise, WideLens) {
   expect_pairs_agree(d, "E(D|G)*L", 48);
 }
 TEST(Pairwise, WideLensAndShutter) {
-  expect_pairs_agree(test::with(test::lens_and_shutter(), "camera.lens-radius", "0.8"), "E(D|G)*L", 64);
+  expect_pairs_agree(test::with(test::motion_and_lens_scene(), "camera.lens-radius", "0.8"), "E(D|G)*L", 64);
 }
 
 // The floor of a pool, lit and seen through water alone. Only chance finds these paths, so that the lamp is large.
@@ -173,10 +173,10 @@ TEST(Pairwise, BesideIceInWaterInGlass) {
 }
 TEST(Pairwise, Bubble) { expect_pairs_agree(test::bubble(), "ES.*L", 64, kRareThroughGlass); }
 TEST(Pairwise, LampInTintedWater) {
-  expect_pairs_agree(test::lamp_in_tinted_water(false), "ES.*L", 64, kRareThroughGlass);
+  expect_pairs_agree(test::light_in_tinted_water(false), "ES.*L", 64, kRareThroughGlass);
 }
 TEST(Pairwise, LampAndCameraInTintedWater) {
-  expect_pairs_agree(test::lamp_in_tinted_water(true), "E[(D|G).*]L", 64, kRareThroughGlass);
+  expect_pairs_agree(test::light_in_tinted_water(true), "E[(D|G).*]L", 64, kRareThroughGlass);
 }
 TEST(Pairwise, CameraInsideGlass) {
   expect_pairs_agree(test::camera_inside_glass(), "E[(D|G).*]L", 64, kRareThroughGlass);

@@ -5,16 +5,16 @@
 
 #include "integrator/photon/photon_emission.h"
 #include "sampling/random.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
 
 using test::with;
 
-render::Document by(const render::Document& d, const std::string& integrator,
+render::Document with_integrator(const render::Document& d, const std::string& integrator,
                     const std::vector<std::pair<std::string, std::string>>& settings = {}) {
-  render::Document made = test::by(d, integrator);
+  render::Document made = test::with_integrator(d, integrator);
   for (const auto& [name, value] : settings) made = with(made, (integrator + "." + name).c_str(), value);
   return made;
 }
@@ -136,11 +136,11 @@ TEST(PhotonMapping, GoldenSphere) {
   const auto d = test::integrating_sphere(0.05, 0.5f, scene::Cap::reflecting, 32);
   const double expected = 0.5 * 0.05 / 0.5;
   for (const char* mode : {"direct", "classic"}) {
-    const auto made = by(d, "photonmap", {{"mode", mode}, {"photons", "40000"}, {"renew", "on"}, {"nearest", "40"}});
+    const auto made = with_integrator(d, "photonmap", {{"mode", mode}, {"photons", "40000"}, {"renew", "on"}, {"nearest", "40"}});
     EXPECT_NEAR(test::mean_of(test::rendered(made, 8)).value, expected, 0.02 * expected) << mode;
   }
   for (const char* connect : {"on", "off"}) {
-    const auto made = by(d, "sppm", {{"connect", connect}, {"photons", "20000"}});
+    const auto made = with_integrator(d, "sppm", {{"connect", connect}, {"photons", "20000"}});
     EXPECT_NEAR(test::mean_of(test::rendered(made, 16)).value, expected, 0.02 * expected) << connect;
   }
 }
@@ -159,10 +159,10 @@ TEST(PhotonMapping, ClassByClassLikePathTracing) {
   d.width = d.height = 24;
   for (const char* paths : {"ED.*L", "ESD.*L", "EDL", "EDDL", "E.*DS+L"}) {
     const auto filtered = with(d, "film.paths", paths);
-    const double expected = mean_of(by(filtered, "bdpt"), 128);
+    const double expected = mean_of(with_integrator(filtered, "bdpt"), 128);
     const double tolerance = 0.08 * expected;
     for (const char* mode : {"direct", "classic"})
-      EXPECT_NEAR(mean_of(by(filtered, "photonmap",
+      EXPECT_NEAR(mean_of(with_integrator(filtered, "photonmap",
                              {{"mode", mode},
                               {"renew", "on"},
                               {"photons", "20000"},
@@ -171,7 +171,7 @@ TEST(PhotonMapping, ClassByClassLikePathTracing) {
                           8),
                   expected, tolerance)
           << paths << ' ' << mode;
-    EXPECT_NEAR(mean_of(by(filtered, "sppm", {{"photons", "10000"}, {"radius", "0.7"}}), 64), expected, tolerance)
+    EXPECT_NEAR(mean_of(with_integrator(filtered, "sppm", {{"photons", "10000"}, {"radius", "0.7"}}), 64), expected, tolerance)
         << paths;
   }
 }
@@ -188,10 +188,10 @@ TEST(PhotonMapping, LettersOfOneSurfaceLikePathTracing) {
   const auto d = test::document(scene, look_at({0, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.3f), 24, 24);
   for (const char* paths : {"EDL", "EGL", "E(D|G)L"}) {
     const auto filtered = with(d, "film.paths", paths);
-    const double expected = mean_of(by(filtered, "path"), 64);
-    EXPECT_NEAR(mean_of(by(filtered, "photonmap", {{"mode", "direct"}, {"renew", "on"}}), 8), expected, 0.03 * expected)
+    const double expected = mean_of(with_integrator(filtered, "path"), 64);
+    EXPECT_NEAR(mean_of(with_integrator(filtered, "photonmap", {{"mode", "direct"}, {"renew", "on"}}), 8), expected, 0.03 * expected)
         << paths;
-    EXPECT_NEAR(mean_of(by(filtered, "sppm", {{"connect", "off"}, {"photons", "20000"}}), 16), expected,
+    EXPECT_NEAR(mean_of(with_integrator(filtered, "sppm", {{"connect", "off"}, {"photons", "20000"}}), 16), expected,
                 0.03 * expected)
         << paths;
   }
@@ -199,13 +199,13 @@ TEST(PhotonMapping, LettersOfOneSurfaceLikePathTracing) {
 
 // Direct lookups darken the room by some percent at its edges; final gathering does not.
 TEST(PhotonMapping, FinalGatheringKeepsTheEdges) {
-  const double expected = mean_of(by(room(32), "path"), 512);
+  const double expected = mean_of(with_integrator(room(32), "path"), 512);
   const std::vector<std::pair<std::string, std::string>> few{{"photons", "20000"}, {"radius", "0"}};
   auto direct = few, classic = few;
   direct.emplace_back("mode", "direct"), classic.emplace_back("mode", "classic");
-  const double dark = mean_of(by(room(32), "photonmap", direct), 8) / expected;
+  const double dark = mean_of(with_integrator(room(32), "photonmap", direct), 8) / expected;
   EXPECT_LT(dark, 0.98);
-  EXPECT_NEAR(mean_of(by(room(32), "photonmap", classic), 16) / expected, 1, 0.015);
+  EXPECT_NEAR(mean_of(with_integrator(room(32), "photonmap", classic), 16) / expected, 1, 0.015);
 }
 
 double squared_error(const film::Film& film, const film::Film& reference) {
@@ -228,11 +228,11 @@ scene::Scene lit_floor() {
 // photons^-beta; a fixed number in the estimate (beta 0) keeps its noise.
 TEST(PhotonMapping, ErrorFallsWithPhotons) {
   auto d = test::document(lit_floor(), look_at({0, 3, 0.1f}, {0, 0, 0}, {0, 1, 0}, 0.6f), 16, 16);
-  const auto reference = test::rendered(by(d, "path"), 256);
+  const auto reference = test::rendered(with_integrator(d, "path"), 256);
   const auto error = [&](const char* beta, int photons) {
     double sum = 0;
     for (d.seed = 0; d.seed < 4; ++d.seed)
-      sum += squared_error(test::rendered(by(d, "photonmap",
+      sum += squared_error(test::rendered(with_integrator(d, "photonmap",
                                              {{"mode", "direct"},
                                               {"radius", "0"},
                                               {"nearest", "100"},
@@ -258,7 +258,7 @@ TEST(ProgressivePhotonMapping, BiasFallsAsTheRadiusShrinks) {
   auto d = test::document(lit_floor(), look_at({0.8f, 2 * 0.9165f, 0}, {0, 0, 0}, {0, 1, 0}, 0.01f), 1, 1);
   const double distance = std::hypot(0.8, 2 * 0.9165);
   for (const uint32_t half : {1U, 8U, 64U}) {
-    const auto made = by(d, "sppm", {{"connect", "off"}, {"radius", "40"}, {"photons", "20000"}, {"alpha", "0.5"}});
+    const auto made = with_integrator(d, "sppm", {{"connect", "off"}, {"radius", "40"}, {"photons", "20000"}, {"alpha", "0.5"}});
     double expected = 0, shrunk = 1;
     for (uint32_t i = 1; i <= half; ++i) {
       const double r2 = shrunk * sqr(40 * 0.01 * distance);
@@ -272,9 +272,9 @@ TEST(ProgressivePhotonMapping, BiasFallsAsTheRadiusShrinks) {
 }
 
 TEST(ProgressivePhotonMapping, ConvergesTowardsPathTracing) {
-  const auto reference = test::rendered(by(room(24), "path"), 4096);
+  const auto reference = test::rendered(with_integrator(room(24), "path"), 4096);
   const auto error = [&](uint32_t samples) {
-    return squared_error(test::rendered(by(room(24), "sppm", {{"photons", "4000"}, {"radius", "1"}}), samples),
+    return squared_error(test::rendered(with_integrator(room(24), "sppm", {{"photons", "4000"}, {"radius", "1"}}), samples),
                          reference);
   };
   const double few = error(8), many = error(128);
@@ -284,7 +284,7 @@ TEST(ProgressivePhotonMapping, ConvergesTowardsPathTracing) {
 // The camera moves in a light that stays: photons are traced once.
 TEST(PhotonMapping, AMapOutlivesTheCamera) {
   render::Session session({.threads = 2});
-  auto d = by(room(16), "photonmap", {{"photons", "50000"}});
+  auto d = with_integrator(room(16), "photonmap", {{"photons", "50000"}});
   d.limits = {2, 0, 0};
   const auto rays = [&](const render::Document& document) {
     session.submit(document);

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/cut.h"
+#include "support/resume.h"
 #include "support/replicates.h"
 
 namespace etendue {
@@ -21,8 +21,8 @@ Document with(const Document& d, const char* name, const std::string& value) {
   return changed ? *changed : d;
 }
 
-Document by(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
-Document chains(const Document& d, const std::string& form) { return with(by(d, "pssmlt"), "form", form); }
+Document with_integrator(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
+Document chains(const Document& d, const std::string& form) { return with(with_integrator(d, "pssmlt"), "form", form); }
 
 // A few chains that go far, rather than many that hardly leave their starts.
 Document metropolis(const Document& d, const std::string& form) { return with(chains(d, form), "chains", "64"); }
@@ -30,7 +30,7 @@ Document metropolis(const Document& d, const std::string& form) { return with(ch
 Document cornell() { return test::cornell(test::kSize); }
 
 TEST(Pssmlt, LargeStepsNeedNotCount) {
-  const auto expected = test::replicated(by(cornell(), "path"), 512);
+  const auto expected = test::replicated(with_integrator(cornell(), "path"), 512);
   for (const char* form : kForms)
     test::expect_agreement(expected, test::replicated(with(metropolis(cornell(), form), "combined", "off"), 128), form,
                            3);
@@ -38,8 +38,8 @@ TEST(Pssmlt, LargeStepsNeedNotCount) {
 
 TEST(Pssmlt, ClassesOfPaths) {
   for (const char* paths : {"EL", "ED+L", "E(D|G)(D|G)L"}) {
-    const Document d = with(test::glossy_things(), "film.paths", paths);
-    const auto expected = test::replicated(by(d, "path"), 256);
+    const Document d = with(test::glossy_scene(), "film.paths", paths);
+    const auto expected = test::replicated(with_integrator(d, "path"), 256);
     for (const char* form : kForms)
       test::expect_agreement(expected, test::replicated(metropolis(d, form), 96), std::string(paths) + form, 9);
   }
@@ -63,7 +63,7 @@ TEST(Pssmlt, StochasticOpacity) {
   test::add(scene, test::quad(1), light, above);
   const Document d =
       test::document(std::move(scene), look_at({0, 2, 4}, {0, 0.4f, 0}, {0, 1, 0}, 0.7f), test::kSize, test::kSize);
-  const auto expected = test::replicated(by(d, "path"), 512);
+  const auto expected = test::replicated(with_integrator(d, "path"), 512);
   for (const char* form : kForms) test::expect_agreement(expected, test::replicated(metropolis(d, form), 256), form, 3);
 }
 
@@ -108,7 +108,7 @@ TEST(Pssmlt, TheSameBitsWithAnyNumberOfThreads) {
 }
 
 TEST(Pssmlt, ARenderingThatWasCutGoesOnToTheSameBits) {
-  for (const char* form : kForms) test::expect_same_bits_after_a_cut(several_groups(form), form);
+  for (const char* form : kForms) test::expect_same_bits_after_resume(several_groups(form), form);
 }
 
 // A film whose chains are lost goes on with others.

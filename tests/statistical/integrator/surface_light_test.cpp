@@ -1,7 +1,7 @@
 // Irradiance of a floor under every type of light, against closed forms.                           [Lang, sec. 4.3]
 #include <gtest/gtest.h>
 
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
@@ -38,7 +38,7 @@ Mean irradiance(const Document& d, uint32_t samples) {
 
 // Within four standard errors, which are at most 0.4 % of the value.
 void expect_irradiance(const Document& d, double expected, const std::string& what) {
-  const Mean e = irradiance(test::with(test::by(d, "path"), "max-depth", "2"), 1024);
+  const Mean e = irradiance(test::with(test::with_integrator(d, "path"), "max-depth", "2"), 1024);
   EXPECT_NEAR(e.value, expected, 4 * e.standard_error + 1e-5 * expected) << what;
   EXPECT_LT(e.standard_error, 4e-3 * expected) << what;
 }
@@ -79,7 +79,7 @@ TEST(SurfaceLight, EmitsFromItsSides) {
   for (const char* type : {"quad", "disk"}) {
     Light light = make_light(type);
     const auto turned = above(1, kPi);
-    EXPECT_EQ(irradiance(test::by(point_of_floor(light, turned), "path"), 64).value, 0);
+    EXPECT_EQ(irradiance(test::with_integrator(point_of_floor(light, turned), "path"), 64).value, 0);
     light.set("two-sided", true);
     const Mean front = irradiance(point_of_floor(light, above(1)), 256);
     const Mean back = irradiance(point_of_floor(light, turned), 256);
@@ -97,7 +97,7 @@ TEST(SurfaceLight, RadianceIsAPowerOfTheCosine) {
     const double expected = 2 * static_cast<double>(kPi) * (1 - std::pow(edge, k + 2)) / (k + 2);
     expect_irradiance(point_of_floor(disk, above(1)), expected, "cosine exponent " + std::to_string(k));
     disk.set("points", int64_t{400});
-    const auto points = test::with(test::by(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
+    const auto points = test::with(test::with_integrator(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
     EXPECT_NEAR(irradiance(points, 4).value, expected, 1e-3 * expected);
   }
 }
@@ -111,7 +111,7 @@ TEST(SurfaceLight, IsSeenAsLargeAsItIs) {
     scene::Transform place;  // emits towards -z, where the camera is
     test::add(scene, light, place);
     auto d = test::document(std::move(scene), look_at({0, 0, -kDistance}, Vec3(0), {0, 1, 0}, kField), 48, 48);
-    return test::mean_of(test::rendered(test::by(d, "path"), 64));
+    return test::mean_of(test::rendered(test::with_integrator(d, "path"), 64));
   };
   Mean seen = share(make_light("disk", {{"radius", 1.0}}));
   EXPECT_NEAR(seen.value, static_cast<double>(kPi) / sqr(side), 4 * seen.standard_error + 1e-4);
@@ -130,7 +130,7 @@ TEST(SurfaceLight, ErrorOfPointSamplesDependsOnTheirNumber) {
       {1, -1.745e-1}, {4, -1.399e-2}, {16, -8.935e-4}, {64, -5.59e-5}, {256, -3.5e-6}};
   for (const auto& [points, error] : kErrors) {
     const Light disk = make_light("disk", {{"radius", 1.0}, {"points", points}});
-    const auto d = test::with(test::by(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
+    const auto d = test::with(test::with_integrator(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
     const Mean e = irradiance(d, 16);
     EXPECT_NEAR(e.value - static_cast<double>(kPi) / 2, error, 1e-3 * std::abs(error) + 2e-6) << points;
   }
@@ -146,8 +146,8 @@ TEST(SurfaceLight, ManyPointSamplesHaveItsIrradiance) {
     const Document area = point_of_floor(light, above(1.2f, 0.5f));
     light.set("points", int64_t{400});
     const auto points =
-        test::with(test::by(point_of_floor(light, above(1.2f, 0.5f)), "appel"), "appel.lights", "every");
-    const Mean exact = irradiance(test::with(test::by(area, "path"), "max-depth", "2"), 1024);
+        test::with(test::with_integrator(point_of_floor(light, above(1.2f, 0.5f)), "appel"), "appel.lights", "every");
+    const Mean exact = irradiance(test::with(test::with_integrator(area, "path"), "max-depth", "2"), 1024);
     const double e = irradiance(points, 4).value;
     EXPECT_NEAR(e, exact.value, 4 * exact.standard_error + 2e-3 * exact.value) << type;
   }
@@ -163,7 +163,7 @@ TEST(AmbientLight, IsTheSameEverywhere) {
     d.scene = std::make_shared<const scene::Scene>(std::move(covered));
     d.camera = look_at(scale * Vec3(0.3f, 0.4f, 0.2f), Vec3(0), {0, 1, 0}, 1e-4f);
     for (const char* method : {"path", "appel", "bdpt"}) {
-      const Mean e = irradiance(test::with(test::by(d, method), "max-depth", "2"), 512);
+      const Mean e = irradiance(test::with(test::with_integrator(d, method), "max-depth", "2"), 512);
       EXPECT_NEAR(e.value, 3 * static_cast<double>(kPi), 4 * e.standard_error) << method;
     }
   }
@@ -172,7 +172,7 @@ TEST(AmbientLight, IsTheSameEverywhere) {
 // ---- Delta lights, without noise.
 
 double sharp_irradiance(const Light& light, const scene::Transform& place) {
-  return irradiance(test::with(test::by(point_of_floor(light, place), "appel"), "appel.lights", "every"), 4).value;
+  return irradiance(test::with(test::with_integrator(point_of_floor(light, place), "appel"), "appel.lights", "every"), 4).value;
 }
 
 TEST(PointLight, FallsOffAsTheSquareOfTheDistance) {

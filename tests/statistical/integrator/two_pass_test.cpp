@@ -24,7 +24,7 @@ const std::vector<Variant> kVariants{
     {"igi", {{"igi.light-paths", "9"}, {"igi.full-bsdf", "on"}, {"igi.renew", "off"}}}};
 
 render::Document made(const Variant& variant, const std::string& paths = "") {
-  auto d = test::glossy_things();
+  auto d = test::glossy_scene();
   d.width = 40, d.height = 24;
   d.method.integrator = variant.integrator, d.method.paths = paths;
   for (const auto& [name, value] : variant.settings) d = *render::with_text(d, name, value);

@@ -37,7 +37,7 @@ TEST(Session, AnotherSeedIsAnotherImage) {
 }
 
 TEST(Session, LargerModelsGiveTheSameImage) {
-  for (const auto& d : {test::cornell(48), test::glossy_things()})
+  for (const auto& d : {test::cornell(48), test::glossy_scene()})
     for (const char* integrator : {"path", "path-pure", "raycast", "whitted", "distribution"}) {
       const auto document = *render::with_text(d, "render.integrator", integrator);
       const auto small = test::rendered(document, 16);
