@@ -35,7 +35,10 @@ bool never_stop(double, const std::string&) { return true; }
 double tau(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0, pairs = 0;
   for (size_t i = 0; i < a.size(); ++i)
-    for (size_t j = 0; j < i; ++j) sum += (a[i] - a[j]) * (b[i] - b[j]) > 0 ? 1 : -1, pairs += 1;
+    for (size_t j = 0; j < i; ++j) {
+      sum += (a[i] - a[j]) * (b[i] - b[j]) > 0 ? 1 : -1;
+      pairs += 1;
+    }
   return pairs > 0 ? sum / pairs : 1;
 }
 
@@ -49,7 +52,8 @@ void compare_ranking(render::Session& session, const render::Document& d, const 
   for (const auto& result : outcome.methods) rmse.push_back(bench::summary_of(result, reference, {}).rmse);
   const double best = *std::ranges::min_element(rmse);
   advisor::AdviceRequest question;
-  question.target = best, question.pilot_seconds = 0.5;
+  question.target = best;
+  question.pilot_seconds = 0.5;
   const auto ranking = advisor::advise(session, d, question, never_stop);
   std::vector<double> seconds(methods.size(), INFINITY);
   double rmse_of_best = INFINITY;
@@ -59,10 +63,11 @@ void compare_ranking(render::Session& session, const render::Document& d, const 
         seconds[i] = advice.time->seconds;
         if (&advice == ranking.best()) rmse_of_best = rmse[i];
       }
-  std::printf("  ranking of %zu: tau %.2f; best in the benchmark %s, recommended %s, its error over the smallest %.2f\n",
-              methods.size(), tau(seconds, rmse),
-              methods[static_cast<size_t>(std::ranges::min_element(rmse) - rmse.begin())].name.c_str(),
-              ranking.best() ? ranking.best()->method.name.c_str() : "nothing", rmse_of_best / best);
+  std::printf(
+      "  ranking of %zu: tau %.2f; best in the benchmark %s, recommended %s, its error over the smallest %.2f\n",
+      methods.size(), tau(seconds, rmse),
+      methods[static_cast<size_t>(std::ranges::min_element(rmse) - rmse.begin())].name.c_str(),
+      ranking.best() ? ranking.best()->method.name.c_str() : "nothing", rmse_of_best / best);
   std::fflush(stdout);
 }
 
@@ -82,7 +87,8 @@ std::vector<Observation> long_run(render::Session& session, render::Document d, 
     d.limits = {samples, 0, 0};
     const uint64_t version = observations.empty() ? session.submit(d) : session.submit(d, std::move(film));
     bench::wait_for(session, version, [](const render::Status&) { return true; });
-    film = session.film_copy(), seconds += session.status().seconds;
+    film = session.film_copy();
+    seconds += session.status().seconds;
     observations.push_back(
         {samples, seconds, advisor::true_error(film::radiance_of(film), reference).absolute.root(), film.error()});
   }
@@ -90,12 +96,14 @@ std::vector<Observation> long_run(render::Session& session, render::Document d, 
 }
 
 // When the true error first fell below the target, by linear interpolation between logarithms; empty if it never did.
-std::optional<double> reached(const std::vector<Observation>& observations, size_t from, double target, bool in_samples) {
+std::optional<double> reached(const std::vector<Observation>& observations, size_t from, double target,
+                              bool in_samples) {
   const auto time = [&](size_t i) { return in_samples ? observations[i].samples : observations[i].seconds; };
   for (size_t i = from + 1; i < observations.size(); ++i) {
     if (observations[i].truth > target) continue;
     if (observations[i - 1].truth <= target) return {};  // too close to the pilot for a prediction
-    const double t = std::log(observations[i - 1].truth / target) / std::log(observations[i - 1].truth / observations[i].truth);
+    const double t =
+        std::log(observations[i - 1].truth / target) / std::log(observations[i - 1].truth / observations[i].truth);
     return time(i - 1) * std::pow(time(i) / time(i - 1), t);
   }
   return {};
@@ -142,11 +150,13 @@ Scores compare_times(render::Session& session, const render::Document& d, const 
       method.document.seed = 100 + static_cast<uint64_t>(seed);
       const auto observations = long_run(session, method.document, reference);
       const bool independent = find_sampler(method.document.method.sampler)->independent;
-      sum.seconds.replay(observations, independent, false), sum.samples.replay(observations, independent, true);
+      sum.seconds.replay(observations, independent, false);
+      sum.samples.replay(observations, independent, true);
     }
     sum.seconds.print((std::string(name) + ", seconds").c_str());
     sum.samples.print((std::string(name) + ", samples").c_str());
-    all.seconds.add(sum.seconds), all.samples.add(sum.samples);
+    all.seconds.add(sum.seconds);
+    all.samples.add(sum.samples);
   }
   return all;
 }
@@ -160,16 +170,19 @@ int run(int width, int height, const std::vector<std::string>& scenes) {
     auto opened = render::new_document(scene);
     if (!opened) return std::fprintf(stderr, "%s\n", opened.error().message.c_str()), 3;
     render::Document d = *opened;
-    d.width = width, d.height = height;
+    d.width = width;
+    d.height = height;
     std::printf("%s\n", scene.c_str());
     const auto reference = bench::render_reference(session, d, {0, kReference}, {}, never_stop);
     const film::Film halves = session.film_copy();
     compare_ranking(session, d, reference);
     const Scores scores = compare_times(session, d, halves);
-    all.seconds.add(scores.seconds), all.samples.add(scores.samples);
+    all.seconds.add(scores.seconds);
+    all.samples.add(scores.samples);
   }
   std::printf("all scenes\n");
-  all.seconds.print("seconds"), all.samples.print("samples");
+  all.seconds.print("seconds");
+  all.samples.print("samples");
   return 0;
 }
 

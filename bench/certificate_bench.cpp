@@ -24,7 +24,9 @@ void cover(const std::string& scene, int renderings) {
   auto opened = render::new_document(scene);
   if (!opened) return static_cast<void>(std::fprintf(stderr, "%s\n", opened.error().message.c_str()));
   render::Document d = *opened;
-  d.width = kWidth, d.height = kHeight, d.seed = 1u << 30;
+  d.width = kWidth;
+  d.height = kHeight;
+  d.seed = 1u << 30;
   const film::Film reference = render::rendered(d, kReference);
   int held = 0, held_relative = 0, unchanged = 0;
   double width = 0, width_relative = 0;

@@ -48,7 +48,11 @@ class IntegratorHarness {
   const std::vector<Part>& parts() const { return parts_; }
   Part total() const {
     Part sum;
-    for (const Part& p : parts_) sum.rays += p.rays, sum.seconds += p.seconds, sum.bookkeeping += p.bookkeeping;
+    for (const Part& p : parts_) {
+      sum.rays += p.rays;
+      sum.seconds += p.seconds;
+      sum.bookkeeping += p.bookkeeping;
+    }
     return sum;
   }
 
@@ -78,7 +82,8 @@ class IntegratorHarness {
     film::add_rows({&splats_, 1}, prepared_.width(), 0, prepared_.height(), image_);
     splats_.clear();
     const double took = std::chrono::duration<double>(Clock::now() - start).count();
-    part->rays += rays, part->seconds += took;
+    part->rays += rays;
+    part->seconds += took;
     part->bookkeeping += rays > 0 ? watch_.seconds() - bookkeeping : took;
   }
 

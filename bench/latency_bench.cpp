@@ -94,7 +94,8 @@ class Bench {
   template <class Edit>
   bool edit(render::Session& session, const char* what, Edit&& edited) {
     std::uniform_real_distribution<double> pause(0, 300);
-    session.take_latencies(), session.take_restart_latencies();
+    session.take_latencies();
+    session.take_restart_latencies();
     for (int i = 0; i < edits_; ++i) {
       wait_for_frame(session, session.submit(edited(document_, i)));
       std::this_thread::sleep_for(Milliseconds(pause(random_)));
@@ -159,7 +160,8 @@ int main(int argc, char** argv) {
   for (const char* file : {"/scenes/staircase2/staircase2.glb", "/gltf/ToyCar/glTF/ToyCar.gltf"}) {
     auto document = render::new_document(data + file);
     if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
-    document->width = 1280, document->height = 720;
+    document->width = 1280;
+    document->height = 720;
     fine = Bench(std::filesystem::path(file).stem(), *document, edits).run() && fine;
   }
   return fine ? 0 : 1;

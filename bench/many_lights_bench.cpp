@@ -86,7 +86,8 @@ void compare(int light_count, const std::string& method, int turns, uint32_t ref
     const auto seed = static_cast<uint64_t>(100 + i);
     const Measurement power = hall.turn(method + ":lights=one", seed, kSamples, &reference);
     const Measurement tree = hall.turn(method + ":lights=tree", seed, kSamples, &reference);
-    error.push_back(power.error / tree.error), time.push_back(tree.seconds / power.seconds);
+    error.push_back(power.error / tree.error);
+    time.push_back(tree.seconds / power.seconds);
     efficiency.push_back(error.back() / time.back());
   }
   using metrics::quantile;
@@ -104,7 +105,9 @@ class Choices {
     for (size_t i = 0; i < kCount; ++i) {
       from_.set(
           i, Vec3(scene::many::kSide, 1, scene::many::kSide) * Vec3(uniform(engine), uniform(engine), uniform(engine)));
-      choice_[i] = uniform(engine) * kOneMinusEpsilon, u0_[i] = uniform(engine), u1_[i] = uniform(engine);
+      choice_[i] = uniform(engine) * kOneMinusEpsilon;
+      u0_[i] = uniform(engine);
+      u1_[i] = uniform(engine);
     }
   }
 
@@ -130,10 +133,15 @@ class PointBelowLight {
   explicit PointBelowLight(float height) {
     for (size_t i = 0; i < kCount; ++i) from_.set(i, Vec3(0.3f, -height, 0.2f));
     std::vector<AreaLightTriangle> triangles(2);
-    triangles[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1}), triangles[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
-    for (AreaLightTriangle& t : triangles) t.radiance = Rgb(1), t.double_sided = false;
+    triangles[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1});
+    triangles[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
+    for (AreaLightTriangle& t : triangles) {
+      t.radiance = Rgb(1);
+      t.double_sided = false;
+    }
     Bounds bounds;
-    bounds.extend(Vec3(-1, -height, -1)), bounds.extend(Vec3(1, 0, 1));
+    bounds.extend(Vec3(-1, -height, -1));
+    bounds.extend(Vec3(1, 0, 1));
     table_ = LightTable(std::move(triangles), {}, Environment{}, bounds);
   }
 
@@ -144,14 +152,18 @@ class PointBelowLight {
     std::uniform_real_distribution<float> uniform(0, kOneMinusEpsilon);
     double sum = 0, squares = 0, seconds = 0;
     for (int k = 0; k < kRepeats; ++k) {
-      for (size_t i = 0; i < kCount; ++i)
-        choice_[i] = uniform(engine), u0_[i] = uniform(engine), u1_[i] = uniform(engine);
+      for (size_t i = 0; i < kCount; ++i) {
+        choice_[i] = uniform(engine);
+        u0_[i] = uniform(engine);
+        u1_[i] = uniform(engine);
+      }
       const auto start = Clock::now();
       table_.sample({from_, choice_.data(), u0_.data(), u1_.data(), kCount}, samples_.data(), strategy);
       seconds += std::chrono::duration<double>(Clock::now() - start).count();
       for (const LightSample& s : samples_) {
         const auto value = static_cast<double>(s.pdf > 0 ? s.wi.y / s.pdf : 0);
-        sum += value, squares += value * value;
+        sum += value;
+        squares += value * value;
       }
     }
     constexpr double n = kRepeats * static_cast<double>(kCount);
@@ -173,11 +185,13 @@ void compare_direction_sampling(int turns) {
     std::vector<double> points, directions, time;
     for (int i = 0; i < turns; ++i) {
       const Measurement a = point->turn(LightStrategy::emission_pdf, 2), b = point->turn(LightStrategy::one, 3);
-      points.push_back(a.error), directions.push_back(b.error), time.push_back(b.seconds / a.seconds);
+      points.push_back(a.error);
+      directions.push_back(b.error);
+      time.push_back(b.seconds / a.seconds);
     }
     using metrics::quantile;
-    std::printf("%7.2f %16.5f %16.5f %10.2f\n", static_cast<double>(height), quantile(points, 0.5), quantile(directions, 0.5),
-                quantile(time, 0.5));
+    std::printf("%7.2f %16.5f %16.5f %10.2f\n", static_cast<double>(height), quantile(points, 0.5),
+                quantile(directions, 0.5), quantile(time, 0.5));
   }
 }
 
@@ -204,8 +218,7 @@ void costs(int turns) {
               "image, tree over one", "tree over power");
   for (size_t k = 0; k < counts.size(); ++k)
     std::printf("%7d %18.1f %18.1f %16.2f %22.2f %22.2f\n", counts[k], median(rows[k].power), median(rows[k].tree),
-                median(rows[k].tree) / median(rows[0].tree),
-                median(rows[k].image_tree) / median(rows[0].image_tree),
+                median(rows[k].tree) / median(rows[0].tree), median(rows[k].image_tree) / median(rows[0].image_tree),
                 median(rows[k].image_tree) / median(rows[k].image_power));
 }
 
@@ -219,7 +232,8 @@ int main(int argc, char** argv) {
   const uint32_t reference = quick ? 512 : 4096;
   prepare_thread_for_rays();
   std::printf("%7s  %-20s %9s %9s %11s\n", "lights", "integrator", "MSE", "time", "efficiency");
-  for (const int light_count : {1, 4, 10, 100, 1000, 10'000}) compare(light_count, "path:max-depth=2", turns, reference);
+  for (const int light_count : {1, 4, 10, 100, 1000, 10'000})
+    compare(light_count, "path:max-depth=2", turns, reference);
   compare(1000, "path", turns, reference);
   costs(turns);
   compare_direction_sampling(turns);

@@ -8,8 +8,8 @@
 
 #include "geometry/accel.h"
 #include "render/session.h"
-#include "support/large_glb.h"
 #include "support/child_process.h"
+#include "support/large_glb.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -26,7 +26,8 @@ int measure_memory(const char* name, const std::string& file) {
   auto document = render::new_document(file);
   if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
   const size_t loaded = test::resident_bytes(), peak_of_loading = test::peak_resident_bytes();
-  document->width = 1280, document->height = 720;
+  document->width = 1280;
+  document->height = 720;
   document->limits.samples = 1;
   render::Session session({});
   session.submit(*document);

@@ -59,14 +59,16 @@ double rays_per_second(const IntegratorHarness::Part& part) { return static_cast
 void print(const Contender& c, const Contender& first) {
   const double ratio = median_ratio(c.rays, first.rays);
   const double without = ratio * (1 - first.bookkeeping_share()) / (1 - c.bookkeeping_share());
-  std::printf("%-34s %8.3f %7.3f %8.1f %9.3f %11.2f %7.3f\n", c.name.c_str(), c.timed_render.rays_per_second() * 1e-6, ratio,
-              100 * c.bookkeeping_share(), without, c.timed_render.samples() / c.seconds, median_ratio(c.samples, first.samples));
+  std::printf("%-34s %8.3f %7.3f %8.1f %9.3f %11.2f %7.3f\n", c.name.c_str(), c.timed_render.rays_per_second() * 1e-6,
+              ratio, 100 * c.bookkeeping_share(), without, c.timed_render.samples() / c.seconds,
+              median_ratio(c.samples, first.samples));
   const auto& parts = c.harness.parts();
   for (size_t i = 0; i < parts.size() && parts.size() > 1; ++i) {
     const IntegratorHarness::Part& p = parts[i];
     const double of_part = rays_per_second(p) / rays_per_second(first.harness.total());
     std::printf("  %-32s %8.3f %7.3f %8.1f %9.3f %10.1f%% of the time\n", p.name.c_str(), rays_per_second(p) * 1e-6,
-                of_part, 100 * p.bookkeeping / p.seconds, p.bookkeeping < p.seconds ? of_part / (1 - p.bookkeeping / p.seconds) : 0.0,
+                of_part, 100 * p.bookkeeping / p.seconds,
+                p.bookkeeping < p.seconds ? of_part / (1 - p.bookkeeping / p.seconds) : 0.0,
                 100 * p.seconds / c.harness.total().seconds);
   }
 }
@@ -74,7 +76,8 @@ void print(const Contender& c, const Contender& first) {
 int run(const std::string& scene, int width, int height, const std::vector<std::string>& methods) {
   auto document = render::new_document(scene);
   if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
-  document->width = width, document->height = height;
+  document->width = width;
+  document->height = height;
   const auto compiled = scene::compile(document->scene, document->camera, nullptr);
   std::deque<Contender> contenders;
   for (const std::string& name : methods) {
@@ -98,7 +101,9 @@ int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   int width = 256, height = 256;
   if (words.size() > 1 && std::sscanf(words[1].c_str(), "%dx%d", &width, &height) != 2)
-    return std::fprintf(stderr, "methods_bench: %s is not a size; expected WIDTHxHEIGHT, for example 256x256\n", words[1].c_str()), 2;
+    return std::fprintf(stderr, "methods_bench: %s is not a size; expected WIDTHxHEIGHT, for example 256x256\n",
+                        words[1].c_str()),
+           2;
   std::vector<std::string> methods{
       "path", "light",    "bdpt", "pssmlt:form=path", "pssmlt:form=bidirectional", "pssmlt:form=multiplexed",
       "sppm", "photonmap"};

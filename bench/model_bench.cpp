@@ -38,7 +38,8 @@ class Bench {
     std::vector<double> seconds, instructions;
     for (int i = 0; i < kRounds; ++i) {
       const Cost a = cost_of(small), b = cost_of(large);
-      seconds.push_back(b.seconds / a.seconds), instructions.push_back(b.instructions / a.instructions);
+      seconds.push_back(b.seconds / a.seconds);
+      instructions.push_back(b.instructions / a.instructions);
     }
     using metrics::quantile;
     std::printf("%-24s %-14s %6.3f  (%5.3f to %5.3f) %12.4f\n", scene.c_str(), what.c_str(), quantile(seconds, 0.5),
@@ -97,7 +98,9 @@ render::Document with_alpha_of_one(render::Document d) {
 
 render::Document with_white_textures(render::Document d) {
   auto white = std::make_shared<image::Image>();
-  white->width = white->height = 1, white->channels = 3, white->bytes = {255, 255, 255};
+  white->width = white->height = 1;
+  white->channels = 3;
+  white->bytes = {255, 255, 255};
   return with_materials(std::move(d), [&](scene::Scene& scene, Material& m) {
     if (scene.textures.empty()) scene.textures.emplace_back().image = white;
     m.base_color_texture.texture = 0;

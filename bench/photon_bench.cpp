@@ -102,8 +102,10 @@ void run() {
     for (uint32_t task_context = 0; task_context < 5; ++task_context) {
       paths = std::max(paths, rig.paths(task_context));
       const Rig::Photons found = rig.photons(emitted, task_context);
-      rays = std::max(rays, found.rays_per_second), ordering = std::min(ordering, found.ordering);
-      lookup = std::min(lookup, found.microseconds_a_lookup), stored = found.stored;
+      rays = std::max(rays, found.rays_per_second);
+      ordering = std::min(ordering, found.ordering);
+      lookup = std::min(lookup, found.microseconds_a_lookup);
+      stored = found.stored;
     }
     std::printf("%7d  %8zu  %15.2f  %10.2f  %5.2f  %11.1f  %11.0f  %17.1f\n", emitted, stored, 1e-6 * paths,
                 1e-6 * rays, rays / paths, 1e3 * ordering, 1e9 * ordering / static_cast<double>(stored), lookup);

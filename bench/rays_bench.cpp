@@ -56,9 +56,11 @@ void compare_rays(const char* scene_name, const std::string& name, render::Docum
     bare = seconds([&] { hits += log.replay(); }) / static_cast<double>(log.size());
     const auto rays = static_cast<double>(after.rays - before.rays);
     const double took = after.seconds - before.seconds, bookkeeping = after.bookkeeping - before.bookkeeping;
-    ratios.push_back(bare * rays / took), without.push_back(bare * rays / (took - bookkeeping));
+    ratios.push_back(bare * rays / took);
+    without.push_back(bare * rays / (took - bookkeeping));
   }
-  std::sort(ratios.begin(), ratios.end()), std::sort(without.begin(), without.end());
+  std::sort(ratios.begin(), ratios.end());
+  std::sort(without.begin(), without.end());
   std::printf(
       "%-8s %-28s over the bare loop: median %.3f (min %.3f, max %.3f), without bookkeeping %.3f; bare %.1f ns "
       "per ray, %llu hits\n",

@@ -36,7 +36,8 @@ std::string with_error(const metrics::Estimate& f) {
 void slopes(render::Session& session, const char* name, const std::string& file, uint32_t samples) {
   auto document = render::new_document(file);
   if (!document) return;
-  document->width = 128, document->height = 96;
+  document->width = 128;
+  document->height = 96;
   const auto methods = bench::parse_methods("path:sampler=random,path:sampler=sobol", *document);
   const auto reference = bench::render_reference(session, *document, {kReferenceSeconds, 0}, {}, never_stop);
   const bench::Plan plan{*methods, 0, samples, kRepeats, 0};

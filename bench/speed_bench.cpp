@@ -28,7 +28,10 @@ scene::Scene glossy_box_and_glass_sphere() {
   for (const auto& group : scene.meshes) {
     if (group.name != "tall box") continue;
     Material& metal = scene.materials[static_cast<size_t>(group.primitives[0].material)];
-    metal.metallic = 1, metal.roughness = 0.3f, metal.specular = 1, metal.base_color = Rgb(0.9f);
+    metal.metallic = 1;
+    metal.roughness = 0.3f;
+    metal.specular = 1;
+    metal.base_color = Rgb(0.9f);
   }
   Mat4 place(1);
   place[3] = Vec4(1.86f, 1.0f, 1.69f, 1);

@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "render/session.h"
-#include "support/large_glb.h"
 #include "support/child_process.h"
+#include "support/large_glb.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -29,7 +29,8 @@ int phases(const std::string& file) {
   auto document = render::new_document(file);
   if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
   const double loaded = seconds_since(start);
-  document->width = 1280, document->height = 720;
+  document->width = 1280;
+  document->height = 720;
   render::Session session({.interactive = true});
   session.submit(*document);
   while (!session.frame()) std::this_thread::sleep_for(std::chrono::microseconds(500));

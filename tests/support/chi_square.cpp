@@ -77,7 +77,8 @@ ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const s
     if (expected[i] >= 5) {
       add(counts[i], expected[i]);
     } else {
-      pooled_count += counts[i], pooled_expected += expected[i];
+      pooled_count += counts[i];
+      pooled_expected += expected[i];
     }
   }
   if (pooled_expected >= 5) add(pooled_count, pooled_expected);

@@ -6,44 +6,55 @@ namespace {
 Material base(float metallic, float roughness) {
   Material m;
   m.base_color = {0.8f, 0.6f, 0.4f};
-  m.metallic = metallic, m.roughness = roughness;
+  m.metallic = metallic;
+  m.roughness = roughness;
   return m;
 }
 
 Material glass(float thickness, float roughness, float ior = 1.5f) {
   Material m = base(0, roughness);
-  m.transmission = 1, m.thickness = thickness, m.ior = ior;
+  m.transmission = 1;
+  m.thickness = thickness;
+  m.ior = ior;
   return m;
 }
 
 Material coated(Material m, float strength, float roughness) {
-  m.clearcoat = strength, m.clearcoat_roughness = roughness;
+  m.clearcoat = strength;
+  m.clearcoat_roughness = roughness;
   return m;
 }
 
 Material with_sheen(Material m, float roughness) {
-  m.sheen_color = {0.9f, 0.5f, 0.2f}, m.sheen_roughness = roughness;
+  m.sheen_color = {0.9f, 0.5f, 0.2f};
+  m.sheen_roughness = roughness;
   return m;
 }
 
 Material with_film(Material m, float strength, float ior, float thickness) {
-  m.iridescence = strength, m.iridescence_ior = ior, m.iridescence_thickness_max = thickness;
+  m.iridescence = strength;
+  m.iridescence_ior = ior;
+  m.iridescence_thickness_max = thickness;
   return m;
 }
 
 Material translucent(Material m, float share, float thickness = 0) {
-  m.diffuse_transmission = share, m.diffuse_transmission_color = {0.3f, 0.9f, 0.5f}, m.thickness = thickness;
+  m.diffuse_transmission = share;
+  m.diffuse_transmission_color = {0.3f, 0.9f, 0.5f};
+  m.thickness = thickness;
   return m;
 }
 
 Material tinted(Material m, float specular) {
-  m.specular = specular, m.specular_color = {1, 0.5f, 0.2f};
+  m.specular = specular;
+  m.specular_color = {1, 0.5f, 0.2f};
   return m;
 }
 
 Material glossy(float roughness) {
   Material m = base(0, roughness);
-  m.specular_glossiness = true, m.specular_color = {0.3f, 0.2f, 0.1f};
+  m.specular_glossiness = true;
+  m.specular_color = {0.3f, 0.2f, 0.1f};
   return m;
 }
 
@@ -72,17 +83,18 @@ std::vector<GltfCase> rough_gltf_cases() {
       {"wax", translucent(base(0.2f, 0.4f), 0.7f, 1)},
       {"paper under a film", with_film(translucent(base(0, 0.4f), 0.5f), 1, 1.8f, 500)},
       {"thin sheet with diffuse transmission", translucent(
-                                        [] {
-                                          Material m = glass(0, 0.5f);
-                                          m.transmission = 0.5f;
-                                          return m;
-                                        }(),
-                                        0.5f)},
+                                                   [] {
+                                                     Material m = glass(0, 0.5f);
+                                                     m.transmission = 0.5f;
+                                                     return m;
+                                                   }(),
+                                                   0.5f)},
       {"everything",
        coated(with_sheen(with_film(translucent(
                                        [] {
                                          Material m = glass(0, 0.5f);
-                                         m.transmission = 0.5f, m.metallic = 0.3f;
+                                         m.transmission = 0.5f;
+                                         m.metallic = 0.3f;
                                          return m;
                                        }(),
                                        0.5f),

@@ -12,7 +12,9 @@ Document with(const Document& d, const char* name, const std::string& value) {
   return changed ? *changed : d;
 }
 
-Document with_integrator(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
+Document with_integrator(const Document& d, const std::string& integrator) {
+  return with(d, "render.integrator", integrator);
+}
 
 Document without_specular_first_hit(const Document& d) { return with(d, "film.paths", "E[(D|G).*]L"); }
 
@@ -20,9 +22,15 @@ scene::Scene balls() {
   scene::Scene scene;
   add(scene, quad(4), diffuse(Rgb(0.6f)));
   Material glass, clay;
-  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.roughness = 0;
-  glass.attenuation_color = {0.4f, 0.8f, 0.9f}, glass.attenuation_distance = 0.7f;
-  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  glass.metallic = 0;
+  glass.transmission = 1;
+  glass.thickness = 1;
+  glass.roughness = 0;
+  glass.attenuation_color = {0.4f, 0.8f, 0.9f};
+  glass.attenuation_distance = 0.7f;
+  clay.base_color = {0.7f, 0.3f, 0.2f};
+  clay.metallic = 0;
+  clay.roughness = 0.3f;
   const std::pair<Material, bool> materials[] = {{diffuse(Rgb(0.5f)), true}, {glass, false}, {clay, true}};
   for (int i = 0; i < 3; ++i) {
     Mat4 place(1);
@@ -43,7 +51,8 @@ Document balls_under_area_light() {
   auto scene = balls();
   Material light = diffuse(Rgb(0.3f), Rgb(6));
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, quad(1), light, above);
   return view_from_above(std::move(scene));
@@ -88,8 +97,8 @@ Document with_lens(const Document& d) {
   return with(with(d, "camera.lens-radius", "0.25"), "camera.focus-distance", "4");
 }
 
-void expect_same_mean(const Document& a, uint32_t samples_a, const Document& b, uint32_t samples_b, const std::string& what,
-                 int comparisons) {
+void expect_same_mean(const Document& a, uint32_t samples_a, const Document& b, uint32_t samples_b,
+                      const std::string& what, int comparisons) {
   expect_agreement(replicated(a, samples_a), replicated(b, samples_b), what, comparisons);
 }
 
@@ -111,8 +120,12 @@ Document bsdf_model_scene() {
   // The lobe of the floor is not reciprocal: radiance and importance scatter differently.
   add(scene, scene::quad(4), modelled("phong", {{"diffuse", 0.4}, {"exponent", 6.0}}));
   Material coated;
-  coated.metallic = 0, coated.base_color = {0.6f, 0.2f, 0.2f}, coated.roughness = 0.6f;
-  coated.clearcoat = 0.8f, coated.clearcoat_roughness = 0.35f, coated.sheen_color = Rgb(0.3f),
+  coated.metallic = 0;
+  coated.base_color = {0.6f, 0.2f, 0.2f};
+  coated.roughness = 0.6f;
+  coated.clearcoat = 0.8f;
+  coated.clearcoat_roughness = 0.35f;
+  coated.sheen_color = Rgb(0.3f);
   coated.sheen_roughness = 0.5f;
   const Material materials[] = {
       modelled("ward", {{"alpha-x", 0.2}, {"alpha-y", 0.5}}),
@@ -127,7 +140,8 @@ Document bsdf_model_scene() {
     add(scene, scene::sphere(0.5f, 16, false), materials[i], place);
   }
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, scene::quad(1), scene::diffuse(Rgb(0), Rgb(6)), above);
   scene.environment.tint = {0.2f, 0.25f, 0.3f};

@@ -28,6 +28,6 @@ render::Document with_lens(const render::Document& d);
 
 // Expects equal means of both documents (expect_agreement).
 void expect_same_mean(const render::Document& a, uint32_t samples_a, const render::Document& b, uint32_t samples_b,
-                 const std::string& what, int comparisons);
+                      const std::string& what, int comparisons);
 
 }  // namespace etendue::test

@@ -15,7 +15,8 @@ Mat4 at(const Vec3& p) {
 // Moves a quad to p and turns it to face down.
 Mat4 above(const Vec3& p) {
   Mat4 m = at(p);
-  m[1][1] = -1, m[2][2] = -1;
+  m[1][1] = -1;
+  m[2][2] = -1;
   return m;
 }
 
@@ -33,7 +34,8 @@ Material liquid(float ior, const Rgb& per_metre, float roughness) {
   Material m = scene::glass(ior);
   m.roughness = roughness;
   if (per_metre == Rgb(1)) return m;
-  m.attenuation_color = per_metre, m.attenuation_distance = 1;
+  m.attenuation_color = per_metre;
+  m.attenuation_distance = 1;
   return m;
 }
 

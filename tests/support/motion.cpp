@@ -10,9 +10,11 @@ using scene::AnimatedPath;
 
 void animate(scene::Scene& scene, int node, AnimatedPath path, std::vector<float> seconds, std::vector<float> values) {
   scene::AnimationChannel channel;
-  channel.node = node, channel.path = path;
+  channel.node = node;
+  channel.path = path;
   channel.components = values.size() / seconds.size();
-  channel.times = std::move(seconds), channel.values = std::move(values);
+  channel.times = std::move(seconds);
+  channel.values = std::move(values);
   auto animation = std::make_shared<scene::Animation>();
   animation->duration = channel.times.back();
   animation->channels.push_back(std::move(channel));
@@ -40,7 +42,9 @@ render::Document motion_and_lens_scene() {
   scene::Scene scene;
   add(scene, quad(4), diffuse(Rgb(0.6f)));
   Material clay;
-  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  clay.base_color = {0.7f, 0.3f, 0.2f};
+  clay.metallic = 0;
+  clay.roughness = 0.3f;
   const int ball = add(scene, sphere(0.6f, 16, false), clay);
   animate(scene, ball, AnimatedPath::translation, {0, 0.5f, 1}, {-1.5f, 0.7f, 0, -0.4f, 0.9f, 0, -0.8f, 1.4f, 0});
   const int box = add(scene, cube(0.4f, false), diffuse({0.2f, 0.5f, 0.8f}));
@@ -58,7 +62,9 @@ render::Document motion_and_lens_scene() {
   animate(scene, eye, AnimatedPath::rotation, {0, 1},
           {down.x, down.y, down.z, down.w, down_and_aside.x, down_and_aside.y, down_and_aside.z, down_and_aside.w});
   auto d = from_scene_camera(std::move(scene), kSize);
-  d.camera.shutter = 1, d.camera.lens_radius = 0.15f, d.camera.focus_distance = 4;
+  d.camera.shutter = 1;
+  d.camera.lens_radius = 0.15f;
+  d.camera.focus_distance = 4;
   return d;
 }
 

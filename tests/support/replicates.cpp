@@ -39,7 +39,10 @@ double block_mean(const film::Film& film, size_t block) {
 
 Estimate Estimate::operator+(const Estimate& other) const {
   Estimate sum = *this;
-  for (size_t i = 0; i < mean.size(); ++i) sum.mean[i] += other.mean[i], sum.variance[i] += other.variance[i];
+  for (size_t i = 0; i < mean.size(); ++i) {
+    sum.mean[i] += other.mean[i];
+    sum.variance[i] += other.variance[i];
+  }
   return sum;
 }
 
@@ -62,7 +65,10 @@ Estimate replicated(const std::function<Blocks(uint64_t seed)>& image, uint64_t 
   std::vector<double> sum(n, 0), squares(n, 0);
   for (int r = 0; r < kReplicates; ++r) {
     const Blocks means = image(first_seed + static_cast<uint64_t>(r));
-    for (size_t i = 0; i < n; ++i) sum[i] += means[i], squares[i] += means[i] * means[i];
+    for (size_t i = 0; i < n; ++i) {
+      sum[i] += means[i];
+      squares[i] += means[i] * means[i];
+    }
   }
   Estimate e;
   for (size_t i = 0; i < n; ++i) {
@@ -79,7 +85,8 @@ void expect_agreement(const Estimate& x, const Estimate& y, const std::string& w
   for (size_t i = 0; i < x.mean.size(); ++i) {
     const double error = std::sqrt(x.variance[i] + y.variance[i]);
     EXPECT_LE(std::abs(x.mean[i] - y.mean[i]), t * error + 1e-6) << what << " block " << i;
-    difference += x.mean[i] - y.mean[i], variance += x.variance[i] + y.variance[i];
+    difference += x.mean[i] - y.mean[i];
+    variance += x.variance[i] + y.variance[i];
   }
   EXPECT_LE(std::abs(difference), t * std::sqrt(variance) + 1e-6) << what << " mean";
 }
@@ -88,12 +95,22 @@ render::Document glossy_scene() {
   scene::Scene scene;
   add(scene, quad(4), diffuse(Rgb(0.6f)));
   Material metal, glass, clear, sheet, clay;
-  metal.base_color = {0.9f, 0.7f, 0.4f}, metal.roughness = 0.4f;
-  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.roughness = 0.3f;
-  glass.attenuation_color = {0.4f, 0.8f, 0.9f}, glass.attenuation_distance = 0.7f;
-  clear = glass, clear.roughness = 0;
-  sheet = glass, sheet.thickness = 0, sheet.transmission = 0.7f;
-  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  metal.base_color = {0.9f, 0.7f, 0.4f};
+  metal.roughness = 0.4f;
+  glass.metallic = 0;
+  glass.transmission = 1;
+  glass.thickness = 1;
+  glass.roughness = 0.3f;
+  glass.attenuation_color = {0.4f, 0.8f, 0.9f};
+  glass.attenuation_distance = 0.7f;
+  clear = glass;
+  clear.roughness = 0;
+  sheet = glass;
+  sheet.thickness = 0;
+  sheet.transmission = 0.7f;
+  clay.base_color = {0.7f, 0.3f, 0.2f};
+  clay.metallic = 0;
+  clay.roughness = 0.3f;
   const Material* materials[] = {&metal, &glass, &clear, &sheet, &clay};
   for (int i = 0; i < 5; ++i) {
     Mat4 place(1);
@@ -102,7 +119,8 @@ render::Document glossy_scene() {
   }
   Material light = diffuse(Rgb(0), Rgb(6));
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, quad(1), light, above);
   scene.environment.tint = {0.2f, 0.25f, 0.3f};

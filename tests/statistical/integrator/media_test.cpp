@@ -9,17 +9,17 @@
 
 #include "integrator/integrator.h"
 #include "stress/test_context.h"
-#include "support/resume.h"
 #include "support/media_scenes.h"
 #include "support/motion.h"
+#include "support/resume.h"
 
 namespace etendue {
 namespace {
 
 using render::Document;
-using test::with_integrator;
 using test::liquid;
 using test::with;
+using test::with_integrator;
 
 constexpr float kWater = 1.33f, kGlass = 1.5f, kDense = 1.8f;
 
@@ -59,7 +59,8 @@ TEST(Attenuation, OfAnEmitterInWater) {
   scene::Scene scene;
   add(scene, scene::box({2, 2, 2}), liquid(1, Rgb(0.5f)), at({0, -2, 0}));
   add_plate(scene, 2);
-  for (const std::string& name : see_through_glass()) expect_mean(with_integrator(looking_down(scene, 3), name), 64, 2.5);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 3), name), 64, 2.5);
 }
 
 // A camera in the water, for all integrators.
@@ -97,7 +98,7 @@ TEST(Attenuation, OfDirectLight) {
   }
 }
 
-// Photons and virtual lights that arrive through water, and lookups under water.
+// Photons and virtual lights behind water, and lookups under water.
 TEST(Attenuation, OfIndirectLight) {
   const Document d = with(test::light_in_tinted_water(true), "film.paths", "ED(D|G)*L");
   const double expected = test::mean_of(test::rendered(with_integrator(d, "path"), 512)).value;
@@ -139,7 +140,8 @@ TEST(Attenuation, UpToTheLens) {
   add(scene, scene::box({2, 3, 2}), liquid(kWater, Rgb(0.3f)));
   add_plate(scene, 1, 1.5f);
   Document d = test::document(std::move(scene), look_at({0, 0, 0}, {0, -1, 0}, {0, 0, 1}, 0.5f), 16, 16);
-  d.camera.lens_radius = 0.4f, d.camera.focus_distance = 1;
+  d.camera.lens_radius = 0.4f;
+  d.camera.focus_distance = 1;
   const test::Mean path = test::mean_of(test::rendered(with(with_integrator(d, "path"), "film.paths", "EL"), 256));
   for (const char* name : {"light-pure", "bdpt", "light"}) {
     const test::Mean mean = test::mean_of(test::rendered(with(with_integrator(d, name), "film.paths", "EL"), 1024));
@@ -168,7 +170,8 @@ TEST(Refraction, OfBoxesInEachOther) {
   add(scene, scene::cube(0.5f, false), liquid(1));
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kWater, kDense, 1, kDense, kWater, 1});
-  for (const std::string& name : see_through_glass()) expect_mean(with_integrator(looking_down(scene, 3), name), 256, expected);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 3), name), 256, expected);
 }
 
 // Touching faces are one interface.
@@ -179,7 +182,8 @@ TEST(Refraction, OfBoxesSideBySide) {
   add(scene, scene::box({1, 0.4f, 1}), liquid(kDense), at({0, -1.4f, 0}));
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kDense, kWater, kDense, 1});
-  for (const std::string& name : see_through_glass()) expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
 }
 
 // Three boxes that overlap along the view: the smallest has priority.
@@ -190,7 +194,8 @@ TEST(Refraction, OfBoxesThatOverlap) {
   add(scene, scene::box({0.9f, 0.2f, 0.9f}), liquid(kGlass), at({0, 0.4f, 0}));  // from 0.2 to 0.6
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kDense, kGlass, kWater, 1});
-  for (const std::string& name : see_through_glass()) expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
 }
 
 // Oblique refraction from water into a denser medium: Snell's law and Fresnel's equations use the ratio of the indices,
@@ -236,7 +241,8 @@ Document seen_from_above(scene::Scene scene) {
 // Compares images of Whitted's integrator, which follows every branch and needs no equal random numbers. One pixel in a
 // hundred may differ by rounding at an edge.
 void expect_same_image(const Document& a, const Document& b) {
-  const auto film_a = test::rendered(with_integrator(a, "whitted"), 4), film_b = test::rendered(with_integrator(b, "whitted"), 4);
+  const auto film_a = test::rendered(with_integrator(a, "whitted"), 4),
+             film_b = test::rendered(with_integrator(b, "whitted"), 4);
   int different = 0;
   double sum = 0;
   for (int y = 0; y < a.height; ++y)
@@ -263,7 +269,8 @@ TEST(Invisible, ASolidInAnEqualMedium) {
   const Document a = with(seen_from_above(scene), "whitted.max-depth", "12"),
                  b = with(seen_from_above(inside), "whitted.max-depth", "24");
   expect_same_image(a, b);
-  expect_mean(with_integrator(b, "path-pure"), 256, test::mean_of(test::rendered(with_integrator(a, "path-pure"), 256)).value);
+  expect_mean(with_integrator(b, "path-pure"), 256,
+              test::mean_of(test::rendered(with_integrator(a, "path-pure"), 256)).value);
 }
 
 // Water in a solid glass ball, water that ends inside the wall of a hollow one, and water that touches that wall.
@@ -299,7 +306,7 @@ TEST(Invisible, ABoundaryInsideAHigherPriority) {
   for (const char* name : {"path", "bdpt", "light", "mlt"}) {
     const char* paths = "ED(D|G)*L";
     test::expect_same_mean(with(with_integrator(lit(false), name), "film.paths", paths), 64,
-                      with(with_integrator(lit(true), name), "film.paths", paths), 64, name, 4);
+                           with(with_integrator(lit(true), name), "film.paths", paths), 64, name, 4);
   }
 }
 
@@ -308,18 +315,22 @@ TEST(Invisible, ABoundaryInsideAHigherPriority) {
 TEST(Opacity, RaysThatPassABoundaryAreInside) {
   scene::Scene scene;
   Material water = liquid(1, Rgb(0.5f));
-  water.alpha_mode = AlphaMode::blend, water.alpha = 0.5f;
+  water.alpha_mode = AlphaMode::blend;
+  water.alpha = 0.5f;
   add(scene, scene::box({2, 2, 2}), water, at({0, -2, 0}));
   add_plate(scene, 2);
-  for (const char* name : {"path-pure", "path", "bdpt", "mlt"}) expect_mean(with_integrator(looking_down(scene, 3), name), 64, 2.5);
+  for (const char* name : {"path-pure", "path", "bdpt", "mlt"})
+    expect_mean(with_integrator(looking_down(scene, 3), name), 64, 2.5);
 }
 
 TEST(Opacity, IntegratorsAgree) {
   Document d = test::light_in_tinted_water(true);
   scene::Scene scene = *d.scene;
-  scene.materials[0].alpha_mode = AlphaMode::blend, scene.materials[0].alpha = 0.4f;
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  scene.materials[0].alpha = 0.4f;
   add(scene, test::sphere(0.4f, 12, false), liquid(kGlass, {0.2f, 0.9f, 0.9f}), at({0.3f, 0.9f, -0.2f}));
-  scene.materials.back().alpha_mode = AlphaMode::blend, scene.materials.back().alpha = 0.3f;
+  scene.materials.back().alpha_mode = AlphaMode::blend;
+  scene.materials.back().alpha = 0.3f;
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   const auto place = with(d, "film.paths", "E(D|G)+L");
   for (const char* name : {"bdpt", "light", "mlt", "distribution"})
@@ -330,7 +341,8 @@ TEST(Opacity, IntegratorsAgree) {
 
 TEST(Media, SameImageWithAnyNumberOfThreads) {
   Document d = test::ice_in_water_in_glass(true);
-  d.width = 70, d.height = 50;
+  d.width = 70;
+  d.height = 50;
   for (const auto& info : integrator::integrator_infos()) {
     if (info.name == "light-pure") continue;
     Document other = with_integrator(d, info.name);
@@ -343,7 +355,8 @@ TEST(Media, SameImageWithAnyNumberOfThreads) {
 
 TEST(Media, ResumedRenderingIsBitIdentical) {
   Document d = test::ice_in_water_in_glass(false);
-  d.width = 70, d.height = 50;
+  d.width = 70;
+  d.height = 50;
   for (const char* name : {"mlt", "bdpt", "sppm"}) {
     Document other = with_integrator(d, name);
     if (std::string(name) == "mlt") other = with(other, "candidates", "64");
