@@ -1,4 +1,4 @@
-// Statements that pictures make of themselves: they hold for honest pictures, and changed ones are found out.
+// Certificates of images: they hold for unmodified images, and modified images are detected.
 #include "advisor/certificate.h"
 
 #include <gtest/gtest.h>
@@ -6,20 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statistical/advisor/test_scenes.h"
 #include "advisor/certify.h"
 #include "film/film_image.h"
 #include "metrics/metrics.h"
+#include "statistical/advisor/test_scenes.h"
 
 namespace etendue::test {
 namespace {
 
 using advisor::Certificate;
-using advisor::CertifiedImage;
 using advisor::CertificationResult;
+using advisor::CertifiedImage;
 using advisor::Verdict;
 
-// A rendering with its certificate, as etendue render leaves it.
+// A rendering with its certificate, as written by `etendue render`.
 Claim claim_of(const render::Document& d, uint32_t samples) {
   render::Session session({2});
   render::Document limited = d;
@@ -29,15 +29,18 @@ Claim claim_of(const render::Document& d, uint32_t samples) {
   const auto film = session.film_copy();
   const auto status = session.status();
   Claim claim;
-  claim.document = limited, claim.samples = samples, claim.picture = film::layered_image_of(film);
+  claim.document = limited;
+  claim.samples = samples;
+  claim.picture = film::layered_image_of(film);
   claim.certificate = advisor::certificate(
-      session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1, go_on);
+      session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1,
+      never_cancel);
   return claim;
 }
 
 Finding judged(const Claim& claim, double seconds = 20) {
   render::Session session({2});
-  return advisor::certify(session, claim, {seconds, 0}, go_on);
+  return advisor::certify(session, claim, {seconds, 0}, never_cancel);
 }
 
 std::string said(const Finding& finding) {
@@ -48,7 +51,7 @@ std::string said(const Finding& finding) {
 
 std::vector<float>& pixels(Claim& claim) { return claim.picture.layers[0].pixels; }
 
-TEST(Certificate, StatesNoiseOfAMethodThatMissesNothing) {
+TEST(Certificate, StatesTheNoiseOfAnUnbiasedIntegrator) {
   const Claim claim = claim_of(cornell(32), 16);
   const Certificate& c = claim.certificate;
   ASSERT_TRUE(c.rmse && c.relmse);
@@ -60,7 +63,7 @@ TEST(Certificate, StatesNoiseOfAMethodThatMissesNothing) {
   EXPECT_FALSE(c.khat);
 }
 
-TEST(Certificate, StatesWhatACutOfPathsLoses) {
+TEST(Certificate, StatesTheLossByAPathLengthLimit) {
   const Claim claim = claim_of(changed(cornell(32), "path.max-depth", "2"), 256);
   const Certificate& c = claim.certificate;
   EXPECT_EQ(c.bias, integrator::Bias::biased);
@@ -73,22 +76,22 @@ TEST(Certificate, StatesWhatACutOfPathsLoses) {
   EXPECT_EQ(judged(claim).verdict, Verdict::confirmed) << said(judged(claim));
 }
 
-TEST(Certificate, NothingFromAboveOfAMethodWithABiasOfItsOwn) {
+TEST(Certificate, NoUpperBoundForABiasedIntegrator) {
   const Claim claim = claim_of(changed(cornell(16), "render.integrator", "raycast"), 8);
   EXPECT_TRUE(std::isinf(claim.certificate.rmse->interval.high));
   EXPECT_GT(claim.certificate.missing_share, 0.1);
 }
 
-TEST(Certificate, PointLightsThatWalksMiss) {
-  const Claim claim = claim_of(changed(things_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
+TEST(Certificate, PointLightsThatPathsCannotHit) {
+  const Claim claim = claim_of(changed(glossy_scene_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
   ASSERT_FALSE(claim.certificate.missing.empty());
   EXPECT_TRUE(std::ranges::all_of(claim.certificate.missing, &Certificate::Missing::points));
 }
 
-TEST(Certificate, ThereAndBackAgain) {
+TEST(Certificate, RoundTripIsExact) {
   for (const char* integrator : {"path", "raycast"}) {
     const Certificate c =
-        claim_of(changed(things_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
+        claim_of(changed(glossy_scene_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
     const auto again = advisor::certificate_from_json(advisor::certificate_json(c), "test");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(advisor::certificate_json(*again), advisor::certificate_json(c));
@@ -101,10 +104,11 @@ TEST(Certificate, ThereAndBackAgain) {
   }
 }
 
-TEST(Certify, HonestPicturesStand) {
-  // One honest statement in a thousand falls by its error, and one by its blocks; eight leave one alarm in sixty.
+TEST(Certify, UnmodifiedImagesPass) {
+  // One true statement in a thousand is rejected by its error, and one by its blocks. Eight statements give one false
+  // alarm in sixty runs.
   for (uint64_t seed = 1; seed <= 4; ++seed)
-    for (auto d : {cornell(32), things_under(true, true, false, 32)}) {
+    for (auto d : {cornell(32), glossy_scene_under(true, true, false, 32)}) {
       d.seed = seed;
       const Finding finding = judged(claim_of(d, 32));
       EXPECT_EQ(finding.verdict, Verdict::confirmed) << seed << ' ' << said(finding);
@@ -112,7 +116,7 @@ TEST(Certify, HonestPicturesStand) {
     }
 }
 
-TEST(Certify, AnEditedStatementFalls) {
+TEST(Certify, AnEditedStatementIsRejected) {
   for (const double factor : {0.5, 2.0}) {
     Claim claim = claim_of(cornell(32), 32);
     for (auto* stated : {&claim.certificate.rmse, &claim.certificate.relmse}) {
@@ -120,7 +124,7 @@ TEST(Certify, AnEditedStatementFalls) {
       (*stated)->interval.low *= factor, (*stated)->interval.high *= factor;
     }
     EXPECT_EQ(judged(claim).verdict, Verdict::refuted);
-    // Without the layer that contradicts it, by the truth alone.
+    // Without the variance layer, which contradicts the statement, the reference alone decides.
     claim.picture.layers.resize(1);
     const Finding finding = judged(claim);
     EXPECT_EQ(finding.verdict, Verdict::refuted) << factor;
@@ -128,7 +132,7 @@ TEST(Certify, AnEditedStatementFalls) {
   }
 }
 
-TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
+TEST(Certify, AnEditedRelativeErrorIsRejectedByTheVarianceLayer) {
   for (const double factor : {0.1, 10.0}) {
     Claim claim = claim_of(cornell(32), 32);
     auto& stated = *claim.certificate.relmse;
@@ -139,24 +143,24 @@ TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
   }
 }
 
-TEST(Certify, ABiasedPictureWhoseStatementHidesItFalls) {
+TEST(Certify, ABiasedImageWithAHiddenBiasIsRejected) {
   const auto cut = changed(cornell(32), "path.max-depth", "2");
   Claim claim = claim_of(cut, 64);
-  // Its own noise, stated for a method that misses nothing.
+  // The noise of the image itself, stated for an unbiased integrator.
   render::Session session({2});
   const film::Film film = rendered(cut, 64);
   const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), {}, {}, {}};
-  claim.certificate = advisor::certificate(session, cornell(32), evidence, 1, go_on);
+  claim.certificate = advisor::certificate(session, cornell(32), evidence, 1, never_cancel);
   const Finding finding = judged(claim);
   EXPECT_EQ(finding.verdict, Verdict::refuted);
   EXPECT_TRUE(std::ranges::any_of(finding.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
       << said(finding);
 }
 
-TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
+TEST(Certify, AFewChangedPixelsAreLocated) {
   const Claim honest = claim_of(cornell(48), 64);
   Claim claim = honest;
-  // Four pixels on the floor, a fifth darker: little in the error of the whole.
+  // Four pixels on the floor are darkened by a fifth, which changes the total error little.
   for (const int y : {40, 41})
     for (const int x : {20, 21})
       for (size_t c = 0; c < 3; ++c) pixels(claim)[static_cast<size_t>(y * 48 + x) * 3 + c] *= 0.6f;
@@ -168,15 +172,15 @@ TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
   EXPECT_LT(finding.changed[0].sigmas, 0);
 }
 
-TEST(Certify, SaysWhenItCannotTell) {
-  const Claim claim = claim_of(things_under(true, true, false, 32), 1024);
+TEST(Certify, ReportsUndecidableCases) {
+  const Claim claim = claim_of(glossy_scene_under(true, true, false, 32), 1024);
   const Finding finding = judged(claim, 1e-3);
   EXPECT_EQ(finding.verdict, Verdict::undecided) << said(finding);
   EXPECT_GT(finding.seconds_needed, finding.seconds);
 }
 
-// The error of a picture that is known: noise of the rendering that tells it takes nothing off.
-TEST(TrueError, NeedsNoTruth) {
+// The error of a known image. The noise of the reference rendering is not subtracted.
+TEST(TrueError, WorksWithoutAnExactReference) {
   const auto d = cornell(32);
   auto other = d;
   other.seed = 9;

@@ -8,7 +8,11 @@ namespace {
 
 Material boundary(float ior, float roughness = 0) {
   Material m;
-  m.metallic = 0, m.transmission = 1, m.thickness = 1, m.ior = ior, m.roughness = roughness;
+  m.metallic = 0;
+  m.transmission = 1;
+  m.thickness = 1;
+  m.ior = ior;
+  m.roughness = roughness;
   return m;
 }
 
@@ -35,10 +39,10 @@ TEST(Immersed, EqualIndicesNeitherReflectNorBend) {
       for (const Vec3& wo : {direction(0), direction(40), -direction(70), direction(89)}) {
         const auto lobes = immersed(m, 1.33f);
         EXPECT_FALSE(lobes.has_non_delta_lobe());
-        Draw draw(5);
+        Random random(5);
         for (int i = 0; i < 100; ++i) {
           LobeSample<Rgb> s;
-          ASSERT_TRUE(lobes.sample(wo, draw.lobe(), TransportMode::radiance, s));
+          ASSERT_TRUE(lobes.sample(wo, random.lobe(), TransportMode::radiance, s));
           EXPECT_TRUE(s.transmitted && s.delta);
           EXPECT_EQ(s.wi, -wo);
           EXPECT_EQ(s.weight, Rgb(1));
