@@ -101,7 +101,8 @@ std::vector<View> gallery(const fs::path& data) {
     const fs::path& file = entry.path();
     if (file.extension() != ".glb" && file.extension() != ".gltf") continue;
     View view;
-    view.name = fs::relative(file, data / "gltf").string(), view.file = file;
+    view.name = fs::relative(file, data / "gltf").string();
+    view.file = file;
     view.environment = data / kUsualEnvironment;
     if (const auto scenario = known.find(file.lexically_normal()); scenario != known.end())
       take_scenario(scenario->second, data, view);
@@ -124,7 +125,8 @@ std::vector<Reference> references(const fs::path& data) {
     r.view.file = folder / j.at("model").get<std::string>();
     r.view.environment = folder / j.at("environment").get<std::string>();
     r.view.camera = camera_of(j.at("camera"));
-    r.width = j.at("width").get<int>(), r.height = j.at("height").get<int>();
+    r.width = j.at("width").get<int>();
+    r.height = j.at("height").get<int>();
     r.view.aspect = static_cast<double>(r.width) / r.height;
     r.linear = fs::path(entry.path()).replace_extension(".exr");
     found.push_back(std::move(r));
@@ -141,8 +143,10 @@ std::vector<Reference> scenes(const fs::path& data) {
     const std::string name = entry.path().filename().string();
     const json j = read_json(entry.path() / (name + ".json"));
     Reference r;
-    r.view.name = name, r.view.file = entry.path() / (name + ".glb");
-    r.width = j.at("width").get<int>(), r.height = j.at("height").get<int>();
+    r.view.name = name;
+    r.view.file = entry.path() / (name + ".glb");
+    r.width = j.at("width").get<int>();
+    r.height = j.at("height").get<int>();
     r.view.aspect = static_cast<double>(r.width) / r.height;
     r.linear = entry.path() / "reference.exr";
     found.push_back(std::move(r));

@@ -135,7 +135,9 @@ int make_table(const std::vector<Reference>& references, const std::string& out,
                 mean(ours.layers[0].pixels) / mean(linear.find("")->pixels), metrics->relmse, metrics->rmse);
     const Picture mine = displayed(ours, *document), theirs = displayed(linear, *document);
     const Picture difference{ours.width, ours.height, metrics::heat_map(ours, linear)};
-    sheet.add(&mine, reference.view.name), sheet.add(&theirs, "reference"), sheet.add(&difference, "difference");
+    sheet.add(&mine, reference.view.name);
+    sheet.add(&theirs, "reference");
+    sheet.add(&difference, "difference");
   }
   if (const int failed = save(sheet, out)) return failed;
   return rejected > 0 ? 1 : 0;

@@ -52,7 +52,8 @@ Browser::Browser(const std::string& program, const fs::path& folder) {
   pid_ = ::fork();
   if (pid_ == 0) become(program, folder / "profile", commands[0], answers[1]);
   ::close(commands[0]), ::close(answers[1]);
-  to_ = commands[1], from_ = answers[0];
+  to_ = commands[1];
+  from_ = answers[0];
   const json target = call("Target.createTarget", {{"url", "about:blank"}});
   const json attached = call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}});
   session_ = attached.at("sessionId").get<std::string>();
@@ -68,7 +69,8 @@ Browser::~Browser() {
 void Browser::open(const fs::path& file, const std::string& fragment) {
   // By way of nothing: another fragment of the same page would not load it again.
   load("about:blank");
-  complaints_.clear(), requests_.clear();
+  complaints_.clear();
+  requests_.clear();
   load("file://" + file.string() + fragment);
 }
 

@@ -1,4 +1,4 @@
-// The instruments, on surfaces whose readings are known.
+// Analysis of BSDFs, on surfaces with known values.
 #include <gtest/gtest.h>
 
 #include "bsdf_analysis/checks.h"
@@ -22,7 +22,7 @@ bool holds(const Audit& audit, std::string_view name) {
   return false;
 }
 
-// A white Lambertian surface gives back all light from everywhere, and its weights are all alike.
+// A white Lambertian surface has albedo one at all angles and constant sample weights.
 TEST(Audit, Lambert) {
   const Audit a = audit(lobes_of(modelled("lambert")));
   for (const Check& b : a.checks) EXPECT_TRUE(b.holds) << b.name << ' ' << b.reason;
@@ -34,7 +34,7 @@ TEST(Audit, Lambert) {
   for (const auto& q : a.sampling) EXPECT_LT(q.deviation, 1e-3);
 }
 
-// The albedo of Phong's BRDF, as the thesis's formula gives it by quadrature, and its axioms.
+// The albedo of Phong's BRDF from its formula by quadrature [Lang, sec. 4.2.2.5.2], and its properties.
 TEST(Audit, PhongIsNeitherReciprocalNorConserving) {
   const Material phong =
       modelled("phong", {{"diffuse", 0}, {"specular.r", 1}, {"specular.g", 1}, {"specular.b", 1}, {"exponent", 10}});
@@ -56,7 +56,8 @@ TEST(Audit, ModifiedPhongIsPlausible) {
   EXPECT_TRUE(holds(a, "conserves-energy"));
 }
 
-// A boundary of glass keeps all power from either side, and is reciprocal by the law of squared indices.
+// A rough dielectric boundary preserves power from both sides, and is reciprocal up to the squared ratio of the
+// indices.
 TEST(Audit, RoughGlass) {
   Material glass = scene::glass();
   glass.roughness = 0.15f;
@@ -69,7 +70,7 @@ TEST(Audit, RoughGlass) {
   EXPECT_NEAR(relative_eta(lobes_of(glass)), 1.5f, 1e-6f);
 }
 
-// Deltas are energy too: smooth glass lets 96 % through at a right angle, and reflects totally from inside.
+// Deltas contribute to the albedo: smooth glass transmits 96 % at normal incidence and has total internal reflection.
 TEST(Audit, SmoothGlass) {
   const auto lobes = lobes_of(scene::glass());
   const Albedo straight = albedo_at(lobes, 0, {20, 1 << 16}), inside = albedo_at(lobes, 180 - 45);
@@ -80,19 +81,19 @@ TEST(Audit, SmoothGlass) {
   EXPECT_EQ(inside.transmitted.g, 0);
 }
 
-// What draws by one density and says another is found out where both are common.
-TEST(Audit, SamplesThatDoNotFollowTheirDensityAreSeen) {
+// A density that differs from that of the samples is detected where both are common.
+TEST(Audit, WrongDensitiesAreDetected) {
   const Material wide = modelled("modified-phong", {{"diffuse", 0.5}, {"exponent", 3}});
   const SamplingQuality honest = sampling_quality_at(lobes_of(wide), 45);
   EXPECT_LT(std::abs(honest.discrepancy), kDiscrepancy);
-  // A curve that is taken for the one of another surface: 20 % more than the cosine finds.
+  // A curve of another surface: 20 % above the cosine.
   std::vector<SamplingQuality> curve{honest};
   EXPECT_TRUE(well_sampled(curve));
   curve[0].discrepancy = 40;
   EXPECT_FALSE(well_sampled(curve));
 }
 
-// The slice of a Lambertian surface times the cosine is a circle through the origin.
+// The polar plot of f cos for a Lambertian surface is a circle through the origin.
 TEST(Audit, SliceOfLambert) {
   const Slice s = slice(lobes_of(modelled("lambert")), 30);
   ASSERT_EQ(s.angles.size(), s.values.size());
@@ -102,8 +103,8 @@ TEST(Audit, SliceOfLambert) {
   }
 }
 
-// A mirror's peak lies where a mirror would send the eye.
-TEST(Audit, NarrowLobesAreSeenInSpace) {
+// The peak of a mirror lobe is in the mirror direction.
+TEST(Audit, NarrowLobesAreResolved) {
   const LobeSurface lobe = lobe_surface(lobes_of(modelled("modified-phong", {{"diffuse", 0}, {"exponent", 1e4}})), 50);
   size_t best = 0;
   for (size_t i = 0; i < lobe.values.size(); ++i)
@@ -112,13 +113,13 @@ TEST(Audit, NarrowLobesAreSeenInSpace) {
   EXPECT_GT(lobe.largest, 100);
 }
 
-TEST(Audit, StopsWhenNobodyWantsIt) {
+TEST(Audit, StopsOnRequest) {
   const Audit a = audit(lobes_of(modelled("phong")), [] { return false; });
   EXPECT_TRUE(a.albedo.empty());
   EXPECT_EQ(a.plausibility.pairs, 0u);
 }
 
-TEST(Audit, DrawingsHoldWhatIsDrawn) {
+TEST(Audit, DrawingsContainTheirElements) {
   const auto lobes = lobes_of(modelled("blinn-phong"));
   const std::vector<Slice> slices{slice(lobes, 45)};
   const std::vector<std::string> names{"Blinn & Phong"};
