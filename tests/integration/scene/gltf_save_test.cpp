@@ -52,7 +52,7 @@ TEST_F(Saving, ComparisonFindsDifferences) {
   EXPECT_EQ(difference(a, b), "environment");
 }
 
-TEST_F(Saving, BuiltInScenesInBothForms) {
+TEST_F(Saving, BuiltInScenesInBothFormats) {
   for (const auto& builtin : scene::builtins()) {
     const scene::Scene before = builtin.make();
     EXPECT_EQ(difference(before, saved(before)), "") << builtin.name;
@@ -169,7 +169,7 @@ TEST_F(Saving, SpecularGlossiness) {
   }
 }
 
-TEST_F(Saving, LensShutterEnvironmentAndTimeAreKept) {
+TEST_F(Saving, LensShutterEnvironmentAndTimeAreSaved) {
   image::LayeredImage sky;
   sky.width = 4;
   sky.height = 2;
@@ -312,7 +312,7 @@ TEST_F(Saving, ExtensionValuesOutOfRange) {
 
 TEST_F(Saving, EveryAssetOfTheData) {
   const std::string data = data_folder();
-  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   int seen = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(data) / "gltf")) {
     if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
