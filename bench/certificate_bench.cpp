@@ -1,5 +1,5 @@
-// How often the interval that a picture states for its error holds the true one, and how often honest pictures fall:
-// a hundred small renderings of each scene against a long one.
+// Coverage of the error intervals that an image states, and false alarms of the block test on unmodified images: a
+// hundred small renderings of each scene against a long one.
 //
 //   certificate_bench [RENDERINGS] [SCENE...]
 #include <cstdio>
@@ -24,7 +24,9 @@ void cover(const std::string& scene, int renderings) {
   auto opened = render::new_document(scene);
   if (!opened) return static_cast<void>(std::fprintf(stderr, "%s\n", opened.error().message.c_str()));
   render::Document d = *opened;
-  d.width = kWidth, d.height = kHeight, d.seed = 1u << 30;
+  d.width = kWidth;
+  d.height = kHeight;
+  d.seed = 1u << 30;
   const film::Film reference = render::rendered(d, kReference);
   int held = 0, held_relative = 0, unchanged = 0;
   double width = 0, width_relative = 0;
@@ -43,7 +45,7 @@ void cover(const std::string& scene, int renderings) {
     unchanged += advisor::changed_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
   }
   std::printf(
-      "%-60s RMSE held %d, relMSE held %d, blocks unsuspected %d of %d; high / low %.3f, %.3f; reference %.2g\n",
+      "%-60s RMSE covered %d, relMSE covered %d, block test passed %d of %d; high / low %.3f, %.3f; reference %.2g\n",
       scene.c_str(), held, held_relative, unchanged, renderings, width, width_relative, reference.error().rmse);
   std::fflush(stdout);
 }

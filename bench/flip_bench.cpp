@@ -1,4 +1,4 @@
-// FLIP of a megapixel on one thread: below a second.
+// Time of FLIP for one megapixel on one thread. The bound is one second.
 #include <benchmark/benchmark.h>
 
 #include "base/hash.h"

@@ -8,8 +8,12 @@ namespace etendue {
 
 Instructions::Instructions() {
   perf_event_attr event{};
-  event.type = PERF_TYPE_HARDWARE, event.size = sizeof event, event.config = PERF_COUNT_HW_INSTRUCTIONS;
-  event.exclude_kernel = 1, event.exclude_hv = 1, event.inherit = 1;
+  event.type = PERF_TYPE_HARDWARE;
+  event.size = sizeof event;
+  event.config = PERF_COUNT_HW_INSTRUCTIONS;
+  event.exclude_kernel = 1;
+  event.exclude_hv = 1;
+  event.inherit = 1;
   file_ = static_cast<int>(::syscall(SYS_perf_event_open, &event, 0, -1, -1, 0));
 }
 

@@ -1,7 +1,8 @@
-// Counts the instructions that this process retires in user mode, in all threads that start after the counter.
+// Counts the instructions that this process retires in user mode, in all threads that start after the counter
+// (perf_event_open(2)).
 //
-// Unlike seconds they do not depend on what else the machine does. Linux, where it allows processes to count their own;
-// elsewhere the count is unknown.                                                           perf_event_open(2)
+// Unlike times, instruction counts do not depend on the load of the machine. Works on Linux where the kernel allows a
+// process to count its own instructions; elsewhere the count is unknown.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,5 @@
-// A method's work without a film, on one thread, for benchmarks that look into it: what each of its phases traces, how
-// long that takes, and how much of it is bookkeeping.
+// Runs an integrator without a film on one thread. Measures the rays, the time and the bookkeeping of each of its
+// phases.
 #pragma once
 #include <algorithm>
 #include <chrono>
@@ -14,22 +14,22 @@
 
 namespace etendue {
 
-class WorkRig {
+class IntegratorHarness {
  public:
-  // A phase, or the pixels; what splats cost is part of it.
+  // A phase or the sampling of pixels, including the cost of splats.
   struct Part {
     std::string name;
     uint64_t rays = 0;
-    double seconds = 0, apart = 0;  // `apart`: bookkeeping; all of it where no rays are traced
+    double seconds = 0, bookkeeping = 0;  // without rays, all of the time is bookkeeping
   };
 
-  WorkRig(const render::Document& document, std::shared_ptr<const scene::CompiledScene> scene)
+  IntegratorHarness(const render::Document& document, std::shared_ptr<const scene::CompiledScene> scene)
       : prepared_(document, std::move(scene)),
         state_(prepared_.integrator().begin(prepared_.context(), nullptr)),
         image_(static_cast<size_t>(document.width) * static_cast<size_t>(document.height)) {}
-  WorkRig(const WorkRig&) = delete;
+  IntegratorHarness(const IntegratorHarness&) = delete;
 
-  // One sample of all pixels.
+  // Renders one sample of all pixels.
   void step() {
     prepared_.prepare_sampler(sample_ / film::kHalfBuffers);
     const std::vector<integrator::Phase> phases = state_->phases(sample_);
@@ -48,7 +48,11 @@ class WorkRig {
   const std::vector<Part>& parts() const { return parts_; }
   Part total() const {
     Part sum;
-    for (const Part& p : parts_) sum.rays += p.rays, sum.seconds += p.seconds, sum.apart += p.apart;
+    for (const Part& p : parts_) {
+      sum.rays += p.rays;
+      sum.seconds += p.seconds;
+      sum.bookkeeping += p.bookkeeping;
+    }
     return sum;
   }
 
@@ -72,14 +76,15 @@ class WorkRig {
     using Clock = std::chrono::steady_clock;
     auto part = std::find_if(parts_.begin(), parts_.end(), [&](const Part& p) { return p.name == name; });
     if (part == parts_.end()) part = parts_.insert(parts_.end(), Part{name});
-    const double apart = watch_.seconds();
+    const double bookkeeping = watch_.seconds();
     const auto start = Clock::now();
     const uint64_t rays = traced();
     film::add_rows({&splats_, 1}, prepared_.width(), 0, prepared_.height(), image_);
     splats_.clear();
     const double took = std::chrono::duration<double>(Clock::now() - start).count();
-    part->rays += rays, part->seconds += took;
-    part->apart += rays > 0 ? watch_.seconds() - apart : took;
+    part->rays += rays;
+    part->seconds += took;
+    part->bookkeeping += rays > 0 ? watch_.seconds() - bookkeeping : took;
   }
 
   render::PreparedDocument prepared_;

@@ -1,12 +1,14 @@
-// How soon the picture follows an edit, and what that costs while nobody edits.
+// Latency of edits in an interactive session, and its cost without edits.
 //
-// A session renders as the viewer's does, at 1280 x 720, and is edited at random moments: a material, then the camera.
-// Printed are milliseconds from `submit` to the first frame of the edit and to the moment the workers had stopped. A
-// drag edits sixty times a second: how old is the newest frame then? Last, the share of the batch renderer's speed that
-// is left to a session that shows its frames.
+// A session renders as that of the viewer does, at 1280 x 720. It is edited at random moments: first a material, then
+// the camera. The table shows milliseconds from `submit` to the first frame of the edit, and to the moment when the
+// workers stop. A second test edits the camera sixty times per second and measures the age of the newest frame. A third
+// test measures the throughput of a session that delivers frames, relative to a batch renderer.
 //
-// latency_bench [edits]: 200 of each kind, on staircase2 and ToyCar from ETENDUE_TEST_DATA. Ends with 1 if a bound is
-// missed.
+//   latency_bench [EDITS]
+//
+// The default is 200 edits of each kind, on staircase2 and ToyCar from ETENDUE_TEST_DATA. The exit code is 1 if a bound
+// is exceeded.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -25,7 +27,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-// What the workbench promises.
+// Bounds in milliseconds.
 constexpr double kFrameP95 = 50, kRestartP50 = 2, kRestartP99 = 10;
 
 double quantile(const std::vector<double>& sorted, double q) {
@@ -36,7 +38,7 @@ struct Bounds {
   double p50 = kInfinity, p95 = kInfinity, p99 = kInfinity;
 };
 
-// Prints a row; false if it lies beyond its bounds.
+// Prints a row. Returns false if it exceeds its bounds.
 bool row(const char* what, std::vector<double> values, const Bounds& bounds) {
   std::sort(values.begin(), values.end());
   const double p50 = quantile(values, 0.5), p95 = quantile(values, 0.95), p99 = quantile(values, 0.99);
@@ -92,7 +94,8 @@ class Bench {
   template <class Edit>
   bool edit(render::Session& session, const char* what, Edit&& edited) {
     std::uniform_real_distribution<double> pause(0, 300);
-    session.take_latencies(), session.take_restart_latencies();
+    session.take_latencies();
+    session.take_restart_latencies();
     for (int i = 0; i < edits_; ++i) {
       wait_for_frame(session, session.submit(edited(document_, i)));
       std::this_thread::sleep_for(Milliseconds(pause(random_)));
@@ -102,7 +105,7 @@ class Bench {
     return row(what, session.take_latencies(), {kInfinity, kFrameP95, kInfinity});
   }
 
-  // The age of what is on screen while the camera is dragged, looked at every time the screen is drawn.
+  // The age of the displayed frame while the camera is dragged, sampled at every refresh of the display.
   void drag(render::Session& session) {
     std::vector<Clock::time_point> submitted(1);
     std::vector<double> ages;
@@ -136,7 +139,7 @@ class Bench {
 
   void share() const {
     const double batch = paths_per_second(document_, false), shown = paths_per_second(document_, true);
-    std::printf("  paths per second: batch %.3g, shown %.3g: share %.3f\n", batch, shown, shown / batch);
+    std::printf("  paths per second: batch %.3g, shown %.3g: ratio %.3f\n", batch, shown, shown / batch);
   }
 
   render::Document document_;
@@ -157,7 +160,8 @@ int main(int argc, char** argv) {
   for (const char* file : {"/scenes/staircase2/staircase2.glb", "/gltf/ToyCar/glTF/ToyCar.gltf"}) {
     auto document = render::new_document(data + file);
     if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
-    document->width = 1280, document->height = 720;
+    document->width = 1280;
+    document->height = 720;
     fine = Bench(std::filesystem::path(file).stem(), *document, edits).run() && fine;
   }
   return fine ? 0 : 1;

@@ -1,11 +1,12 @@
-// What the light tree is worth, and what it costs.
+// Efficiency and cost of the light tree.
 //
 //   many_lights_bench [quick]
 //
-// First its efficiency over choosing by power, 1 / (MSE x time), in a hall with so many lamps (core/scene/builtin/
-// many_lights.h): direct light, and whole paths. Both go on in turns on one thread; printed are medians over the
-// turns. Then the cost of a choice and of a sample of the picture beside the number of lamps, over that of one lamp.
-// Last the efficiency of sampling directions to a lamp over that of sampling its points, from places under it.
+// First table: efficiency 1 / (MSE x time) of the tree relative to selection by power, in a hall with many lights
+// (core/scene/builtin/many_lights.h), for direct light and for full paths. Both are rendered alternately on one thread;
+// values are medians over the rounds. Second table: cost of a light selection and of a sample of the image, by number
+// of lights, relative to one light. Third table: variance and time of sampling directions towards an area light
+// relative to sampling its points, at points below the light.
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -24,9 +25,9 @@ using Clock = std::chrono::steady_clock;
 constexpr int kSize = 96;
 constexpr uint32_t kSamples = 16;
 
-render::Document hall(int lamps) {
+render::Document hall(int light_count) {
   render::Document d = *render::new_document("many-lights");
-  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lights(lamps));
+  d.scene = std::make_shared<const scene::Scene>(scene::hall_of_lights(light_count));
   d.width = d.height = kSize;
   return d;
 }
@@ -47,26 +48,26 @@ double squared_error(const film::Film& film, const film::Film& reference) {
   return sum / (kSize * kSize);
 }
 
-struct TaskContext {
+struct Measurement {
   double error, seconds;
 };
 
 class Hall {
  public:
-  explicit Hall(int lamps) : document_(hall(lamps)) {
+  explicit Hall(int light_count) : document_(hall(light_count)) {
     compiled_ = scene::compile(document_.scene, document_.camera, nullptr);
   }
 
-  TaskContext turn(const std::string& method, uint64_t seed, uint32_t samples, const film::Film* reference) {
-    bench::TimedRender lane(with_method(document_, method, seed), compiled_);
-    lane.run(workers_, samples, 1e9, [] { return true; });
-    return {reference ? squared_error(lane.film(), *reference) : 0, lane.seconds()};
+  Measurement turn(const std::string& method, uint64_t seed, uint32_t samples, const film::Film* reference) {
+    bench::TimedRender timed(with_method(document_, method, seed), compiled_);
+    timed.run(workers_, samples, 1e9, [] { return true; });
+    return {reference ? squared_error(timed.film(), *reference) : 0, timed.seconds()};
   }
 
   film::Film reference(const std::string& method, uint32_t samples) {
-    bench::TimedRender lane(with_method(document_, method, 7), compiled_);
-    lane.run(workers_, samples, 1e9, [] { return true; });
-    return lane.film();
+    bench::TimedRender timed(with_method(document_, method, 7), compiled_);
+    timed.run(workers_, samples, 1e9, [] { return true; });
+    return timed.film();
   }
 
   const scene::CompiledScene& compiled() const { return *compiled_; }
@@ -77,24 +78,25 @@ class Hall {
   render::ThreadPool workers_{1};
 };
 
-void compare(int lamps, const std::string& method, int turns, uint32_t reference_samples) {
-  Hall hall(lamps);
+void compare(int light_count, const std::string& method, int turns, uint32_t reference_samples) {
+  Hall hall(light_count);
   const film::Film reference = hall.reference(method + ":lights=tree", reference_samples);
   std::vector<double> error, time, efficiency;
   for (int i = 0; i < turns; ++i) {
     const auto seed = static_cast<uint64_t>(100 + i);
-    const TaskContext power = hall.turn(method + ":lights=one", seed, kSamples, &reference);
-    const TaskContext tree = hall.turn(method + ":lights=tree", seed, kSamples, &reference);
-    error.push_back(power.error / tree.error), time.push_back(tree.seconds / power.seconds);
+    const Measurement power = hall.turn(method + ":lights=one", seed, kSamples, &reference);
+    const Measurement tree = hall.turn(method + ":lights=tree", seed, kSamples, &reference);
+    error.push_back(power.error / tree.error);
+    time.push_back(tree.seconds / power.seconds);
     efficiency.push_back(error.back() / time.back());
   }
   using metrics::quantile;
-  std::printf("%7d  %-20s %9.2f %9.3f %11.2f  (%.2f to %.2f)\n", lamps, method.c_str(), quantile(error, 0.5),
+  std::printf("%7d  %-20s %9.2f %9.3f %11.2f  (%.2f to %.2f)\n", light_count, method.c_str(), quantile(error, 0.5),
               quantile(time, 0.5), quantile(efficiency, 0.5), quantile(efficiency, 0.1), quantile(efficiency, 0.9));
   std::fflush(stdout);
 }
 
-// Places that choose: random ones in the hall.
+// Light selections from random points in the hall.
 class Choices {
  public:
   Choices() {
@@ -103,11 +105,13 @@ class Choices {
     for (size_t i = 0; i < kCount; ++i) {
       from_.set(
           i, Vec3(scene::many::kSide, 1, scene::many::kSide) * Vec3(uniform(engine), uniform(engine), uniform(engine)));
-      choice_[i] = uniform(engine) * kOneMinusEpsilon, u0_[i] = uniform(engine), u1_[i] = uniform(engine);
+      choice_[i] = uniform(engine) * kOneMinusEpsilon;
+      u0_[i] = uniform(engine);
+      u1_[i] = uniform(engine);
     }
   }
 
-  // Nanoseconds for one of them.
+  // Nanoseconds per selection.
   double cost(const LightTable& lights, LightStrategy strategy) {
     constexpr int kRepeats = 16;
     const auto start = Clock::now();
@@ -123,34 +127,43 @@ class Choices {
   std::vector<LightSample> samples_{kCount};
 };
 
-// A lamp of 2 x 2 m over places so far under it: the irradiance there, by points or directions.
-class UnderALamp {
+// An area light of 2 x 2 m above a point at distance `height`: the irradiance there, by sampling points or directions.
+class PointBelowLight {
  public:
-  explicit UnderALamp(float height) {
+  explicit PointBelowLight(float height) {
     for (size_t i = 0; i < kCount; ++i) from_.set(i, Vec3(0.3f, -height, 0.2f));
-    std::vector<AreaLightTriangle> lamp(2);
-    lamp[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1}), lamp[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
-    for (AreaLightTriangle& t : lamp) t.radiance = Rgb(1), t.double_sided = false;
+    std::vector<AreaLightTriangle> triangles(2);
+    triangles[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1});
+    triangles[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
+    for (AreaLightTriangle& t : triangles) {
+      t.radiance = Rgb(1);
+      t.double_sided = false;
+    }
     Bounds bounds;
-    bounds.extend(Vec3(-1, -height, -1)), bounds.extend(Vec3(1, 0, 1));
-    table_ = LightTable(std::move(lamp), {}, Environment{}, bounds);
+    bounds.extend(Vec3(-1, -height, -1));
+    bounds.extend(Vec3(1, 0, 1));
+    table_ = LightTable(std::move(triangles), {}, Environment{}, bounds);
   }
 
-  // Variance of an estimate from one sample, and its time.
-  TaskContext turn(LightStrategy strategy, uint32_t seed) {
+  // Variance and time of an estimate from one sample.
+  Measurement turn(LightStrategy strategy, uint32_t seed) {
     constexpr int kRepeats = 64;
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(0, kOneMinusEpsilon);
     double sum = 0, squares = 0, seconds = 0;
     for (int k = 0; k < kRepeats; ++k) {
-      for (size_t i = 0; i < kCount; ++i)
-        choice_[i] = uniform(engine), u0_[i] = uniform(engine), u1_[i] = uniform(engine);
+      for (size_t i = 0; i < kCount; ++i) {
+        choice_[i] = uniform(engine);
+        u0_[i] = uniform(engine);
+        u1_[i] = uniform(engine);
+      }
       const auto start = Clock::now();
       table_.sample({from_, choice_.data(), u0_.data(), u1_.data(), kCount}, samples_.data(), strategy);
       seconds += std::chrono::duration<double>(Clock::now() - start).count();
       for (const LightSample& s : samples_) {
         const auto value = static_cast<double>(s.pdf > 0 ? s.wi.y / s.pdf : 0);
-        sum += value, squares += value * value;
+        sum += value;
+        squares += value * value;
       }
     }
     constexpr double n = kRepeats * static_cast<double>(kCount);
@@ -165,28 +178,30 @@ class UnderALamp {
   LightTable table_;
 };
 
-void directions(int turns) {
-  std::printf("\n%7s %16s %16s %10s\n", "below", "variance, points", "directions", "time");
+void compare_direction_sampling(int turns) {
+  std::printf("\n%7s %16s %16s %10s\n", "height", "variance, points", "directions", "time");
   for (const float height : {0.05f, 0.1f, 0.25f, 0.5f, 1.0f, 1.3f, 2.0f}) {
-    const auto place = std::make_unique<UnderALamp>(height);
-    std::vector<double> points, seen, time;
+    const auto point = std::make_unique<PointBelowLight>(height);
+    std::vector<double> points, directions, time;
     for (int i = 0; i < turns; ++i) {
-      const TaskContext a = place->turn(LightStrategy::emission_pdf, 2), b = place->turn(LightStrategy::one, 3);
-      points.push_back(a.error), seen.push_back(b.error), time.push_back(b.seconds / a.seconds);
+      const Measurement a = point->turn(LightStrategy::emission_pdf, 2), b = point->turn(LightStrategy::one, 3);
+      points.push_back(a.error);
+      directions.push_back(b.error);
+      time.push_back(b.seconds / a.seconds);
     }
     using metrics::quantile;
-    std::printf("%7.2f %16.5f %16.5f %10.2f\n", static_cast<double>(height), quantile(points, 0.5), quantile(seen, 0.5),
-                quantile(time, 0.5));
+    std::printf("%7.2f %16.5f %16.5f %10.2f\n", static_cast<double>(height), quantile(points, 0.5),
+                quantile(directions, 0.5), quantile(time, 0.5));
   }
 }
 
 void costs(int turns) {
   std::vector<std::unique_ptr<Hall>> halls;
   const std::vector<int> counts{1, 10, 100, 1000, 10'000, 100'000};
-  for (const int lamps : counts) halls.push_back(std::make_unique<Hall>(lamps));
+  for (const int light_count : counts) halls.push_back(std::make_unique<Hall>(light_count));
   const auto choices = std::make_unique<Choices>();
   struct Row {
-    std::vector<double> power, tree, picture_power, picture_tree;
+    std::vector<double> power, tree, image_power, image_tree;
   };
   std::vector<Row> rows(counts.size());
   for (int i = 0; i < turns; ++i)
@@ -195,17 +210,16 @@ void costs(int turns) {
       rows[k].power.push_back(choices->cost(lights, LightStrategy::one));
       rows[k].tree.push_back(choices->cost(lights, LightStrategy::tree));
       const auto seconds = [&](const char* method) { return halls[k]->turn(method, 1, 8, nullptr).seconds; };
-      rows[k].picture_power.push_back(seconds("appel:lights=one"));
-      rows[k].picture_tree.push_back(seconds("appel:lights=tree"));
+      rows[k].image_power.push_back(seconds("appel:lights=one"));
+      rows[k].image_tree.push_back(seconds("appel:lights=tree"));
     }
   const auto median = [](const std::vector<double>& v) { return metrics::quantile(v, 0.5); };
-  std::printf("\n%7s %18s %18s %16s %22s %22s\n", "lamps", "by power, ns", "by the tree, ns", "tree over one",
-              "picture, tree over one", "tree over power");
+  std::printf("\n%7s %18s %18s %16s %22s %22s\n", "lights", "by power, ns", "by the tree, ns", "tree over one",
+              "image, tree over one", "tree over power");
   for (size_t k = 0; k < counts.size(); ++k)
     std::printf("%7d %18.1f %18.1f %16.2f %22.2f %22.2f\n", counts[k], median(rows[k].power), median(rows[k].tree),
-                median(rows[k].tree) / median(rows[0].tree),
-                median(rows[k].picture_tree) / median(rows[0].picture_tree),
-                median(rows[k].picture_tree) / median(rows[k].picture_power));
+                median(rows[k].tree) / median(rows[0].tree), median(rows[k].image_tree) / median(rows[0].image_tree),
+                median(rows[k].image_tree) / median(rows[k].image_power));
 }
 
 }  // namespace
@@ -217,9 +231,10 @@ int main(int argc, char** argv) {
   const int turns = quick ? 3 : 7;
   const uint32_t reference = quick ? 512 : 4096;
   prepare_thread_for_rays();
-  std::printf("%7s  %-20s %9s %9s %11s\n", "lamps", "method", "MSE", "time", "efficiency");
-  for (const int lamps : {1, 4, 10, 100, 1000, 10'000}) compare(lamps, "path:max-depth=2", turns, reference);
+  std::printf("%7s  %-20s %9s %9s %11s\n", "lights", "integrator", "MSE", "time", "efficiency");
+  for (const int light_count : {1, 4, 10, 100, 1000, 10'000})
+    compare(light_count, "path:max-depth=2", turns, reference);
   compare(1000, "path", turns, reference);
   costs(turns);
-  directions(turns);
+  compare_direction_sampling(turns);
 }

@@ -1,12 +1,13 @@
-// How fast methods are beside each other: rays and samples per second of each in turns, as ratios to the first.
+// Relative speed of integrators: rays and samples per second, as ratios to the first integrator.
 //
-//   methods_bench [SCENE [WIDTHxHEIGHT [METHOD...]]]      methods as `etendue bench` takes them
+//   methods_bench [SCENE [WIDTHxHEIGHT [METHOD...]]]      METHOD as in `etendue bench`
 //
-// "apart" is the share of the time that goes to neither rays nor shading (the numbers and decisions of Markov chains,
-// ordering photons and looking them up), followed by the ratio of rays per second without it. Methods that work in
-// phases are shown phase by phase, too.
+// "bookkeeping" is the share of the time that is spent on neither rays nor shading (random numbers and acceptance
+// decisions of Markov chains, sorting photons and looking them up). The next column is the ratio of rays per second
+// without it. Integrators with several phases are also shown phase by phase.
 //
-// All go on in turns of half a second on one thread, so that whatever else the machine does falls on all alike.
+// All integrators run alternately in rounds of half a second on one thread, so that other load of the machine affects
+// all of them alike.
 #include <cstdio>
 #include <deque>
 
@@ -18,19 +19,19 @@ namespace etendue {
 namespace {
 
 constexpr int kTurns = 8;
-constexpr double kSeconds = 0.25;  // with a film, and as long without
+constexpr double kSeconds = 0.25;  // with a film, and the same time without
 
 struct Contender {
   Contender(const bench::MethodSpec& method, const std::shared_ptr<const scene::CompiledScene>& scene)
-      : name(method.name), lane(method.document, scene), rig(method.document, scene) {}
+      : name(method.name), timed_render(method.document, scene), harness(method.document, scene) {}
 
   std::string name;
-  bench::TimedRender lane;
-  WorkRig rig;
-  std::vector<double> rays, samples;  // per second, by turn
+  bench::TimedRender timed_render;
+  IntegratorHarness harness;
+  std::vector<double> rays, samples;  // per second, by round
   double seconds = 0;
 
-  double share_apart() const { return rig.total().apart / rig.total().seconds; }
+  double bookkeeping_share() const { return harness.total().bookkeeping / harness.total().seconds; }
 };
 
 double median_ratio(const std::vector<double>& a, const std::vector<double>& b) {
@@ -41,39 +42,42 @@ double median_ratio(const std::vector<double>& a, const std::vector<double>& b) 
 }
 
 void take_turn(render::ThreadPool& workers, Contender& c) {
-  const double before = c.lane.seconds(), rays = c.lane.rays_per_second() * c.seconds;
-  const uint32_t samples = c.lane.samples();
-  c.lane.run(workers, UINT32_MAX, kSeconds, [] { return true; });
-  const double took = c.lane.seconds() - before;
+  const double before = c.timed_render.seconds(), rays = c.timed_render.rays_per_second() * c.seconds;
+  const uint32_t samples = c.timed_render.samples();
+  c.timed_render.run(workers, UINT32_MAX, kSeconds, [] { return true; });
+  const double took = c.timed_render.seconds() - before;
   c.seconds += took;
-  c.rays.push_back((c.lane.rays_per_second() * c.seconds - rays) / took);
-  c.samples.push_back((c.lane.samples() - samples) / took);
-  const double end = c.rig.total().seconds + kSeconds;
-  do c.rig.step();
-  while (c.rig.total().seconds < end);
+  c.rays.push_back((c.timed_render.rays_per_second() * c.seconds - rays) / took);
+  c.samples.push_back((c.timed_render.samples() - samples) / took);
+  const double end = c.harness.total().seconds + kSeconds;
+  do c.harness.step();
+  while (c.harness.total().seconds < end);
 }
 
-double rays_per_second(const WorkRig::Part& part) { return static_cast<double>(part.rays) / part.seconds; }
+double rays_per_second(const IntegratorHarness::Part& part) { return static_cast<double>(part.rays) / part.seconds; }
 
 void print(const Contender& c, const Contender& first) {
   const double ratio = median_ratio(c.rays, first.rays);
-  const double without = ratio * (1 - first.share_apart()) / (1 - c.share_apart());
-  std::printf("%-34s %8.3f %7.3f %8.1f %9.3f %11.2f %7.3f\n", c.name.c_str(), c.lane.rays_per_second() * 1e-6, ratio,
-              100 * c.share_apart(), without, c.lane.samples() / c.seconds, median_ratio(c.samples, first.samples));
-  const auto& parts = c.rig.parts();
+  const double without = ratio * (1 - first.bookkeeping_share()) / (1 - c.bookkeeping_share());
+  std::printf("%-34s %8.3f %7.3f %8.1f %9.3f %11.2f %7.3f\n", c.name.c_str(), c.timed_render.rays_per_second() * 1e-6,
+              ratio, 100 * c.bookkeeping_share(), without, c.timed_render.samples() / c.seconds,
+              median_ratio(c.samples, first.samples));
+  const auto& parts = c.harness.parts();
   for (size_t i = 0; i < parts.size() && parts.size() > 1; ++i) {
-    const WorkRig::Part& p = parts[i];
-    const double of_part = rays_per_second(p) / rays_per_second(first.rig.total());
+    const IntegratorHarness::Part& p = parts[i];
+    const double of_part = rays_per_second(p) / rays_per_second(first.harness.total());
     std::printf("  %-32s %8.3f %7.3f %8.1f %9.3f %10.1f%% of the time\n", p.name.c_str(), rays_per_second(p) * 1e-6,
-                of_part, 100 * p.apart / p.seconds, p.apart < p.seconds ? of_part / (1 - p.apart / p.seconds) : 0.0,
-                100 * p.seconds / c.rig.total().seconds);
+                of_part, 100 * p.bookkeeping / p.seconds,
+                p.bookkeeping < p.seconds ? of_part / (1 - p.bookkeeping / p.seconds) : 0.0,
+                100 * p.seconds / c.harness.total().seconds);
   }
 }
 
 int run(const std::string& scene, int width, int height, const std::vector<std::string>& methods) {
   auto document = render::new_document(scene);
   if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
-  document->width = width, document->height = height;
+  document->width = width;
+  document->height = height;
   const auto compiled = scene::compile(document->scene, document->camera, nullptr);
   std::deque<Contender> contenders;
   for (const std::string& name : methods) {
@@ -82,10 +86,10 @@ int run(const std::string& scene, int width, int height, const std::vector<std::
     contenders.emplace_back(*method, compiled);
   }
   render::ThreadPool workers(1);
-  for (int task_context = 0; task_context < kTurns; ++task_context)
+  for (int turn = 0; turn < kTurns; ++turn)
     for (Contender& c : contenders) take_turn(workers, c);
-  std::printf("%s, %d x %d\n%-34s %8s %7s %8s %9s %11s %7s\n", scene.c_str(), width, height, "method", "Mrays/s",
-              "ratio", "apart, %", "ratio w/o", "samples/s", "ratio");
+  std::printf("%s, %d x %d\n%-34s %8s %7s %8s %9s %11s %7s\n", scene.c_str(), width, height, "integrator", "Mrays/s",
+              "ratio", "book., %", "ratio w/o", "samples/s", "ratio");
   for (const Contender& c : contenders) print(c, contenders.front());
   return 0;
 }
@@ -97,7 +101,9 @@ int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   int width = 256, height = 256;
   if (words.size() > 1 && std::sscanf(words[1].c_str(), "%dx%d", &width, &height) != 2)
-    return std::fprintf(stderr, "methods_bench: %s is no size; give one like 256x256\n", words[1].c_str()), 2;
+    return std::fprintf(stderr, "methods_bench: %s is not a size; expected WIDTHxHEIGHT, for example 256x256\n",
+                        words[1].c_str()),
+           2;
   std::vector<std::string> methods{
       "path", "light",    "bdpt", "pssmlt:form=path", "pssmlt:form=bidirectional", "pssmlt:form=multiplexed",
       "sppm", "photonmap"};

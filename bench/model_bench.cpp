@@ -1,10 +1,10 @@
-// What the smaller model saves: the cost of a sample with a flag of the model forced on, over its cost with what the
-// scene needs, on scenes that do not need it. And the same for decisions that are data: a lens, transparency, textures
-// that change nothing.
+// Savings of the specialised scene model. For each flag of the model, the cost of a sample with the flag forced on is
+// divided by the cost with the flags that the scene needs, on scenes that do not need the flag. The same is measured
+// for features that are selected by data: a lens, transparency, and textures without effect.
 //
-// One thread, 128 x 128 pixels, `path`. The cost of a sample is the difference of a long and a short rendering, so that
-// what is done once does not count. The two models take turns; printed are the median of the ratios of processor
-// time, their range from 10 % to 90 %, and the ratio of instructions.
+// One thread, 128 x 128 pixels, `path`. The cost of a sample is the difference between a long and a short rendering, so
+// that work done once does not count. The two models are rendered alternately. The table shows the median of the ratios
+// of processor time, their 10 % and 90 % quantiles, and the ratio of instructions.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
@@ -31,14 +31,15 @@ Cost operator-(const Cost& a, const Cost& b) { return {a.seconds - b.seconds, a.
 
 class Bench {
  public:
-  // Ratios of what two documents cost.
+  // Prints the ratios of the costs of two documents.
   void compare(const std::string& scene, const std::string& what, const render::Document& small,
                const render::Document& large) {
     constexpr int kRounds = 9;
     std::vector<double> seconds, instructions;
     for (int i = 0; i < kRounds; ++i) {
       const Cost a = cost_of(small), b = cost_of(large);
-      seconds.push_back(b.seconds / a.seconds), instructions.push_back(b.instructions / a.instructions);
+      seconds.push_back(b.seconds / a.seconds);
+      instructions.push_back(b.instructions / a.instructions);
     }
     using metrics::quantile;
     std::printf("%-24s %-14s %6.3f  (%5.3f to %5.3f) %12.4f\n", scene.c_str(), what.c_str(), quantile(seconds, 0.5),
@@ -60,7 +61,7 @@ class Bench {
   Instructions counter_;
 };
 
-// Where forcing changes nothing the scene needs the larger model.
+// True if the scene needs the flag: forcing it on does not change the model.
 bool needs(const scene::CompiledScene& scene, const std::string& flag) {
   const auto forced = std::vector{flag};
   const auto decisions = transport::model_for(scene, forced).decisions;
@@ -97,7 +98,9 @@ render::Document with_alpha_of_one(render::Document d) {
 
 render::Document with_white_textures(render::Document d) {
   auto white = std::make_shared<image::Image>();
-  white->width = white->height = 1, white->channels = 3, white->bytes = {255, 255, 255};
+  white->width = white->height = 1;
+  white->channels = 3;
+  white->bytes = {255, 255, 255};
   return with_materials(std::move(d), [&](scene::Scene& scene, Material& m) {
     if (scene.textures.empty()) scene.textures.emplace_back().image = white;
     m.base_color_texture.texture = 0;
@@ -121,9 +124,9 @@ void file(Bench& bench, const std::string& name, const std::string& file) {
 int main() {
   using namespace etendue;
   Bench bench;
-  std::printf("%-24s %-14s %6s  %16s %12s\n", "scene", "more model", "time", "10 % to 90 %", "instructions");
+  std::printf("%-24s %-14s %6s  %16s %12s\n", "scene", "flag or feature", "time", "10 % to 90 %", "instructions");
   flags(bench, "cornell", *render::new_document("cornell"));
-  flags(bench, "glass, glaze, metal", test::glossy_things());
+  flags(bench, "glass, glaze, metal", test::glossy_scene());
   const std::string folder = test::data_folder();
   if (!folder.empty()) {
     file(bench, "cornell-box", folder + "/scenes/cornell-box/cornell-box.glb");

@@ -1,6 +1,6 @@
-// What photons cost: rays per second of their walks against those of `path`, ordering them, and looking them up.
+// Cost of photon mapping: rays per second of photon tracing relative to `path`, building the photon map, and lookups.
 //
-// The Cornell box on one thread; the three take turns, and the best of each counts.
+// The Cornell box on one thread. The three measurements alternate; the best of each counts.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -37,7 +37,7 @@ class Rig {
     sampler_->prepare(0, 64);
   }
 
-  // Rays per second of one sample of all pixels.
+  // Rays per second for one sample of all pixels.
   double paths(uint32_t sample) const {
     std::vector<Rgb> radiance(PixelBlock::kMostPixels);
     uint64_t rays = 0;
@@ -63,8 +63,8 @@ class Rig {
     });
     const double ordering = seconds([&] {
       emission.finish(PhotonEmission::kTrace);
-      for (int i = 0; i < photon::PhotonMap::kPieces; ++i) emission.run(context(), PhotonEmission::kOrder, i, {});
-      emission.finish(PhotonEmission::kOrder);
+      for (int i = 0; i < photon::PhotonMap::kPieces; ++i) emission.run(context(), PhotonEmission::kBuild, i, {});
+      emission.finish(PhotonEmission::kBuild);
     });
     const photon::PhotonMap& map = emission.map();
     constexpr size_t kLookups = 20'000;
@@ -95,15 +95,17 @@ class Rig {
 
 void run() {
   const Rig rig;
-  std::printf("photons    stored  Mrays/s of path  of photons  ratio  ordering ms  ns a photon  us a lookup of 50\n");
+  std::printf("photons    stored  Mrays/s of path  of photons  ratio  ordering ms  ns/photon  us/lookup of 50\n");
   for (const int emitted : {10'000, 100'000, 500'000}) {
     double paths = 0, rays = 0, ordering = 1e9, lookup = 1e9;
     size_t stored = 0;
     for (uint32_t task_context = 0; task_context < 5; ++task_context) {
       paths = std::max(paths, rig.paths(task_context));
       const Rig::Photons found = rig.photons(emitted, task_context);
-      rays = std::max(rays, found.rays_per_second), ordering = std::min(ordering, found.ordering);
-      lookup = std::min(lookup, found.microseconds_a_lookup), stored = found.stored;
+      rays = std::max(rays, found.rays_per_second);
+      ordering = std::min(ordering, found.ordering);
+      lookup = std::min(lookup, found.microseconds_a_lookup);
+      stored = found.stored;
     }
     std::printf("%7d  %8zu  %15.2f  %10.2f  %5.2f  %11.1f  %11.0f  %17.1f\n", emitted, stored, 1e-6 * paths,
                 1e-6 * rays, rays / paths, 1e3 * ordering, 1e9 * ordering / static_cast<double>(stored), lookup);

@@ -1,6 +1,7 @@
-// Records the rays that the program asks Embree for, to replay them bare: the yardstick of the ray benchmark.
+// Records the rays that the program traces with Embree and replays them without shading, as the baseline of the ray
+// benchmark.
 //
-// The linker puts these functions in front of Embree's (--wrap), so the program itself has no trace of it.
+// The linker replaces Embree's functions by these (--wrap), so that the program needs no instrumentation.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -15,7 +16,7 @@ class RayLog {
   void start();
   void stop();
   size_t size() const { return queries_.size(); }
-  // Traces all of them by rtcIntersect1 and rtcOccluded1 with nothing in between; returns how many hit.
+  // Traces all rays with rtcIntersect1 and rtcOccluded1 in a loop without other work. Returns the number of hits.
   uint64_t replay() const;
 
   void add(RTCScene scene, const RTCRay& ray, bool occlusion) { queries_.push_back({ray, scene, occlusion}); }

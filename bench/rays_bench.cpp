@@ -1,9 +1,9 @@
-// How much of the rays' own speed is left: rays per second of methods against a bare loop over the very same rays.
+// Ray throughput: rays per second of integrators relative to a loop that only traces the same rays.
 //
-//   rays_bench [METHOD...]      methods as `etendue bench` takes them; `path` if there are none
+//   rays_bench [METHOD...]      METHOD as in `etendue bench`; the default is `path`
 //
-// Printed are ratios, measured interleaved on one thread, and how long a ray takes in the bare loop: rays of some
-// methods are dearer than those of others.
+// The table shows ratios, measured alternately on one thread, and the time of a ray in the bare loop. That time depends
+// on the integrator, because the coherence of the rays does.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -40,28 +40,30 @@ void compare_rays(const char* scene_name, const std::string& name, render::Docum
   d.width = d.height = 256;
   const auto method = bench::parse_method(name, d);
   if (!method) return static_cast<void>(std::fprintf(stderr, "%s\n", method.error().message.c_str()));
-  WorkRig rig(method->document, scene::compile(d.scene, d.camera, nullptr));
+  IntegratorHarness harness(method->document, scene::compile(d.scene, d.camera, nullptr));
   RayLog log;
   log.start();
-  rig.step();
+  harness.step();
   log.stop();
   std::vector<double> ratios, without;
   constexpr int kRounds = 9;
   double bare = 0;
   uint64_t hits = 0;
   for (int i = 0; i < kRounds; ++i) {
-    const WorkRig::Part before = rig.total();
-    rig.step();
-    const WorkRig::Part after = rig.total();
+    const IntegratorHarness::Part before = harness.total();
+    harness.step();
+    const IntegratorHarness::Part after = harness.total();
     bare = seconds([&] { hits += log.replay(); }) / static_cast<double>(log.size());
     const auto rays = static_cast<double>(after.rays - before.rays);
-    const double took = after.seconds - before.seconds, apart = after.apart - before.apart;
-    ratios.push_back(bare * rays / took), without.push_back(bare * rays / (took - apart));
+    const double took = after.seconds - before.seconds, bookkeeping = after.bookkeeping - before.bookkeeping;
+    ratios.push_back(bare * rays / took);
+    without.push_back(bare * rays / (took - bookkeeping));
   }
-  std::sort(ratios.begin(), ratios.end()), std::sort(without.begin(), without.end());
+  std::sort(ratios.begin(), ratios.end());
+  std::sort(without.begin(), without.end());
   std::printf(
       "%-8s %-28s over the bare loop: median %.3f (min %.3f, max %.3f), without bookkeeping %.3f; bare %.1f ns "
-      "a ray, %llu hits\n",
+      "per ray, %llu hits\n",
       scene_name, name.c_str(), ratios[kRounds / 2], ratios.front(), ratios.back(), without[kRounds / 2], 1e9 * bare,
       static_cast<unsigned long long>(hits));
 }

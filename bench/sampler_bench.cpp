@@ -1,7 +1,8 @@
-// What a block of eight dimensions costs, by sampler: the camera's block, a vertex's, and one beyond the true
-// dimensions.
+// Cost of a block of eight dimensions, by sampler: the block of the camera, the block of a path vertex, and a block
+// beyond the dimensions of the low-discrepancy sequence.
 //
-// Pixels and samples change from call to call as they do in a pass; `unprepared` asks for samples outside the table.
+// Pixel and sample index change between calls as in a rendering. `unprepared` uses sample indices outside the
+// precomputed table.
 #include <benchmark/benchmark.h>
 
 #include "base/hash.h"

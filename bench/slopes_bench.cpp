@@ -1,14 +1,15 @@
-// How error falls with samples, and where it stops falling.
+// Convergence rate: the slope of the error over the number of samples, and its limit for biased estimators.
 //
-// Slopes of log RMSE over log samples of `path` with random numbers, which theory puts at -1/2, and with Sobol' points,
-// which fall faster the smoother the scene is; five repeats with seeds of their own, against a reference whose own
-// error is taken off. Where the tail of single samples is heavy (khat), the variance is infinite or nearly so, and no
-// slope is promised.
+// The slope of log RMSE over log samples is fitted for `path` with random numbers, where theory predicts -1/2, and with
+// Sobol' points, where it is steeper for smoother integrands. Five repeats with different seeds are compared with a
+// reference, whose own error is subtracted. Where the distribution of samples has a heavy tail (khat), the variance is
+// infinite or nearly so, and theory predicts no slope.
 //
-// Then a furnace of albedo 1/2 with paths cut after d edges: the Neumann series E (1 + a + ... + a^(d-1)) falls short
-// of E / (1 - a) by a^d / (1 - a), at which the curves go flat. The reference is the closed form.
+// A second test renders a furnace of albedo a = 1/2 with paths cut after d edges. The Neumann series E (1 + a + ... +
+// a^(d-1)) differs from E / (1 - a) by a^d / (1 - a), where the error curve becomes flat. The reference is the closed
+// form.
 //
-//   slopes_bench [FILE.svg]   with a name, the furnace's chart is written to it.
+//   slopes_bench [FILE.svg]   writes the chart of the furnace to FILE.svg
 #include <cmath>
 #include <cstdio>
 
@@ -24,7 +25,7 @@ namespace {
 constexpr int kRepeats = 5;
 constexpr double kReferenceSeconds = 20;
 
-bool go_on(double, const std::string&) { return true; }
+bool never_stop(double, const std::string&) { return true; }
 
 std::string with_error(const metrics::Estimate& f) {
   char text[48];
@@ -35,11 +36,12 @@ std::string with_error(const metrics::Estimate& f) {
 void slopes(render::Session& session, const char* name, const std::string& file, uint32_t samples) {
   auto document = render::new_document(file);
   if (!document) return;
-  document->width = 128, document->height = 96;
+  document->width = 128;
+  document->height = 96;
   const auto methods = bench::parse_methods("path:sampler=random,path:sampler=sobol", *document);
-  const auto reference = bench::render_reference(session, *document, {kReferenceSeconds, 0}, {}, go_on);
+  const auto reference = bench::render_reference(session, *document, {kReferenceSeconds, 0}, {}, never_stop);
   const bench::Plan plan{*methods, 0, samples, kRepeats, 0};
-  const auto outcome = bench::run(session, plan, reference, go_on);
+  const auto outcome = bench::run(session, plan, reference, never_stop);
   const auto random = bench::summary_of(outcome.methods[0], reference, {});
   const auto sobol = bench::summary_of(outcome.methods[1], reference, {});
   std::printf("%-14s %8u %18s %18s %8.2f%-8s %6.1f\n", name, samples, with_error(random.slope_over_samples).c_str(),
@@ -48,12 +50,12 @@ void slopes(render::Session& session, const char* name, const std::string& file,
   std::fflush(stdout);
 }
 
-// A picture that is known: it has no error.
+// A reference image with constant radiance and no error.
 bench::Reference constant(double radiance, int size) {
   bench::Reference reference;
   const auto count = static_cast<size_t>(size) * static_cast<size_t>(size) * 3;
-  reference.picture.width = reference.picture.height = size;
-  reference.picture.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(count, static_cast<float>(radiance))});
+  reference.image.width = reference.image.height = size;
+  reference.image.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(count, static_cast<float>(radiance))});
   reference.noise = metrics::ReferenceNoise{};
   return reference;
 }
@@ -67,7 +69,7 @@ int biases(render::Session& session, const char* chart) {
   std::string names = "path:sampler=random";
   for (const char* depth : {"6", "4", "2"}) names += std::string(",path:sampler=random:max-depth=") + depth;
   const bench::Plan plan{*bench::parse_methods(names, d), 0, 1024, kRepeats, 0};
-  const auto outcome = bench::run(session, plan, reference, go_on);
+  const auto outcome = bench::run(session, plan, reference, never_stop);
   std::printf("\n%-32s %24s %10s %10s\n", "furnace of albedo 1/2", "bias", "theory", "last RMSE");
   const double depths[] = {INFINITY, 6, 4, 2};
   for (size_t i = 0; i < outcome.methods.size(); ++i) {

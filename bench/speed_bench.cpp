@@ -1,8 +1,8 @@
-// How long a sample of every pixel takes, and what a second thread is worth.
+// Time of one sample per pixel, and speed-up by a second thread.
 //
-// Scenes: the Cornell box as it is, and with a glossy box and a glass sphere in it, 512 x 512, paths of 8 edges at
-// most, `path` as it is set by default. Printed are seconds for one sample of every pixel on two threads, for
-// orientation beside other renderers, and how many times faster two threads are than one, measured in turns.
+// Scenes: the Cornell box, and the Cornell box with a glossy box and a glass sphere, 512 x 512, paths of at most 8
+// edges, `path` with default parameters. The table shows seconds for one sample of every pixel on two threads, for
+// comparison with other renderers, and the speed-up of two threads over one. Both are measured alternately.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The short box makes room for a sphere of glass; the tall one becomes a glossy metal.
+// A glass sphere replaces the short box; the tall box becomes a glossy metal.
 scene::Scene glossy_box_and_glass_sphere() {
   scene::Scene scene = scene::cornell_box();
   for (auto& node : scene.nodes)
@@ -28,7 +28,10 @@ scene::Scene glossy_box_and_glass_sphere() {
   for (const auto& group : scene.meshes) {
     if (group.name != "tall box") continue;
     Material& metal = scene.materials[static_cast<size_t>(group.primitives[0].material)];
-    metal.metallic = 1, metal.roughness = 0.3f, metal.specular = 1, metal.base_color = Rgb(0.9f);
+    metal.metallic = 1;
+    metal.roughness = 0.3f;
+    metal.specular = 1;
+    metal.base_color = Rgb(0.9f);
   }
   Mat4 place(1);
   place[3] = Vec4(1.86f, 1.0f, 1.69f, 1);
@@ -70,7 +73,7 @@ int save_picture(const render::Document& document, const char* file) {
 }  // namespace
 }  // namespace etendue
 
-// speed_bench [picture.png]: with a name, the second scene is rendered to it and nothing is measured.
+// speed_bench [image.png]: with a name, renders the second scene to that file instead of measuring.
 int main(int argc, char** argv) {
   using namespace etendue;
   auto document = *render::new_document("cornell");

@@ -1,7 +1,7 @@
-// How long one waits for the first pixel: staircase2, ToyCar, and a sphere of five million triangles.
+// Time to the first pixel: staircase2, ToyCar, and a sphere of five million triangles.
 //
-// Once inside a process, phase by phase; once through `etendue view --offscreen`, from its start to the first frame on
-// the screen. Ends with 1 if a bound is missed.
+// Measured within a process, phase by phase, and through `etendue view --offscreen`, from its start to the first
+// displayed frame. The exit code is 1 if a bound is exceeded.
 #include <sys/wait.h>
 
 #include <chrono>
@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "render/session.h"
+#include "support/child_process.h"
 #include "support/large_glb.h"
-#include "support/own_process.h"
 #include "support/scenes.h"
 
 namespace etendue {
@@ -29,7 +29,8 @@ int phases(const std::string& file) {
   auto document = render::new_document(file);
   if (!document) return std::fprintf(stderr, "%s\n", document.error().message.c_str()), 2;
   const double loaded = seconds_since(start);
-  document->width = 1280, document->height = 720;
+  document->width = 1280;
+  document->height = 720;
   render::Session session({.interactive = true});
   session.submit(*document);
   while (!session.frame()) std::this_thread::sleep_for(std::chrono::microseconds(500));
@@ -39,7 +40,7 @@ int phases(const std::string& file) {
   return 0;
 }
 
-// Seconds from the start of the viewer to its first picture; negative if it failed.
+// Seconds from the start of the viewer to its first image; negative if it failed.
 double viewer_start(const std::string& file, const fs::path& folder) {
   const fs::path script = folder / "script.json", state = folder / "state.json";
   std::ofstream(script) << nlohmann::json::array({{{"do", "state"}, {"file", state.string()}}});
@@ -53,7 +54,7 @@ bool clock_start(const char* name, const std::string& file, double bound, const 
   std::vector<double> starts;
   for (int i = 0; i < 5; ++i) {
     std::printf("%-12s ", name);
-    if (test::in_own_process([&] { return phases(file); }) != 0) return false;
+    if (test::run_in_child_process([&] { return phases(file); }) != 0) return false;
     starts.push_back(viewer_start(file, folder));
   }
   std::sort(starts.begin(), starts.end());

@@ -8,9 +8,9 @@
 namespace etendue::test {
 namespace {
 
-// One in so many samples says where cells have to be small, and is not counted.
-constexpr int kScouts = 5;
-constexpr size_t kCells = 250;  // about
+// One sample in kPilotDivisor is a pilot sample: it determines the sizes of the cells and is not counted.
+constexpr int kPilotDivisor = 5;
+constexpr size_t kCells = 250;  // approximate number of cells
 constexpr int kFinerLevels = 5;
 
 // Regularised upper incomplete gamma function: series below a + 1, Lentz's continued fraction above.
@@ -40,24 +40,26 @@ double chi_square_tail(double statistic, int degrees) { return upper_gamma(0.5 *
 
 ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
                                int samples) {
-  std::vector<Vec3> scouts;
-  for (int i = 0; i < samples / kScouts; ++i)
-    if (Vec3 w; sample(w)) scouts.push_back(w);
-  const SpherePartition cells(scouts, std::max<size_t>(4, static_cast<size_t>(samples / kScouts) / kCells));
+  std::vector<Vec3> pilot;
+  for (int i = 0; i < samples / kPilotDivisor; ++i)
+    if (Vec3 w; sample(w)) pilot.push_back(w);
+  const SpherePartition cells(pilot, std::max<size_t>(4, static_cast<size_t>(samples / kPilotDivisor) / kCells));
 
   std::vector<double> counts(cells.size() + 1, 0.0), expected(cells.size() + 1, 0.0);
   for (int i = 0; i < samples; ++i) {
     Vec3 w;
     ++counts[sample(w) ? cells.cell_of(w) : cells.size()];
   }
-  // Refined until it stands still to a third of what the samples can tell: the finer value is nearer by far.
+  // Refines until a step changes the value by less than 0.3 standard deviations of the count. The error of the finer
+  // value is then much smaller.
   const auto enough = [&](double coarse, double fine) {
     return std::abs(fine - coarse) < 0.3 * std::sqrt(std::max(fine, 1e-9) / samples);
   };
   double total = 0;
   for (size_t k = 0; k < cells.size(); ++k) {
     expected[k] = samples * cells.integrate(k, pdf, enough);
-    // A strip or a needle may lie between a few points: where counts differ, more of them tell whether that was it.
+    // A narrow ridge or peak of the density may lie between a few Gauss points. Cells whose counts differ are therefore
+    // integrated again with more points.
     if (std::abs(counts[k] - expected[k]) > 2.5 * std::sqrt(std::max(counts[k], 1.0)))
       expected[k] = samples * cells.integrate(k, pdf, enough, kFinerLevels);
     total += expected[k];
@@ -75,11 +77,12 @@ ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const s
     if (expected[i] >= 5) {
       add(counts[i], expected[i]);
     } else {
-      pooled_count += counts[i], pooled_expected += expected[i];
+      pooled_count += counts[i];
+      pooled_expected += expected[i];
     }
   }
   if (pooled_expected >= 5) add(pooled_count, pooled_expected);
-  // Samples where the density is zero.
+  // Samples in regions of zero density.
   if (pooled_expected < 5 && pooled_count > 5 * (pooled_expected + 5)) result.statistic += 1e9;
   result.degrees = std::max(1, kinds - 1);
   result.p_value = chi_square_tail(result.statistic, result.degrees);

@@ -1,4 +1,4 @@
-// Chi-square of sampled directions against a density per solid angle.
+// Chi-square test of sampled directions against a density per solid angle.
 #pragma once
 #include <functional>
 
@@ -11,9 +11,9 @@ struct ChiSquare {
   int degrees = 0;
 };
 
-// `sample` gives a direction or false (absorbed: counted as a cell of its own, with what the density lacks to one).
-// Cells are small where a fifth as many samples before these say so; those with an expectation under five are pooled.
-// A density that adds to more than one shows in the cell of what is absorbed.
+// `sample` returns a direction or false. False means absorption, which is counted in a cell of its own; its expectation
+// is what the density lacks to one. A density that integrates to more than one therefore shows in this cell. A pilot
+// run of a fifth as many samples determines where cells are small. Cells with an expectation below five are pooled.
 ChiSquare chi_square_on_sphere(const std::function<bool(Vec3&)>& sample, const std::function<double(const Vec3&)>& pdf,
                                int samples);
 

@@ -26,7 +26,7 @@ struct Random {
     const float choice = uniform();
     return {choice, uniform2()};
   }
-  // Uniform in the angles: all directions, and those up to max_theta degrees from the normal.
+  // Uniform in both angles: all directions, or those within max_theta degrees of the normal.
   Vec3 any_direction() { return direction_below(180, 6.28f); }
   Vec3 direction_below(float max_theta, float max_phi = 6) {
     const float theta = max_theta * uniform();

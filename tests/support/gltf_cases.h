@@ -1,4 +1,4 @@
-// Surfaces with the extensions of glTF, as tests look at them.
+// Materials with glTF extensions, as test cases.
 #pragma once
 #include <random>
 #include <string>
@@ -16,9 +16,9 @@ struct GltfCase {
   Vec3 coat_normal{0, 0, 1};
 };
 
-// Every extension, alone and over others, at the ends of its parameters and between.
+// Every extension, alone and combined with others, at the ends of its parameter ranges and in between.
 std::vector<GltfCase> gltf_cases();
-// The same without anything smooth, so that all of it has a density.
+// The same without smooth surfaces, so that every lobe has a density.
 std::vector<GltfCase> rough_gltf_cases();
 
 inline AllLobes<Rgb> lobes_of(const Material& material, const Vec3& coat_normal = Vec3(0, 0, 1)) {

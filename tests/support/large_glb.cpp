@@ -10,7 +10,7 @@
 namespace etendue::test {
 namespace {
 
-// Rings of vertices around the axis; the poles are rings too, whose other triangles are left out.
+// Rings of vertices around the axis. The poles are rings as well; their degenerate triangles are left out.
 struct Grid {
   uint32_t rings, segments;
 

@@ -1,4 +1,4 @@
-// Properties that every set of lobes must have, for tests of glTF surfaces and BSDF models.
+// Properties of every set of lobes, for tests of glTF surfaces and BSDF models.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,10 +9,10 @@
 
 namespace etendue::test {
 
-// The significance of each of `count` tests that together give a false alarm with probability 1 %.
+// Significance level of each of `count` independent tests with a family-wise false-alarm rate of 1 % (Sidak).
 inline double family_significance(size_t count) { return 1 - std::pow(0.99, 1.0 / static_cast<double>(count)); }
 
-// Chi-square of the directions that `lobes` samples for wo against their density. Samples of deltas count as absorbed.
+// Chi-square test of the directions that `lobes` samples for wo against their density. Delta samples count as absorbed.
 template <class Lobes>
 ChiSquare chi_square_of_samples(const Lobes& lobes, const Vec3& wo, Random& random, int samples) {
   return chi_square_on_sphere(
@@ -29,7 +29,8 @@ inline std::string text_of(const ChiSquare& result) {
   return "chi2 " + std::to_string(result.statistic) + ", " + std::to_string(result.degrees) + " degrees of freedom";
 }
 
-// The components of all scattering types are not negative and sum to f; a component that `has_component` denies is black.
+// Checks that the components of all scattering types are non-negative and sum to f, and that a component without
+// `has_component` is black.
 template <class Lobes>
 void expect_components_sum_to_f(const Lobes& lobes, const Vec3& wo, const Vec3& wi, const std::string& name) {
   const Rgb f = lobes.eval(wo, wi, TransportMode::radiance);
@@ -43,7 +44,7 @@ void expect_components_sum_to_f(const Lobes& lobes, const Vec3& wo, const Vec3& 
   for (int k = 0; k < 3; ++k) ASSERT_NEAR(sum[k], f[k], 1e-5f * f[k]) << name;
 }
 
-// The directional albedo of power for light from wo, the largest component, and the standard error of the estimate.
+// Directional albedo for radiant power from wo: its largest component and the standard error of the estimate.
 struct AlbedoEstimate {
   double value = 0, error = 0;
 };

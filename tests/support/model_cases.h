@@ -15,7 +15,7 @@ using ModelPtr = std::shared_ptr<const BsdfModel>;
 using Settings = std::vector<std::pair<std::string, std::string>>;  // names and values of parameters
 
 struct ModelCase {
-  std::string name;  // of the model, and the parameter that was set
+  std::string name;  // model and changed parameter
   ModelPtr model;
   AllLobes<Rgb> lobes;
 };
@@ -28,7 +28,7 @@ inline AllLobes<Rgb> lobes_of(const BsdfModel& model, const Rgb& base = kModelBa
   return lobes;
 }
 
-// The model with these parameters; throws if a name or a value is not valid.
+// The model with these parameters. Throws if a name or a value is invalid.
 inline ModelPtr with_settings(ModelPtr model, const Settings& settings) {
   for (const auto& [name, text] : settings) {
     const auto parameters = model->parameters();

@@ -1,4 +1,4 @@
-// Scenes that move, for what depends on the shutter.
+// Animated scenes, for tests of the shutter.
 #pragma once
 #include <vector>
 
@@ -6,22 +6,23 @@
 
 namespace etendue::test {
 
-// Animates a property of a node by straight lines (rotations: arcs) between keys. The node must not have a matrix:
-// what is animated replaces it.
+// Animates a property of a node by linear interpolation between keys (spherical for rotations). The node must not have
+// a matrix, because the animation replaces its transform.
 void animate(scene::Scene& scene, int node, scene::AnimatedPath path, std::vector<float> seconds,
              std::vector<float> values);
 
-// A turn about an axis as the four numbers of a rotation.
+// Rotation about an axis as a quaternion (x, y, z, w).
 Vec4 turn(const Vec3& axis, float radians);
 
-// Puts a camera into the scene; returns its node.
+// Adds a camera to the scene and returns its node.
 int add_camera(scene::Scene& scene, const Camera& camera);
 
-// As seen through the scene's first camera, with a square picture.
-render::Document through_its_camera(scene::Scene scene, int size);
+// A square document seen through the first camera of the scene.
+render::Document from_scene_camera(scene::Scene scene, int size);
 
-// A glazed ball that swings, a cube that turns and a lamp that passes by over a floor, seen out of focus by a camera on
-// the move: everything that a path's time and a point of the lens decide. The shutter is open for a second.
-render::Document lens_and_shutter();
+// A glazed ball that swings, a cube that rotates and a light that passes over a floor. The camera moves as well and is
+// out of focus. Covers everything that depends on the time of a path and on the lens sample. The shutter is open for
+// one second.
+render::Document motion_and_lens_scene();
 
 }  // namespace etendue::test

@@ -11,7 +11,7 @@ struct MovingLights {
   AreaLightTriangle triangle;
   PlacedLight point;
 
-  // From the identity to `end`.
+  // Moves from the identity to `end`.
   explicit MovingLights(const Mat4& end) {
     mesh->positions.reserve(4);
     mesh->positions = {{0, 3, 0}, {1, 3, 0}, {0, 3, 1}};

@@ -10,7 +10,7 @@ namespace {
 constexpr int kBlock = 4, kBlocks = kSize / kBlock;
 constexpr int kReplicates = 12;
 
-// What Student's t stays below, on both sides, but with probability `alarms` (Cornish and Fisher's expansion).
+// Two-sided quantile of Student's t distribution: |t| exceeds it with probability `alarms` (Cornish-Fisher expansion).
 double quantile_of_t(double alarms, double degrees) {
   double low = 0, high = 10;
   while (high - low > 1e-9) {
@@ -21,7 +21,8 @@ double quantile_of_t(double alarms, double degrees) {
   return z + z * (z2 + 1) / (4 * degrees) + z * ((5 * z2 + 16) * z2 + 3) / (96 * degrees * degrees);
 }
 
-// 1 % for the family: Sidak over blocks and the mean of each comparison.
+// Threshold for a family-wise false-alarm rate of 1 %: Sidak correction over the blocks and the mean of each
+// comparison.
 double threshold(int comparisons) {
   return quantile_of_t(1 - std::pow(0.99, 1.0 / (comparisons * (kBlocks * kBlocks + 1))), 2 * (kReplicates - 1));
 }
@@ -38,7 +39,10 @@ double block_mean(const film::Film& film, size_t block) {
 
 Estimate Estimate::operator+(const Estimate& other) const {
   Estimate sum = *this;
-  for (size_t i = 0; i < mean.size(); ++i) sum.mean[i] += other.mean[i], sum.variance[i] += other.variance[i];
+  for (size_t i = 0; i < mean.size(); ++i) {
+    sum.mean[i] += other.mean[i];
+    sum.variance[i] += other.variance[i];
+  }
   return sum;
 }
 
@@ -49,19 +53,22 @@ Blocks block_means(const film::Film& film) {
 }
 
 Estimate replicated(render::Document d, uint32_t samples, uint64_t first_seed) {
-  const auto picture = [&](uint64_t seed) {
+  const auto image = [&](uint64_t seed) {
     d.seed = seed;
     return block_means(rendered(d, samples));
   };
-  return replicated(picture, first_seed);
+  return replicated(image, first_seed);
 }
 
-Estimate replicated(const std::function<Blocks(uint64_t seed)>& picture, uint64_t first_seed) {
+Estimate replicated(const std::function<Blocks(uint64_t seed)>& image, uint64_t first_seed) {
   constexpr size_t n = kBlocks * kBlocks;
   std::vector<double> sum(n, 0), squares(n, 0);
   for (int r = 0; r < kReplicates; ++r) {
-    const Blocks means = picture(first_seed + static_cast<uint64_t>(r));
-    for (size_t i = 0; i < n; ++i) sum[i] += means[i], squares[i] += means[i] * means[i];
+    const Blocks means = image(first_seed + static_cast<uint64_t>(r));
+    for (size_t i = 0; i < n; ++i) {
+      sum[i] += means[i];
+      squares[i] += means[i] * means[i];
+    }
   }
   Estimate e;
   for (size_t i = 0; i < n; ++i) {
@@ -78,21 +85,32 @@ void expect_agreement(const Estimate& x, const Estimate& y, const std::string& w
   for (size_t i = 0; i < x.mean.size(); ++i) {
     const double error = std::sqrt(x.variance[i] + y.variance[i]);
     EXPECT_LE(std::abs(x.mean[i] - y.mean[i]), t * error + 1e-6) << what << " block " << i;
-    difference += x.mean[i] - y.mean[i], variance += x.variance[i] + y.variance[i];
+    difference += x.mean[i] - y.mean[i];
+    variance += x.variance[i] + y.variance[i];
   }
   EXPECT_LE(std::abs(difference), t * std::sqrt(variance) + 1e-6) << what << " mean";
 }
 
-render::Document glossy_things() {
+render::Document glossy_scene() {
   scene::Scene scene;
   add(scene, quad(4), diffuse(Rgb(0.6f)));
   Material metal, glass, clear, sheet, clay;
-  metal.base_color = {0.9f, 0.7f, 0.4f}, metal.roughness = 0.4f;
-  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.roughness = 0.3f;
-  glass.attenuation_color = {0.4f, 0.8f, 0.9f}, glass.attenuation_distance = 0.7f;
-  clear = glass, clear.roughness = 0;
-  sheet = glass, sheet.thickness = 0, sheet.transmission = 0.7f;
-  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  metal.base_color = {0.9f, 0.7f, 0.4f};
+  metal.roughness = 0.4f;
+  glass.metallic = 0;
+  glass.transmission = 1;
+  glass.thickness = 1;
+  glass.roughness = 0.3f;
+  glass.attenuation_color = {0.4f, 0.8f, 0.9f};
+  glass.attenuation_distance = 0.7f;
+  clear = glass;
+  clear.roughness = 0;
+  sheet = glass;
+  sheet.thickness = 0;
+  sheet.transmission = 0.7f;
+  clay.base_color = {0.7f, 0.3f, 0.2f};
+  clay.metallic = 0;
+  clay.roughness = 0.3f;
   const Material* materials[] = {&metal, &glass, &clear, &sheet, &clay};
   for (int i = 0; i < 5; ++i) {
     Mat4 place(1);
@@ -101,7 +119,8 @@ render::Document glossy_things() {
   }
   Material light = diffuse(Rgb(0), Rgb(6));
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, quad(1), light, above);
   scene.environment.tint = {0.2f, 0.25f, 0.3f};

@@ -1,5 +1,5 @@
-// Means over independent renderings, to compare what should agree in expectation: z-tests over blocks of pixels, 1 %
-// false alarms for the family.
+// Means over independent renderings, for comparisons of estimators with the same expectation: t-tests over blocks of
+// pixels with a family-wise false-alarm rate of 1 %.
 #pragma once
 #include <functional>
 #include <string>
@@ -9,31 +9,32 @@
 
 namespace etendue::test {
 
-// Pictures of kSize squared, in blocks, so that rare bright paths have become a normal distribution.
+// Images have kSize x kSize pixels. Means over blocks are used because they are nearly normally distributed in spite of
+// rare bright paths.
 inline constexpr int kSize = 16;
 
 struct Estimate {
-  std::vector<double> mean, variance;  // per block, of the mean over replicates
+  std::vector<double> mean, variance;  // per block, of the mean over the renderings
 
-  // Of the sum of two that are independent.
+  // The sum of two independent estimates.
   Estimate operator+(const Estimate& other) const;
 };
 
-// Means of a picture over its blocks.
+// Means of an image over its blocks.
 using Blocks = std::vector<double>;
 Blocks block_means(const film::Film& film);
 
-// Twelve pictures, each made with a seed of its own from `first_seed` on.
-Estimate replicated(const std::function<Blocks(uint64_t seed)>& picture, uint64_t first_seed = 1000);
+// Twelve images with seeds from `first_seed` on.
+Estimate replicated(const std::function<Blocks(uint64_t seed)>& image, uint64_t first_seed = 1000);
 // Twelve renderings.
 Estimate replicated(render::Document document, uint32_t samples, uint64_t first_seed = 1000);
 
-// Expects every block, and all of them together, to agree. A test that makes several comparisons says how many: the
-// family is all of them.
+// Expects every block and the mean of all blocks to agree. `comparisons` is the number of comparisons of the whole
+// test, which form the family.
 void expect_agreement(const Estimate& a, const Estimate& b, const std::string& what, int comparisons = 1);
 
-// Rough metal, rough and smooth glass, a sheet, glazed clay under an area light and an environment: every lobe and
-// every weight takes part.
-render::Document glossy_things();
+// Rough metal, rough and smooth glass, a thin sheet and glazed clay under an area light and an environment. Every kind
+// of lobe and every kind of MIS weight occurs.
+render::Document glossy_scene();
 
 }  // namespace etendue::test

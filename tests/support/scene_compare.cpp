@@ -20,12 +20,14 @@ class Comparison {
     each("lights", a_.lights, b_.lights, [&](const auto& x, const auto& y) { same("", x, y); });
     each("cameras", a_.cameras, b_.cameras, [&](const auto& x, const auto& y) { same("", x, y); });
     each("skins", a_.skins, b_.skins, [&](const auto& x, const auto& y) {
-      same(".joints", x->joints, y->joints), bits(".inverse_bind", x->inverse_bind, y->inverse_bind);
+      same(".joints", x->joints, y->joints);
+      bits(".inverse_bind", x->inverse_bind, y->inverse_bind);
     });
     each("animations", a_.animations, b_.animations, [&](const auto& x, const auto& y) { animation(*x, *y); });
     environment();
     same("time", a_.time, b_.time);
-    same("variants", a_.variants, b_.variants), same("variant", a_.variant, b_.variant);
+    same("variants", a_.variants, b_.variants);
+    same("variant", a_.variant, b_.variant);
     return found_;
   }
 
@@ -69,16 +71,20 @@ class Comparison {
     same(".name", x.name, y.name);
     same(".transform.matrix", x.transform.matrix, y.transform.matrix);
     if (!x.transform.matrix) same(".transform", x.transform, y.transform);
-    same(".parent", x.parent, y.parent), same(".children", x.children, y.children);
-    same(".camera", x.camera, y.camera), same(".light", x.light, y.light);
+    same(".parent", x.parent, y.parent);
+    same(".children", x.children, y.children);
+    same(".camera", x.camera, y.camera);
+    same(".light", x.light, y.light);
     same(".visible", x.visible, y.visible);
     same(".mesh", shows(a_, x.mesh), shows(b_, y.mesh));
     if (!shows(a_, x.mesh)) return;
-    same(".skin", x.skin, y.skin), same(".weights", x.weights, y.weights);
+    same(".skin", x.skin, y.skin);
+    same(".weights", x.weights, y.weights);
   }
 
   void group(const scene::MeshGroup& x, const scene::MeshGroup& y) {
-    same(".name", x.name, y.name), same(".weights", x.weights, y.weights);
+    same(".name", x.name, y.name);
+    same(".weights", x.weights, y.weights);
     each(".primitives", x.primitives, y.primitives, [&](const auto& p, const auto& q) { primitive(p, q); });
   }
 
@@ -87,18 +93,24 @@ class Comparison {
     const bool choice = std::any_of(x.choices.begin(), x.choices.end(), [&](int c) { return c != x.choices[0]; });
     if (choice) same(".choices", x.choices, y.choices);
     const Mesh &m = *x.mesh, &n = *y.mesh;
-    bits(".positions", m.positions, n.positions), bits(".triangles", m.triangles, n.triangles);
-    bits(".normals", m.normals, n.normals), bits(".tangents", m.tangents, n.tangents);
-    bits(".uvs[0]", m.uvs[0], n.uvs[0]), bits(".uvs[1]", m.uvs[1], n.uvs[1]), bits(".colors", m.colors, n.colors);
+    bits(".positions", m.positions, n.positions);
+    bits(".triangles", m.triangles, n.triangles);
+    bits(".normals", m.normals, n.normals);
+    bits(".tangents", m.tangents, n.tangents);
+    bits(".uvs[0]", m.uvs[0], n.uvs[0]);
+    bits(".uvs[1]", m.uvs[1], n.uvs[1]);
+    bits(".colors", m.colors, n.colors);
     same(".deformation", !x.deformation, !y.deformation);
     if (x.deformation && y.deformation) deformation(*x.deformation, *y.deformation);
   }
 
   void deformation(const scene::Deformation& x, const scene::Deformation& y) {
     same(".joint_sets", x.joint_sets, y.joint_sets);
-    bits(".joints", x.joints, y.joints), bits(".weights", x.weights, y.weights);
+    bits(".joints", x.joints, y.joints);
+    bits(".weights", x.weights, y.weights);
     each(".targets", x.targets, y.targets, [&](const auto& t, const auto& u) {
-      bits(".positions", t.positions, u.positions), bits(".normals", t.normals, u.normals);
+      bits(".positions", t.positions, u.positions);
+      bits(".normals", t.normals, u.normals);
       bits(".tangents", t.tangents, u.tangents);
     });
   }
@@ -122,22 +134,26 @@ class Comparison {
   }
 
   void texture(const Texture& x, const Texture& y) {
-    same(".name", x.name, y.name), same(".nearest", x.nearest, y.nearest);
+    same(".name", x.name, y.name);
+    same(".nearest", x.nearest, y.nearest);
     same(".wrap", std::pair(x.wrap_u, x.wrap_v), std::pair(y.wrap_u, y.wrap_v));
     same(".image", !x.image, !y.image);
-    if (x.image && y.image) picture(*x.image, *y.image);
+    if (x.image && y.image) image(*x.image, *y.image);
   }
-  void picture(const image::Image& x, const image::Image& y) {
+  void image(const image::Image& x, const image::Image& y) {
     same(".image size", std::tuple(x.width, x.height, x.channels), std::tuple(y.width, y.height, y.channels));
-    bits(".image bytes", x.bytes, y.bytes), bits(".image floats", x.floats, y.floats);
+    bits(".image bytes", x.bytes, y.bytes);
+    bits(".image floats", x.floats, y.floats);
   }
 
   void animation(const scene::Animation& x, const scene::Animation& y) {
-    same(".name", x.name, y.name), same(".duration", x.duration, y.duration);
+    same(".name", x.name, y.name);
+    same(".duration", x.duration, y.duration);
     each(".channels", x.channels, y.channels, [&](const auto& c, const auto& d) {
       same("", std::tuple(c.node, c.path, c.interpolation, c.components),
            std::tuple(d.node, d.path, d.interpolation, d.components));
-      bits(".times", c.times, d.times), bits(".values", c.values, d.values);
+      bits(".times", c.times, d.times);
+      bits(".values", c.values, d.values);
     });
   }
 
@@ -146,7 +162,7 @@ class Comparison {
     same("environment", std::tuple(x.tint, x.rotation, x.visible), std::tuple(y.tint, y.rotation, y.visible));
     same("environment.map", !x.map, !y.map);
     place_ = "environment";
-    if (x.map && y.map) picture(*x.map, *y.map);
+    if (x.map && y.map) image(*x.map, *y.map);
     place_.clear();
   }
 

@@ -15,7 +15,8 @@ render::Document document(scene::Scene scene, const Camera& camera, int width, i
   if (scene.materials.empty()) scene.materials.emplace_back();
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   d.camera = camera;
-  d.width = width, d.height = height;
+  d.width = width;
+  d.height = height;
   return d;
 }
 

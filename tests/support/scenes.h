@@ -1,4 +1,4 @@
-// Small scenes with answers in closed form, and the shortest way to render one.
+// Small scenes with closed-form solutions, and helpers to render them.
 #pragma once
 #include <functional>
 #include <memory>
@@ -20,14 +20,14 @@ using scene::furnace;
 using scene::quad;
 using scene::sphere;
 
-// A scene as a document with a camera.
+// A document of a scene and a camera.
 render::Document document(scene::Scene scene, const Camera& camera, int width, int height);
 
-// The golden sphere (scene/integrating_sphere.h): a square picture of its wall with random numbers. No roulette: walks
-// end where less than a millionth is missing.
+// The integrating sphere (scene/builtin/integrating_sphere.h): a square image of its wall with random numbers. There is
+// no Russian roulette. Paths end at the depth where less than a millionth of the radiance is missing.
 render::Document integrating_sphere(double share, float albedo, scene::Cap cap = scene::Cap::reflecting, int size = 64);
 
-// The built-in box as a square picture.
+// The built-in Cornell box as a square image.
 render::Document cornell(int size);
 
 using film::Mean;
@@ -36,10 +36,10 @@ using render::rendered;
 
 Rgb mean_color(const film::Film& film);
 
-// The same picture to the last bit.
+// True if the sums of all pixels are bit-identical.
 bool same_bits(const film::Film& a, const film::Film& b);
 
-// The folder of the real data, or empty.
+// The folder of the test data (ETENDUE_TEST_DATA), or an empty string.
 std::string data_folder();
 
 }  // namespace etendue::test

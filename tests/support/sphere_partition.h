@@ -1,8 +1,9 @@
-// The sphere cut into cells that are small where given directions are dense, and integrals over them.
+// A partition of the sphere into cells that are small where given directions are dense, and integrals over the cells.
 //
-// Both hemispheres are squares of equal area (Shirley and Chiu's concentric map), quartered where more directions fall
-// than a cell may hold. Around a narrow lobe cells have the size of the lobe, and grow with the distance from it: a few
-// points each are enough to integrate what is as narrow as the directions are.
+// Each hemisphere is mapped to a square by the equal-area concentric map [Shirley and Chiu 1997]. A square is quartered
+// where more directions fall than a cell may hold. Around a narrow lobe the cells have the size of the lobe and grow
+// with the distance from it. A few Gauss points per cell are therefore enough to integrate a density as narrow as the
+// distribution of the directions.
 #pragma once
 #include <cmath>
 #include <span>
@@ -19,15 +20,15 @@ class SpherePartition {
   size_t size() const { return leaves_.size(); }
   size_t cell_of(const Vec3& w) const;
 
-  // The integral of f(direction) over a cell, per solid angle: Gauss points in quarters of quarters until `enough` says
-  // that a value and a finer one are near, but not before so many levels.
+  // The integral of f(direction) over a cell with respect to solid angle. Gauss quadrature in recursively quartered
+  // cells until `enough` accepts the difference between a value and a finer one, but at least `levels` levels deep.
   template <class F, class Enough>
   double integrate(size_t cell, F&& f, Enough&& enough, int levels = 0) const {
     const Box& box = boxes_[leaves_[cell]];
     return refined(f, box, gauss(f, box), enough, kDeepest - levels, kDeepest);
   }
-  // All of the sphere, each cell to about this error; points are nowhere farther apart than cells of this width (of 2)
-  // have them, which is what finds strips where few directions are.
+  // The integral over the whole sphere, each cell to about this error. Cells wider than `widest` (the square has width
+  // 2) are refined at least to that width, which finds narrow ridges where few directions are.
   template <class F>
   double integrate(F&& f, double error, double widest) const {
     const auto enough = [&](double coarse, double fine) { return std::abs(fine - coarse) < error; };
@@ -44,10 +45,10 @@ class SpherePartition {
   struct Box {
     double x = -1, y = -1, width = 2;
     bool upper = true;
-    size_t children = 0;  // the first of four; none is 0
+    size_t children = 0;  // index of the first of four; 0 if there are none
     size_t leaf = 0;
   };
-  static constexpr int kDeepest = 8;  // of the quarters in one cell
+  static constexpr int kDeepest = 8;  // levels of quarters within a cell
   struct Point {
     double x, y;
     bool upper;
@@ -73,7 +74,7 @@ class SpherePartition {
         sum +=
             kWeights[i] * kWeights[j] *
             static_cast<double>(f(to_sphere(box.x + kNodes[i] * box.width, box.y + kNodes[j] * box.width, box.upper)));
-    return sum * box.width * box.width * 1.57079632679489661923;  // 2 pi over 4
+    return sum * box.width * box.width * 1.57079632679489661923;  // area of the sphere per unit square: 2 pi / 4
   }
   template <class F, class Enough>
   static double refined(F&& f, const Box& box, double coarse, Enough&& enough, int asked_from, int depth) {

@@ -1,4 +1,4 @@
-// etendue advise and certify as scripts use them.
+// `etendue advise` and `etendue certify` as used by scripts.
 #include <nlohmann/json.hpp>
 
 #include "integration/cli/cli.h"
@@ -8,7 +8,7 @@ namespace {
 
 class CliAdvice : public Cli {};
 
-TEST_F(CliAdvice, RanksMethods) {
+TEST_F(CliAdvice, RanksIntegrators) {
   const Outcome r = run("advise cornell --size 24x24 --error 0.05 --pilot 0.02 --json");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = nlohmann::json::parse(r.out);
@@ -22,7 +22,7 @@ TEST_F(CliAdvice, RanksMethods) {
   EXPECT_NE(text.out.find("EDD+L"), std::string::npos) << text.out;
 }
 
-TEST_F(CliAdvice, APictureCarriesItsCertificateAndItStands) {
+TEST_F(CliAdvice, ImagesCarryAValidCertificate) {
   const Outcome r = run("render cornell --size 32x32 --spp 64 -o a.exr --json -");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto certificate = nlohmann::json::parse(r.out)["certificate"];
@@ -37,8 +37,8 @@ TEST_F(CliAdvice, APictureCarriesItsCertificateAndItStands) {
   EXPECT_TRUE(run("certify a.exr").out.starts_with("stands: true RMSE "));
 }
 
-// As --like renders it again, cut: the pixels of one, the statement of the other.
-TEST_F(CliAdvice, APictureOfCutPathsSaysSo) {
+// The pixels of one rendering with the certificate of another: --like renders the latter again with truncated paths.
+TEST_F(CliAdvice, CertificateStatesTruncatedPaths) {
   ASSERT_EQ(run("render cornell --size 32x32 --spp 64 --max-depth 2 -o b.exr --json b.json").code, 0);
   const auto j = nlohmann::json::parse(slurp(folder_ / "b.json"));
   EXPECT_EQ(j["certificate"]["bias"], "biased");

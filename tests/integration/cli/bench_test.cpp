@@ -1,4 +1,4 @@
-// etendue bench as scripts use it: the files that it promises, a reference that is kept, one-line errors.
+// `etendue bench` as used by scripts: output files, stored references, one-line errors.
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -9,7 +9,7 @@ namespace {
 
 class CliBench : public Cli {
  protected:
-  // With a cache of its own.
+  // Each test has its own cache folder.
   void SetUp() override {
     Cli::SetUp();
     ::setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
@@ -27,7 +27,7 @@ class CliBench : public Cli {
   }
 };
 
-TEST_F(CliBench, WritesWhatItPromises) {
+TEST_F(CliBench, WritesItsFiles) {
   const Outcome r =
       run("bench cornell --size 16x16 --methods path:sampler=sobol,path-pure:sampler=random "
           "--budget 0.05 --repeats 2 --out b");
@@ -46,7 +46,7 @@ TEST_F(CliBench, WritesWhatItPromises) {
       EXPECT_TRUE(method.contains(key)) << key;
 }
 
-TEST_F(CliBench, CurvesAreATable) {
+TEST_F(CliBench, CurvesAreWrittenAsATable) {
   ASSERT_EQ(run("bench cornell --size 16x16 --methods path,path-pure --samples 8 --repeats 3 --out b").code, 0);
   std::istringstream csv(slurp(folder_ / "b" / "curves.csv"));
   std::string line;
@@ -57,7 +57,7 @@ TEST_F(CliBench, CurvesAreATable) {
   EXPECT_EQ(rows, 2u * 3 * 6);  // two methods, three repeats, at 1, 2, 3, 4, 6 and 8 samples
 }
 
-TEST_F(CliBench, ThePageStandsAlone) {
+TEST_F(CliBench, ReportIsSelfContained) {
   ASSERT_EQ(run("bench cornell --size 16x16 --methods path,path-pure --samples 4 --repeats 1 --out b").code, 0);
   const std::string page = slurp(folder_ / "b" / "report.html");
   for (const char* part : {"<svg", "path-pure", "data:image/png;base64,", "iVBORw0KGgo", "type=\"range\"", "</html>"})
@@ -66,7 +66,7 @@ TEST_F(CliBench, ThePageStandsAlone) {
     EXPECT_EQ(page.find(part), std::string::npos) << part;
 }
 
-// Errors without the seconds, which are never the same.
+// The errors without the times, which are not reproducible.
 std::string errors_of(const std::string& csv) {
   std::istringstream lines(csv);
   std::string line, kept;
@@ -80,7 +80,7 @@ std::string errors_of(const std::string& csv) {
   return kept;
 }
 
-TEST_F(CliBench, ThePageSaysHowToMakeItAgain) {
+TEST_F(CliBench, ReportHasTheReproductionCommand) {
   ASSERT_EQ(run("bench cornell --size 16x16 --methods path:sampler=random,path-pure --samples 4 --repeats 2 --seed 5 "
                 "--set material.0.metallic=0.5 --set film.filter=box --set model.media=on --out first")
                 .code,
@@ -92,7 +92,7 @@ TEST_F(CliBench, ThePageSaysHowToMakeItAgain) {
   EXPECT_EQ(errors_of(slurp(folder_ / "bench" / "curves.csv")), errors_of(slurp(folder_ / "first" / "curves.csv")));
 }
 
-TEST_F(CliBench, TheReferenceIsKeptAndExtended) {
+TEST_F(CliBench, ReferenceIsStoredAndExtended) {
   const std::string bench = "bench cornell --size 16x16 --methods path --repeats 1 ";
   ASSERT_EQ(run(bench + "--samples 8 --out a").code, 0);
   EXPECT_EQ(cached(), 1u);
@@ -108,7 +108,7 @@ TEST_F(CliBench, TheReferenceIsKeptAndExtended) {
   EXPECT_EQ(cached(), 2u);
 }
 
-TEST_F(CliBench, AReferenceMayBeGiven) {
+TEST_F(CliBench, ReferenceMayBeAFile) {
   ASSERT_EQ(run("render cornell --size 16x16 --spp 64 --seed 9 -o r.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 16x16 --spp 64 --seed 9 -o r.hdr").code, 0);
   ASSERT_EQ(run("bench cornell --size 16x16 --methods path --samples 4 --repeats 2 --reference r.exr --out b").code, 0);
@@ -121,14 +121,14 @@ TEST_F(CliBench, AReferenceMayBeGiven) {
   EXPECT_TRUE(summary("c")["reference"]["standard_error"].is_null());
 }
 
-TEST_F(CliBench, AReferenceMayBeLarger) {
+TEST_F(CliBench, ReferenceMayBeLarger) {
   ASSERT_EQ(run("render cornell --size 32x32 --spp 64 --seed 9 -o r.exr").code, 0);
   ASSERT_EQ(run("bench cornell --size 16x16 --methods path --samples 4 --reference r.exr --out b").code, 0);
   EXPECT_EQ(summary("b")["width"], 16);
   EXPECT_GT(summary("b")["reference"]["standard_error"], 0);
   ASSERT_EQ(run("bench cornell --methods path --samples 4 --reference r.exr --out c").code, 0);
   EXPECT_EQ(summary("c")["width"], 32);
-  // The mean of four pixels has half of their standard error.
+  // The mean of four pixels has half the standard error.
   EXPECT_NEAR(summary("b")["reference"]["standard_error"].get<double>(),
               summary("c")["reference"]["standard_error"].get<double>() / 2, 1e-6);
 }
@@ -153,7 +153,7 @@ TEST_F(CliBench, ErrorsAreOneLine) {
   EXPECT_FALSE(fs::exists(folder_ / "b"));
 }
 
-TEST_F(CliBench, InterruptKeepsWhatIsWhole) {
+TEST_F(CliBench, InterruptKeepsCompleteRepeats) {
   const Outcome r =
       run("bench cornell --size 32x32 --methods path --budget 0.2 --repeats 1000 --reference-time 0.2 "
           "--out b & sleep 2; kill -INT $!; wait $!");

@@ -1,4 +1,4 @@
-// etendue bsdf: verdicts, figures, drawings, and what is wrong with what was asked.
+// `etendue bsdf`: checks, values, drawings, and error messages.
 #include <nlohmann/json.hpp>
 
 #include "integration/cli/cli.h"
@@ -19,7 +19,7 @@ TEST_F(Cli, BsdfMeasuresAModel) {
   EXPECT_NEAR(j["albedo"][0]["albedo"][0].get<double>(), 0.3 * 0.5236, 2e-3);
 }
 
-TEST_F(Cli, BsdfPutsTwoSideBySideAndDrawsThem) {
+TEST_F(Cli, BsdfComparesTwoAndDrawsThem) {
   const Outcome r =
       run("bsdf gltf --set roughness=0.4 --against modified-phong --set-against exponent=50 --out d --json");
   ASSERT_EQ(r.code, 0) << r.err;
@@ -30,14 +30,14 @@ TEST_F(Cli, BsdfPutsTwoSideBySideAndDrawsThem) {
     EXPECT_NE(slurp(folder_ / "d" / name).find("</svg>"), std::string::npos) << name;
 }
 
-TEST_F(Cli, BsdfLooksAtAMaterialOfAScene) {
+TEST_F(Cli, BsdfAnalysesAMaterialOfAScene) {
   const Outcome r = run("bsdf --scene cornell-spheres --material 0 --json");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(json::parse(r.out)["model"], "gltf");
   expect_error("bsdf --scene cornell --material nobody", 2, "nobody");
 }
 
-TEST_F(Cli, BsdfSaysWhatIsWrong) {
+TEST_F(Cli, BsdfReportsErrors) {
   expect_error("bsdf fong", 2, "phong");
   expect_error("bsdf phong --set exponents=3", 2, "exponent");
   expect_error("bsdf phong --set exponent", 2, "NAME=VALUE");
@@ -45,8 +45,8 @@ TEST_F(Cli, BsdfSaysWhatIsWrong) {
   expect_error("bsdf lambert --out /proc/nothing/here", 4, "/proc");
 }
 
-// What the virtual gonioreflectometer wrote is read back as a model.
-TEST_F(Cli, BsdfWritesATableThatIsAModel) {
+// A table written by the virtual gonioreflectometer can be used as a model.
+TEST_F(Cli, BsdfTableCanBeUsedAsAModel) {
   ASSERT_EQ(run("bsdf lambert --set diffuse=0.5 --table t.brdf --steps 8 16").code, 0);
   const Outcome r = run("bsdf tabulated --set source=t.brdf --json");
   ASSERT_EQ(r.code, 0) << r.err;
@@ -54,8 +54,8 @@ TEST_F(Cli, BsdfWritesATableThatIsAModel) {
   expect_error("bsdf lambert --table nowhere/t.brdf", 4, "nowhere");
 }
 
-// A snapshot of a scene with a model carries it: rendered again like it, the picture is the same.
-TEST_F(Cli, AModelIsPartOfTheSettings) {
+// An image stores the model of its scene: a rendering with --like gives the same image.
+TEST_F(Cli, ImagesStoreTheModel) {
   ASSERT_EQ(
       run("render cornell --size 24x24 --spp 4 --set material.0.model=phong --set material.0.phong.exponent=7 -o a.exr")
           .code,

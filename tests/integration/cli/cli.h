@@ -1,4 +1,4 @@
-// The program as a script runs it.
+// Runs the program as a script does.
 #pragma once
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -44,7 +44,8 @@ class Cli : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
   }
 
-  // Exit code and a single line on standard error that begins with the program's name and holds `part`.
+  // Expects this exit code and a single line on standard error that begins with the name of the program and contains
+  // `part`.
   void expect_error(const std::string& arguments, int code, const std::string& part) const {
     const Outcome r = run(arguments);
     EXPECT_EQ(r.code, code) << arguments << "\n" << r.err;

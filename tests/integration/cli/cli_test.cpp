@@ -1,4 +1,4 @@
-// The command line as scripts use it: exit codes, one-line errors, results on standard output, nothing half-written.
+// The command line as used by scripts: exit codes, one-line errors, results on standard output, complete files.
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -7,7 +7,7 @@
 namespace etendue::test {
 namespace {
 
-TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
+TEST_F(Cli, RenderWritesTheImageAndItsStatistics) {
   const Outcome r = run("render cornell --size 24x24 --spp 4 --seed 3 -o a.exr --json -");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = nlohmann::json::parse(r.out);
@@ -22,7 +22,7 @@ TEST_F(Cli, RenderWritesThePictureAndItsStatistics) {
   EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
 }
 
-TEST_F(Cli, RenderSaysWhetherItsErrorCanBeTrusted) {
+TEST_F(Cli, RenderReportsTheReliabilityOfItsError) {
   const Outcome tame = run("render cornell --size 32x32 --spp 32 -o a.exr --json -");
   ASSERT_EQ(tame.code, 0) << tame.err;
   const auto j = nlohmann::json::parse(tame.out);
@@ -33,8 +33,8 @@ TEST_F(Cli, RenderSaysWhetherItsErrorCanBeTrusted) {
   EXPECT_EQ(tame.err.find("unreliable"), std::string::npos);
 }
 
-// A point light inside of its lampshade.
-TEST_F(Cli, AnErrorThatCannotBeTrustedIsSaidOnStandardError) {
+// A point light inside a lampshade.
+TEST_F(Cli, UnreliableErrorsAreReportedOnStandardError) {
   const char* data = std::getenv("ETENDUE_TEST_DATA");
   if (!data) GTEST_SKIP() << "set ETENDUE_TEST_DATA";
   const Outcome r =
@@ -45,7 +45,7 @@ TEST_F(Cli, AnErrorThatCannotBeTrustedIsSaidOnStandardError) {
   EXPECT_NE(r.err.find("b.exr: unreliable: "), std::string::npos) << r.err;
 }
 
-TEST_F(Cli, ReweightedFirefliesAreShownAndNotSummed) {
+TEST_F(Cli, ReweightedFirefliesAffectThePngOnly) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 8 --integrator path-pure -o a.exr --png a.png").code, 0);
   ASSERT_EQ(run("render cornell --size 24x24 --spp 8 --integrator path-pure --set film.fireflies=reweight -o b.exr "
                 "--png b.png")
@@ -57,7 +57,7 @@ TEST_F(Cli, ReweightedFirefliesAreShownAndNotSummed) {
   EXPECT_EQ(slurp(folder_ / "a.exr").find("reweighted.R"), std::string::npos);
 }
 
-TEST_F(Cli, LikeMakesTheSameImageAgain) {
+TEST_F(Cli, LikeReproducesTheImage) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --seed 3 --set material.5.metallic=1 --set film.filter=tent "
                 "--exposure 1 -o a.exr")
                 .code,
@@ -68,7 +68,7 @@ TEST_F(Cli, LikeMakesTheSameImageAgain) {
   EXPECT_EQ(nlohmann::json::parse(r.out)["mse"], 0);
 }
 
-TEST_F(Cli, PathsAreChosenByAnExpressionThatSnapshotsKeep) {
+TEST_F(Cli, PathExpressionIsStoredInImages) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 4 --paths 'E(D|G)L' -o a.exr").code, 0);
   ASSERT_EQ(run("render --like a.exr --spp 4 -o b.exr").code, 0);
   ASSERT_EQ(run("render --like a.exr --spp 4 --set film.paths= -o all.exr").code, 0);
@@ -81,13 +81,13 @@ TEST_F(Cli, PathsAreChosenByAnExpressionThatSnapshotsKeep) {
   EXPECT_GT(mse("a.exr whole.exr"), 0);
 }
 
-TEST_F(Cli, AMethodThatFindsNoneOfThePathsSaysSo) {
+TEST_F(Cli, AnIntegratorWithoutTheRequestedPathsReportsIt) {
   const Outcome r = run("render cornell --size 8x8 --spp 1 --integrator raycast --paths EDDL -o a.exr");
   EXPECT_EQ(r.code, 0);
   EXPECT_NE(r.err.find("raycast finds E[D|G]L, none of EDDL"), std::string::npos) << r.err;
 }
 
-TEST_F(Cli, WhatStandsInTheWayOfAMethodIsAWarning) {
+TEST_F(Cli, IncompatibilityIsAWarning) {
   const std::string what = "render cornell --size 8x8 --spp 1 --integrator light-pure -o a.exr --json -";
   const Outcome r = run(what);
   EXPECT_EQ(r.code, 0);
@@ -98,19 +98,19 @@ TEST_F(Cli, WhatStandsInTheWayOfAMethodIsAWarning) {
   EXPECT_TRUE(nlohmann::json::parse(clear.out)["obstacle"].is_null());
 }
 
-TEST_F(Cli, AdaptiveSamplingWithAMethodThatCannotIsAUsageError) {
+TEST_F(Cli, AdaptiveSamplingWithAnUnsuitableIntegratorIsAUsageError) {
   expect_error("render cornell --spp 1 --set render.adaptive=rmse --integrator light -o a.exr", 2, "pixel by pixel");
   expect_error("bench cornell --methods light:adaptive=rmse --samples 2 --out d", 2, "pixel by pixel");
 }
 
-TEST_F(Cli, TechniquesAreLeftOutByName) {
+TEST_F(Cli, TechniquesAreExcludedByName) {
   const Outcome r = run("render cornell --size 8x8 --spp 1 --integrator bdpt --set bdpt.without=0,* -o a.exr --json -");
   ASSERT_EQ(r.code, 0) << r.err;
   EXPECT_EQ(nlohmann::json::parse(r.out)["certificate"]["bias"], "biased");
   expect_error("render cornell --spp 1 --integrator bdpt --set 'bdpt.without=0;1' -o a.exr", 2, "is not a technique");
 }
 
-TEST_F(Cli, IntegratorsAreListedWithTheirGroups) {
+TEST_F(Cli, IntegratorsAreListedByGroup) {
   const Outcome r = run("list integrators --json");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto list = nlohmann::json::parse(r.out);
@@ -118,7 +118,7 @@ TEST_F(Cli, IntegratorsAreListedWithTheirGroups) {
   for (const auto& integrator : list) EXPECT_FALSE(integrator["group"].get<std::string>().empty());
 }
 
-TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
+TEST_F(Cli, CompareReturnsOneAboveTheThreshold) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
   EXPECT_EQ(run("compare a.exr b.exr --max-rmse 1e-9").code, 1);
@@ -126,7 +126,7 @@ TEST_F(Cli, CompareExitsWithOneAboveTheThreshold) {
   EXPECT_TRUE(fs::exists(folder_ / "h.png"));
 }
 
-TEST_F(Cli, CompareMeasuresFlipAsTheReferenceIsShown) {
+TEST_F(Cli, CompareComputesFlipWithTheDisplaySettingsOfTheReference) {
   ASSERT_EQ(run("render cornell --size 32x32 --spp 2 -o a.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 32x32 --spp 2 --seed 1 -o plain.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 32x32 --spp 2 --seed 1 --exposure -12 -o dark.exr").code, 0);
@@ -139,7 +139,7 @@ TEST_F(Cli, CompareMeasuresFlipAsTheReferenceIsShown) {
   EXPECT_NE(run("compare a.exr plain.exr").out.find("\nflip "), std::string::npos);
 }
 
-TEST_F(Cli, HeatMapsShowWhatIsAskedFor) {
+TEST_F(Cli, HeatMapsShowTheRequestedMetric) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
   ASSERT_EQ(run("compare a.exr b.exr --heatmap usual.png").code, 0);
@@ -151,7 +151,7 @@ TEST_F(Cli, HeatMapsShowWhatIsAskedFor) {
   expect_error("compare a.exr b.exr --heatmap h.png --heatmap-of smell", 2, "flip");
 }
 
-TEST_F(Cli, WrongUsageIsTwo) {
+TEST_F(Cli, UsageErrorsReturnTwo) {
   expect_error("render cornell", 2, "no output");
   expect_error("render cornell -o a.tiff", 2, ".exr, .hdr or .png");
   expect_error("render cornell -o a.exr --spp -4", 2, "spp");
@@ -173,7 +173,7 @@ TEST_F(Cli, WrongUsageIsTwo) {
   expect_error("render cornell --frobnicate", 2, "etendue --help");
 }
 
-TEST_F(Cli, UnusableInputIsThree) {
+TEST_F(Cli, UnusableInputReturnsThree) {
   expect_error("render missing.glb -o a.exr", 3, "missing.glb: there is no such file");
   expect_error("render . -o a.exr", 3, "folder");
   expect_error("inspect cornel", 3, "cornell-spheres");
@@ -187,13 +187,13 @@ TEST_F(Cli, UnusableInputIsThree) {
   EXPECT_FALSE(fs::exists(folder_ / "a.exr"));
 }
 
-TEST_F(Cli, UnwritableOutputIsFour) {
+TEST_F(Cli, UnwritableOutputReturnsFour) {
   expect_error("render cornell --size 8x8 --spp 1 -o nowhere/a.exr", 4, "nowhere");
   fs::create_directory(folder_ / "b.exr");
   expect_error("render cornell --size 8x8 --spp 1 -o b.exr", 4, "folder");
 }
 
-TEST_F(Cli, InspectAndListSpeakJson) {
+TEST_F(Cli, InspectAndListWriteJson) {
   const auto scene = nlohmann::json::parse(run("inspect cornell --json").out);
   for (const char* key :
        {"triangles", "instances", "materials", "lights", "cameras", "unsupported", "warnings", "model"})
@@ -209,16 +209,16 @@ TEST_F(Cli, InspectAndListSpeakJson) {
     EXPECT_TRUE(entry.contains("paths") && entry.contains("bias"));
 }
 
-TEST_F(Cli, InterruptSavesWhatThereIs) {
+TEST_F(Cli, InterruptSavesTheImage) {
   const Outcome r = run("render cornell --size 64x64 --spp 1000000 -o a.exr & sleep 1; kill -INT $!; wait $!");
   EXPECT_EQ(r.code, 130);
   EXPECT_TRUE(fs::exists(folder_ / "a.exr"));
 }
 
-TEST_F(Cli, AKilledRenderingGoesOnToTheSameImage) {
+TEST_F(Cli, AKilledRenderingResumesToTheSameImage) {
   ASSERT_EQ(run("render cornell --size 128x128 --spp 500 -o whole.exr").code, 0);
   run("render cornell --size 128x128 --spp 500 --checkpoint 0.1 -o cut.exr & sleep 1; kill -9 $!; wait $!");
-  // A machine that is done within a second has nothing left to resume.
+  // On a machine that finishes within a second there is nothing to resume.
   if (!fs::exists(folder_ / "cut.exr")) {
     ASSERT_TRUE(fs::exists(folder_ / "cut.exr.checkpoint"));
     const Outcome resumed = run("render --resume cut.exr.checkpoint --spp 500 -o cut.exr");
@@ -228,7 +228,7 @@ TEST_F(Cli, AKilledRenderingGoesOnToTheSameImage) {
   EXPECT_FALSE(fs::exists(folder_ / "cut.exr.checkpoint"));
 }
 
-TEST_F(Cli, StressListsItsCasesRunsThoseThatAreNamedAndWritesThem) {
+TEST_F(Cli, StressListsRunsAndWritesCases) {
   const Outcome list = run("stress --list");
   EXPECT_EQ(list.code, 0);
   EXPECT_NE(list.out.find("depth-cut-off"), std::string::npos);

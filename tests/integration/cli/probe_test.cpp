@@ -1,4 +1,4 @@
-// etendue probe: light meters from the command line.
+// `etendue probe`: light meters on the command line.
 #include <nlohmann/json.hpp>
 
 #include "integration/cli/cli.h"
@@ -8,7 +8,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(Cli, ProbeMeasuresInBothUnits) {
+TEST_F(Cli, ProbeMeasuresInRadiometricAndPhotometricUnits) {
   const Outcome r = run("probe cornell --size 64x64 --at 32 61 --spp 64 --efficacy maximal --json");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = json::parse(r.out);
@@ -20,7 +20,7 @@ TEST_F(Cli, ProbeMeasuresInBothUnits) {
   EXPECT_NEAR(e["photometric"].get<double>(), 683 * y, 0.01 * y);
 }
 
-TEST_F(Cli, ProbeSaysWhatIsWrong) {
+TEST_F(Cli, ProbeReportsErrors) {
   expect_error("probe cornell --at 900000 1", 2, "outside");
   expect_error("probe cornell --efficacy candles", 2, "equal-energy");
   expect_error("probe nowhere.glb", 3, "nowhere.glb");

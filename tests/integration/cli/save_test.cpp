@@ -1,4 +1,4 @@
-// etendue save: what is written opens again, and what goes wrong is said.
+// `etendue save`: saved files can be opened, and errors are reported.
 #include <nlohmann/json.hpp>
 
 #include "integration/cli/cli.h"
@@ -15,7 +15,7 @@ class Save : public Cli {
   }
 };
 
-TEST_F(Save, BothFormsOpenAgain) {
+TEST_F(Save, BothFormatsCanBeOpened) {
   const auto before = inspected("cornell");
   for (const std::string file : {"box.glb", "box.gltf"}) {
     const Outcome r = run("save cornell -o " + file);
@@ -28,14 +28,14 @@ TEST_F(Save, BothFormsOpenAgain) {
   EXPECT_TRUE(fs::exists(folder_ / "box.bin"));
 }
 
-TEST_F(Save, SettingsGoIntoTheFile) {
+TEST_F(Save, ParametersAreSaved) {
   ASSERT_EQ(run("save cornell -o box.gltf --set material.0.roughness=0.25 --set camera.lens-radius=0.125").code, 0);
   const auto root = nlohmann::json::parse(slurp(folder_ / "box.gltf"));
   EXPECT_EQ(root["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"], 0.25);
   EXPECT_EQ(root["cameras"][0]["extensions"]["ETENDUE_transport"]["lensRadius"], 0.125);
 }
 
-TEST_F(Save, WhatGoesWrong) {
+TEST_F(Save, ErrorsAreReported) {
   expect_error("save cornell -o nowhere/box.glb", 4, "nowhere");
   expect_error("save cornell -o box.obj", 2, "the name has to end in .glb or .gltf");
   expect_error("save none.glb -o box.glb", 3, "none.glb");
@@ -44,8 +44,8 @@ TEST_F(Save, WhatGoesWrong) {
   expect_error("save cornell", 2, "--output");
 }
 
-// The folder is there, but nothing can be written into it. Root may write anywhere, so a file stands in the way.
-TEST_F(Save, AFolderInTheWay) {
+// The folder exists but is not writable. Because root can write anywhere, a folder with the name of the file is used.
+TEST_F(Save, AFolderWithTheNameOfTheFileIsAnError) {
   fs::create_directories(folder_ / "box.glb");
   expect_error("save cornell -o box.glb", 4, "this is a folder");
 }

@@ -11,8 +11,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// What most published pictures are lit by is not to be had; this studio comes closest: soft, almost grey, light from
-// every side. One stop down, white is as bright as there.
+// The environments of most published images are not available. This studio is the closest: soft, almost grey light from
+// all sides. At an exposure of -1 EV, white has about the published brightness.
 constexpr const char* kUsualEnvironment = "env/brown_photostudio_02_1k.hdr";
 constexpr float kUsualExposure = -1;
 
@@ -28,15 +28,15 @@ Camera camera_of(const json& c) {
                  c.at("yfov_degrees").get<float>() * kPi / 180);
 }
 
-// An orbit of no radius stands for one that frames the model: then only its direction counts.
-bool looks_somewhere(const json& c) { return c.at("eye") != c.at("target"); }
+// An orbit of radius zero denotes a camera that frames the model; only its direction is used.
+bool has_view_direction(const json& c) { return c.at("eye") != c.at("target"); }
 
 Vec3 orbit_direction(const json& orbit) {
   const float theta = orbit.at("theta").get<float>() * kPi / 180, phi = orbit.at("phi").get<float>() * kPi / 180;
   return {std::sin(phi) * std::sin(theta), std::cos(phi), std::sin(phi) * std::cos(theta)};
 }
 
-// The scenarios by the file they show.
+// The scenarios by the file that they show.
 std::map<fs::path, json> scenarios(const fs::path& data) {
   std::map<fs::path, json> found;
   for (const json& s : read_json(data / "fidelity/scenarios.json"))
@@ -45,7 +45,7 @@ std::map<fs::path, json> scenarios(const fs::path& data) {
 }
 
 void take_scenario(const json& scenario, const fs::path& data, View& view) {
-  if (looks_somewhere(scenario.at("camera")))
+  if (has_view_direction(scenario.at("camera")))
     view.camera = camera_of(scenario.at("camera"));
   else
     view.from = orbit_direction(scenario.at("orbit"));
@@ -56,9 +56,9 @@ void take_scenario(const json& scenario, const fs::path& data, View& view) {
     view.pictures.push_back(data / "fidelity" / scenario.at("name").get<std::string>() / picture.get<std::string>());
 }
 
-// Where the generator's camera stands for this file, if its manifest says so; it looks at the origin.
+// The camera of the generator of the asset for this file, if its manifest has one. It is directed at the origin.
 std::optional<Camera> generator_camera(const fs::path& file) {
-  constexpr float kFov = 0.8f;  // of the viewer that made the pictures
+  constexpr float kFov = 0.8f;  // of the viewer that rendered the images
   const json manifest = read_json(file.parent_path() / "Manifest.json");
   if (!manifest.is_object()) return {};
   for (const json& m : manifest.value("models", json::array())) {
@@ -69,22 +69,22 @@ std::optional<Camera> generator_camera(const fs::path& file) {
   return {};
 }
 
-// The generator's files have a picture of the same name beside them.
+// Generated assets have an image with the same name next to them.
 void take_sample_image(View& view) {
   view.camera = generator_camera(view.file);
   fs::path picture = view.file.parent_path() / "Figures/SampleImages" / view.file.filename();
   if (fs::exists(picture.replace_extension(".png"))) view.pictures.push_back(picture);
 }
 
-// A camera that sees everything from one side.
+// A camera from one side that sees the whole scene.
 Camera needs_tangent(const scene::Scene& scene, const Vec3& from) {
   constexpr float kFov = kPi / 4;
   const Bounds bounds = scene::world_bounds(scene);
   return look_at(bounds.center() + from * (bounds.radius() / std::sin(kFov / 2)), bounds.center(), Vec3(0, 1, 0), kFov);
 }
 
-// The pictures show files as they stand, not the first moment of their first animation; and the environment alone is
-// dimmed, for what files emit is as bright as they say.
+// Published images show files without animation. Only the environment is dimmed, because the emission of the files is
+// absolute.
 void as_published(const View& view, render::Document& d) {
   auto scene = std::make_shared<scene::Scene>(*d.scene);
   scene->animations.clear();
@@ -101,7 +101,8 @@ std::vector<View> gallery(const fs::path& data) {
     const fs::path& file = entry.path();
     if (file.extension() != ".glb" && file.extension() != ".gltf") continue;
     View view;
-    view.name = fs::relative(file, data / "gltf").string(), view.file = file;
+    view.name = fs::relative(file, data / "gltf").string();
+    view.file = file;
     view.environment = data / kUsualEnvironment;
     if (const auto scenario = known.find(file.lexically_normal()); scenario != known.end())
       take_scenario(scenario->second, data, view);
@@ -124,7 +125,8 @@ std::vector<Reference> references(const fs::path& data) {
     r.view.file = folder / j.at("model").get<std::string>();
     r.view.environment = folder / j.at("environment").get<std::string>();
     r.view.camera = camera_of(j.at("camera"));
-    r.width = j.at("width").get<int>(), r.height = j.at("height").get<int>();
+    r.width = j.at("width").get<int>();
+    r.height = j.at("height").get<int>();
     r.view.aspect = static_cast<double>(r.width) / r.height;
     r.linear = fs::path(entry.path()).replace_extension(".exr");
     found.push_back(std::move(r));
@@ -141,8 +143,10 @@ std::vector<Reference> scenes(const fs::path& data) {
     const std::string name = entry.path().filename().string();
     const json j = read_json(entry.path() / (name + ".json"));
     Reference r;
-    r.view.name = name, r.view.file = entry.path() / (name + ".glb");
-    r.width = j.at("width").get<int>(), r.height = j.at("height").get<int>();
+    r.view.name = name;
+    r.view.file = entry.path() / (name + ".glb");
+    r.width = j.at("width").get<int>();
+    r.height = j.at("height").get<int>();
     r.view.aspect = static_cast<double>(r.width) / r.height;
     r.linear = entry.path() / "reference.exr";
     found.push_back(std::move(r));

@@ -12,7 +12,7 @@ namespace etendue::looks {
 namespace {
 
 constexpr const char* kFirst = "blender-cycles";
-// Path tracers first, so that the table reads from near to far.
+// Path tracers first, so that the table is ordered by similarity.
 constexpr const char* kOthers[] = {"dspbr-pt", "stellar",  "three-gpu-pathtracer",
                                    "vray",     "filament", "gltf-sample-viewer"};
 
@@ -40,8 +40,9 @@ Picture shown(const film::Film& film, float exposure, image::ToneCurve curve) {
   return {film.width(), film.height(), image::display_pixels(pixels, exposure, curve)};
 }
 
-// As bright as the other on the screen: the light is another one, and its level would hide all else.
-Picture as_bright(const film::Film& film, const Picture& as, image::ToneCurve curve) {
+// The image with the exposure at which its mean equals that of `as`. The light levels differ, and the difference would
+// dominate the comparison.
+Picture with_equal_brightness(const film::Film& film, const Picture& as, image::ToneCurve curve) {
   float low = -6, high = 4;
   for (int step = 0; step < 12; ++step) {
     const float middle = (low + high) / 2;
@@ -50,7 +51,7 @@ Picture as_bright(const film::Film& film, const Picture& as, image::ToneCurve cu
   return shown(film, low, curve);
 }
 
-// The published pictures by renderer, averaged down to ours.
+// The published images by renderer, averaged down to this size.
 std::map<std::string, Picture> published(const View& view, int width, int height) {
   std::map<std::string, Picture> found;
   for (const auto& file : view.pictures)
@@ -66,9 +67,9 @@ std::string figure(const std::map<std::string, Picture>& pictures, const std::st
 }
 
 void print_header() {
-  std::printf("| file | Cycles to ours |");
+  std::printf("| file | Cycles to Étendue |");
   for (const char* other : kOthers) std::printf(" to %s |", other);
-  std::printf(" ours to the nearest |\n|---|---|");
+  std::printf(" Étendue to the nearest |\n|---|---|");
   for ([[maybe_unused]] const char* other : kOthers) std::printf("---|");
   std::printf("---|\n");
 }
@@ -96,7 +97,7 @@ int make_fidelity(const std::string& data, const std::string& out, int tile, int
     const film::Film film = test::rendered(*document, samples);
     const auto pictures = published(view, film.width(), film.height());
     const Picture& cycles = pictures.at(kFirst);
-    const Picture ours = as_bright(film, cycles, document->display.curve);
+    const Picture ours = with_equal_brightness(film, cycles, document->display.curve);
     print_row(view, ours, pictures);
     const Picture small = shrunk(ours, tile), beside = shrunk(cycles, tile);
     sheet.add(&small, view.file.stem().string());

@@ -1,15 +1,15 @@
-// Renders every glTF file of the test data and puts the pictures on a sheet.
+// Renders every glTF file of the test data and writes the images as a contact sheet.
 //
-//   looks DATA OUT.png [TILE [SAMPLES]]            ours alone
-//   looks --beside DATA OUT.png [TILE [SAMPLES]]   each with the published pictures of it, where there are any
-//   looks --references DATA OUT.png [SAMPLES]      a table of figures against the linear pictures of files; ours,
-//                                                  theirs, difference
+//   looks DATA OUT.png [TILE [SAMPLES]]            renderings only
+//   looks --beside DATA OUT.png [TILE [SAMPLES]]   each next to its published images, where there are any
+//   looks --references DATA OUT.png [SAMPLES]      a table of errors against linear reference images; rendering,
+//                                                  reference, difference
 //   looks --scenes DATA OUT.png [SAMPLES [SIZE]]   the same for the scenes, at SIZE pixels
 //   looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES]]]
-//                                                  ours beside Cycles' of every published file, and a table of FLIP
+//                                                  renderings next to published Cycles images, and a table of FLIP
 //   looks --builtin OUT.png [TILE [SAMPLES]]       the built-in scenes, and the mean luminance of each
 //
-// Exits with 1 if a sample was no finite, non-negative number.
+// The exit code is 1 if a sample was not a finite, non-negative number.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -36,14 +36,14 @@ std::vector<float> pixels_of(const film::Film& film) {
   return pixels;
 }
 
-// Counts what the film refused, and says so.
-uint64_t report_rejected(const std::string& name, const film::Film& film) {
-  const auto rejected = film.invalid_samples();
-  if (rejected.total() > 0)
+// Prints and returns the number of invalid samples.
+uint64_t report_invalid_samples(const std::string& name, const film::Film& film) {
+  const auto invalid = film.invalid_samples();
+  if (invalid.total() > 0)
     std::printf("%s: %llu NaN, %llu infinite, %llu negative samples\n", name.c_str(),
-                static_cast<unsigned long long>(rejected.nan), static_cast<unsigned long long>(rejected.infinite),
-                static_cast<unsigned long long>(rejected.negative));
-  return rejected.total();
+                static_cast<unsigned long long>(invalid.nan), static_cast<unsigned long long>(invalid.infinite),
+                static_cast<unsigned long long>(invalid.negative));
+  return invalid.total();
 }
 
 void add_pictures(const View& view, int tile, Sheet& sheet) {
@@ -72,13 +72,13 @@ int save(const Sheet& sheet, const std::string& out) {
 int make_sheet(const std::string& data, const std::string& out, bool beside, int tile, uint32_t samples) {
   constexpr int kColumns = 13;
   Sheet sheet(tile, beside ? 1 + kPicturesBeside : kColumns);
-  uint64_t rejected = 0;
+  uint64_t invalid = 0;
   for (const View& view : gallery(data)) {
     if (beside && view.pictures.empty()) continue;
     const auto document = open(view, tile, view.background);
     if (document) {
       const film::Film film = test::rendered(*document, samples);
-      rejected += report_rejected(view.name, film);
+      invalid += report_invalid_samples(view.name, film);
       const Picture ours{film.width(), film.height(),
                          image::display_pixels(pixels_of(film), document->display.exposure, document->display.curve)};
       sheet.add(&ours, view.name);
@@ -89,10 +89,10 @@ int make_sheet(const std::string& data, const std::string& out, bool beside, int
     if (beside) add_pictures(view, tile, sheet);
   }
   if (const int failed = save(sheet, out)) return failed;
-  return rejected > 0 ? 1 : 0;
+  return invalid > 0 ? 1 : 0;
 }
 
-// Averaged down by a whole factor; as it is if there is none.
+// Averages down by an integer factor. Returns the image unchanged if there is none.
 image::LayeredImage shrunk(const image::LayeredImage& from, int width) {
   const int f = from.width % width == 0 && from.height % (from.width / width) == 0 ? from.width / width : 1;
   const auto& pixels = from.find("")->pixels;
@@ -115,7 +115,7 @@ double mean(std::span<const float> values) {
 }
 
 int make_table(const std::vector<Reference>& references, const std::string& out, int size, uint32_t samples) {
-  uint64_t rejected = 0;
+  uint64_t invalid = 0;
   Sheet sheet(size, 3);
   std::printf("%-30s %10s %10s %10s\n", "asset", "mean/ref", "relmse", "rmse");
   for (const Reference& reference : references) {
@@ -126,7 +126,7 @@ int make_table(const std::vector<Reference>& references, const std::string& out,
       return 3;
     }
     const film::Film film = test::rendered(*document, samples);
-    rejected += report_rejected(reference.view.name, film);
+    invalid += report_invalid_samples(reference.view.name, film);
     image::LayeredImage ours{film.width(), film.height(), {{"", {"R", "G", "B"}, pixels_of(film)}}, {}};
     const image::LayeredImage linear = shrunk(*full, film.width());
     const auto metrics = metrics::compare(ours, linear);
@@ -135,27 +135,29 @@ int make_table(const std::vector<Reference>& references, const std::string& out,
                 mean(ours.layers[0].pixels) / mean(linear.find("")->pixels), metrics->relmse, metrics->rmse);
     const Picture mine = displayed(ours, *document), theirs = displayed(linear, *document);
     const Picture difference{ours.width, ours.height, metrics::heat_map(ours, linear)};
-    sheet.add(&mine, reference.view.name), sheet.add(&theirs, "reference"), sheet.add(&difference, "difference");
+    sheet.add(&mine, reference.view.name);
+    sheet.add(&theirs, "reference");
+    sheet.add(&difference, "difference");
   }
   if (const int failed = save(sheet, out)) return failed;
-  return rejected > 0 ? 1 : 0;
+  return invalid > 0 ? 1 : 0;
 }
 
 int make_builtin_sheet(const std::string& out, int tile, uint32_t samples) {
   constexpr int kColumns = 4;
   Sheet sheet(tile, kColumns);
-  uint64_t rejected = 0;
+  uint64_t invalid = 0;
   for (const scene::Builtin& builtin : scene::builtins()) {
     auto document = *render::new_document(builtin.name);
     document.width = document.height = tile;
     const film::Film film = test::rendered(document, samples);
-    rejected += report_rejected(builtin.name, film);
+    invalid += report_invalid_samples(builtin.name, film);
     std::printf("%-20s %8.4f\n", builtin.name, static_cast<double>(luminance(test::mean_color(film))));
     const Picture ours{film.width(), film.height(), image::display_pixels(pixels_of(film), 0, document.display.curve)};
     sheet.add(&ours, builtin.name);
   }
   if (const int failed = save(sheet, out)) return failed;
-  return rejected > 0 ? 1 : 0;
+  return invalid > 0 ? 1 : 0;
 }
 
 int run(std::vector<std::string> args) {
@@ -168,7 +170,7 @@ int run(std::vector<std::string> args) {
   if (builtin && !args.empty())
     return make_builtin_sheet(args[0], number(1, 192), static_cast<uint32_t>(number(2, 256)));
   if (!args.empty() && !std::filesystem::is_directory(args[0] + "/gltf")) {
-    std::fprintf(stderr, "looks: %s: has no folder gltf; give the folder of the test data\n", args[0].c_str());
+    std::fprintf(stderr, "looks: %s: has no folder gltf; expected the folder of the test data\n", args[0].c_str());
     return 3;
   }
   if (table && args.size() >= 2)

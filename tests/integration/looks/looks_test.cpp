@@ -1,4 +1,4 @@
-// Every glTF file of the test data opens and renders: no sample is refused, and there is something to see.
+// Every glTF file of the test data opens and renders without invalid samples, and the image is not constant.
 #include <gtest/gtest.h>
 
 #include "integration/looks/assets.h"
@@ -11,14 +11,14 @@ namespace {
 constexpr int kSize = 24;
 constexpr uint32_t kSamples = 4;
 
-// Files that have to be refused, and what the refusal names.
+// Files that must be rejected, and a part of the message.
 std::string expected_refusal(const std::string& name) {
   if (name.ends_with("Compatibility_04.gltf")) return "glTF 2.1";
   if (name.ends_with("Compatibility_05.gltf")) return "FAKE_materials_quantumRendering";
   return "";
 }
 
-// Triangles that are not cut away: one file's cutoff is above one.
+// Visible triangles. In one file the alpha cutoff is above one.
 bool shows_something(const std::string& name, const scene::Scene& scene) {
   if (name.ends_with("Material_AlphaMask_03.gltf")) return false;
   for (const auto& group : scene.meshes)
@@ -27,7 +27,7 @@ bool shows_something(const std::string& name, const scene::Scene& scene) {
   return false;
 }
 
-// Whether two pixels differ: a camera that misses and a surface that is black would both look constant.
+// True if two pixels differ: a camera without a view of the scene and a black surface would both give a constant image.
 bool varies(const film::Film& film) {
   for (int y = 0; y < film.height(); ++y)
     for (int x = 0; x < film.width(); ++x)
@@ -37,7 +37,7 @@ bool varies(const film::Film& film) {
 
 TEST(Looks, EveryFileRenders) {
   const std::string data = test::data_folder();
-  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   const auto views = gallery(data);
   EXPECT_GT(views.size(), 100U);
   for (const View& view : views) {
@@ -56,28 +56,28 @@ TEST(Looks, EveryFileRenders) {
   }
 }
 
-TEST(Looks, KnowWhereEveryPublishedPictureWasTakenFrom) {
+TEST(Looks, PublishedImagesHaveACamera) {
   const std::string data = test::data_folder();
-  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   for (const View& view : gallery(data))
     if (!view.pictures.empty()) {
       EXPECT_TRUE(view.camera || view.from) << view.name;
     }
 }
 
-// A published picture shows the fox as it was modelled, not the first moment of one of its movements.
-TEST(Looks, ShowPublishedFilesWithoutAnimations) {
+// The published image shows the fox as modelled, not the first frame of an animation.
+TEST(Looks, PublishedFilesAreShownWithoutAnimations) {
   const std::string data = test::data_folder();
-  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   for (const View& view : gallery(data))
     if (view.name == "Fox.glb") {
       EXPECT_TRUE(open(view, kSize, false)->scene->animations.empty());
     }
 }
 
-TEST(Looks, FindTheScenesWithTheirReferences) {
+TEST(Looks, ScenesHaveTheirReferences) {
   const std::string data = test::data_folder();
-  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   const auto found = scenes(data);
   ASSERT_EQ(found.size(), 3U);
   for (const Reference& r : found) {
@@ -86,7 +86,7 @@ TEST(Looks, FindTheScenesWithTheirReferences) {
   }
 }
 
-TEST(Sheet, PlacesPicturesAndText) {
+TEST(Sheet, ArrangesImagesAndText) {
   const Picture white{2, 2, std::vector<uint8_t>(12, 255)};
   Sheet sheet(8, 2);
   sheet.add(&white, "A");

@@ -40,11 +40,11 @@ Result<image::Image> decoded(const std::filesystem::path& file) {
   const auto bytes = read_file(file);
   if (!bytes) return bytes.error();
   auto from = image::decode_image(*bytes, file.string());
-  if (from && from->type != image::PixelType::byte8) return input_error(file.string() + ": is not an 8-bit picture");
+  if (from && from->type != image::PixelType::byte8) return input_error(file.string() + ": is not an 8-bit image");
   return from;
 }
 
-// The mean of what falls on each pixel; `at(x, y, c)` is the source.
+// The mean of the source pixels that cover each pixel; `at(x, y, c)` is the source.
 template <class Source>
 Picture averaged(int from_width, int from_height, int width, int height, Source&& at) {
   Picture to{width, height, {}};
@@ -62,7 +62,7 @@ Picture averaged(int from_width, int from_height, int width, int height, Source&
   return to;
 }
 
-// Width and height, scaled so that the larger is at most `size`.
+// Width and height, scaled so that the longer side is at most `size`.
 std::pair<int, int> fitted(int width, int height, int size) {
   const double scale = std::min(1.0, static_cast<double>(size) / std::max(width, height));
   return {std::max(1, static_cast<int>(width * scale)), std::max(1, static_cast<int>(height * scale))};

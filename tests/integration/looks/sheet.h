@@ -1,4 +1,4 @@
-// A contact sheet: small pictures side by side with a line of text under each.
+// A contact sheet: small images in rows with a line of text under each.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,21 +14,21 @@ struct Picture {
   std::vector<uint8_t> rgb;
 };
 
-// A picture file over black where it is transparent, averaged down to `size` pixels on its larger side.
+// An image file over black, averaged down to `size` pixels on its longer side.
 Result<Picture> thumbnail(const std::filesystem::path& file, int size);
-// The same of this size.
+// The same for this width and height.
 Result<Picture> thumbnail(const std::filesystem::path& file, int width, int height);
-// Averaged down to `size` pixels on its larger side.
+// Averages down to `size` pixels on the longer side.
 Picture shrunk(const Picture& from, int size);
 
 class Sheet {
  public:
-  // Tiles of `tile` pixels and their text, `columns` in a row.
+  // Tiles of `tile` pixels with their text, `columns` per row.
   Sheet(int tile, int columns) : tile_(tile), columns_(columns) {}
 
-  // A null picture leaves the tile empty. Text that is too long loses its beginning.
+  // A null image leaves the tile empty. Text that is too long is truncated at its beginning.
   void add(const Picture* picture, const std::string& text);
-  // The next tile opens a row.
+  // The next tile begins a row.
   void end_row();
   Picture picture() const;
 

@@ -16,11 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPatience = 60'000;  // milliseconds; the machine may be busy
+constexpr int kTimeout = 60'000;  // in milliseconds; the machine may be busy
 
-// Chromium reads at 3 and writes at 4. Never returns.
-[[noreturn]] void become(const std::string& program, const fs::path& profile, int commands, int answers) {
-  // Out of the way of 3 and 4 first.
+// Chromium reads commands from descriptor 3 and writes answers to 4. Does not return.
+[[noreturn]] void run_program(const std::string& program, const fs::path& profile, int commands, int answers) {
+  // Moves both descriptors away from 3 and 4 first.
   const int in = ::fcntl(commands, F_DUPFD, 10), out = ::fcntl(answers, F_DUPFD, 10);
   ::dup2(in, 3), ::dup2(out, 4);
   const int nowhere = ::open("/dev/null", O_RDWR);
@@ -50,9 +50,10 @@ Browser::Browser(const std::string& program, const fs::path& folder) {
   if (::pipe2(commands.data(), O_CLOEXEC) != 0 || ::pipe2(answers.data(), O_CLOEXEC) != 0)
     throw std::runtime_error("no pipe");
   pid_ = ::fork();
-  if (pid_ == 0) become(program, folder / "profile", commands[0], answers[1]);
+  if (pid_ == 0) run_program(program, folder / "profile", commands[0], answers[1]);
   ::close(commands[0]), ::close(answers[1]);
-  to_ = commands[1], from_ = answers[0];
+  to_ = commands[1];
+  from_ = answers[0];
   const json target = call("Target.createTarget", {{"url", "about:blank"}});
   const json attached = call("Target.attachToTarget", {{"targetId", target.at("targetId")}, {"flatten", true}});
   session_ = attached.at("sessionId").get<std::string>();
@@ -66,9 +67,10 @@ Browser::~Browser() {
 }
 
 void Browser::open(const fs::path& file, const std::string& fragment) {
-  // By way of nothing: another fragment of the same page would not load it again.
+  // Loads an empty page first: another fragment of the same page would not reload it.
   load("about:blank");
-  complaints_.clear(), requests_.clear();
+  complaints_.clear();
+  requests_.clear();
   load("file://" + file.string() + fragment);
 }
 
@@ -143,7 +145,7 @@ Browser::json Browser::next_message() {
   size_t end = 0;
   while ((end = unread_.find('\0')) == std::string::npos) {
     pollfd wait{from_, POLLIN, 0};
-    if (::poll(&wait, 1, kPatience) <= 0) throw std::runtime_error("the browser does not answer");
+    if (::poll(&wait, 1, kTimeout) <= 0) throw std::runtime_error("the browser does not answer");
     std::array<char, 65536> some{};
     const ssize_t n = ::read(from_, some.data(), some.size());
     if (n <= 0) throw std::runtime_error("the browser is gone");

@@ -1,5 +1,5 @@
-// A Chromium without a window, driven through its debugging pipe: pages are opened, read, and given real input events.
-// Chrome DevTools Protocol 1.3; messages are JSON that ends in a zero byte.
+// A headless Chromium, driven through its debugging pipe: opens pages, evaluates expressions and sends real input
+// events. Chrome DevTools Protocol 1.3; messages are JSON that ends in a zero byte.
 #pragma once
 #include <sys/types.h>
 
@@ -15,31 +15,32 @@ class Browser {
  public:
   using json = nlohmann::json;
 
-  // Where Chromium is installed; nothing if it is not.
+  // The path of Chromium; empty if it is not installed.
   static std::optional<std::string> program();
 
-  // Starts one; its profile goes into `folder`. Throws std::runtime_error if it does not answer.
+  // Starts a browser with its profile in `folder`. Throws std::runtime_error if it does not respond.
   Browser(const std::string& program, const std::filesystem::path& folder);
   ~Browser();
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
-  // Goes to a file, with what stands behind # in its address, and waits until it is loaded.
+  // Loads a file with this fragment of the address and waits for the end of loading.
   void open(const std::filesystem::path& file, const std::string& fragment = "");
   void resize(int width, int height);
   void prefer(const std::string& color_scheme);
 
-  // The value of an expression in the page; promises are waited for. What is thrown is thrown on.
+  // The value of an expression in the page. Waits for promises. Exceptions of the page are thrown as
+  // std::runtime_error.
   json evaluate(const std::string& expression);
 
   void press(const std::string& key, int code);
   void drag(double from_x, double from_y, double to_x, double to_y);
   void move(double x, double y);
 
-  // PNG of a part of the window, as base64.
+  // A PNG of a part of the window, in base64.
   std::string screenshot(double x, double y, double width, double height);
 
-  // Errors and warnings since the page was opened, and every address that was asked for.
+  // Errors and warnings since the page was loaded, and all requested addresses.
   const std::vector<std::string>& complaints() const { return complaints_; }
   const std::vector<std::string>& requests() const { return requests_; }
 

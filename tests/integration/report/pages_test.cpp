@@ -1,5 +1,5 @@
-// The pages that the program writes, in a real browser: nothing is asked for, nothing complains, everything that can be
-// moved moves, with the pointer and with keys.
+// The HTML pages that the program writes, in a real browser: they request nothing, have no errors, and their controls
+// respond to pointer and keys.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -40,24 +40,25 @@ class Page : public testing::Test {
   void bench(const std::string& arguments) { etendue("bench cornell --size 32x32 --out b " + arguments); }
   void open_report(const std::string& fragment = "") { browser_->open(folder_ / "b" / "report.html", fragment); }
 
-  json see(const std::string& expression) { return browser_->evaluate(expression); }
-  double number(const std::string& expression) { return see(expression).get<double>(); }
+  json evaluate(const std::string& expression) { return browser_->evaluate(expression); }
+  double number(const std::string& expression) { return evaluate(expression).get<double>(); }
 
-  void expect_silence() {
+  void expect_no_errors_or_requests() {
     EXPECT_TRUE(browser_->complaints().empty()) << browser_->complaints().front();
     for (const auto& address : browser_->requests())
       EXPECT_TRUE(address.starts_with("file://" + folder_.string()) || address.starts_with("data:")) << address;
   }
 
-  // No wider than the window.
+  // The page is no wider than the window.
   void expect_to_fit(int width) {
     browser_->resize(width, 800);
     EXPECT_LE(number("document.documentElement.scrollWidth"), width);
   }
 
-  // What the wipe shows, without the line where the pictures meet and what stands around it.
+  // The image of the comparison slider, without the dividing line and the border.
   std::string wipe_picture() {
-    const json box = see("(r => [r.x + scrollX, r.y + scrollY, r.width, r.height])($('wipe').getBoundingClientRect())");
+    const json box =
+        evaluate("(r => [r.x + scrollX, r.y + scrollY, r.width, r.height])($('wipe').getBoundingClientRect())");
     const double x = box[0], y = box[1], w = box[2], h = box[3];
     return browser_->screenshot(x + 0.1 * w, y + 0.1 * h, 0.8 * w, 0.8 * h);
   }
@@ -66,46 +67,47 @@ class Page : public testing::Test {
   std::unique_ptr<Browser> browser_;
 };
 
-TEST_F(Page, OfABenchIsWholeAndAsksForNothing) {
+TEST_F(Page, BenchmarkReportIsCompleteAndSelfContained) {
   bench("--methods path,path-pure:sampler=random --samples 16 --repeats 2");
   open_report();
-  expect_silence();
+  expect_no_errors_or_requests();
   EXPECT_EQ(number("document.querySelectorAll('.chart svg').length"), 2);
   EXPECT_EQ(number("document.querySelectorAll('.figures tbody tr').length"), 4);
   EXPECT_TRUE(
-      see("[...document.querySelectorAll('.figures td')].every(d => d.textContent.trim() && "
-          "!/nan|inf/i.test(d.textContent))"));
-  EXPECT_TRUE(see("[...document.images].every(i => i.naturalWidth === 32 && i.naturalHeight === 32)"));
-  // The reference, and a rendering, a difference and a FLIP map of each method.
+      evaluate("[...document.querySelectorAll('.figures td')].every(d => d.textContent.trim() && "
+               "!/nan|inf/i.test(d.textContent))"));
+  EXPECT_TRUE(evaluate("[...document.images].every(i => i.naturalWidth === 32 && i.naturalHeight === 32)"));
+  // The reference, and an image, a difference and a FLIP map of each method.
   EXPECT_EQ(number("document.querySelectorAll('.gallery button').length"), 7);
-  EXPECT_NE(see("document.getElementById('recipe').textContent").get<std::string>().find("--samples 16"),
+  EXPECT_NE(evaluate("document.getElementById('recipe').textContent").get<std::string>().find("--samples 16"),
             std::string::npos);
   for (const int width : {1280, 600}) expect_to_fit(width);
-  // The policy holds: what a script might ask for is refused before it leaves.
-  EXPECT_EQ(see("new Promise(done => { addEventListener('securitypolicyviolation', e => done(e.effectiveDirective));"
-                " fetch('http://127.0.0.1:9/').catch(() => {}); })"),
-            "connect-src");
+  // The content security policy blocks requests of scripts.
+  EXPECT_EQ(
+      evaluate("new Promise(done => { addEventListener('securitypolicyviolation', e => done(e.effectiveDirective));"
+               " fetch('http://127.0.0.1:9/').catch(() => {}); })"),
+      "connect-src");
 }
 
-TEST_F(Page, OfABenchWipesWithPointerKeysAndAddress) {
+TEST_F(Page, BenchmarkSliderFollowsPointerKeysAndAddress) {
   bench("--methods path,path-pure:sampler=random --samples 4 --repeats 1");
   browser_->resize(900, 900);
   open_report("#left=0&right=2&wipe=0.3");
-  EXPECT_EQ(see("$('at').value"), "300");
-  EXPECT_EQ(see("$('edge').style.left"), "30%");
+  EXPECT_EQ(evaluate("$('at').value"), "300");
+  EXPECT_EQ(evaluate("$('edge').style.left"), "30%");
 
-  see("$('at').focus()");
+  evaluate("$('at').focus()");
   browser_->press("ArrowRight", kRight);
-  EXPECT_EQ(see("$('at').value"), "301");
-  EXPECT_EQ(see("$('over').style.clipPath"), "inset(0px 0px 0px 30.1%)");
+  EXPECT_EQ(evaluate("$('at').value"), "301");
+  EXPECT_EQ(evaluate("$('over').style.clipPath"), "inset(0px 0px 0px 30.1%)");
 
-  see("$('wipe').scrollIntoView()");
-  const json box = see("(r => [r.x, r.y, r.width])($('wipe').getBoundingClientRect())");
+  evaluate("$('wipe').scrollIntoView()");
+  const json box = evaluate("(r => [r.x, r.y, r.width])($('wipe').getBoundingClientRect())");
   const double x = box[0], y = box[1], w = box[2];
   browser_->drag(x + 0.3 * w, y + 20, x + 0.75 * w, y + 20);
-  EXPECT_NEAR(std::stod(see("$('at').value").get<std::string>()), 750, 3);
+  EXPECT_NEAR(std::stod(evaluate("$('at').value").get<std::string>()), 750, 3);
 
-  // All of the left picture, all of the right one: what is seen is what was chosen.
+  // Fully left shows the left image, fully right the right one.
   const auto shown = [&](int left, int right, const char* at) {
     open_report("#left=" + std::to_string(left) + "&right=" + std::to_string(right) + "&wipe=" + at);
     return wipe_picture();
@@ -116,37 +118,37 @@ TEST_F(Page, OfABenchWipesWithPointerKeysAndAddress) {
   EXPECT_FALSE(reference == noisy);
   EXPECT_FALSE(half == reference || half == noisy);
 
-  // A picture that is chosen comes to the right.
-  see("document.querySelectorAll('.gallery button')[1].click()");
-  EXPECT_EQ(see("$('right').selectedIndex"), 1);
-  EXPECT_EQ(see("$('over').src === document.querySelectorAll('.gallery img')[1].src"), true);
-  expect_silence();
+  // A selected image is shown on the right.
+  evaluate("document.querySelectorAll('.gallery button')[1].click()");
+  EXPECT_EQ(evaluate("$('right').selectedIndex"), 1);
+  EXPECT_EQ(evaluate("$('over').src === document.querySelectorAll('.gallery img')[1].src"), true);
+  expect_no_errors_or_requests();
 }
 
-TEST_F(Page, OfABenchIsReadOffWithPointerAndKeys) {
+TEST_F(Page, BenchmarkChartIsReadWithPointerAndKeys) {
   bench("--methods path,path-pure --samples 16 --repeats 2");
   browser_->resize(1280, 800);
   open_report();
   const std::string tip = "document.querySelectorAll('.tip')[1]";
-  EXPECT_EQ(see(tip + ".hidden"), true);
-  const json dot =
-      see("(r => [r.x + r.width / 2, r.y + r.height / 2])"
-          "(document.querySelectorAll('.chart')[1].querySelector('g circle').getBoundingClientRect())");
+  EXPECT_EQ(evaluate(tip + ".hidden"), true);
+  const json dot = evaluate(
+      "(r => [r.x + r.width / 2, r.y + r.height / 2])"
+      "(document.querySelectorAll('.chart')[1].querySelector('g circle').getBoundingClientRect())");
   browser_->move(dot[0], dot[1]);
-  EXPECT_EQ(see(tip + ".hidden"), false);
-  EXPECT_TRUE(see(tip + ".textContent").get<std::string>().starts_with("path\n1 spp\nRMSE "));
+  EXPECT_EQ(evaluate(tip + ".hidden"), false);
+  EXPECT_TRUE(evaluate(tip + ".textContent").get<std::string>().starts_with("path\n1 spp\nRMSE "));
 
-  see("document.querySelectorAll('.chart')[1].focus()");
+  evaluate("document.querySelectorAll('.chart')[1].focus()");
   browser_->press("ArrowRight", kRight);
-  EXPECT_FALSE(see(tip + ".textContent").get<std::string>().starts_with("path\n1 spp"));
+  EXPECT_FALSE(evaluate(tip + ".textContent").get<std::string>().starts_with("path\n1 spp"));
   browser_->press("ArrowUp", kUp);
-  EXPECT_TRUE(see(tip + ".textContent").get<std::string>().starts_with("path-pure\n"));
+  EXPECT_TRUE(evaluate(tip + ".textContent").get<std::string>().starts_with("path-pure\n"));
   browser_->press("ArrowLeft", kLeft);
-  EXPECT_TRUE(see(tip + ".textContent").get<std::string>().starts_with("path-pure\n1 spp"));
-  expect_silence();
+  EXPECT_TRUE(evaluate(tip + ".textContent").get<std::string>().starts_with("path-pure\n1 spp"));
+  expect_no_errors_or_requests();
 }
 
-TEST_F(Page, OfABenchIsSoundWhateverWasMeasured) {
+TEST_F(Page, BenchmarkReportIsValidForUnusualPlans) {
   etendue("render cornell --size 32x32 --spp 64 --seed 9 -o known.exr && '" ETENDUE_BINARY
           "' render cornell --size 32x32 --spp 64 --seed 9 -o unknown.hdr");
   for (const char* arguments :
@@ -157,30 +159,30 @@ TEST_F(Page, OfABenchIsSoundWhateverWasMeasured) {
     SCOPED_TRACE(arguments);
     bench(arguments);
     open_report();
-    expect_silence();
+    expect_no_errors_or_requests();
     expect_to_fit(600);
-    EXPECT_EQ(see("/nan|inf\\b|undefined/i.test(document.body.innerText)"), false);
+    EXPECT_EQ(evaluate("/nan|inf\\b|undefined/i.test(document.body.innerText)"), false);
   }
 }
 
-TEST_F(Page, IsDarkForThoseWhoPreferIt) {
+TEST_F(Page, DarkModeFollowsThePreference) {
   bench("--methods path --samples 2 --repeats 1");
   open_report();
   const std::string ground = "getComputedStyle(document.body).backgroundColor";
   browser_->prefer("light");
-  EXPECT_EQ(see(ground), "rgb(255, 255, 255)");
+  EXPECT_EQ(evaluate(ground), "rgb(255, 255, 255)");
   browser_->prefer("dark");
-  EXPECT_EQ(see(ground), "rgb(21, 24, 28)");
+  EXPECT_EQ(evaluate(ground), "rgb(21, 24, 28)");
 }
 
-TEST_F(Page, OfTheStressMatrixLinksEachCaseToItsFindings) {
+TEST_F(Page, StressMatrixLinksEachCaseToItsFindings) {
   etendue("stress --out b point-light-unseen index-of-one");
   browser_->open(folder_ / "b" / "matrix.html");
-  expect_silence();
+  expect_no_errors_or_requests();
   EXPECT_EQ(number("document.querySelectorAll('.overview a').length"), 2);
-  EXPECT_EQ(see("[...document.querySelectorAll('.overview a')].every(a => document.querySelector(a.hash))"), true);
+  EXPECT_EQ(evaluate("[...document.querySelectorAll('.overview a')].every(a => document.querySelector(a.hash))"), true);
   EXPECT_EQ(number("document.querySelectorAll('.findings li').length"), 6);
-  EXPECT_EQ(see("[...document.images].every(i => i.naturalWidth > 0)"), true);
+  EXPECT_EQ(evaluate("[...document.images].every(i => i.naturalWidth > 0)"), true);
   for (const int width : {1280, 600}) expect_to_fit(width);
 }
 

@@ -5,10 +5,10 @@
 #include "scene/builtin/builtin.h"
 #include "scene/builtin/shapes.h"
 #include "scene/gltf/save_gltf.h"
-#include "unit/scene/gltf_builder.h"
-#include "support/scene_compare.h"
 #include "scene/variants.h"
+#include "support/scene_compare.h"
 #include "support/scenes.h"
+#include "unit/scene/gltf_builder.h"
 
 namespace etendue::test {
 namespace {
@@ -52,7 +52,7 @@ TEST_F(Saving, ComparisonFindsDifferences) {
   EXPECT_EQ(difference(a, b), "environment");
 }
 
-TEST_F(Saving, BuiltInScenesInBothForms) {
+TEST_F(Saving, BuiltInScenesInBothFormats) {
   for (const auto& builtin : scene::builtins()) {
     const scene::Scene before = builtin.make();
     EXPECT_EQ(difference(before, saved(before)), "") << builtin.name;
@@ -68,30 +68,61 @@ Material rich_material() {
   const auto color = [&] { return Rgb(number(), number(), number()); };
   const auto use = [&](int texture) {
     TextureUse u;
-    u.texture = texture, u.uv_set = texture, u.rotation = number();
-    u.offset = Vec2(number(), -number()), u.scale = Vec2(number(), number());
+    u.texture = texture;
+    u.uv_set = texture;
+    u.rotation = number();
+    u.offset = Vec2(number(), -number());
+    u.scale = Vec2(number(), number());
     return u;
   };
   m.name = "rich \"♻\"";
-  m.base_color = color(), m.alpha = number(), m.base_color_texture = use(0);
-  m.metallic = number(), m.roughness = number(), m.metallic_roughness_texture = use(1);
-  m.normal_texture = use(0), m.normal_scale = -number();
-  m.emission = color() * 37.0f, m.emission_texture = use(1);
-  m.alpha_mode = AlphaMode::mask, m.alpha_cutoff = number(), m.double_sided = true, m.unlit = true;
-  m.ior = 1 + number(), m.specular = number(), m.specular_color = color() * 3.0f;
-  m.specular_texture = use(0), m.specular_color_texture = use(1);
-  m.transmission = number(), m.transmission_texture = use(0);
-  m.thickness = number(), m.attenuation_color = color(), m.attenuation_distance = number();
-  m.anisotropy = number(), m.anisotropy_rotation = -number(), m.anisotropy_texture = use(1);
-  m.clearcoat = number(), m.clearcoat_roughness = number(), m.clearcoat_texture = use(0);
-  m.clearcoat_roughness_texture = use(1), m.clearcoat_normal_texture = use(0), m.clearcoat_normal_scale = number();
-  m.sheen_color = color(), m.sheen_roughness = number();
-  m.sheen_color_texture = use(1), m.sheen_roughness_texture = use(0);
-  m.iridescence = number(), m.iridescence_ior = 1 + number();
-  m.iridescence_thickness_min = 1000 * number(), m.iridescence_thickness_max = 1000 * number();
-  m.iridescence_texture = use(1), m.iridescence_thickness_texture = use(0);
-  m.diffuse_transmission = number(), m.diffuse_transmission_color = color();
-  m.diffuse_transmission_texture = use(1), m.diffuse_transmission_color_texture = use(0);
+  m.base_color = color();
+  m.alpha = number();
+  m.base_color_texture = use(0);
+  m.metallic = number();
+  m.roughness = number();
+  m.metallic_roughness_texture = use(1);
+  m.normal_texture = use(0);
+  m.normal_scale = -number();
+  m.emission = color() * 37.0f;
+  m.emission_texture = use(1);
+  m.alpha_mode = AlphaMode::mask;
+  m.alpha_cutoff = number();
+  m.double_sided = true;
+  m.unlit = true;
+  m.ior = 1 + number();
+  m.specular = number();
+  m.specular_color = color() * 3.0f;
+  m.specular_texture = use(0);
+  m.specular_color_texture = use(1);
+  m.transmission = number();
+  m.transmission_texture = use(0);
+  m.thickness = number();
+  m.attenuation_color = color();
+  m.attenuation_distance = number();
+  m.anisotropy = number();
+  m.anisotropy_rotation = -number();
+  m.anisotropy_texture = use(1);
+  m.clearcoat = number();
+  m.clearcoat_roughness = number();
+  m.clearcoat_texture = use(0);
+  m.clearcoat_roughness_texture = use(1);
+  m.clearcoat_normal_texture = use(0);
+  m.clearcoat_normal_scale = number();
+  m.sheen_color = color();
+  m.sheen_roughness = number();
+  m.sheen_color_texture = use(1);
+  m.sheen_roughness_texture = use(0);
+  m.iridescence = number();
+  m.iridescence_ior = 1 + number();
+  m.iridescence_thickness_min = 1000 * number();
+  m.iridescence_thickness_max = 1000 * number();
+  m.iridescence_texture = use(1);
+  m.iridescence_thickness_texture = use(0);
+  m.diffuse_transmission = number();
+  m.diffuse_transmission_color = color();
+  m.diffuse_transmission_texture = use(1);
+  m.diffuse_transmission_color_texture = use(0);
   return m;
 }
 
@@ -100,11 +131,16 @@ scene::Scene with_material(const Material& material) {
   scene.textures.resize(2);
   for (size_t t = 0; t < 2; ++t) {
     auto picture = std::make_shared<image::Image>();
-    picture->width = 3, picture->height = 2, picture->channels = t == 0 ? 4 : 2;
+    picture->width = 3;
+    picture->height = 2;
+    picture->channels = t == 0 ? 4 : 2;
     for (int i = 0; i < 6 * picture->channels; ++i) picture->bytes.push_back(static_cast<uint8_t>(37 * i + 11));
-    scene.textures[t].image = picture, scene.textures[t].name = "t" + std::to_string(t);
+    scene.textures[t].image = picture;
+    scene.textures[t].name = "t" + std::to_string(t);
   }
-  scene.textures[0].wrap_u = Wrap::mirror, scene.textures[0].wrap_v = Wrap::clamp, scene.textures[1].nearest = true;
+  scene.textures[0].wrap_u = Wrap::mirror;
+  scene.textures[0].wrap_v = Wrap::clamp;
+  scene.textures[1].nearest = true;
   scene.materials[0] = material;
   return scene;
 }
@@ -121,7 +157,9 @@ TEST_F(Saving, EveryFieldOfAMaterial) {
 TEST_F(Saving, SpecularGlossiness) {
   Material m;
   m.specular_glossiness = true;
-  m.base_color = Rgb(0.1f, 0.2f, 0.3f), m.alpha = 0.4f, m.specular_color = Rgb(0.5f, 0.6f, 0.7f);
+  m.base_color = Rgb(0.1f, 0.2f, 0.3f);
+  m.alpha = 0.4f;
+  m.specular_color = Rgb(0.5f, 0.6f, 0.7f);
   m.metallic = 0;
   m.base_color_texture.texture = 0;
   m.specular_color_texture.texture = m.metallic_roughness_texture.texture = 1;
@@ -131,9 +169,11 @@ TEST_F(Saving, SpecularGlossiness) {
   }
 }
 
-TEST_F(Saving, LensShutterEnvironmentAndTimeAreKept) {
+TEST_F(Saving, LensShutterEnvironmentAndTimeAreSaved) {
   image::LayeredImage sky;
-  sky.width = 4, sky.height = 2, sky.layers = {{"", {"R", "G", "B"}, std::vector<float>(24, 0.625f)}};
+  sky.width = 4;
+  sky.height = 2;
+  sky.layers = {{"", {"R", "G", "B"}, std::vector<float>(24, 0.625f)}};
   sky.layers[0].pixels[5] = 1234.5f;
   ASSERT_TRUE(image::write_exr(folder_ / "sky.exr", sky));
   auto document = *render::new_document("cornell");
@@ -191,7 +231,9 @@ TEST_F(Saving, CamerasWithAndWithoutPlanesAndAspect) {
     for (const float aspect : {0.0f, 1.777f})
       for (const float far : {kInfinity, 123.0f}) {
         Camera& camera = scene.cameras[0];
-        camera.projection = projection, camera.aspect = aspect, camera.far_clip = far;
+        camera.projection = projection;
+        camera.aspect = aspect;
+        camera.far_clip = far;
         camera.yfov = projection == Projection::perspective ? 0.7f : 0.8f;
         camera.ymag = projection == Projection::orthographic ? 2.3f : 1.0f;
         camera.near_clip = far < kInfinity ? 0.1f : 0;
@@ -222,7 +264,10 @@ TEST_F(Saving, SharedMeshesStayShared) {
 TEST_F(Saving, FloatImagesAreClampedWithAWarning) {
   scene::Scene scene = with_material(rich_material());
   auto picture = std::make_shared<image::Image>();
-  picture->width = 2, picture->height = 1, picture->channels = 3, picture->type = image::PixelType::float32;
+  picture->width = 2;
+  picture->height = 1;
+  picture->channels = 3;
+  picture->type = image::PixelType::float32;
   picture->floats = {0, 0.5f, 1, 2, -1, 0.25f};
   scene.textures[0].image = picture;
   std::vector<std::string> warnings;
@@ -267,7 +312,7 @@ TEST_F(Saving, ExtensionValuesOutOfRange) {
 
 TEST_F(Saving, EveryAssetOfTheData) {
   const std::string data = data_folder();
-  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   int seen = 0;
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(data) / "gltf")) {
     if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
@@ -286,7 +331,8 @@ TEST_F(Saving, ImagesAreBitIdentical) {
       if (fs::exists(fs::path(data) / "gltf" / file)) scenes.push_back((fs::path(data) / "gltf" / file).string());
   for (const auto& name : scenes) {
     const auto picture = [](render::Document document) {
-      document.width = 48, document.height = 32;
+      document.width = 48;
+      document.height = 32;
       return rendered(document, 4);
     };
     const auto before = render::new_document(name);
@@ -312,7 +358,10 @@ TEST_F(Saving, BsdfModels) {
     add(usual);
     for (const ModelPreset& preset : info.presets) add(with_preset(usual, preset.name));
     for (const ParameterInfo& p : info.parameters) {
-      if (p.type == ParameterType::number) add(usual->with(p.name, p.min)), add(usual->with(p.name, p.max));
+      if (p.type == ParameterType::number) {
+        add(usual->with(p.name, p.min));
+        add(usual->with(p.name, p.max));
+      }
       if (p.type == ParameterType::integer) add(usual->with(p.name, static_cast<int64_t>(p.min)));
     }
   }

@@ -1,4 +1,4 @@
-// The advisor: who is taken out and why, who is fast, and what it says on the way.
+// The advisor: exclusion of integrators with reasons, ranking by time, and progress reports.
 #include "advisor/advisor.h"
 
 #include <gtest/gtest.h>
@@ -18,22 +18,23 @@ using advisor::Ranking;
 Ranking ranked(const render::Document& d, double target, double pilot = 0.1) {
   render::Session session({2});
   advisor::AdviceRequest question;
-  question.target = target, question.pilot_seconds = pilot;
-  return advisor::advise(session, d, question, go_on);
+  question.target = target;
+  question.pilot_seconds = pilot;
+  return advisor::advise(session, d, question, never_cancel);
 }
 
 Advice of(const Ranking& ranking, const std::string& name) {
   return *std::ranges::find_if(ranking.methods, [&](const Advice& a) { return a.method.name == name; });
 }
 
-TEST(Advisor, CandidatesAreEveryMethodOnce) {
+TEST(Advisor, CandidatesAreAllIntegratorsOnce) {
   const auto list = advisor::candidates(cornell(8));
   for (const auto& integrator : integrator::integrator_infos())
     for (const auto& sampler : sampler_infos())
       EXPECT_EQ(std::ranges::count(list, integrator.name + ":sampler=" + sampler.name, &bench::MethodSpec::name), 1);
 }
 
-TEST(Advisor, RanksWhatItCanHave) {
+TEST(Advisor, RanksSuitableIntegrators) {
   const Ranking ranking = ranked(cornell(32), 0.01);
   ASSERT_TRUE(ranking.best());
   EXPECT_TRUE(ranking.best()->suitable);
@@ -53,30 +54,32 @@ TEST(Advisor, RanksWhatItCanHave) {
   }
 }
 
-TEST(Advisor, WhatIsHinderedIsNotRanked) {
-  // An error so large that nothing found would do.
+TEST(Advisor, IncompatibleIntegratorsAreNotRanked) {
+  // The target error is so large that an image without any path would reach it.
   const Advice hindered = of(ranked(cornell(16), 100, 0.02), "light-pure:sampler=sobol");
   EXPECT_FALSE(hindered.suitable);
   EXPECT_FALSE(hindered.time);
   EXPECT_NE(hindered.reason.find("camera.lens-radius"), std::string::npos) << hindered.reason;
 }
 
-TEST(Advisor, WhatIsMissingCountsAgainstTheTarget) {
-  const auto d = things_under(true, false, true, 24);
+TEST(Advisor, MissingPathsCountAgainstTheTarget) {
+  const auto d = glossy_scene_under(true, false, true, 24);
   const Advice fine = of(ranked(d, 1e-3, 0.02), "path-pure:sampler=sobol");
   EXPECT_FALSE(fine.suitable);
   EXPECT_TRUE(fine.reason.starts_with("misses ")) << fine.reason;
-  // An error larger than all the picture is reached without point lights too.
+  // An error larger than the mean of the image is reached without point lights as well.
   EXPECT_TRUE(of(ranked(d, 100, 0.02), "path-pure:sampler=sobol").suitable);
   const Ranking cut = ranked(changed(d, "path.max-depth", "2"), 1e-3, 0.02);
   EXPECT_FALSE(of(cut, "path:sampler=sobol").suitable);
 }
 
-TEST(Advisor, ALargePictureIsPilotedSmall) {
+TEST(Advisor, LargeImagesHaveASmallPilot) {
   auto d = cornell(8);
-  d.width = 400, d.height = 300;
+  d.width = 400;
+  d.height = 300;
   render::Session session({2});
-  const auto pilots = advisor::run_pilots(session, *bench::parse_methods("path", d), {0.05, 1e-3, 0, 4800}, go_on);
+  const auto pilots =
+      advisor::run_pilots(session, *bench::parse_methods("path", d), {0.05, 1e-3, 0, 4800}, never_cancel);
   ASSERT_EQ(pilots.pilots.size(), 1u);
   EXPECT_EQ(pilots.pilots[0].method.document.width, 80);
   EXPECT_EQ(pilots.pilots[0].film.height(), 60);
@@ -84,12 +87,14 @@ TEST(Advisor, ALargePictureIsPilotedSmall) {
   EXPECT_NEAR(pilots.size_ratio.rmse, 1, 0.5);
 }
 
-TEST(Advisor, PublishesOnTheWayAndMayBeCutShort) {
+TEST(Advisor, PublishesProgressAndCanBeCancelled) {
   render::Session session({2});
   size_t published = 0;
   advisor::AdviceRequest question;
-  question.target = 0.01, question.pilot_seconds = 0.02;
-  const auto whole = advisor::advise(session, cornell(16), question, go_on, [&](const Ranking&) { ++published; });
+  question.target = 0.01;
+  question.pilot_seconds = 0.02;
+  const auto whole =
+      advisor::advise(session, cornell(16), question, never_cancel, [&](const Ranking&) { ++published; });
   EXPECT_FALSE(whole.interrupted);
   EXPECT_GT(published, 2u);
   const auto cut =
@@ -97,8 +102,8 @@ TEST(Advisor, PublishesOnTheWayAndMayBeCutShort) {
   EXPECT_TRUE(cut.interrupted);
 }
 
-TEST(Advisor, SaysItForScriptsAndForPeople) {
-  const Ranking ranking = ranked(things_under(false, false, true, 16), 0.05, 0.02);
+TEST(Advisor, WritesJsonAndText) {
+  const Ranking ranking = ranked(glossy_scene_under(false, false, true, 16), 0.05, 0.02);
   const auto j = nlohmann::json::parse(advisor::ranking_json(ranking, "things"));
   EXPECT_EQ(j["scene"], "things");
   EXPECT_EQ(j["methods"].size(), ranking.methods.size());

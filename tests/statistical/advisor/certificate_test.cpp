@@ -1,4 +1,4 @@
-// Statements that pictures make of themselves: they hold for honest pictures, and changed ones are found out.
+// Certificates of images: they hold for unmodified images, and modified images are detected.
 #include "advisor/certificate.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using advisor::CertificationResult;
 using advisor::CertifiedImage;
 using advisor::Verdict;
 
-// A rendering with its certificate, as etendue render leaves it.
+// A rendering with its certificate, as written by `etendue render`.
 CertifiedImage certified_image(const render::Document& d, uint32_t samples) {
   render::Session session({2});
   render::Document limited = d;
@@ -29,15 +29,18 @@ CertifiedImage certified_image(const render::Document& d, uint32_t samples) {
   const auto film = session.film_copy();
   const auto status = session.status();
   CertifiedImage image;
-  image.document = limited, image.samples = samples, image.image = film::layered_image_of(film);
+  image.document = limited;
+  image.samples = samples;
+  image.image = film::layered_image_of(film);
   image.certificate = advisor::certificate(
-      session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1, go_on);
+      session, limited, {film.error(), film::relative_error(film), status.rejected, session.model(), {}}, 1,
+      never_cancel);
   return image;
 }
 
 CertificationResult certification(const CertifiedImage& image, double seconds = 20) {
   render::Session session({2});
-  return advisor::certify(session, image, {seconds, 0}, go_on);
+  return advisor::certify(session, image, {seconds, 0}, never_cancel);
 }
 
 std::string text_of(const CertificationResult& result) {
@@ -48,7 +51,7 @@ std::string text_of(const CertificationResult& result) {
 
 std::vector<float>& pixels(CertifiedImage& image) { return image.image.layers[0].pixels; }
 
-TEST(Certificate, StatesNoiseOfAMethodThatMissesNothing) {
+TEST(Certificate, StatesTheNoiseOfAnUnbiasedIntegrator) {
   const CertifiedImage image = certified_image(cornell(32), 16);
   const Certificate& c = image.certificate;
   ASSERT_TRUE(c.rmse && c.relmse);
@@ -60,7 +63,7 @@ TEST(Certificate, StatesNoiseOfAMethodThatMissesNothing) {
   EXPECT_FALSE(c.khat);
 }
 
-TEST(Certificate, StatesWhatACutOfPathsLoses) {
+TEST(Certificate, StatesTheLossByAPathLengthLimit) {
   const CertifiedImage image = certified_image(changed(cornell(32), "path.max-depth", "2"), 256);
   const Certificate& c = image.certificate;
   EXPECT_EQ(c.bias, integrator::Bias::biased);
@@ -73,23 +76,22 @@ TEST(Certificate, StatesWhatACutOfPathsLoses) {
   EXPECT_EQ(certification(image).verdict, Verdict::confirmed) << text_of(certification(image));
 }
 
-TEST(Certificate, NothingFromAboveOfAMethodWithABiasOfItsOwn) {
+TEST(Certificate, NoUpperBoundForABiasedIntegrator) {
   const CertifiedImage image = certified_image(changed(cornell(16), "render.integrator", "raycast"), 8);
   EXPECT_TRUE(std::isinf(image.certificate.rmse->interval.high));
   EXPECT_GT(image.certificate.missing_share, 0.1);
 }
 
-TEST(Certificate, PointLightsThatWalksMiss) {
-  const CertifiedImage image =
-      certified_image(changed(things_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
+TEST(Certificate, PointLightsThatPathsCannotHit) {
+  const CertifiedImage image = certified_image(changed(glossy_scene_under(true, false, true, 16), "render.integrator", "path-pure"), 8);
   ASSERT_FALSE(image.certificate.missing.empty());
   EXPECT_TRUE(std::ranges::all_of(image.certificate.missing, &Certificate::Missing::from_point_lights));
 }
 
-TEST(Certificate, ThereAndBackAgain) {
+TEST(Certificate, RoundTripIsExact) {
   for (const char* integrator : {"path", "raycast"}) {
     const Certificate c =
-        certified_image(changed(things_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
+        certified_image(changed(glossy_scene_under(true, false, true, 16), "render.integrator", integrator), 4).certificate;
     const auto again = advisor::certificate_from_json(advisor::certificate_json(c), "test");
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(advisor::certificate_json(*again), advisor::certificate_json(c));
@@ -102,10 +104,11 @@ TEST(Certificate, ThereAndBackAgain) {
   }
 }
 
-TEST(Certify, HonestPicturesStand) {
-  // One honest statement in a thousand falls by its error, and one by its blocks; eight leave one alarm in sixty.
+TEST(Certify, UnmodifiedImagesPass) {
+  // One true statement in a thousand is rejected by its error, and one by its blocks. Eight statements give one false
+  // alarm in sixty runs.
   for (uint64_t seed = 1; seed <= 4; ++seed)
-    for (auto d : {cornell(32), things_under(true, true, false, 32)}) {
+    for (auto d : {cornell(32), glossy_scene_under(true, true, false, 32)}) {
       d.seed = seed;
       const CertificationResult result = certification(certified_image(d, 32));
       EXPECT_EQ(result.verdict, Verdict::confirmed) << seed << ' ' << text_of(result);
@@ -113,23 +116,23 @@ TEST(Certify, HonestPicturesStand) {
     }
 }
 
-TEST(Certify, AnEditedStatementFalls) {
+TEST(Certify, AnEditedStatementIsRejected) {
   for (const double factor : {0.5, 2.0}) {
     CertifiedImage image = certified_image(cornell(32), 32);
     for (auto* stated : {&image.certificate.rmse, &image.certificate.relmse}) {
       (*stated)->value *= factor;
       (*stated)->interval.low *= factor, (*stated)->interval.high *= factor;
     }
-    EXPECT_EQ(certification(image).verdict, Verdict::refuted);
-    // Without the layer that contradicts it, by the truth alone.
+    EXPECT_EQ(judged(image).verdict, Verdict::refuted);
+    // Without the variance layer, which contradicts the statement, the reference alone decides.
     image.image.layers.resize(1);
-    const CertificationResult result = certification(image);
+    const CertificationResult result = judged(image);
     EXPECT_EQ(result.verdict, Verdict::refuted) << factor;
     EXPECT_GT(result.samples, 0u);
   }
 }
 
-TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
+TEST(Certify, AnEditedRelativeErrorIsRejectedByTheVarianceLayer) {
   for (const double factor : {0.1, 10.0}) {
     CertifiedImage image = certified_image(cornell(32), 32);
     auto& stated = *image.certificate.relmse;
@@ -140,24 +143,24 @@ TEST(Certify, AnEditedRelativeErrorFallsByTheLayerOfVariance) {
   }
 }
 
-TEST(Certify, ABiasedPictureWhoseStatementHidesItFalls) {
+TEST(Certify, ABiasedImageWithAHiddenBiasIsRejected) {
   const auto cut = changed(cornell(32), "path.max-depth", "2");
   CertifiedImage image = certified_image(cut, 64);
-  // Its own noise, stated for a method that misses nothing.
+  // The noise of the image itself, stated for an unbiased integrator.
   render::Session session({2});
   const film::Film film = rendered(cut, 64);
   const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), {}, {}, {}};
-  image.certificate = advisor::certificate(session, cornell(32), evidence, 1, go_on);
-  const CertificationResult result = certification(image);
+  image.certificate = advisor::certificate(session, cornell(32), evidence, 1, never_cancel);
+  const CertificationResult result = judged(image);
   EXPECT_EQ(result.verdict, Verdict::refuted);
   EXPECT_TRUE(std::ranges::any_of(result.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
-      << text_of(result);
+      << said(result);
 }
 
-TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
+TEST(Certify, AFewChangedPixelsAreLocated) {
   const CertifiedImage honest = certified_image(cornell(48), 64);
   CertifiedImage image = honest;
-  // Four pixels on the floor, a fifth darker: little in the error of the whole.
+  // Four pixels on the floor are darkened by a fifth, which changes the total error little.
   for (const int y : {40, 41})
     for (const int x : {20, 21})
       for (size_t c = 0; c < 3; ++c) pixels(image)[static_cast<size_t>(y * 48 + x) * 3 + c] *= 0.6f;
@@ -169,15 +172,15 @@ TEST(Certify, AFewChangedPixelsAreFoundWhereTheyAre) {
   EXPECT_LT(result.changed[0].sigmas, 0);
 }
 
-TEST(Certify, SaysWhenItCannotTell) {
-  const CertifiedImage image = certified_image(things_under(true, true, false, 32), 1024);
-  const CertificationResult result = certification(image, 1e-3);
-  EXPECT_EQ(result.verdict, Verdict::undecided) << text_of(result);
+TEST(Certify, ReportsUndecidableCases) {
+  const CertifiedImage image = certified_image(glossy_scene_under(true, true, false, 32), 1024);
+  const CertificationResult result = judged(image, 1e-3);
+  EXPECT_EQ(result.verdict, Verdict::undecided) << said(result);
   EXPECT_GT(result.seconds_needed, result.seconds);
 }
 
-// The error of a picture that is known: noise of the rendering that tells it takes nothing off.
-TEST(TrueError, NeedsNoTruth) {
+// The error of a known image. The noise of the reference rendering is not subtracted.
+TEST(TrueError, WorksWithoutAnExactReference) {
   const auto d = cornell(32);
   auto other = d;
   other.seed = 9;

@@ -1,4 +1,4 @@
-// The energy table: its rows part the paths, add up to the picture, and come apart where it is worth it.
+// The table of path classes: its rows partition the paths, sum to the image, and are split where it is worthwhile.
 #include "advisor/class_table.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using transport::PathExpression;
 
 ClassTable table_of(const render::Document& d, const TableOptions& options = {}) {
   render::Session session({2});
-  return advisor::class_table(session, d, options, go_on);
+  return advisor::class_table(session, d, options, never_cancel);
 }
 
 std::vector<std::string> classes_of(const ClassTable& table) {
@@ -41,8 +41,8 @@ void expect_partition(const std::vector<std::string>& classes, const Automaton& 
   EXPECT_TRUE(rest.empty()) << expression_of(rest);
 }
 
-TEST(ClassTable, RowsPartThePathsAndAddUpToThePicture) {
-  for (const auto& d : {cornell(24), things_under(true, true, false, 24)}) {
+TEST(ClassTable, RowsPartitionThePathsAndSumToTheImage) {
+  for (const auto& d : {cornell(24), glossy_scene_under(true, true, false, 24)}) {
     const ClassTable table = table_of(d);
     EXPECT_TRUE(table.finished);
     EXPECT_GT(table.rows.size(), 2u);
@@ -54,7 +54,7 @@ TEST(ClassTable, RowsPartThePathsAndAddUpToThePicture) {
       for (size_t i = 0; i < pixels.size(); ++i) pixels[i] += row.energy.image->first[i];
     }
     EXPECT_NEAR(sum, table.total.energy.mean, 1e-5 * sum);
-    // The same random numbers make the same picture.
+    // The same random numbers give the same image.
     const auto film = rendered(advisor::with_reference_integrator(d), table.samples);
     const auto whole = advisor::class_energy(film);
     EXPECT_EQ(whole.mean, table.total.energy.mean);
@@ -63,26 +63,27 @@ TEST(ClassTable, RowsPartThePathsAndAddUpToThePicture) {
   }
 }
 
-TEST(ClassTable, NothingIsLostWhereItStopsEarly) {
+TEST(ClassTable, RowsPartitionThePathsAfterAnEarlyStop) {
   TableOptions brief;
-  brief.max_rows = 3, brief.samples = 2;
-  const ClassTable table = table_of(things_under(true, true, false, 16), brief);
+  brief.max_rows = 3;
+  brief.samples = 2;
+  const ClassTable table = table_of(glossy_scene_under(true, true, false, 16), brief);
   expect_partition(classes_of(table), PathExpression::all().automaton());
   double sum = 0;
   for (const auto& row : table.rows) sum += row.energy.mean;
   EXPECT_NEAR(sum, table.total.energy.mean, 1e-5 * sum);
 }
 
-TEST(ClassTable, IsOfThePathsThatCount) {
-  const auto d = changed(things_under(true, true, false, 16), "film.paths", "E.*S.*L");
+TEST(ClassTable, IsRestrictedToThePathExpression) {
+  const auto d = changed(glossy_scene_under(true, true, false, 16), "film.paths", "E.*S.*L");
   const ClassTable table = table_of(d);
   expect_partition(classes_of(table), PathExpression::parse_paths("E.*S.*L")->automaton());
   EXPECT_EQ(table.paths, "E(D|G)*S.*L");
   EXPECT_GT(table.rows.size(), 2u);
 }
 
-TEST(ClassTable, RowsDoNotStraddleWhatMethodsFind) {
-  const ClassTable table = table_of(things_under(true, true, false, 24));
+TEST(ClassTable, RowsAreWhollySampledOrNotSampled) {
+  const ClassTable table = table_of(glossy_scene_under(true, true, false, 24));
   for (const auto& info : integrator::integrator_infos())
     for (const auto& row : table.rows) {
       const Automaton paths = PathExpression::parse_paths(row.paths)->automaton();
@@ -91,8 +92,9 @@ TEST(ClassTable, RowsDoNotStraddleWhatMethodsFind) {
     }
 }
 
-// Repeats with seeds of their own scatter as the standard error says: chi-square of 30 degrees, 0.1 % on either side.
-TEST(ClassTable, StandardErrorsAreThoseOfRepeats) {
+// The spread of repeats with different seeds agrees with the stated standard error: chi-square with 30 degrees of
+// freedom, 0.1 % false alarms on either side.
+TEST(ClassTable, StandardErrorsAgreeWithRepeats) {
   constexpr int kRepeats = 30;
   const auto d = cornell(16);
   std::vector<double> means;
@@ -101,7 +103,8 @@ TEST(ClassTable, StandardErrorsAreThoseOfRepeats) {
     auto again = changed(advisor::with_reference_integrator(d), "film.paths", "EDD+L");
     again.seed = 100 + static_cast<uint64_t>(i);
     const auto energy = advisor::class_energy(rendered(again, 8));
-    means.push_back(energy.mean), claimed += sqr(energy.standard_error) / kRepeats;
+    means.push_back(energy.mean);
+    claimed += sqr(energy.standard_error) / kRepeats;
   }
   double mean = 0, squares = 0;
   for (const double m : means) mean += m / kRepeats;
@@ -110,15 +113,16 @@ TEST(ClassTable, StandardErrorsAreThoseOfRepeats) {
   EXPECT_LT(squares / claimed, 60);
 }
 
-// A caustic of a small light is found by few walks: the table says so.
-TEST(ClassTable, SaysWhatItCannotBelieve) {
+// A caustic of a small light is hit by few paths, and the table marks its row as uncertain.
+TEST(ClassTable, MarksUncertainRows) {
   scene::Scene scene;
   add(scene, quad(4), diffuse(Rgb(0.6f)));
   Mat4 place(1);
   place[3] = Vec4(0, 0.6f, 0, 1);
   add(scene, sphere(0.5f, 32, false), scene::glass(), place);
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, quad(0.3f), diffuse(Rgb(0), Rgb(90)), above);
   const auto table = table_of(document(scene, look_at({0, 2, 5}, {0, 0.4f, 0}, {0, 1, 0}, 0.8f), 64, 64));
@@ -135,10 +139,10 @@ TEST(ClassTable, SaysWhatItCannotBelieve) {
   EXPECT_TRUE(doubted);
 }
 
-TEST(ClassTable, TellsPointLightsApart) {
-  const auto mixed = table_of(things_under(true, false, true, 24)),
-             none = table_of(things_under(true, true, false, 24)),
-             alone = table_of(things_under(false, false, true, 24));
+TEST(ClassTable, SeparatesPointLights) {
+  const auto mixed = table_of(glossy_scene_under(true, false, true, 24)),
+             none = table_of(glossy_scene_under(true, true, false, 24)),
+             alone = table_of(glossy_scene_under(false, false, true, 24));
   EXPECT_TRUE(mixed.point_lights);
   const auto whole = mixed.total;
   EXPECT_GT(whole.from_points.mean, 0.05 * whole.energy.mean);
@@ -150,12 +154,13 @@ TEST(ClassTable, TellsPointLightsApart) {
   EXPECT_EQ(alone.total.from_points.mean, alone.total.energy.mean);
 }
 
-TEST(ClassTable, GetsBetterAsItIsMadeAndMayBeCutShort) {
+TEST(ClassTable, RefinesProgressivelyAndCanBeCancelled) {
   render::Session session({2});
   std::vector<size_t> rows;
   size_t asked = 0;
   const auto table = advisor::class_table(
-      session, things_under(true, true, false, 24), {}, [&](double, const std::string&) { return ++asked < 2000; },
+      session, glossy_scene_under(true, true, false, 24), {},
+      [&](double, const std::string&) { return ++asked < 2000; },
       [&](const ClassTable& t) { rows.push_back(t.rows.size()); });
   EXPECT_GT(rows.size(), 3u);
   EXPECT_TRUE(std::ranges::is_sorted(rows));
@@ -163,7 +168,7 @@ TEST(ClassTable, GetsBetterAsItIsMadeAndMayBeCutShort) {
   EXPECT_FALSE(cut.finished);
 }
 
-TEST(ClassEnergy, RmsIsThatOfThePictureWithoutItsNoise) {
+TEST(ClassEnergy, RmsExcludesTheNoise) {
   auto d = advisor::with_reference_integrator(cornell(32));
   const auto noisy = advisor::class_energy(rendered(d, 32));
   const auto clean = rendered(d, 1024);

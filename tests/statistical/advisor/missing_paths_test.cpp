@@ -1,4 +1,5 @@
-// What integrators declare against what they produce, for every one in the registry: a false declaration is found.
+// The paths that integrators declare against the paths that they sample, for every integrator of the registry. False
+// declarations are detected.
 #include "advisor/missing_paths.h"
 
 #include <gtest/gtest.h>
@@ -23,10 +24,10 @@ using transport::PathExpression;
 
 ClassTable table_of(const render::Document& d) {
   render::Session session({2});
-  return advisor::class_table(session, d, {}, go_on);
+  return advisor::class_table(session, d, {}, never_cancel);
 }
 
-// Every comparison of a scene together has one false alarm in a hundred: two-sided, Sidak.
+// The threshold for all comparisons of a scene with a common false-alarm rate of 1 %: two-sided, Sidak.
 double threshold(size_t comparisons) {
   const double alarms = 1 - std::pow(0.99, 1.0 / static_cast<double>(comparisons));
   double low = 0, high = 10;
@@ -45,9 +46,9 @@ advisor::ClassEnergy energy_by(const std::string& integrator, const render::Docu
   return advisor::class_energy(rendered(made, samples));
 }
 
-// What a declaration says that the integrator does not keep. `points`: the scene has point lights alone.
-std::vector<std::string> lies(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
-                              const ClassTable& table) {
+// Contradictions between the declaration of an integrator and its images. `points`: the scene has point lights only.
+std::vector<std::string> contradictions(const integrator::IntegratorInfo& info, const render::Document& d, bool points,
+                                        const ClassTable& table) {
   const render::Document made = changed(advisor::with_reference_integrator(d), "render.integrator", info.name);
   const bool hindered = !render::incompatibility(made, *scene::compile(d.scene, d.camera, nullptr)).empty();
   const advisor::DeclaredPaths found = hindered ? advisor::DeclaredPaths() : advisor::declared_paths(info);
@@ -62,7 +63,7 @@ std::vector<std::string> lies(const integrator::IntegratorInfo& info, const rend
     if (!row.energy.uncertain() &&
         advisor::without(PathExpression::parse_paths(row.paths)->automaton(), declared).empty())
       rows.push_back(&row);
-  // Only of unbiased methods more is expected than that there is light.
+  // Biased integrators must only find some light; unbiased integrators must find its amount.
   const bool unbiased = info.bias == integrator::Bias::unbiased;
   for (const auto* row : rows) {
     const auto energy = energy_by(info.name, unbiased ? d : sized(d, 16), row->paths, 64);
@@ -81,56 +82,58 @@ struct Place {
 };
 
 std::vector<Place> places() {
-  return {{"area", things_under(true, false, false, 32), false},
-          {"sky", things_under(false, true, false, 32), false},
-          {"point", things_under(false, false, true, 32), true},
+  return {{"area", glossy_scene_under(true, false, false, 32), false},
+          {"sky", glossy_scene_under(false, true, false, 32), false},
+          {"point", glossy_scene_under(false, false, true, 32), true},
           {"cornell", cornell(32), false}};
 }
 
-TEST(Declared, AgainstProduced) {
+TEST(Declared, EqualsThePathsThatAreSampled) {
   for (const auto& place : places()) {
     const ClassTable table = table_of(place.document);
     for (const auto& info : integrator::integrator_infos())
-      for (const auto& lie : lies(info, place.document, place.points, table))
-        ADD_FAILURE() << info.name << " under " << place.name << ": " << lie;
+      for (const auto& contradiction : contradictions(info, place.document, place.points, table))
+        ADD_FAILURE() << info.name << " under " << place.name << ": " << contradiction;
   }
 }
 
-TEST(Declared, ALieIsFound) {
-  const auto d = things_under(true, false, false, 32), points = things_under(false, false, true, 32);
+TEST(Declared, AFalseDeclarationIsDetected) {
+  const auto d = glossy_scene_under(true, false, false, 32), points = glossy_scene_under(false, false, true, 32);
   const auto table = table_of(d), under_points = table_of(points);
   const auto said = [](const char* name, const char* paths, const char* point_paths) {
     auto info = *integrator::find_integrator(name);
-    info.paths = paths, info.point_paths = point_paths;
+    info.paths = paths;
+    info.point_paths = point_paths;
     return info;
   };
-  EXPECT_FALSE(lies(said("raycast", "E.*L", ""), d, false, table).empty());
-  EXPECT_FALSE(lies(said("raycast", "EL", ""), d, false, table).empty());
-  EXPECT_FALSE(lies(said("path", "E[D|G]L", ""), d, false, table).empty());
-  EXPECT_FALSE(lies(said("raycast", "E.*L", "E.*DL"), points, true, under_points).empty());
-  EXPECT_FALSE(lies(said("path", "E.*L", ""), points, true, under_points).empty());
+  EXPECT_FALSE(contradictions(said("raycast", "E.*L", ""), d, false, table).empty());
+  EXPECT_FALSE(contradictions(said("raycast", "EL", ""), d, false, table).empty());
+  EXPECT_FALSE(contradictions(said("path", "E[D|G]L", ""), d, false, table).empty());
+  EXPECT_FALSE(contradictions(said("raycast", "E.*L", "E.*DL"), points, true, under_points).empty());
+  EXPECT_FALSE(contradictions(said("path", "E.*L", ""), points, true, under_points).empty());
 }
 
-TEST(Declared, AMethodThatIsHinderedFindsNothing) {
-  const auto d = changed(things_under(true, false, false, 16), "render.integrator", "light-pure");
+TEST(Declared, AnIncompatibleIntegratorSamplesNothing) {
+  const auto d = changed(glossy_scene_under(true, false, false, 16), "render.integrator", "light-pure");
   const auto found = [](const render::Document& document) {
     return advisor::declared_paths(document, *scene::compile(document.scene, document.camera, nullptr));
   };
   EXPECT_TRUE(found(d).paths.empty());
   EXPECT_FALSE(found(changed(d, "camera.lens-radius", "0.1")).paths.empty());
-  const auto points = changed(things_under(false, false, true, 16), "render.integrator", "path-pure");
+  const auto points = changed(glossy_scene_under(false, false, true, 16), "render.integrator", "path-pure");
   EXPECT_TRUE(found(points).paths.empty());
-  EXPECT_FALSE(found(changed(things_under(true, false, true, 16), "render.integrator", "path-pure")).paths.empty());
+  EXPECT_FALSE(
+      found(changed(glossy_scene_under(true, false, true, 16), "render.integrator", "path-pure")).paths.empty());
 }
 
-TEST(Declared, PointPathsAreAmongThePaths) {
+TEST(Declared, PointPathsAreASubsetOfThePaths) {
   for (const auto& info : integrator::integrator_infos()) {
     const advisor::DeclaredPaths found = advisor::declared_paths(info);
     EXPECT_TRUE(advisor::without(found.point_paths, found.paths).empty()) << info.name;
   }
 }
 
-TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
+TEST(Declared, ADepthLimitRemovesPaths) {
   const auto found = advisor::declared_paths(changed(cornell(8), "path.max-depth", "2").method);
   EXPECT_EQ(found.paths, PathExpression::parse_paths("E[.]L")->automaton());
   EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G)L")->automaton());
@@ -138,8 +141,8 @@ TEST(Declared, ALimitOfTheLengthTakesPathsOut) {
   EXPECT_EQ(advisor::bias_of(cornell(8).method), integrator::Bias::unbiased);
 }
 
-TEST(MissingPaths, OfAMethodThatFindsAll) {
-  const ClassTable table = table_of(things_under(true, true, true, 16));
+TEST(MissingPaths, NoneForACompleteIntegrator) {
+  const ClassTable table = table_of(glossy_scene_under(true, true, true, 16));
   const MissingPaths none =
       advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
   EXPECT_TRUE(none.none());
@@ -147,9 +150,9 @@ TEST(MissingPaths, OfAMethodThatFindsAll) {
   EXPECT_EQ(advisor::missing_paths_text(none), "misses nothing that was found to carry light");
 }
 
-// What is missing is what a rendering without it lacks.
-TEST(MissingPaths, ShareAndErrorOfWhatIsMissing) {
-  const auto d = things_under(true, true, false, 32);
+// The missing energy and error equal those of a rendering without these paths.
+TEST(MissingPaths, ShareAndErrorOfTheMissingPaths) {
+  const auto d = glossy_scene_under(true, true, false, 32);
   const ClassTable table = table_of(d);
   const MissingPaths missing =
       advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("raycast")), table);
@@ -160,9 +163,9 @@ TEST(MissingPaths, ShareAndErrorOfWhatIsMissing) {
   EXPECT_TRUE(advisor::missing_paths_text(missing).starts_with("misses ")) << advisor::missing_paths_text(missing);
 }
 
-TEST(MissingPaths, PointLightsAreInvisibleToWalks) {
-  const ClassTable alone = table_of(things_under(false, false, true, 16)),
-                   mixed = table_of(things_under(true, false, true, 16));
+TEST(MissingPaths, PointLightsCannotBeHitByPaths) {
+  const ClassTable alone = table_of(glossy_scene_under(false, false, true, 16)),
+                   mixed = table_of(glossy_scene_under(true, false, true, 16));
   const advisor::DeclaredPaths pure = advisor::declared_paths(*integrator::find_integrator("path-pure"));
   EXPECT_NEAR(advisor::missing_paths(pure, alone).share, 1, 1e-6);
   const MissingPaths missing = advisor::missing_paths(pure, mixed);
@@ -170,13 +173,13 @@ TEST(MissingPaths, PointLightsAreInvisibleToWalks) {
   EXPECT_TRUE(std::ranges::all_of(missing.classes, &advisor::MissingPathClass::from_point_lights));
 }
 
-TEST(MissingPaths, BeyondAllMethods) {
+TEST(MissingPaths, PathsOutOfReachOfAllIntegrators) {
   const auto sentences = [](const render::Document& d) {
     return advisor::beyond_all_methods(*scene::compile(d.scene, d.camera, nullptr));
   };
-  // Walks from the lights find what a point casts through glass.
-  EXPECT_TRUE(sentences(things_under(false, false, true, 16)).empty());
-  EXPECT_TRUE(sentences(things_under(true, true, false, 16)).empty());
+  // Light subpaths find the light of a point light through glass.
+  EXPECT_TRUE(sentences(glossy_scene_under(false, false, true, 16)).empty());
+  EXPECT_TRUE(sentences(glossy_scene_under(true, true, false, 16)).empty());
   auto plain = cornell(16);
   scene::Scene scene = *plain.scene;
   test::add_point_light(scene, {0, 0, 0}, 1);

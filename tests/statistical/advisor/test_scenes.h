@@ -1,4 +1,4 @@
-// Scenes with every kind of surface and one kind of light, and a watch that lets all go on.
+// Scenes with every kind of surface and one kind of light, and a progress callback that never cancels.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace etendue::test {
 
-inline bool go_on(double, const std::string&) { return true; }
+inline bool never_cancel(double, const std::string&) { return true; }
 
 inline render::Document sized(render::Document d, int size) {
   d.width = d.height = size;
@@ -17,9 +17,9 @@ inline render::Document changed(const render::Document& d, const std::string& na
   return *render::with_text(d, name, value);
 }
 
-// The things of test::glossy_things under other lights than their own.
-inline render::Document things_under(bool area, bool sky, bool point, int size) {
-  render::Document d = sized(glossy_things(), size);
+// The objects of test::glossy_scene under other lights.
+inline render::Document glossy_scene_under(bool area, bool sky, bool point, int size) {
+  render::Document d = sized(glossy_scene(), size);
   scene::Scene scene = *d.scene;
   if (!area)
     for (Material& m : scene.materials) m.emission = Rgb(0);

@@ -1,68 +1,71 @@
-// Methods that walk from the lights against path tracing, where pairwise_test.cpp does not compare them: lights without
-// extent, path classes, subsets of techniques. z-tests over blocks of pixels, 1 % false alarms for each test.
+// Integrators with light subpaths against path tracing, where pairwise_test.cpp does not compare them: delta lights,
+// path classes, subsets of techniques. t-tests over blocks of pixels with a false-alarm rate of 1 % per test.
 #include <gtest/gtest.h>
 
 #include "integrator/bdpt/techniques.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
 
 using render::Document;
 
-using test::by;
-using test::expect_same;
-using test::seen;
-using test::through_a_lens;
-using test::under;
-using test::under_a_lamp;
-using test::under_a_sky;
+using test::balls_under_area_light;
+using test::balls_under_light;
+using test::balls_under_sky;
+using test::expect_same_mean;
+using test::view_from_above;
 using test::with;
-using test::without_mirrors_in_view;
+using test::with_integrator;
+using test::with_lens;
+using test::without_specular_first_hit;
 
 Document cornell() { return test::cornell(test::kSize); }
 
-// Light of points through glass onto something is not found by walks from the camera: light tracing and bidirectional
-// path tracing are compared where path tracing has nothing to say.
+// Camera paths cannot sample light of a point light that reaches a diffuse surface through glass. Light tracing and
+// bidirectional path tracing are compared with each other on these paths.
 TEST(Bidirectional, PunctualLights) {
   for (const char* type : {"point", "spot", "directional"}) {
-    const Document d = under(type), connected = with(d, "film.paths", "E.*(D|G)L");
+    const Document d = balls_under_light(type), connected = with(d, "film.paths", "E.*(D|G)L");
     const std::string name = std::string(type) + " light";
-    expect_same(by(connected, "path"), 128, by(connected, "bdpt"), 64, name, 6);
-    const Document lit = without_mirrors_in_view(d);
-    expect_same(by(lit, "light"), 384, by(lit, "bdpt"), 128, name + ", caustics included", 6);
+    expect_same_mean(with_integrator(connected, "path"), 128, with_integrator(connected, "bdpt"), 64, name, 6);
+    const Document lit = without_specular_first_hit(d);
+    expect_same_mean(with_integrator(lit, "light"), 384, with_integrator(lit, "bdpt"), 128,
+                     name + ", caustics included", 6);
   }
 }
 
-// Walks leave a lamp with two sides on either.
-TEST(Bidirectional, ALampWithTwoSidesInView) {
+// Light subpaths leave a two-sided light on both sides.
+TEST(Bidirectional, TwoSidedLightInView) {
   scene::Scene scene;
   test::add(scene, test::quad(1), test::diffuse(Rgb(0.5f), Rgb(1)));
-  const Document d = seen(std::move(scene));
-  const auto expected = test::replicated(by(d, "path"), 128);
+  const Document d = view_from_above(std::move(scene));
+  const auto expected = test::replicated(with_integrator(d, "path"), 128);
   for (const char* method : {"light", "bdpt", "pssmlt"})
-    test::expect_agreement(expected, test::replicated(by(d, method), 128), method, 3);
+    test::expect_agreement(expected, test::replicated(with_integrator(d, method), 128), method, 3);
 }
 
-TEST(Bidirectional, ClassesOfPaths) {
-  const Document d = under_a_lamp();
+TEST(Bidirectional, PathClassesAgree) {
+  const Document d = balls_under_area_light();
   const char* classes[] = {"EL", "EDL", "E(D|G)S+L|E.*DS+DL", "EGD.*L", "ED.*GL|ES.*L", "E.G.*L"};
   for (const char* paths : classes)
-    expect_same(by(with(d, "film.paths", paths), "path"), 512, by(with(d, "film.paths", paths), "bdpt"), 128, paths, 6);
+    expect_same_mean(with_integrator(with(d, "film.paths", paths), "path"), 512,
+                     with_integrator(with(d, "film.paths", paths), "bdpt"), 128, paths, 6);
 }
 
-TEST(Bidirectional, EveryRestOfTechniques) {
+TEST(Bidirectional, EverySubsetOfTechniquesIsUnbiased) {
   const Document d = cornell();
-  const auto expected = test::replicated(by(d, "path"), 512);
+  const auto expected = test::replicated(with_integrator(d, "path"), 512);
   for (const char* without : {"0,*", "1,*", "*,1", "2,2 1,3", "2,* 3,* 4,*"})
-    test::expect_agreement(expected, test::replicated(with(by(d, "bdpt"), "without", without), 64), without, 5);
+    test::expect_agreement(expected, test::replicated(with(with_integrator(d, "bdpt"), "without", without), 64),
+                           without, 5);
 }
 
-// Sums of terms and the weights in constant time are the same numbers.
-TEST(Bidirectional, WeightsInConstantTimeAreTheSumOfAllTerms) {
-  for (const Document& place : {cornell(), through_a_lens(under_a_lamp()), under_a_sky()})
+// The recursive evaluation of the MIS weights equals the direct sum of all terms [Lang, eq. 9.101-9.107, corrected].
+TEST(Bidirectional, RecursiveWeightsEqualTheDirectSum) {
+  for (const Document& place : {cornell(), with_lens(balls_under_area_light()), balls_under_sky()})
     for (const char* heuristic : {"balance", "power", "maximum"}) {
-      const Document d = with(by(place, "bdpt"), "heuristic", heuristic);
+      const Document d = with(with_integrator(place, "bdpt"), "heuristic", heuristic);
       const auto quick = test::rendered(d, 8), slow = test::rendered(with(d, "without", "99,99"), 8);
       for (int y = 0; y < d.height; ++y)
         for (int x = 0; x < d.width; ++x)
@@ -71,9 +74,9 @@ TEST(Bidirectional, WeightsInConstantTimeAreTheSumOfAllTerms) {
     }
 }
 
-// What techniques show of a path adds up to the picture.
-TEST(Bidirectional, TechniquesAddUp) {
-  const Document d = with(by(cornell(), "bdpt"), "max-depth", "3");
+// The contributions of the techniques sum to the image.
+TEST(Bidirectional, TechniquesSumToTheImage) {
+  const Document d = with(with_integrator(cornell(), "bdpt"), "max-depth", "3");
   const auto whole = test::rendered(d, 8);
   std::vector<double> sum(static_cast<size_t>(d.width * d.height), 0);
   for (int edges = 1; edges <= 3; ++edges)
@@ -87,20 +90,21 @@ TEST(Bidirectional, TechniquesAddUp) {
       EXPECT_NEAR(sum[static_cast<size_t>(y * d.width + x)], whole.mean(x, y).g, 1e-4) << x << ' ' << y;
 }
 
-TEST(Bidirectional, TheSameBitsWithAnyNumberOfThreads) {
+TEST(Bidirectional, BitIdenticalForAnyNumberOfThreads) {
   for (const char* method : {"bdpt", "light", "light-pure"}) {
-    Document d = through_a_lens(cornell());
-    d.width = 70, d.height = 50;
-    const auto one = test::rendered(by(d, method), 4, 1);
+    Document d = with_lens(cornell());
+    d.width = 70;
+    d.height = 50;
+    const auto one = test::rendered(with_integrator(d, method), 4, 1);
     for (const int threads : {2, 7}) {
-      const auto many = test::rendered(by(d, method), 4, threads);
+      const auto many = test::rendered(with_integrator(d, method), 4, threads);
       for (size_t i = 0; i < one.pixels().size(); ++i)
         ASSERT_EQ(one.pixels()[i].sum, many.pixels()[i].sum) << method << ' ' << threads;
     }
   }
 }
 
-TEST(Techniques, AreReadAsPeopleWriteThem) {
+TEST(Techniques, ExpressionsAreParsed) {
   const auto set = integrator::Techniques::parse(" 0,* 2,3 ");
   ASSERT_TRUE(set);
   EXPECT_TRUE(set->contains(0, 5) && set->contains(2, 3));

@@ -1,5 +1,5 @@
-// Renderings of classes of paths: they add up to the whole, sample by sample and in expectation; they are what closed
-// forms and other methods say they are; and who asks for every path gets the picture bit for bit.
+// Rendering by path class. The classes of a partition sum to the full image, for each sample and in expectation. They
+// agree with closed forms and between integrators. The expression for all paths gives the full image, bit for bit.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,9 +23,9 @@ render::Document cornell() {
   return d;
 }
 
-// A shiny pot: smooth glaze over clay, so that deltas stand beside densities in one surface.
+// A glazed sphere: a smooth coat over clay, so that one surface has both delta and non-delta lobes.
 render::Document glazed() {
-  auto d = test::glossy_things();
+  auto d = test::glossy_scene();
   auto scene = *d.scene;
   for (auto& m : scene.materials)
     if (m.metallic == 0 && m.transmission == 0 && m.specular == 1) m.roughness = 0;
@@ -39,7 +39,9 @@ render::Document with(const render::Document& d, const char* name, const std::st
   return changed ? *changed : d;
 }
 
-render::Document only(const render::Document& d, const std::string& paths) { return with(d, "film.paths", paths); }
+render::Document restricted_to(const render::Document& d, const std::string& paths) {
+  return with(d, "film.paths", paths);
+}
 
 constexpr const char* kMethods[] = {"path", "path-pure", "raycast", "appel", "whitted", "distribution"};
 
@@ -51,26 +53,26 @@ const std::vector<Partition> kPartitions{
     {"ED*L", "E.*G.*L", "ED*S(D|S)*L"},
 };
 
-TEST(Classes, EveryPathIsTheWholeImageBitForBit) {
-  for (const auto& d : {cornell(), test::glossy_things(), glazed()})
+TEST(Classes, AllPathsGiveTheFullImageBitForBit) {
+  for (const auto& d : {cornell(), test::glossy_scene(), glazed()})
     for (const char* integrator : kMethods) {
       const auto document = with(d, "render.integrator", integrator);
       const auto whole = test::rendered(document, 16);
-      EXPECT_TRUE(same_bits(whole, test::rendered(only(document, "E(D|G|S)*L"), 16))) << integrator;
+      EXPECT_TRUE(same_bits(whole, test::rendered(restricted_to(document, "E(D|G|S)*L"), 16))) << integrator;
       EXPECT_TRUE(same_bits(whole, test::rendered(with(document, "model.classes", "on"), 16))) << integrator;
-      const auto any = only(document, "[E.+L|EL]");
+      const auto any = restricted_to(document, "[E.+L|EL]");
       EXPECT_TRUE(same_bits(whole, test::rendered(with(any, "model.classes", "on"), 16))) << integrator;
     }
 }
 
-TEST(Classes, PartitionsAddUpSampleBySample) {
-  for (const auto& d : {cornell(), test::glossy_things(), glazed()})
+TEST(Classes, PartitionsSumForEachSample) {
+  for (const auto& d : {cornell(), test::glossy_scene(), glazed()})
     for (const char* integrator : kMethods)
       for (const Partition& partition : kPartitions) {
         const auto document = with(d, "render.integrator", integrator);
         const auto whole = test::rendered(document, 16);
         std::vector<film::Film> parts;
-        for (const auto& paths : partition) parts.push_back(test::rendered(only(document, paths), 16));
+        for (const auto& paths : partition) parts.push_back(test::rendered(restricted_to(document, paths), 16));
         for (int y = 0; y < d.height; ++y)
           for (int x = 0; x < d.width; ++x)
             for (int c = 0; c < 3; ++c) {
@@ -83,22 +85,24 @@ TEST(Classes, PartitionsAddUpSampleBySample) {
       }
 }
 
-// The same in expectation: other seeds for every part.
-TEST(Classes, PartitionsAddUpInExpectation) {
-  for (const auto& d : {cornell(), test::glossy_things()})
+// The same in expectation, with a different seed for each part.
+TEST(Classes, PartitionsSumInExpectation) {
+  for (const auto& d : {cornell(), test::glossy_scene()})
     for (const Partition& partition : {kPartitions[0], kPartitions[1]}) {
       const auto whole = replicated(d, 64, 1);
-      auto sum = replicated(only(d, partition[0]), 64, 100);
-      for (size_t i = 1; i < partition.size(); ++i) sum = sum + replicated(only(d, partition[i]), 64, 100 * (i + 1));
+      auto sum = replicated(restricted_to(d, partition[0]), 64, 100);
+      for (size_t i = 1; i < partition.size(); ++i)
+        sum = sum + replicated(restricted_to(d, partition[i]), 64, 100 * (i + 1));
       expect_agreement(sum, whole, partition[1], 4);
     }
 }
 
-// A walk alone splits the lobes as it scatters, next event estimation as it connects: they agree class by class.
-TEST(Classes, MethodsAgreeClassByClass) {
-  const auto d = test::glossy_things();
+// Path tracing without connections classifies a vertex by the sampled lobe, next event estimation by the evaluated
+// lobes. Both agree for every class.
+TEST(Classes, IntegratorsAgreeForEachClass) {
+  const auto d = test::glossy_scene();
   for (const char* paths : {"EDL", "EGL", "E(D|G)DL", "EDGL", "E.*DS+L", "ES+.*L"}) {
-    const auto filtered = only(d, paths);
+    const auto filtered = restricted_to(d, paths);
     const auto path = replicated(with(filtered, "render.integrator", "path"), 128);
     EXPECT_GT(*std::max_element(path.mean.begin(), path.mean.end()), 0) << paths;
     expect_agreement(path, replicated(with(filtered, "render.integrator", "path-pure"), 256, 2000), paths, 6);
@@ -109,59 +113,70 @@ TEST(Classes, MethodsAgreeClassByClass) {
 render::Document clay_ball(const Rgb& base, float roughness) {
   scene::Scene scene;
   Material clay;
-  clay.base_color = base, clay.metallic = 0, clay.roughness = roughness;
+  clay.base_color = base;
+  clay.metallic = 0;
+  clay.roughness = roughness;
   test::add(scene, test::sphere(1, 32, false), clay);
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(1, 3, 1, 1);
   test::add(scene, test::quad(1), test::diffuse(Rgb(0), Rgb(5)), above);
   return test::document(scene, look_at({0, 1, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f), test::kSize, test::kSize);
 }
 
-// Over a black base the layer is all there is, and it is the same layer.
-TEST(Classes, TheGlossyPartIsWhatABlackBaseLeaves) {
+// Over a black base only the coat reflects, and its contribution does not depend on the base.
+TEST(Classes, GlossyPartEqualsTheImageWithABlackBase) {
   const auto whole = clay_ball({0.8f, 0.6f, 0.3f}, 0.4f), layer = clay_ball(Rgb(0), 0.4f);
-  expect_agreement(replicated(only(whole, "EGL"), 64), replicated(only(layer, "E(D|G)L"), 64, 2000), "layer", 2);
-  expect_agreement(replicated(only(layer, "EDL"), 4), replicated(only(layer, "EDGL"), 4), "nothing", 2);
+  expect_agreement(replicated(restricted_to(whole, "EGL"), 64), replicated(restricted_to(layer, "E(D|G)L"), 64, 2000),
+                   "layer", 2);
+  expect_agreement(replicated(restricted_to(layer, "EDL"), 4), replicated(restricted_to(layer, "EDGL"), 4), "nothing",
+                   2);
 }
 
-// In a closed room of albedo a that emits one, n reflections carry a^n.
+// In a closed room of albedo a and emission one, the paths with n reflections have radiance a^n.
 TEST(Classes, FurnaceByNumberOfReflections) {
   constexpr float kAlbedo = 0.5f;
   const auto d = test::document(test::furnace(kAlbedo), look_at({0, 0, 0}, {1, 0.2f, 0.3f}, {0, 1, 0}, 0.8f), 16, 16);
   std::string paths = "E";
   for (int n = 0; n <= 5; ++n) {
     for (const char* integrator : {"path", "path-pure"}) {
-      const auto film = test::rendered(only(with(d, "render.integrator", integrator), paths + "L"), 64);
+      const auto film = test::rendered(restricted_to(with(d, "render.integrator", integrator), paths + "L"), 64);
       const auto mean = test::mean_of(film);
-      // 12 comparisons, 1 % together.
+      // 12 comparisons with a common false-alarm rate of 1 %.
       EXPECT_NEAR(mean.value, std::pow(double{kAlbedo}, n), 3.4 * mean.standard_error + 1e-5) << integrator << ' ' << n;
     }
     paths += "D";
   }
 }
 
-// A mirror and a clear glass ball in a sky of radiance one lose nothing, and all they do is S.
+// A lossless mirror and a clear glass ball in an environment of radiance one keep that radiance, and all scattering is
+// specular.
 TEST(Classes, MirrorsAndClearGlassAreSpecular) {
   Material mirror, glass;
-  mirror.base_color = Rgb(1), mirror.metallic = 1, mirror.roughness = 0;
-  glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1;
+  mirror.base_color = Rgb(1);
+  mirror.metallic = 1;
+  mirror.roughness = 0;
+  glass.metallic = 0;
+  glass.roughness = 0;
+  glass.transmission = 1;
+  glass.thickness = 1;
   for (const auto& [material, paths] : {std::pair(mirror, "ESL"), std::pair(glass, "ES+L")}) {
     scene::Scene scene;
     test::add(scene, test::sphere(1, 64, false), material);
     scene.environment.tint = Rgb(1);
-    // Nothing but the sphere is in view.
+    // The sphere fills the image.
     const auto d = test::document(scene, look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.2f), 16, 16);
     for (const char* integrator : {"path", "path-pure"}) {
       const auto document = with(d, "render.integrator", integrator);
-      const auto specular = test::mean_of(test::rendered(only(document, paths), 256));
+      const auto specular = test::mean_of(test::rendered(restricted_to(document, paths), 256));
       EXPECT_NEAR(specular.value, 1, 4 * specular.standard_error + 2e-3) << paths << ' ' << integrator;
-      EXPECT_EQ(test::mean_of(test::rendered(only(document, "E.*(D|G).*L|EL"), 16)).value, 0) << paths;
+      EXPECT_EQ(test::mean_of(test::rendered(restricted_to(document, "E.*(D|G).*L|EL"), 16)).value, 0) << paths;
     }
   }
 }
 
-TEST(Classes, WalksEndWhenNothingCanCount) {
+TEST(Classes, PathsEndWhenTheirClassIsDecided) {
   const auto rays = [](const render::Document& d) {
     render::Document limited = d;
     limited.limits = {4, 0, 0};
@@ -172,13 +187,13 @@ TEST(Classes, WalksEndWhenNothingCanCount) {
   };
   const auto d = cornell();
   const uint64_t camera = 4 * test::kSize * test::kSize;
-  EXPECT_EQ(rays(only(d, "EL")), camera);
-  EXPECT_EQ(rays(only(d, "ES.*L")), camera);
-  EXPECT_LE(rays(only(d, "EDL")), 3 * camera);
-  EXPECT_LT(rays(only(d, "EDDL")), rays(d));
+  EXPECT_EQ(rays(restricted_to(d, "EL")), camera);
+  EXPECT_EQ(rays(restricted_to(d, "ES.*L")), camera);
+  EXPECT_LE(rays(restricted_to(d, "EDL")), 3 * camera);
+  EXPECT_LT(rays(restricted_to(d, "EDDL")), rays(d));
 }
 
-TEST(Classes, TheRegistrySpeaksTheNotation) {
+TEST(Classes, RegistryDeclaresValidExpressions) {
   for (const auto& info : integrator::integrator_infos()) {
     EXPECT_TRUE(transport::PathExpression::parse_paths(info.paths)) << info.name << ' ' << info.paths;
     EXPECT_TRUE(integrator::finds_any(info, ""));
@@ -187,12 +202,12 @@ TEST(Classes, TheRegistrySpeaksTheNotation) {
   const auto* raycast = integrator::find_integrator("raycast");
   EXPECT_FALSE(integrator::finds_any(*raycast, "EDD+L"));
   EXPECT_TRUE(integrator::finds_any(*raycast, "ED*L"));
-  const auto d = only(with(cornell(), "render.integrator", "raycast"), "EDD+L");
+  const auto d = restricted_to(with(cornell(), "render.integrator", "raycast"), "EDD+L");
   EXPECT_EQ(test::mean_of(test::rendered(d, 4)).value, 0);
 }
 
-TEST(Classes, TheExpressionIsASettingLikeAnyOther) {
-  const auto d = only(cornell(), "ED S* L");
+TEST(Classes, ExpressionIsADocumentParameter) {
+  const auto d = restricted_to(cornell(), "ED S* L");
   const auto again = render::document_from_state(render::state_json(d, 1), "test");
   ASSERT_TRUE(again);
   EXPECT_EQ(again->method.paths, "ED S* L");

@@ -1,5 +1,5 @@
-// Distribution ray tracing: without branching it is path tracing, bit for bit; with it the mean stays and the noise
-// falls.                                                                                     digest 8-10: S8, S9, O22
+// Distribution ray tracing [Cook et al. 1984; Lang, eq. 8.37, corrected, and fig. 8.18, corrected]. With one branch per
+// vertex it equals path tracing, bit for bit. More branches leave the mean unchanged and reduce the variance.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -34,9 +34,9 @@ render::Document branching(const render::Document& d, int first, int second, int
               more);
 }
 
-// A walk that takes turns with nobody is the same walk.
-TEST(Distribution, OneBranchIsPathTracingBitForBit) {
-  for (const auto& d : {test::cornell(test::kSize), test::glossy_things()})
+// Without branching the ray tree is a single path.
+TEST(Distribution, OneBranchEqualsPathTracingBitForBit) {
+  for (const auto& d : {test::cornell(test::kSize), test::glossy_scene()})
     for (const auto& sampler : sampler_infos())
       for (const char* paths : {"", "E.*S.*L|EDL"}) {
         const Settings common{{"render.sampler", sampler.name}, {"film.paths", paths}};
@@ -48,8 +48,8 @@ TEST(Distribution, OneBranchIsPathTracingBitForBit) {
       }
 }
 
-TEST(Distribution, TheMeanDoesNotDependOnBranching) {
-  for (const auto& d : {test::cornell(test::kSize), test::glossy_things()}) {
+TEST(Distribution, MeanIsIndependentOfBranching) {
+  for (const auto& d : {test::cornell(test::kSize), test::glossy_scene()}) {
     const auto path = replicated(d, 256);
     const std::pair<const char*, render::Document> trees[] = {
         {"4 2 1", branching(d, 4, 2, 1)},
@@ -61,21 +61,22 @@ TEST(Distribution, TheMeanDoesNotDependOnBranching) {
   }
 }
 
-// Light that comes by one diffuse reflection is the mean over branches.
-TEST(Distribution, TheVarianceFallsAsTheBranches) {
+// Light after one diffuse reflection is averaged over the branches, so its variance falls with their number.
+TEST(Distribution, VarianceFallsWithTheNumberOfBranches) {
   const auto d = with(test::cornell(test::kSize), {{"render.sampler", "random"}, {"film.paths", "EDDL"}});
   const auto variance = [&](int branches) {
     const auto estimate = replicated(branching(d, branches, 1, 1), 16);
     return std::accumulate(estimate.variance.begin(), estimate.variance.end(), 0.0);
   };
   const double one = variance(1), four = variance(4), sixteen = variance(16);
-  // What is left is the noise of the pixel and, as 16 blocks of 11 degrees, a quarter of each number.
+  // The bound allows for the noise of the pixel sample, which remains, and for the error of the estimated variances,
+  // about a quarter: 16 blocks with 11 degrees of freedom each.
   EXPECT_LT(four, 0.45 * one);
   EXPECT_LT(sixteen, 0.45 * four);
 }
 
-// N_1 + N_1 N_2 + ... rays after the camera's, in a room that loses none; path tracing has one for each edge.
-TEST(Distribution, RaysAreTheProductsOfBranches) {
+// N_1 + N_1 N_2 + ... rays per camera ray in a lossless room; path tracing has one ray per edge [Lang, sec. 8.4].
+TEST(Distribution, RayCountIsTheSumOfProductsOfBranches) {
   const auto room = test::document(test::furnace(0.9f), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1), 16, 16);
   const auto rays = [&](int branches, int depth) {
     auto d = branching(room, branches, branches, branches,

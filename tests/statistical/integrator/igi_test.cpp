@@ -1,5 +1,4 @@
-// Instant global illumination against closed forms and path tracing.                       digest 8-10: O1, O2, O19,
-// S40, S41
+// Instant global illumination [Lang, eq. 9.148-9.158, corrected] against closed forms and path tracing.
 #include <gtest/gtest.h>
 
 #include "stress/lit_wall.h"
@@ -24,8 +23,8 @@ render::Document by_path(render::Document d) {
 
 render::Document room() { return test::cornell(test::kSize); }
 
-// Where all is diffuse the virtual lights are what they seem.
-TEST(InstantGlobalIllumination, UnboundedIsPathTracingWhereAllIsDiffuse) {
+// On diffuse surfaces the approximation of the BSDF at a virtual light by a Lambertian is exact.
+TEST(InstantGlobalIllumination, EqualsPathTracingInDiffuseScenes) {
   const auto reference = replicated(by_path(room()), 256);
   expect_agreement(replicated(igi(room(), {{"light-paths", "16"}}), 16, 3000), reference, "lambertian", 4);
   expect_agreement(replicated(igi(room(), {{"light-paths", "16"}, {"full-bsdf", "on"}}), 16, 4000), reference, "full",
@@ -33,21 +32,30 @@ TEST(InstantGlobalIllumination, UnboundedIsPathTracingWhereAllIsDiffuse) {
   expect_agreement(replicated(igi(room(), {{"light-paths", "18"}, {"interleave", "3"}}), 32, 5000), reference,
                    "interleaved", 4);
   expect_agreement(replicated(igi(room(), {{"light-paths", "16"}, {"bound", "0.5"}}), 16, 6000), reference,
-                   "what the bound loses is found", 4);
+                   "compensation of the bound", 4);
 }
 
-// A glazed floor and a metal wall under a lamp: both lobes at both ends of a connection.
-TEST(InstantGlobalIllumination, FullIsPathTracingOfItsClasses) {
+// A glazed floor and a metal wall under an area light: both ends of a connection have two lobes.
+TEST(InstantGlobalIllumination, FullBsdfEqualsPathTracingOfItsPathClasses) {
   scene::Scene scene;
   Material glazed, metal;
-  glazed.metallic = 0, glazed.roughness = 0.6f, glazed.ior = 2, glazed.base_color = Rgb(0.4f);
-  metal.metallic = 1, metal.roughness = 0.6f, metal.base_color = {0.9f, 0.7f, 0.4f};
+  glazed.metallic = 0;
+  glazed.roughness = 0.6f;
+  glazed.ior = 2;
+  glazed.base_color = Rgb(0.4f);
+  metal.metallic = 1;
+  metal.roughness = 0.6f;
+  metal.base_color = {0.9f, 0.7f, 0.4f};
   test::add(scene, test::quad(2), glazed);
   Mat4 upright(1);
-  upright[1] = Vec4(0, 0, 1, 0), upright[2] = Vec4(0, -1, 0, 0), upright[3] = Vec4(0, 1, -1.5f, 1);
+  upright[1] = Vec4(0, 0, 1, 0);
+  upright[2] = Vec4(0, -1, 0, 0);
+  upright[3] = Vec4(0, 1, -1.5f, 1);
   test::add(scene, test::quad(1.5f), metal, upright);
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1, above[3] = Vec4(0, 3, 0, 1);
+  above[1][1] = -1;
+  above[2][2] = -1;
+  above[3] = Vec4(0, 3, 0, 1);
   test::add(scene, test::quad(0.7f), test::diffuse(Rgb(0), Rgb(5)), above);
   const auto d = test::document(scene, look_at({0, 2, 4}, {0, 0.5f, 0}, {0, 1, 0}, 0.5f), test::kSize, test::kSize);
   auto reference = by_path(d);
@@ -59,21 +67,21 @@ TEST(InstantGlobalIllumination, FullIsPathTracingOfItsClasses) {
   }
 }
 
-// Each virtual light y_j adds exactly a rho^(j+1) in a sphere; by depth, the sum of two terms is without noise but for
-// triangles.
-TEST(InstantGlobalIllumination, GoldenSphere) {
+// Each virtual light y_j contributes exactly a rho^(j+1) in the integrating sphere. For a fixed depth, the sum of two
+// terms has no noise except from the tessellation.
+TEST(InstantGlobalIllumination, IntegratingSphere) {
   constexpr double kShare = 0.05, kAlbedo = 0.5;
   auto d = test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
-  // Mean: whole sum. Walks end at random, so that the number of lights varies.
+  // Mean of the full sum. Paths end at random, so that the number of lights varies.
   const auto whole = test::mean_of(test::rendered(igi(d, {{"light-paths", "400"}}), 16));
   EXPECT_NEAR(whole.value, kAlbedo * kShare / (1 - kAlbedo), 0.02 * kShare);
-  // y_1 alone: every light path has one, and its worth is the same everywhere.
+  // The contribution of y_1 alone: every light path has such a vertex, with the same contribution everywhere.
   const auto first = test::mean_of(test::rendered(igi(d, {{"light-paths", "50"}, {"max-depth", "3"}}), 2));
   EXPECT_NEAR(first.value, kShare * (kAlbedo + kAlbedo * kAlbedo), 1e-3 * kShare);
 }
 
-// In a sphere of radius one G is 1/4 everywhere: a bound g below scales the indirect light by 4 g.
-TEST(InstantGlobalIllumination, ABoundScalesTheGoldenSphere) {
+// In a sphere of radius one, G = 1/4 everywhere. A bound g below 1/4 scales the indirect light by 4 g.
+TEST(InstantGlobalIllumination, BoundScalesTheIntegratingSphere) {
   constexpr double kShare = 0.05, kAlbedo = 0.5;
   auto d = test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16);
   for (const double bound : {0.2, 0.1, 0.01}) {
@@ -84,10 +92,11 @@ TEST(InstantGlobalIllumination, ABoundScalesTheGoldenSphere) {
   }
 }
 
-// A floor at the distance d from the middle of a unit wall under even light: one virtual light on the wall has a
-// relative deviation that grows as 1 / d (O19). A light path leaves one with the chance p that the wall has of the
-// parallel light, and nothing else reaches the floor: of n paths the relative variance is
-// ((1 + deviation^2) / p - 1) / n. Within 4.5 standard errors; the table has two digits.
+// Weak singularity: a floor at distance d from the centre of a unit wall under uniform parallel light. The estimate of
+// one virtual light on the wall has a relative standard deviation that grows as 1 / d. A light path places a light on
+// the wall with probability p, the share of the parallel light that hits it; the floor receives no other light. For n
+// paths the relative variance is ((1 + deviation^2) / p - 1) / n. Tolerances are 4.5 standard errors; the tabulated
+// deviations have two digits.
 TEST(InstantGlobalIllumination, DeviationInACorner) {
   struct Row {
     float distance;
@@ -99,7 +108,8 @@ TEST(InstantGlobalIllumination, DeviationInACorner) {
                             stress::camera_of_lit_wall(row.distance), 2, 2);
     d.method.sampler = "random";
     d = igi(d, {{"light-paths", "64"}, {"max-depth", "3"}});
-    // Of a sphere around everything: from the wall's edges to the floor's far end.
+    // The sampled disk is that of the bounding sphere of the scene, from the edges of the wall to the far end of the
+    // floor.
     const double depth = 1.02 * double{row.distance}, radius2 = (2 + depth * depth) / 4;
     const double chance = 1 / (double{kPi} * radius2);
     constexpr int kPictures = 4000;
@@ -108,7 +118,9 @@ TEST(InstantGlobalIllumination, DeviationInACorner) {
     const double expected = 0.5 / double{kPi} * 0.8 * row.form_factor;
     for (d.seed = 0; d.seed < kPictures; ++d.seed) {
       const double found = test::mean_of(test::rendered(d, 2, 1)).value / expected, square = sqr(found - 1);
-      sum += found, squares += square, fourths += square * square;
+      sum += found;
+      squares += square;
+      fourths += square * square;
     }
     const double variance = squares / kPictures, theory = ((1 + sqr(row.deviation)) / chance - 1) / kPaths;
     EXPECT_NEAR(sum / kPictures, 1, 4.5 * std::sqrt(variance / kPictures) + 1e-3) << row.distance;
@@ -117,7 +129,7 @@ TEST(InstantGlobalIllumination, DeviationInACorner) {
   }
 }
 
-TEST(InstantGlobalIllumination, LightsThatStayKeepTheirError) {
+TEST(InstantGlobalIllumination, FixedLightsKeepTheirError) {
   const auto two = [](const char* renew) {
     const auto d = igi(room(), {{"light-paths", "4"}, {"renew", renew}});
     auto other = d;

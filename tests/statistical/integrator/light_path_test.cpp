@@ -1,11 +1,12 @@
-// Light paths as values: paths from nothing make the picture, and mutations are in detailed balance.
+// Light paths as data structures of Metropolis light transport: bootstrap paths estimate the image mean, and mutations
+// satisfy detailed balance.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "integrator/mlt/bootstrap_paths.h"
 #include "integrator/mlt/mutation_chain.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
@@ -23,9 +24,9 @@ using test::with;
 
 using M = transport::AnyMedia<false>;
 
-// What a method is given, without a renderer.
-struct Place {
-  explicit Place(const render::Document& d)
+// The context of an integrator, without a renderer.
+struct Fixture {
+  explicit Fixture(const render::Document& d)
       : scene(scene::compile(d.scene, d.camera, nullptr)),
         model(transport::model_for(*scene)),
         camera(d.camera, d.width, d.height),
@@ -39,14 +40,14 @@ struct Place {
   integrator::RenderContext context;
 };
 
-std::vector<std::pair<const char*, render::Document>> places() {
+std::vector<std::pair<const char*, render::Document>> scenes() {
   return {{"cornell", test::cornell(test::kSize)},
-          {"glossy things", test::glossy_things()},
-          {"lamp", test::under_a_lamp()},
-          {"sky", test::under_a_sky()},
-          {"point", test::under("point")},
-          {"spot", test::under("spot")},
-          {"directional through a lens", test::through_a_lens(test::under("directional"))}};
+          {"glossy scene", test::glossy_scene()},
+          {"area light", test::balls_under_area_light()},
+          {"sky", test::balls_under_sky()},
+          {"point", test::balls_under_light("point")},
+          {"spot", test::balls_under_light("spot")},
+          {"directional through a lens", test::with_lens(test::balls_under_light("directional"))}};
 }
 
 constexpr integrator::LogUniform kPixels{0.1f, 4}, kAngles{1e-4f, 0.1f};
@@ -55,13 +56,13 @@ MutationPlan plan_with(std::array<float, integrator::kMutations> weights) {
   return {integrator::MutationChoice(weights), EdgeCounts(0), kPixels, kAngles, 5};
 }
 
-// Of what paths from nothing are worth, the picture's mean: 4.5 standard errors of either.
-TEST(LightPaths, FromNothingAreWorthThePicture) {
-  for (const auto& [name, d] : places()) {
-    const Place place(d);
-    PathSpace<M> space(place.context);
+// The mean weight of bootstrap paths is the mean of the image, within 4.5 standard errors of either.
+TEST(LightPaths, BootstrapPathsEstimateTheImageMean) {
+  for (const auto& [name, d] : scenes()) {
+    const Fixture fixture(d);
+    PathSpace<M> space(fixture.context);
     LightPath<M> path;
-    film::SplatFilter filter(place.filter, d.width, d.height);
+    film::SplatFilter filter(fixture.filter, d.width, d.height);
     BootstrapPaths<M> paths(0);
     constexpr int kPaths = 200000;
     double sum = 0, squares = 0;
@@ -70,16 +71,17 @@ TEST(LightPaths, FromNothingAreWorthThePicture) {
       double weight = paths.draw(space, random, path);
       const auto to = weight > 0 ? filter.choose(path.raster, random.next_2d()) : std::nullopt;
       weight = to ? weight * double{to->weight} * double{average(path.color)} : 0;
-      sum += weight, squares += sqr(weight);
+      sum += weight;
+      squares += sqr(weight);
     }
     const double pixels = d.width * d.height, mean = sum / kPaths,
                  error = std::sqrt((squares / kPaths - sqr(mean)) / kPaths);
-    const auto expected = test::mean_of(test::rendered(test::by(d, "bdpt"), 256));
+    const auto expected = test::mean_of(test::rendered(test::with_integrator(d, "bdpt"), 256));
     EXPECT_NEAR(mean / pixels, expected.value, 4.5 * (error / pixels + expected.standard_error)) << name;
   }
 }
 
-// f in the product of area measures, by its definition.
+// The contribution f in the product area measure, from its definition.
 double log_contribution(const LightPath<M>& x) {
   double f = std::log(x.brightness);
   for (int i = 1; i < x.edges(); ++i) f += std::log(double{x[i].value});
@@ -89,7 +91,7 @@ double log_contribution(const LightPath<M>& x) {
   return f;
 }
 
-// The density per area of x_{i+1} seen from x_i, and of x_{i-1}, for a density per solid angle of one.
+// Densities per area of x_{i+1} seen from x_i (ahead) and of x_{i-1} (back), for a unit density per solid angle.
 double area_ahead(const LightPath<M>& y, int i) { return y.cosine_to_light(i + 1) * y.inverse_square(i); }
 double area_back(const LightPath<M>& y, int i) {
   return i == 1 && y.light.infinite ? 1 : y.cosine_to_camera(i - 1) * y.inverse_square(i - 1);
@@ -99,8 +101,8 @@ double pixels_back(const LightPath<M>& y) {
   return last == 0 && y.light.infinite ? 1 : double{y.importance} * y.cosine_to_camera(last);
 }
 
-// The density of a walk's and a connection's way to the vertices between l and m, by its definition: c is the last
-// vertex of the walk from the light.
+// The density of sampling the vertices between l and m by two subpaths and a connection, from its definition; c is the
+// last vertex of the light subpath.
 double log_density(const LightPath<M>& y, int l, int m, int c, double area) {
   double p = 0;
   for (int i = l; i < c; ++i) {
@@ -117,12 +119,12 @@ double log_density(const LightPath<M>& y, int l, int m, int c, double area) {
   }
   const bool possible = c < 0 ? y.light.extended : (c == 0 || !y[c].delta) && (c + 1 >= y.edges() || !y[c + 1].delta);
   const bool far = c == 0 && y.edges() == 1 && y.light.infinite && !(y.importance > 0);
-  // What is infinitely far away and seen directly is measured by the point of the picture.
+  // For a directly visible infinite light, the measure is that of the image point.
   if (c == 0 && y.edges() == 1 && y.light.infinite) p -= std::log(double{y.importance});
   return possible && !far ? p : -kInfinity;
 }
 
-// The factors of f that do not change with the vertices between l and m, the brightness among them.
+// The factors of f that do not change with the vertices between l and m, including the brightness.
 double log_contribution_outside(const LightPath<M>& x, int l, int m) {
   double f = std::log(x.brightness);
   for (int i = 1; i < x.edges(); ++i)
@@ -131,16 +133,16 @@ double log_contribution_outside(const LightPath<M>& x, int l, int m) {
     if (i < l || i >= m) f += std::log(x.cosine_to_camera(i) * x.inverse_square(i));
   const int last = x.edges() - 1;
   if (m <= last && (last > 0 || !x.light.infinite)) f += std::log(x.cosine_to_camera(last) * double{x.importance});
-  // The walk from the light brings its cosine along.
+  // The light subpath contributes its cosine.
   if (l > 0) f += std::log(x.cosine_to_light(l));
   return f;
 }
 
-// The density of a part, as the sum over all its connecting edges and by way of f, is the same.
-TEST(LightPaths, TentativeDensityTwoWays) {
-  for (const auto& [name, d] : places()) {
-    const Place place(d);
-    PathSpace<M> space(place.context);
+// The density of a replaced part, summed over all connecting edges, equals the closed form computed from f.
+TEST(LightPaths, ReplacementDensityEqualsTheSumOverConnections) {
+  for (const auto& [name, d] : scenes()) {
+    const Fixture fixture(d);
+    PathSpace<M> space(fixture.context);
     LightPath<M> x;
     BootstrapPaths<M> paths(0);
     const double area = double{space.image_area()};
@@ -152,8 +154,8 @@ TEST(LightPaths, TentativeDensityTwoWays) {
         for (int m = l + 1; m <= x.edges() + 1; ++m) {
           if ((l < 0 && m < 1) || (m > x.edges() && l >= x.edges())) continue;
           double sum = 0;
-          const double f = log_contribution(x), kept = log_contribution_outside(x, l, m);
-          for (int c = l; c < m && c < x.edges(); ++c) sum += std::exp(log_density(x, l, m, c, area) - (f - kept));
+          const double f = log_contribution(x), outside = log_contribution_outside(x, l, m);
+          for (int c = l; c < m && c < x.edges(); ++c) sum += std::exp(log_density(x, l, m, c, area) - (f - outside));
           const double direct = x.density_between(l, m, area, [](int) { return 1; }) * x.brightness;
           if (direct == 0 && sum == 0) continue;
           EXPECT_NEAR(sum / direct, 1, 1e-4) << name << ' ' << l << ' ' << m << " of " << x.edges();
@@ -164,7 +166,7 @@ TEST(LightPaths, TentativeDensityTwoWays) {
   }
 }
 
-// The density with which a perturbation finds y, but for what is symmetric in x and y.
+// The density with which a perturbation proposes y, without factors that are symmetric in x and y.
 double log_density(Mutation mutation, const PathShape& shape, const LightPath<M>& y) {
   double p = 0;
   if (mutation == Mutation::caustic) {
@@ -178,13 +180,13 @@ double log_density(Mutation mutation, const PathShape& shape, const LightPath<M>
   return p;
 }
 
-// f(x) T(x -> y) a(x -> y) = f(y) T(y -> x) a(y -> x): the ratio that is judged by is that of f and T by their
-// definitions. Rounding grows with how nearly edges graze.
-TEST(LightPaths, PerturbationsAreInDetailedBalance) {
+// Detailed balance f(x) T(x -> y) a(x -> y) = f(y) T(y -> x) a(y -> x): the acceptance ratio equals the ratio of f and
+// T from their definitions. Rounding errors grow as edges become grazing.
+TEST(LightPaths, PerturbationsSatisfyDetailedBalance) {
   std::array<int, integrator::kMutations> found{};
-  for (const auto& [name, d] : places()) {
-    const Place place(d);
-    PathSpace<M> space(place.context);
+  for (const auto& [name, d] : scenes()) {
+    const Fixture fixture(d);
+    PathSpace<M> space(fixture.context);
     LightPath<M> x, y;
     BootstrapPaths<M> paths(0);
     const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
@@ -211,9 +213,9 @@ TEST(LightPaths, PerturbationsAreInDetailedBalance) {
     EXPECT_GT(found[static_cast<size_t>(m)], 20) << static_cast<int>(m);
 }
 
-// The law of (9.123): density 1 / (r ln(r2 / r1)), mean (r2 - r1) / ln(r2 / r1), median sqrt(r1 r2). Within 4.5
-// standard errors.
-TEST(LightPaths, DistancesOfPerturbations) {
+// Log-uniform distribution [Lang, eq. 9.123]: density 1 / (r ln(r2 / r1)), mean (r2 - r1) / ln(r2 / r1), median sqrt(r1
+// r2). Tolerances are 4.5 standard errors.
+TEST(LightPaths, PerturbationDistancesAreLogUniform) {
   constexpr integrator::LogUniform kLaw{0.1f, 50};
   EXPECT_FLOAT_EQ(kLaw.sample(0), 50);
   EXPECT_NEAR(kLaw.sample(kOneMinusEpsilon), 0.1, 1e-6);
@@ -222,21 +224,24 @@ TEST(LightPaths, DistancesOfPerturbations) {
   double sum = 0, squares = 0, below = 0;
   for (int i = 0; i < kNumbers; ++i) {
     const double r = double{glm::distance(integrator::perturb_raster({3, 4}, kLaw, random), Vec2(3, 4))};
-    sum += r, squares += r * r, below += r < std::sqrt(5.0) ? 1 : 0;
+    sum += r;
+    squares += r * r;
+    below += r < std::sqrt(5.0) ? 1 : 0;
   }
   const double mean = sum / kNumbers;
   EXPECT_NEAR(mean, 49.9 / std::log(500.0), 4.5 * std::sqrt((squares / kNumbers - sqr(mean)) / kNumbers));
   EXPECT_NEAR(below / kNumbers, 0.5, 4.5 * 0.5 / std::sqrt(kNumbers));
 }
 
-// Each chain's own points are uniform; those of all chains in one round fill the square evenly.
-TEST(LightPaths, ChainsShareThePicture) {
+// The points of each chain are uniformly distributed. Those of all chains in one round are stratified over the image.
+TEST(LightPaths, ChainsAreStratifiedOverTheImage) {
   constexpr uint32_t kChains = 64;
   for (uint32_t round = 0; round < 8; ++round) {
     std::array<int, kChains> columns{}, rows{};
     for (uint32_t chain = 0; chain < kChains; ++chain) {
       const Vec2 p = integrator::stratified_point(chain, kChains, round, 5);
-      ++columns[static_cast<size_t>(p.x * kChains)], ++rows[static_cast<size_t>(p.y * kChains)];
+      ++columns[static_cast<size_t>(p.x * kChains)];
+      ++rows[static_cast<size_t>(p.y * kChains)];
     }
     for (uint32_t i = 0; i < kChains; ++i) {
       EXPECT_LE(std::abs(columns[i] - 1), 1);
@@ -245,13 +250,13 @@ TEST(LightPaths, ChainsShareThePicture) {
   }
 }
 
-// In the golden sphere paths of k edges, k > 1, have the share a rho^(k - 1): neighbours have the ratio rho. Batches of
-// chains give the error; 4.5 of them.
-TEST(LightPaths, LengthsInTheGoldenSphere) {
+// In the integrating sphere, paths of k > 1 edges have the share a rho^(k - 1), so that successive lengths have the
+// ratio rho. The error is estimated from batches of chains; the tolerance is 4.5 standard errors.
+TEST(LightPaths, PathLengthsInTheIntegratingSphere) {
   constexpr double kRho = 0.5;
-  const Place place(test::integrating_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
+  const Fixture fixture(test::integrating_sphere(0.1, 0.5f, scene::Cap::reflecting, 8));
   const MutationPlan plan = plan_with({1, 1, 1, 1, 1});
-  integrator::MutationRunner<M> runner(place.context, plan);
+  integrator::MutationRunner<M> runner(fixture.context, plan);
   constexpr int kBatches = 24, kSteps = 20000, kMaxLength = 5;
   std::array<double, kMaxLength + 1> sum{}, squares{};
   film::Splats splats;
@@ -270,7 +275,8 @@ TEST(LightPaths, LengthsInTheGoldenSphere) {
     }
     for (size_t k = 2; k <= kMaxLength; ++k) {
       const double ratio = count[k] / count[2];
-      sum[k] += ratio, squares[k] += ratio * ratio;
+      sum[k] += ratio;
+      squares[k] += ratio * ratio;
     }
   }
   for (int k = 3; k <= kMaxLength; ++k) {

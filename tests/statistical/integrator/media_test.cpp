@@ -9,17 +9,17 @@
 
 #include "integrator/integrator.h"
 #include "stress/test_context.h"
-#include "support/cut.h"
-#include "support/media_places.h"
+#include "support/media_scenes.h"
 #include "support/motion.h"
+#include "support/resume.h"
 
 namespace etendue {
 namespace {
 
 using render::Document;
-using test::by;
 using test::liquid;
 using test::with;
+using test::with_integrator;
 
 constexpr float kWater = 1.33f, kGlass = 1.5f, kDense = 1.8f;
 
@@ -59,7 +59,8 @@ TEST(Attenuation, OfAnEmitterInWater) {
   scene::Scene scene;
   add(scene, scene::box({2, 2, 2}), liquid(1, Rgb(0.5f)), at({0, -2, 0}));
   add_plate(scene, 2);
-  for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 3), name), 64, 2.5);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 3), name), 64, 2.5);
 }
 
 // A camera in the water, for all integrators.
@@ -68,7 +69,7 @@ TEST(Attenuation, FromACameraInWater) {
   add(scene, scene::box({2, 3, 2}), liquid(kWater, Rgb(0.5f)));
   add_plate(scene, 2);
   for (const auto& info : integrator::integrator_infos()) {
-    Document d = by(looking_down(scene, 0), info.name);
+    Document d = with_integrator(looking_down(scene, 0), info.name);
     if (info.name == "light-pure") continue;  // cannot reach a pinhole; see UpToTheLens
     d = with(d, "film.paths", "EL");
     expect_mean(d, 64, 2.5);
@@ -87,7 +88,7 @@ TEST(Attenuation, OfDirectLight) {
   test::add_point_light(scene, {0.013f, -1, 0.017f}, 4);
   for (const char* name :
        {"path", "distribution", "whitted", "appel", "bdpt", "light", "pssmlt", "mlt", "igi", "sppm", "photonmap"}) {
-    Document d = with(by(looking_down(scene, 0), name), "film.paths", "EDL");
+    Document d = with(with_integrator(looking_down(scene, 0), name), "film.paths", "EDL");
     const auto film = test::rendered(d, 64);
     const Rgb mean = test::mean_color(film);
     const float clear = 4 * 0.5f / kPi;
@@ -97,12 +98,12 @@ TEST(Attenuation, OfDirectLight) {
   }
 }
 
-// Photons and virtual lights that arrive through water, and lookups under water.
+// Photons and virtual lights behind water, and lookups under water.
 TEST(Attenuation, OfIndirectLight) {
-  const Document d = with(test::lamp_in_tinted_water(true), "film.paths", "ED(D|G)*L");
-  const double expected = test::mean_of(test::rendered(by(d, "path"), 512)).value;
+  const Document d = with(test::light_in_tinted_water(true), "film.paths", "ED(D|G)*L");
+  const double expected = test::mean_of(test::rendered(with_integrator(d, "path"), 512)).value;
   for (const char* name : {"sppm", "photonmap", "igi"}) {
-    Document other = by(d, name);
+    Document other = with_integrator(d, name);
     if (std::string(name) == "photonmap") other = with(other, "photonmap.gather", "8");
     EXPECT_NEAR(test::mean_of(test::rendered(other, 128)).value / expected, 1, 0.05) << name;
   }
@@ -129,7 +130,7 @@ TEST(Attenuation, OfTheMediumOfHighestPriority) {
   for (auto& [scene, transmittance] : cases) {
     add_plate(scene, 3);
     for (const std::string& name : see_through_glass())
-      expect_mean(by(looking_down(scene, 3), name), 64, 10 * transmittance);
+      expect_mean(with_integrator(looking_down(scene, 3), name), 64, 10 * transmittance);
   }
 }
 
@@ -139,10 +140,11 @@ TEST(Attenuation, UpToTheLens) {
   add(scene, scene::box({2, 3, 2}), liquid(kWater, Rgb(0.3f)));
   add_plate(scene, 1, 1.5f);
   Document d = test::document(std::move(scene), look_at({0, 0, 0}, {0, -1, 0}, {0, 0, 1}, 0.5f), 16, 16);
-  d.camera.lens_radius = 0.4f, d.camera.focus_distance = 1;
-  const test::Mean path = test::mean_of(test::rendered(with(by(d, "path"), "film.paths", "EL"), 256));
+  d.camera.lens_radius = 0.4f;
+  d.camera.focus_distance = 1;
+  const test::Mean path = test::mean_of(test::rendered(with(with_integrator(d, "path"), "film.paths", "EL"), 256));
   for (const char* name : {"light-pure", "bdpt", "light"}) {
-    const test::Mean mean = test::mean_of(test::rendered(with(by(d, name), "film.paths", "EL"), 1024));
+    const test::Mean mean = test::mean_of(test::rendered(with(with_integrator(d, name), "film.paths", "EL"), 1024));
     EXPECT_NEAR(mean.value, path.value, 4.5 * (mean.standard_error + path.standard_error)) << name;
   }
 }
@@ -168,7 +170,8 @@ TEST(Refraction, OfBoxesInEachOther) {
   add(scene, scene::cube(0.5f, false), liquid(1));
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kWater, kDense, 1, kDense, kWater, 1});
-  for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 3), name), 256, expected);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 3), name), 256, expected);
 }
 
 // Touching faces are one interface.
@@ -179,7 +182,8 @@ TEST(Refraction, OfBoxesSideBySide) {
   add(scene, scene::box({1, 0.4f, 1}), liquid(kDense), at({0, -1.4f, 0}));
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kDense, kWater, kDense, 1});
-  for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 4), name), 256, expected);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
 }
 
 // Three boxes that overlap along the view: the smallest has priority.
@@ -190,7 +194,8 @@ TEST(Refraction, OfBoxesThatOverlap) {
   add(scene, scene::box({0.9f, 0.2f, 0.9f}), liquid(kGlass), at({0, 0.4f, 0}));  // from 0.2 to 0.6
   add_plate(scene, 3);
   const double expected = 10 * transmission_of({1, kDense, kGlass, kWater, 1});
-  for (const std::string& name : see_through_glass()) expect_mean(by(looking_down(scene, 4), name), 256, expected);
+  for (const std::string& name : see_through_glass())
+    expect_mean(with_integrator(looking_down(scene, 4), name), 256, expected);
 }
 
 // Oblique refraction from water into a denser medium: Snell's law and Fresnel's equations use the ratio of the indices,
@@ -213,7 +218,7 @@ TEST(Refraction, FollowsSnellsLawOfTheRatio) {
     const Document d = test::document(scene, look_at(-down, {0, 0, 0}, {0, 0, 1}, 1e-4f), 16, 16);
     const double expected = 10 * passed * in * in / (out * out);
     for (const char* name : {"path-pure", "path", "whitted", "bdpt"})
-      expect_mean(with(by(d, name), "film.paths", "ESL"), 256, expected);
+      expect_mean(with(with_integrator(d, name), "film.paths", "ESL"), 256, expected);
   }
 }
 
@@ -236,7 +241,8 @@ Document seen_from_above(scene::Scene scene) {
 // Compares images of Whitted's integrator, which follows every branch and needs no equal random numbers. One pixel in a
 // hundred may differ by rounding at an edge.
 void expect_same_image(const Document& a, const Document& b) {
-  const auto film_a = test::rendered(by(a, "whitted"), 4), film_b = test::rendered(by(b, "whitted"), 4);
+  const auto film_a = test::rendered(with_integrator(a, "whitted"), 4),
+             film_b = test::rendered(with_integrator(b, "whitted"), 4);
   int different = 0;
   double sum = 0;
   for (int y = 0; y < a.height; ++y)
@@ -263,7 +269,8 @@ TEST(Invisible, ASolidInAnEqualMedium) {
   const Document a = with(seen_from_above(scene), "whitted.max-depth", "12"),
                  b = with(seen_from_above(inside), "whitted.max-depth", "24");
   expect_same_image(a, b);
-  expect_mean(by(b, "path-pure"), 256, test::mean_of(test::rendered(by(a, "path-pure"), 256)).value);
+  expect_mean(with_integrator(b, "path-pure"), 256,
+              test::mean_of(test::rendered(with_integrator(a, "path-pure"), 256)).value);
 }
 
 // Water in a solid glass ball, water that ends inside the wall of a hollow one, and water that touches that wall.
@@ -278,7 +285,7 @@ TEST(Invisible, OverlappedBoundaries) {
   const Document nested = filled(test::sphere(1, 16, false));
   expect_same_image(nested, filled(test::shell(1, 0.6f, 16)));
   expect_same_image(nested, filled(test::shell(1, 0.7f, 16)));
-  const auto mean = [](const Document& d) { return test::mean_of(test::rendered(by(d, "path"), 64)); };
+  const auto mean = [](const Document& d) { return test::mean_of(test::rendered(with_integrator(d, "path"), 64)); };
   const test::Mean a = mean(nested), b = mean(filled(test::shell(1, 0.7f, 16)));
   EXPECT_NEAR(a.value, b.value, 4.5 * (a.standard_error + b.standard_error));
 }
@@ -298,8 +305,8 @@ TEST(Invisible, ABoundaryInsideAHigherPriority) {
   };
   for (const char* name : {"path", "bdpt", "light", "mlt"}) {
     const char* paths = "ED(D|G)*L";
-    test::expect_same(with(by(lit(false), name), "film.paths", paths), 64,
-                      with(by(lit(true), name), "film.paths", paths), 64, name, 4);
+    test::expect_same_mean(with(with_integrator(lit(false), name), "film.paths", paths), 64,
+                           with(with_integrator(lit(true), name), "film.paths", paths), 64, name, 4);
   }
 }
 
@@ -308,32 +315,37 @@ TEST(Invisible, ABoundaryInsideAHigherPriority) {
 TEST(Opacity, RaysThatPassABoundaryAreInside) {
   scene::Scene scene;
   Material water = liquid(1, Rgb(0.5f));
-  water.alpha_mode = AlphaMode::blend, water.alpha = 0.5f;
+  water.alpha_mode = AlphaMode::blend;
+  water.alpha = 0.5f;
   add(scene, scene::box({2, 2, 2}), water, at({0, -2, 0}));
   add_plate(scene, 2);
-  for (const char* name : {"path-pure", "path", "bdpt", "mlt"}) expect_mean(by(looking_down(scene, 3), name), 64, 2.5);
+  for (const char* name : {"path-pure", "path", "bdpt", "mlt"})
+    expect_mean(with_integrator(looking_down(scene, 3), name), 64, 2.5);
 }
 
 TEST(Opacity, IntegratorsAgree) {
-  Document d = test::lamp_in_tinted_water(true);
+  Document d = test::light_in_tinted_water(true);
   scene::Scene scene = *d.scene;
-  scene.materials[0].alpha_mode = AlphaMode::blend, scene.materials[0].alpha = 0.4f;
+  scene.materials[0].alpha_mode = AlphaMode::blend;
+  scene.materials[0].alpha = 0.4f;
   add(scene, test::sphere(0.4f, 12, false), liquid(kGlass, {0.2f, 0.9f, 0.9f}), at({0.3f, 0.9f, -0.2f}));
-  scene.materials.back().alpha_mode = AlphaMode::blend, scene.materials.back().alpha = 0.3f;
+  scene.materials.back().alpha_mode = AlphaMode::blend;
+  scene.materials.back().alpha = 0.3f;
   d.scene = std::make_shared<const scene::Scene>(std::move(scene));
   const auto place = with(d, "film.paths", "E(D|G)+L");
   for (const char* name : {"bdpt", "light", "mlt", "distribution"})
-    test::expect_same(by(place, "path"), 96, by(place, name), 192, name, 4);
+    test::expect_same_mean(with_integrator(place, "path"), 96, with_integrator(place, name), 192, name, 4);
 }
 
 // ---- Other guarantees.
 
 TEST(Media, SameImageWithAnyNumberOfThreads) {
   Document d = test::ice_in_water_in_glass(true);
-  d.width = 70, d.height = 50;
+  d.width = 70;
+  d.height = 50;
   for (const auto& info : integrator::integrator_infos()) {
     if (info.name == "light-pure") continue;
-    Document other = by(d, info.name);
+    Document other = with_integrator(d, info.name);
     if (info.name == "mlt" || info.name == "pssmlt") other = with(other, "candidates", "256");
     const auto one = test::rendered(other, 2, 1);
     for (const int threads : {2, 7})
@@ -343,18 +355,19 @@ TEST(Media, SameImageWithAnyNumberOfThreads) {
 
 TEST(Media, ResumedRenderingIsBitIdentical) {
   Document d = test::ice_in_water_in_glass(false);
-  d.width = 70, d.height = 50;
+  d.width = 70;
+  d.height = 50;
   for (const char* name : {"mlt", "bdpt", "sppm"}) {
-    Document other = by(d, name);
+    Document other = with_integrator(d, name);
     if (std::string(name) == "mlt") other = with(other, "candidates", "64");
-    test::expect_same_bits_after_a_cut(other, name);
+    test::expect_same_bits_after_resume(other, name);
   }
 }
 
 TEST(Media, PathClassesAddUp) {
   for (const Document& place : {test::bubble(), test::ice_in_water_in_glass(true)})
     for (const char* name : {"path", "distribution"}) {
-      const Document d = by(place, name);
+      const Document d = with_integrator(place, name);
       const auto whole = test::rendered(d, 16);
       test::expect_same_bits(whole, test::rendered(with(d, "model.classes", "on"), 16), name);
       std::vector<film::Film> parts;
@@ -371,7 +384,7 @@ TEST(Media, PathClassesAddUp) {
 
 TEST(Media, LargerModelsGiveTheSameImage) {
   for (const char* name : {"path", "whitted", "bdpt", "mlt"}) {
-    const Document d = by(test::bubble(), name);
+    const Document d = with_integrator(test::bubble(), name);
     test::expect_same_bits(test::rendered(d, 8), test::rendered(with(d, "model.surfaces", "on"), 8), name);
   }
 }
@@ -395,7 +408,7 @@ TEST(Media, MovingSolids) {
   ASSERT_EQ(c->solids().size(), 2U);
   ASSERT_TRUE(c->solids()[0].is_moving);
   for (const char* name : {"path-pure", "bdpt", "mlt"})
-    test::expect_same(by(d, "path"), 128, by(d, name), 256, name, 3);
+    test::expect_same_mean(with_integrator(d, "path"), 128, with_integrator(d, name), 256, name, 3);
 }
 
 TEST(Media, DecisionsStateTheirReason) {

@@ -1,4 +1,5 @@
-// The core of all methods of Markov chains on targets whose means are known. Digest: oracles O15, O16.
+// The Metropolis sampler shared by the Markov chain integrators, on targets with known means [Lang, sec. 9.4; Veach
+// 1997].
 #include "integrator/markov_chain/metropolis.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +15,9 @@
 namespace etendue::integrator {
 namespace {
 
-// Two states worth 1 and 3, proposed to each other in turn: a quarter and three quarters, where recording what was
-// accepted alone would give one half each. 4.5 standard errors of a chain whose correlation is -1/3.
-TEST(Metropolis, EveryIterationCounts) {
+// Two states with f = 1 and f = 3 and symmetric proposals. Recording every iteration gives 1/4 and 3/4; recording
+// accepted states only would give 1/2 each. The tolerance is 4.5 standard errors of a chain with correlation -1/3.
+TEST(Metropolis, EveryIterationIsRecorded) {
   constexpr double kTarget[] = {1, 3};
   constexpr int kIterations = 400000;
   std::mt19937_64 engine(1);
@@ -31,7 +32,10 @@ TEST(Metropolis, EveryIterationCounts) {
     acceptance.count(decision);
     occupancy.record(
         decision, [&](double n) { counted[at] += n; }, [&](double n) { counted[next] += n; });
-    if (decision.accepted) at = next, went[at] += 1;
+    if (decision.accepted) {
+      at = next;
+      went[at] += 1;
+    }
   }
   counted[at] += occupancy.take_remaining();
   EXPECT_NEAR(counted[0] + counted[1], kIterations, 1e-6);
@@ -40,9 +44,9 @@ TEST(Metropolis, EveryIterationCounts) {
   EXPECT_NEAR(static_cast<double>(acceptance.accepted) / static_cast<double>(acceptance.proposed), 0.5, 0.005);
 }
 
-// Proposals that are likelier one way than the other: what they lack in symmetry is made up for.
-TEST(Metropolis, ProposalsNeedNotBeSymmetric) {
-  constexpr double kTarget[] = {1, 3}, kProposed[] = {0.9, 0.4};  // of the other state, from either
+// Asymmetric proposals: the acceptance probability compensates the ratio of the proposal densities.
+TEST(Metropolis, AsymmetricProposalsAreCompensated) {
+  constexpr double kTarget[] = {1, 3}, kProposed[] = {0.9, 0.4};  // probability of proposing the other state
   constexpr int kIterations = 400000;
   std::mt19937_64 engine(2);
   std::uniform_real_distribution<double> uniform;
@@ -61,7 +65,7 @@ TEST(Metropolis, ProposalsNeedNotBeSymmetric) {
   EXPECT_NEAR(counted[1] / kIterations, 0.75, 4.5 * std::sqrt(0.25 * 0.75 / kIterations));
 }
 
-TEST(Metropolis, ValuesThatAreNothingAreNeverGoneTo) {
+TEST(Metropolis, InvalidValuesAreNeverAccepted) {
   for (const double nothing : {0.0, -1.0, std::nan("")}) {
     EXPECT_FALSE(decide_acceptance(1, nothing, 0).accepted);
     EXPECT_FALSE(decide_acceptance(0, nothing, 0).accepted);
@@ -69,13 +73,14 @@ TEST(Metropolis, ValuesThatAreNothingAreNeverGoneTo) {
   EXPECT_TRUE(decide_acceptance(0, 1e-30, 0.999).accepted);
 }
 
-// f(x) = x on the unit interval, steps of up to 0.05 reflected at its ends: the integral over [0.9, 1] is 0.095 after
-// any number of iterations, if starts are chosen by what they are worth. Counting the integral over everything, 1/2,
-// from starts that know nothing of f gives what `mean_from_anywhere` says.
+// f(x) = x on [0, 1] with proposals of up to 0.05, reflected at the ends. With starts selected in proportion to f
+// (bootstrap weight W_0), the estimate of the integral over [0.9, 1] is 0.095 after any number of iterations. With
+// uniform starts and the exact normalisation 1/2, the expectation is that of `mean_of_uniform_start`.
 constexpr double kIntegral = 0.095;
 
-// The expectation, by the densities of the chain on a grid, over iterations after the first `discarded` ones.
-double mean_from_anywhere(int iterations, int discarded = 0) {
+// The expectation after `iterations` steps without the first `discarded` ones, from the densities of the chain on a
+// grid.
+double mean_of_uniform_start(int iterations, int discarded = 0) {
   constexpr int kCells = 200, kReach = kCells / 20;
   std::vector<double> density(kCells, 1.0 / kCells), next(kCells);
   double sum = 0;
@@ -95,11 +100,12 @@ double mean_from_anywhere(int iterations, int discarded = 0) {
   return sum / (iterations - discarded);
 }
 
-// The digest's numbers are simulated themselves, with errors of some 0.0005.
-TEST(Metropolis, StartUpBiasIsThatOfTheTable) {
+// The expected values come from a simulation with errors of about 0.0005.
+TEST(Metropolis, StartUpBiasMatchesTabulatedValues) {
   constexpr std::pair<int, double> kTable[] = {{1, 0.0505}, {5, 0.0506}, {50, 0.0544}, {500, 0.0774}};
-  for (const auto& [iterations, mean] : kTable) EXPECT_NEAR(mean_from_anywhere(iterations), mean, 6e-4) << iterations;
-  EXPECT_NEAR(mean_from_anywhere(500, 250), 0.0868, 6e-4);
+  for (const auto& [iterations, mean] : kTable)
+    EXPECT_NEAR(mean_of_uniform_start(iterations), mean, 6e-4) << iterations;
+  EXPECT_NEAR(mean_of_uniform_start(500, 250), 0.0868, 6e-4);
 }
 
 struct Interval {
@@ -114,7 +120,10 @@ Interval integral_near_one(int iterations, bool chosen) {
   for (int round = 0; round < kRounds; ++round) {
     std::vector<float> weight(kCandidates);
     double total = 0;
-    for (float& w : weight) w = static_cast<float>(uniform(engine)), total += double{w};
+    for (float& w : weight) {
+      w = static_cast<float>(uniform(engine));
+      total += double{w};
+    }
     auto starts = select_seeds(weight, kChains, uniform(engine));
     EXPECT_EQ(starts.size(), kChains);
     if (!chosen)
@@ -136,28 +145,29 @@ Interval integral_near_one(int iterations, bool chosen) {
       record(x, occupancy.take_remaining());
     }
     const double estimate = b * found / (static_cast<double>(kChains) * iterations);
-    sum += estimate, squares += estimate * estimate;
+    sum += estimate;
+    squares += estimate * estimate;
   }
   const double mean = sum / kRounds;
   return {mean, std::sqrt((squares / kRounds - mean * mean) / kRounds)};
 }
 
-TEST(Metropolis, StartsLeaveNothingInTheMean) {
+TEST(Metropolis, SelectedStartsAreUnbiased) {
   for (const int iterations : {1, 5, 50, 500}) {
     const Interval chosen = integral_near_one(iterations, true), naive = integral_near_one(iterations, false);
     EXPECT_NEAR(chosen.mean, kIntegral, 4.5 * chosen.error) << iterations;
-    EXPECT_NEAR(naive.mean, mean_from_anywhere(iterations), 4.5 * naive.error) << iterations;
+    EXPECT_NEAR(naive.mean, mean_of_uniform_start(iterations), 4.5 * naive.error) << iterations;
     EXPECT_LT(naive.mean, kIntegral - 4.5 * naive.error) << iterations;
   }
 }
 
-TEST(Metropolis, StartsFollowTheirShares) {
+TEST(Metropolis, StartsAreSelectedByWeight) {
   const std::vector<float> weight{0, 1, 0, 2.5f, 0.5f, 0};
   EXPECT_EQ(select_seeds(weight, 8, 0.5), (std::vector<uint32_t>{1, 1, 3, 3, 3, 3, 3, 4}));
   EXPECT_TRUE(select_seeds(std::vector<float>(5, 0), 8, 0.5).empty());
 }
 
-TEST(ChainState, IsReadBackAndNeverBeyondItsEnd) {
+TEST(ChainState, ReadsBackWithoutReadingBeyondItsEnd) {
   StateWriter out;
   out.value(int32_t{7});
   out.list(std::span<const float>(std::vector<float>{1, 2, 3}));

@@ -1,6 +1,6 @@
-// The shutter: pictures in closed form, and blurred pictures against the mean of still ones.       digest 8-10: O10
+// Motion blur: images with closed-form solutions, and blurred images against the mean of still images.
 //
-// Z-tests at a false-alarm rate of 1 % for the columns, or blocks, of one comparison together.
+// t-tests and z-tests with a false-alarm rate of 1 % for all columns or blocks of one comparison.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
@@ -15,7 +15,7 @@ using scene::AnimatedPath;
 using test::animate;
 using test::same_bits;
 
-// A picture of the xy plane, 2 m high, without a filter that would reach over pixels; every sample is one or zero.
+// An image of the xy plane, 2 m high, with a box filter within the pixel; every sample is zero or one.
 render::Document silhouette(scene::Scene scene, int size) {
   Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
   camera.projection = Projection::orthographic;
@@ -30,7 +30,7 @@ const Material& white() {
   return material;
 }
 
-// In the xy plane, with corners at these x and y.
+// A rectangle in the xy plane with corners at these x and y.
 std::shared_ptr<const Mesh> rectangle(float x0, float x1, float y0, float y1) {
   auto mesh = std::make_shared<Mesh>();
   mesh->positions.reserve(5);
@@ -39,7 +39,7 @@ std::shared_ptr<const Mesh> rectangle(float x0, float x1, float y0, float y1) {
   return mesh;
 }
 
-// A binomial proportion of `n` samples against its expectation.
+// Compares a binomial proportion of `n` samples with its expectation.
 void expect_proportion(double measured, double expected, double n, int comparisons, const std::string& what) {
   double z = 0;
   while (std::pow(std::erf(z / std::sqrt(2.0)), comparisons) < 0.99) z += 0.01;
@@ -50,8 +50,8 @@ void expect_proportion(double measured, double expected, double n, int compariso
 constexpr int kEdgeSize = 16;
 constexpr float kPixel = 2.0f / kEdgeSize;
 
-// Columns of a picture in which an edge begins between columns 4 and 5 and moves eight pixels to the right, what is
-// left of it being white.
+// The columns of an image with an edge that starts between columns 4 and 5 and moves eight pixels to the right. The
+// area left of the edge is white, so the coverage is a linear ramp over the eight pixels.
 void expect_ramp(render::Document d, const std::string& what) {
   d.camera.shutter = 1;
   constexpr uint32_t kSamples = 256;
@@ -66,15 +66,15 @@ void expect_ramp(render::Document d, const std::string& what) {
 
 constexpr float kEdgeAt = -1 + 4 * kPixel, kEdgeMoves = 8 * kPixel;
 
-TEST(MovingEdge, OfANodeLeavesALinearRamp) {
+TEST(MovingEdge, NodeLeavesALinearRamp) {
   scene::Scene scene;
   const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
   animate(scene, node, AnimatedPath::translation, {0, 1}, {0, 0, 0, kEdgeMoves, 0, 0});
   expect_ramp(silhouette(scene, kEdgeSize), "node");
 }
 
-// The same movement between keys that lie apart from the shutter's ends, in two pieces.
-TEST(MovingEdge, OfAPartOfAnAnimation) {
+// The same motion between keys that do not coincide with the ends of the shutter interval, in two segments.
+TEST(MovingEdge, PartOfAnAnimation) {
   scene::Scene scene;
   const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
   animate(scene, node, AnimatedPath::translation, {0, 2.75f, 6},
@@ -83,7 +83,7 @@ TEST(MovingEdge, OfAPartOfAnAnimation) {
   expect_ramp(silhouette(scene, kEdgeSize), "part");
 }
 
-TEST(MovingEdge, OfAMorphTarget) {
+TEST(MovingEdge, MorphTarget) {
   scene::Scene scene;
   const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
   auto deformation = std::make_shared<scene::Deformation>();
@@ -94,7 +94,7 @@ TEST(MovingEdge, OfAMorphTarget) {
   expect_ramp(silhouette(scene, kEdgeSize), "morph");
 }
 
-TEST(MovingEdge, OfASkin) {
+TEST(MovingEdge, Skin) {
   scene::Scene scene;
   const int node = test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
   scene.nodes.emplace_back();  // the joint
@@ -110,8 +110,8 @@ TEST(MovingEdge, OfASkin) {
   expect_ramp(silhouette(scene, kEdgeSize), "skin");
 }
 
-// The camera goes left, so that everything goes right.
-TEST(MovingEdge, SeenByAMovingCamera) {
+// The camera moves to the left, so that everything moves to the right in the image.
+TEST(MovingEdge, MovingCamera) {
   scene::Scene scene;
   test::add(scene, rectangle(-5, kEdgeAt, -2, 2), white());
   Camera camera = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
@@ -119,22 +119,22 @@ TEST(MovingEdge, SeenByAMovingCamera) {
   animate(scene, eye, AnimatedPath::translation, {0, 1}, {0, 0, 5, -kEdgeMoves, 0, 5});
   auto d = silhouette(scene, kEdgeSize);
   expect_ramp(d, "camera");
-  // Moved away from its node it stands still.
+  // A camera that is moved away from its node is not animated.
   d.camera.to_world[3].z = 5.5f;
   auto instant = d;
   d.camera.shutter = 1;
   EXPECT_TRUE(same_bits(test::rendered(d, 4), test::rendered(instant, 4)));
 }
 
-// The part of the time for which a half-plane that turns by `turned` about the origin covers the direction `phi`; at
-// first it covers those around 0.
+// The fraction of the shutter interval in which a half-plane, rotated by `turned` about the origin in total, covers the
+// direction `phi`. Initially it covers the directions around 0.
 double covered(double phi, double turned) {
   const double from = std::max(0.0, (phi - kPi / 2) / turned), to = std::min(1.0, (phi + kPi / 2) / turned);
   return std::max(0.0, to - from);
 }
 
-// A blade that turns by a right angle: its edge sweeps evenly, and stays straight.
-TEST(TurningBlade, CoversWhatItSweepsOver) {
+// A blade that rotates by a right angle: its edge sweeps at constant speed and remains straight.
+TEST(TurningBlade, CoverageIsTheSweptFraction) {
   constexpr int kSize = 16, kFine = 32;
   constexpr double kTurned = kPi / 2;
   constexpr uint32_t kSamples = 2048;
@@ -155,14 +155,14 @@ TEST(TurningBlade, CoversWhatItSweepsOver) {
           if (phi < -kPi / 2) phi += 2 * kPi;
           expected += covered(phi, kTurned) / (kFine * kFine);
         }
-      // The four pixels in the middle vary too fast for this sum.
+      // The coverage varies too fast for this sum in the four central pixels.
       if (std::abs(x - 7.5) < 1 && std::abs(y - 7.5) < 1) continue;
       expect_proportion(average(film.mean(x, y)), expected, kSamples, kSize * kSize,
                         std::to_string(x) + ' ' + std::to_string(y));
     }
 }
 
-TEST(Shutter, OfWhatStandsStillIsNotSeen) {
+TEST(Shutter, DoesNotAffectStaticScenes) {
   for (const char* integrator : {"path", "path-pure", "raycast"}) {
     auto d = test::cornell(32);
     d.method.integrator = integrator;
@@ -172,8 +172,8 @@ TEST(Shutter, OfWhatStandsStillIsNotSeen) {
   }
 }
 
-TEST(Shutter, OfNoTimeIsTheStillPicture) {
-  auto d = *render::with(test::lens_and_shutter(), "scene.time", 0.5);
+TEST(Shutter, ZeroDurationGivesTheStillImage) {
+  auto d = *render::with(test::motion_and_lens_scene(), "scene.time", 0.5);
   d.camera.shutter = 0;
   auto still = *d.scene;
   still.animations.clear();
@@ -182,13 +182,13 @@ TEST(Shutter, OfNoTimeIsTheStillPicture) {
   auto other = d;
   other.scene = std::make_shared<const scene::Scene>(still);
   EXPECT_TRUE(same_bits(test::rendered(d, 4), test::rendered(other, 4)));
-  // So short that no clock could tell.
+  // The shortest interval: all times are equal in floating point.
   d.camera.shutter = 1e-30f;
   EXPECT_TRUE(same_bits(test::rendered(d, 4), test::rendered(other, 4)));
 }
 
-// What is hidden or over moves nothing.
-TEST(Shutter, OnlyCountsWhatIsSeenToMove) {
+// Motion of hidden nodes and motion outside the shutter interval has no effect.
+TEST(Shutter, OnlyVisibleMotionCounts) {
   auto scene = *test::cornell(8).scene;
   const int node = test::add(scene, test::cube(0.1f, false), test::diffuse(Rgb(1)));
   animate(scene, node, AnimatedPath::translation, {0, 1}, {0, 0, 0, 1, 1, 1});
@@ -207,8 +207,8 @@ TEST(Shutter, OnlyCountsWhatIsSeenToMove) {
   EXPECT_EQ(moving(scene, 0.5f), "");
 }
 
-// Still pictures at moments spread over the shutter, one at random in each of its parts: their mean has the expectation
-// of the blurred picture.
+// Still images at jittered times, one in each stratum of the shutter interval. Their mean has the expectation of the
+// blurred image.
 test::Blocks mean_of_moments(render::Document d, uint32_t samples, uint64_t seed) {
   constexpr int kMoments = 24;
   const float shutter = std::exchange(d.camera.shutter, 0.0f);
@@ -230,17 +230,17 @@ void expect_mean_of_moments(const render::Document& d, uint32_t samples, uint32_
   test::expect_agreement(test::replicated(d, samples), still, what);
 }
 
-// Lights that pass over a floor with a post on it: a lamp that turns, a spot that pans.
+// Lights that move over a floor with a post: a rotating area light and a panning spot light.
 scene::Scene lights_on_the_move() {
   scene::Scene scene;
   test::add(scene, test::quad(3), test::diffuse(Rgb(0.7f)));
   Mat4 post(1);
   post[3] = Vec4(0, 0.5f, 0, 1);
   test::add(scene, test::cube(0.5f, false), test::diffuse({0.8f, 0.6f, 0.4f}), post);
-  const int lamp = test::add(scene, test::quad(0.4f), test::diffuse(Rgb(0), Rgb(20)));
+  const int light = test::add(scene, test::quad(0.4f), test::diffuse(Rgb(0), Rgb(20)));
   const Vec4 a = test::turn({1, 0, 0}, kPi - 0.8f), b = test::turn({1, 0, 0}, kPi + 0.8f);
-  animate(scene, lamp, AnimatedPath::translation, {0, 1}, {-2, 2, 0, 2, 1.5f, 0});
-  animate(scene, lamp, AnimatedPath::rotation, {0, 1}, {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w});
+  animate(scene, light, AnimatedPath::translation, {0, 1}, {-2, 2, 0, 2, 1.5f, 0});
+  animate(scene, light, AnimatedPath::rotation, {0, 1}, {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w});
   scene.lights.push_back(make_light("spot", {{"intensity", 10.0}, {"inner-cone", 0.3}, {"outer-cone", 0.5}}));
   const auto node = scene.nodes.size();
   scene.nodes.emplace_back().light = 0;
@@ -251,15 +251,15 @@ scene::Scene lights_on_the_move() {
   return scene;
 }
 
-TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingLights) {
+TEST(BlurredPicture, EqualsTheMeanOfStillImagesUnderMovingLights) {
   auto d =
       test::document(lights_on_the_move(), look_at({0, 3, 4}, {0, 0, 0}, {0, 1, 0}, 0.9f), test::kSize, test::kSize);
   d.camera.shutter = 1;
   expect_mean_of_moments(d, 1024, 48, "lights");
 }
 
-// A quad, a disk, a sphere, and a quad that stands for points pass over a floor with a post, and turn.
-TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingSurfaceLights) {
+// A quad, a disk, a sphere and a quad with point samples move over a floor with a post and rotate.
+TEST(BlurredPicture, EqualsTheMeanOfStillImagesUnderMovingAnalyticLights) {
   scene::Scene scene;
   test::add(scene, test::quad(3), test::diffuse(Rgb(0.7f)));
   Mat4 post(1);
@@ -281,12 +281,13 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesUnderMovingSurfaceLights) {
   expect_mean_of_moments(d, 1024, 48, "surface lights");
 }
 
-TEST(BlurredPicture, IsTheMeanOfStillOnesOfEverything) {
-  expect_mean_of_moments(test::lens_and_shutter(), 1024, 48, "everything");
+TEST(BlurredPicture, EqualsTheMeanOfStillImagesOfAFullScene) {
+  expect_mean_of_moments(test::motion_and_lens_scene(), 1024, 48, "everything");
 }
 
-// Photons and virtual lights belong to the time of those who ask for them. Bias there is, the same in all pictures.
-TEST(BlurredPicture, IsTheMeanOfStillOnesByMethodsInTwoPasses) {
+// Photons and virtual lights have the time of the paths that use them. The integrators are biased, but equally so in
+// all images.
+TEST(BlurredPicture, EqualsTheMeanOfStillImagesWithTwoPassIntegrators) {
   const std::vector<std::vector<std::pair<const char*, const char*>>> methods{
       {{"render.integrator", "sppm"}, {"sppm.photons", "2000"}, {"sppm.alpha", "1"}},
       {{"render.integrator", "photonmap"},
@@ -296,15 +297,15 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesByMethodsInTwoPasses) {
        {"photonmap.renew", "on"}},
       {{"render.integrator", "igi"}, {"igi.light-paths", "20"}}};
   for (const auto& settings : methods) {
-    auto d = test::lens_and_shutter();
+    auto d = test::motion_and_lens_scene();
     for (const auto& [name, value] : settings) d = *render::with_text(d, name, value);
     const auto still = test::replicated([&](uint64_t seed) { return mean_of_moments(d, 4, seed); }, 5000);
     test::expect_agreement(test::replicated(d, 96), still, settings[0].second, static_cast<int>(methods.size()));
   }
 }
 
-// A camera that looks around a room.
-TEST(BlurredPicture, IsTheMeanOfStillOnesFromAMovingCamera) {
+// A camera that rotates in a room.
+TEST(BlurredPicture, EqualsTheMeanOfStillImagesFromAMovingCamera) {
   const auto cornell = test::cornell(test::kSize);
   auto scene = *cornell.scene;
   const auto with_camera = std::ranges::find_if(scene.nodes, [](const auto& n) { return n.camera >= 0; });
@@ -315,13 +316,13 @@ TEST(BlurredPicture, IsTheMeanOfStillOnesFromAMovingCamera) {
           {before.x, before.y, before.z, before.w, after.x, after.y, after.z, after.w});
   animate(scene, eye, AnimatedPath::translation, {0, 1},
           {from.x, from.y, from.z, from.x + 0.5f, from.y + 0.2f, from.z + 1});
-  auto d = test::through_its_camera(scene, test::kSize);
+  auto d = test::from_scene_camera(scene, test::kSize);
   d.camera.shutter = 1;
   expect_mean_of_moments(d, 512, 24, "camera");
 }
 
-// A normal-mapped cube that turns, a cube that morphs, a fox with joints, wheels that spin.
-TEST(BlurredPicture, IsTheMeanOfStillOnesOfRealFiles) {
+// A rotating normal-mapped cube, a morphing cube, a skinned fox and spinning wheels.
+TEST(BlurredPicture, EqualsTheMeanOfStillImagesOfRealFiles) {
   const std::string folder = test::data_folder();
   if (folder.empty()) GTEST_SKIP() << "no data";
   for (const char* file :

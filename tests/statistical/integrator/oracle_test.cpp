@@ -1,4 +1,5 @@
-// Scenes whose radiance is known in closed form.                      digest 4-5: 3.1 d, 3.3 D; digest 8-10: O3
+// Scenes with closed-form radiance: the furnace [Lang, sec. 8.2], the emitting sphere [Lang, sec. 5.1.1, corrected],
+// and the white furnace of lossless glass.
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
@@ -11,7 +12,7 @@ namespace {
 
 using test::Mean;
 
-// Those that find every path of lights with an extent, and that nothing hinders in the document's picture.
+// Unbiased integrators that sample every path of lights with area and that are compatible with the document.
 std::vector<std::string> unbiased_integrators(const render::Document& document) {
   const auto scene = scene::compile(document.scene, document.camera, nullptr);
   const auto& all = transport::PathExpression::all().automaton();
@@ -26,8 +27,9 @@ std::vector<std::string> unbiased_integrators(const render::Document& document) 
   return names;
 }
 
-// Closed, Lambertian, emitting radiance one: L = 1 / (1 - albedo). Late roulette leaves next to no variance where
-// pixels are sampled alone, so that the mean stands to 0.1 %; light paths choose their pixels, and leave some.
+// Closed, Lambertian, emission one: L = 1 / (1 - albedo). Russian roulette starts late and leaves almost no variance
+// for integrators that sample each pixel, so their mean is accurate to 0.1 %. Light paths choose their pixels and have
+// more variance.
 void expect_a_furnace(float albedo, int size) {
   const auto place =
       test::document(test::furnace(albedo), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), size, size);
@@ -37,7 +39,7 @@ void expect_a_furnace(float albedo, int size) {
       d.method.integrator = method;
       d.method.sampler = sampler.name;
       d = *render::with_text(d, "roulette-start", "64");
-      // Walks are long here: trees have one branch, as many as they like in the tests below.
+      // Paths are long here, so trees have one branch. The tests below use the default number.
       if (const auto smaller = render::with_text(d, "branches-1", "1")) d = *smaller;
       const Mean mean = test::mean_of(test::rendered(d, 32));
       const double expected = 1 / (1 - albedo);
@@ -45,12 +47,13 @@ void expect_a_furnace(float albedo, int size) {
           << method << ' ' << sampler.name << " +- " << mean.standard_error;
     }
 }
-TEST(Furnace, EveryUnbiasedMethodWithEverySampler) { expect_a_furnace(0.5f, 20); }
-TEST(Furnace, EveryUnbiasedMethodWithEverySamplerOnLongWalks) { expect_a_furnace(0.9f, 12); }
+TEST(Furnace, UnbiasedIntegratorsWithEverySampler) { expect_a_furnace(0.5f, 20); }
+TEST(Furnace, UnbiasedIntegratorsWithEverySamplerOnLongPaths) { expect_a_furnace(0.9f, 12); }
 
-// Roulette changes the noise, not the mean: a z-test over pixels at a false-alarm rate of 1 % for all cases together.
+// Roulette changes the variance, not the mean: a z-test over pixels with a false-alarm rate of 1 % for all cases
+// together.
 TEST(Furnace, RouletteIsUnbiased) {
-  constexpr double kZ = 3.26;  // Sidak: 3 methods x 3 starts
+  constexpr double kZ = 3.26;  // Sidak: 3 integrators x 3 start depths
   const auto place = test::document(test::furnace(0.7f), look_at({0.3f, 0.1f, -0.2f}, {0, 0, 1}, {0, 1, 0}, 1), 64, 64);
   for (const auto& method : unbiased_integrators(place))
     for (const int start : {1, 2, 8}) {
@@ -63,8 +66,8 @@ TEST(Furnace, RouletteIsUnbiased) {
     }
 }
 
-// The partial sum of depth k: (1 - albedo^k) / (1 - albedo).
-TEST(Furnace, DepthLimitLosesWhatTheoryPredicts) {
+// The partial sum of the Neumann series: (1 - albedo^k) / (1 - albedo) for depth k.
+TEST(Furnace, DepthLimitGivesThePartialSum) {
   const auto place = test::document(test::furnace(0.5f), look_at({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1), 32, 32);
   for (const auto& method : unbiased_integrators(place))
     for (const int depth : {1, 2, 3, 5}) {
@@ -77,8 +80,8 @@ TEST(Furnace, DepthLimitLosesWhatTheoryPredicts) {
     }
 }
 
-// A diffuse sphere that emits C: L = C / (1 - rho), whatever its radius (erratum E37).
-TEST(EmittingSphere, SeenFromInside) {
+// A diffuse sphere of emission C: L = C / (1 - rho), independent of its radius [Lang, eq. 5.37-5.41, corrected].
+TEST(EmittingSphere, RadianceSeenFromInside) {
   for (const float radius : {1e-3f, 1.0f, 1e5f}) {
     scene::Scene scene;
     test::add(scene, test::sphere(radius, 32, true), test::diffuse(Rgb(0.5f), Rgb(1)));
@@ -92,11 +95,14 @@ TEST(EmittingSphere, SeenFromInside) {
   }
 }
 
-// A constant environment around a sphere that loses nothing: every pixel is the environment.
-TEST(WhiteFurnace, SmoothGlassDisappears) {
+// A lossless sphere in a constant environment is invisible: every pixel has the radiance of the environment.
+TEST(WhiteFurnace, SmoothGlassIsInvisible) {
   scene::Scene scene;
   Material glass;
-  glass.metallic = 0, glass.roughness = 0, glass.transmission = 1, glass.thickness = 1;
+  glass.metallic = 0;
+  glass.roughness = 0;
+  glass.transmission = 1;
+  glass.thickness = 1;
   test::add(scene, test::sphere(1, 24, false), glass);
   scene.environment.tint = Rgb(1);
   const auto place = test::document(scene, look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}, 0.6f), 32, 32);

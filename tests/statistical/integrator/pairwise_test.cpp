@@ -1,15 +1,15 @@
-// All methods without bias agree with each other, in pairs, on paths that both find: the registry says which methods
-// these are, each of its own accord which paths it finds, and each choice and switch that it has is turned once.
+// All unbiased integrators agree in pairs on the paths that both sample. The registry determines the integrators, the
+// paths of each, and the variants: each option and switch of an integrator is changed once.
 //
-// Every form of a method that finds a class of paths whole renders it once, with seeds of its own, and each pair is
-// compared block by block: z-tests, 1 % false alarms for the family, which is all blocks of all pairs of a test.
+// Every variant that samples all paths of a class renders the class once, with its own seeds. Each pair is compared
+// block by block with t-tests. The false-alarm rate is 1 % for the family of all blocks of all pairs of a test.
 #include <gtest/gtest.h>
 
 #include "advisor/declared_paths.h"
 #include "integrator/integrator.h"
-#include "support/media_places.h"
+#include "support/integrator_scenes.h"
+#include "support/media_scenes.h"
 #include "support/motion.h"
-#include "support/places.h"
 
 namespace etendue {
 namespace {
@@ -17,13 +17,14 @@ namespace {
 using integrator::IntegratorInfo;
 using render::Document;
 
-// Chains have none either once their starts are chosen among enough candidates (thesis, Remark 9.19).
+// Markov chains are included: they are unbiased if their starts are chosen among enough bootstrap samples [Lang, Remark
+// 9.19].
 bool without_bias(const IntegratorInfo& info) {
   return info.bias == integrator::Bias::unbiased || info.group == integrator::Group::markov_chain;
 }
 
-// How many samples a form takes for one of the others: those that are noisy for their time have more, so that their
-// block means are normally distributed too.
+// Relative sample count of a variant. Variants with more noise per sample use more samples, so that their block means
+// are nearly normally distributed.
 double effort(std::string_view form) {
   struct Effort {
     std::string_view form;
@@ -40,7 +41,7 @@ struct Form {
   Document document;
 };
 
-// The values that a choice or a switch has besides its default.
+// The values of an option or switch other than its default.
 std::vector<std::string> other_values(const ParameterInfo& parameter) {
   std::vector<std::string> values;
   if (parameter.type == ParameterType::toggle) values = {"true", "false"};
@@ -49,10 +50,10 @@ std::vector<std::string> other_values(const ParameterInfo& parameter) {
   return values;
 }
 
-// A method as it is, and with each of its choices and switches turned.
+// An integrator with default parameters, and with each of its options and switches changed.
 std::vector<Form> forms_of(const IntegratorInfo& info, const Document& place) {
-  Document d = test::by(place, info.name);
-  // A few chains that go far, rather than many that hardly leave their starts.
+  Document d = test::with_integrator(place, info.name);
+  // Few long chains explore more than many short ones.
   if (info.group == integrator::Group::markov_chain) d = test::with(d, "chains", "32");
   std::vector<Form> forms{{info.name, d}};
   for (const ParameterInfo& parameter : info.parameters)
@@ -66,7 +67,7 @@ bool finds_all(const Document& d, const scene::CompiledScene& scene) {
   return advisor::without(advisor::requested_paths(d), advisor::declared_paths(d, scene).paths).empty();
 }
 
-// The forms of all methods that find every path of the class.
+// The variants of all integrators that sample every path of the class.
 std::vector<Form> finders(const Document& place, const std::string& paths, const std::vector<std::string>& but) {
   const auto scene = scene::compile(place.scene, place.camera, nullptr);
   std::vector<Form> found;
@@ -80,7 +81,7 @@ std::vector<Form> finders(const Document& place, const std::string& paths, const
   return found;
 }
 
-// `but`: forms that this is no place for.
+// `but`: variants that are excluded in this scene.
 void expect_pairs_agree(const Document& place, const std::string& paths, uint32_t samples,
                         const std::vector<std::string>& but = {}) {
   struct Answer {
@@ -93,7 +94,7 @@ void expect_pairs_agree(const Document& place, const std::string& paths, uint32_
     answers.push_back({form.name, test::replicated(form.document, own, 1000 * (answers.size() + 2))});
   }
   const auto n = static_cast<int>(answers.size());
-  EXPECT_GE(n, 17);  // of seven methods at least
+  EXPECT_GE(n, 17);  // at least seven integrators
   for (size_t i = 0; i < answers.size(); ++i)
     for (size_t j = 0; j < i; ++j)
       test::expect_agreement(answers[i].estimate, answers[j].estimate, answers[i].name + " and " + answers[j].name,
@@ -111,29 +112,30 @@ TEST(Pairwise, DirectLightOfCornell) { expect_pairs_agree(builtin("cornell"), "E
 
 TEST(Pairwise, GlossyPlates) { expect_pairs_agree(builtin("glossy-plates"), "E(D|G)*L", 64); }
 
-// Metal, glass rough and smooth, a sheet, glaze: every lobe.
-TEST(Pairwise, GlossyThings) { expect_pairs_agree(test::glossy_things(), "E[(D|G).*]L", 64); }
-TEST(Pairwise, GlossyThingsInMirrors) { expect_pairs_agree(test::glossy_things(), "ES.*L", 64); }
+// Metal, rough and smooth glass, a thin sheet, glaze: every kind of lobe.
+TEST(Pairwise, GlossyScene) { expect_pairs_agree(test::glossy_scene(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, GlossySceneInMirrors) { expect_pairs_agree(test::glossy_scene(), "ES.*L", 64); }
 
-// Not reciprocal, brushed, rough, tabulated, coated: both ways through every kind of lobe.
-TEST(Pairwise, ModelledThings) { expect_pairs_agree(test::modelled_things(), "E[(D|G).*]L", 64); }
+// Non-reciprocal, anisotropic, rough, tabulated and coated models: both directions through every kind of lobe.
+TEST(Pairwise, BsdfModels) { expect_pairs_agree(test::bsdf_model_scene(), "E[(D|G).*]L", 64); }
 
-TEST(Pairwise, UnderALamp) { expect_pairs_agree(test::under_a_lamp(), "E[(D|G).*]L", 64); }
-TEST(Pairwise, GlassBallUnderALamp) { expect_pairs_agree(test::under_a_lamp(), "ES.*L", 64); }
+TEST(Pairwise, UnderAreaLight) { expect_pairs_agree(test::balls_under_area_light(), "E[(D|G).*]L", 64); }
+TEST(Pairwise, GlassBallUnderAreaLight) { expect_pairs_agree(test::balls_under_area_light(), "ES.*L", 64); }
 
-// A quad, a disk and a sphere, whose points each method finds in its own way.
-TEST(Pairwise, UnderSurfaceLights) { expect_pairs_agree(test::under_surface_lights(), "E[(D|G).*]L", 64); }
+// A quad, a disk and a sphere, whose points are sampled differently by the integrators.
+TEST(Pairwise, UnderAnalyticLights) { expect_pairs_agree(test::balls_under_analytic_lights(), "E[(D|G).*]L", 64); }
 
-TEST(Pairwise, UnderASky) { expect_pairs_agree(test::under_a_sky(), "E[(D|G).*]L", 64); }
-// Long paths through the ball are tried in the multiplexed form by one technique at a time, of which one finds them:
-// once in a million samples, which then count as much as all others. Twelve pictures have no normal distribution then.
+TEST(Pairwise, UnderSky) { expect_pairs_agree(test::balls_under_sky(), "E[(D|G).*]L", 64); }
+// The multiplexed form tries one technique at a time, and only one technique samples long paths through the ball: once
+// in a million samples, which then carry as much weight as all others. Twelve images are too few for a normal
+// distribution.
 const std::vector<std::string> kRareThroughGlass{"pssmlt:form=multiplexed"};
-TEST(Pairwise, GlassBallUnderASky) { expect_pairs_agree(test::under_a_sky(), "ES.*L", 64, kRareThroughGlass); }
+TEST(Pairwise, GlassBallUnderSky) { expect_pairs_agree(test::balls_under_sky(), "ES.*L", 64, kRareThroughGlass); }
 
-// On a lens of 15 cm one walk in some thousands ends.
-TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::lens_and_shutter(), "E(D|G)*L", 64, {"light-pure"}); }
+// Of the paths of `light-pure`, one in some thousands hits a lens of 15 cm.
+TEST(Pairwise, LensAndShutter) { expect_pairs_agree(test::motion_and_lens_scene(), "E(D|G)*L", 64, {"light-pure"}); }
 TEST(Pairwise, DirectLightThroughLensAndShutter) {
-  expect_pairs_agree(test::lens_and_shutter(), "E(D|G)L", 64, {"light-pure"});
+  expect_pairs_agree(test::motion_and_lens_scene(), "E(D|G)L", 64, {"light-pure"});
 }
 
 TEST(Pairwise, WideLens) {
@@ -142,10 +144,11 @@ TEST(Pairwise, WideLens) {
   expect_pairs_agree(d, "E(D|G)*L", 48);
 }
 TEST(Pairwise, WideLensAndShutter) {
-  expect_pairs_agree(test::with(test::lens_and_shutter(), "camera.lens-radius", "0.8"), "E(D|G)*L", 64);
+  expect_pairs_agree(test::with(test::motion_and_lens_scene(), "camera.lens-radius", "0.8"), "E(D|G)*L", 64);
 }
 
-// The floor of a pool, lit and seen through water alone. Only chance finds these paths, so that the lamp is large.
+// The floor of a pool that is lit and seen through water only. These paths are found by chance hits alone, so the light
+// is large.
 TEST(Pairwise, CausticBehindGlass) {
   Document d = builtin("caustic-pool");
   scene::Scene pool = *d.scene;
@@ -172,11 +175,11 @@ TEST(Pairwise, BesideIceInWaterInGlass) {
   expect_pairs_agree(test::ice_in_water_in_glass(true), "E[(D|G).*]L", 64, kRareThroughGlass);
 }
 TEST(Pairwise, Bubble) { expect_pairs_agree(test::bubble(), "ES.*L", 64, kRareThroughGlass); }
-TEST(Pairwise, LampInTintedWater) {
-  expect_pairs_agree(test::lamp_in_tinted_water(false), "ES.*L", 64, kRareThroughGlass);
+TEST(Pairwise, LightInTintedWater) {
+  expect_pairs_agree(test::light_in_tinted_water(false), "ES.*L", 64, kRareThroughGlass);
 }
-TEST(Pairwise, LampAndCameraInTintedWater) {
-  expect_pairs_agree(test::lamp_in_tinted_water(true), "E[(D|G).*]L", 64, kRareThroughGlass);
+TEST(Pairwise, LightAndCameraInTintedWater) {
+  expect_pairs_agree(test::light_in_tinted_water(true), "E[(D|G).*]L", 64, kRareThroughGlass);
 }
 TEST(Pairwise, CameraInsideGlass) {
   expect_pairs_agree(test::camera_inside_glass(), "E[(D|G).*]L", 64, kRareThroughGlass);

@@ -1,25 +1,26 @@
-// Photon mapping, once and progressive, against closed forms and path tracing.     digest 8-10: O1, O5, O18, S31-S37
+// Photon mapping, with a fixed photon map and progressive, against closed forms and path tracing [Lang, sec. 9.5;
+// Jensen 1996; Hachisuka and Jensen 2009].
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "integrator/photon/photon_emission.h"
 #include "sampling/random.h"
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
 
 using test::with;
 
-render::Document by(const render::Document& d, const std::string& integrator,
-                    const std::vector<std::pair<std::string, std::string>>& settings = {}) {
-  render::Document made = test::by(d, integrator);
+render::Document with_integrator(const render::Document& d, const std::string& integrator,
+                                 const std::vector<std::pair<std::string, std::string>>& settings = {}) {
+  render::Document made = test::with_integrator(d, integrator);
   for (const auto& [name, value] : settings) made = with(made, (integrator + "." + name).c_str(), value);
   return made;
 }
 
-// One emission by itself.
+// One emission pass without a renderer.
 class Emitted {
  public:
   Emitted(const scene::Scene& scene, integrator::PhotonPlan plan, const std::string& paths = "")
@@ -54,13 +55,14 @@ class Emitted {
 
 integrator::PhotonPlan plan_of(int photons) {
   integrator::PhotonPlan plan;
-  plan.photons = photons, plan.split = transport::LobeSplit(0.2f);
+  plan.photons = photons;
+  plan.split = transport::LobeSplit(0.2f);
   return plan;
 }
 
-// Each arrival is stored: 1 / (1 - rho) for each photon, of power Phi / n. The number that a walk leaves is geometric,
-// of variance rho / (1 - rho)^2.
-TEST(Photons, StoredInAGoldenSphere) {
+// Every hit of a diffuse surface is stored: 1 / (1 - rho) per emitted photon, each of power Phi / n. The number of
+// photons per path is geometrically distributed with variance rho / (1 - rho)^2.
+TEST(Photons, StoredInAnIntegratingSphere) {
   constexpr double kShare = 0.02;
   constexpr int kPhotons = 20'000;
   for (const float albedo : {0.5f, 0.8f}) {
@@ -74,12 +76,16 @@ TEST(Photons, StoredInAGoldenSphere) {
   }
 }
 
-// A glaze of reflectance 0.25 over a base of 0.5, met head-on, in a tube that catches what is reflected: half of the
-// photons go on diffusely, a quarter by the mirror, a quarter not at all; all of them are stored (E32).
+// Russian roulette by albedo [Lang, eq. 9.126 and Example 9.5, corrected]: a glaze of reflectance 0.25 over a base of
+// albedo 0.5 at normal incidence, below a surface that catches the reflected photons. Half of the photons continue
+// diffusely, a quarter specularly, a quarter is absorbed. All of them are stored.
 TEST(Photons, RouletteSplitsByAlbedo) {
   scene::Scene scene;
   Material glazed;
-  glazed.metallic = 0, glazed.roughness = 0, glazed.ior = 3, glazed.base_color = Rgb(0.5f / 0.75f);
+  glazed.metallic = 0;
+  glazed.roughness = 0;
+  glazed.ior = 3;
+  glazed.base_color = Rgb(0.5f / 0.75f);
   test::add(scene, test::quad(10), glazed);
   Mat4 above(1);
   above[3] = Vec4(0, 100, 0, 1);
@@ -101,9 +107,9 @@ TEST(Photons, RouletteSplitsByAlbedo) {
       ++diffuse;
   }
   const double n = kPhotons, sigma = std::sqrt(0.25 / n);
-  EXPECT_NEAR(floor / n, 1, 2e-3);                      // single precision takes some of so narrow a cone past its rim
-  EXPECT_NEAR(mirrored / n, 0.25, 4.5 * sigma + 3e-3);  // some diffuse ones go straight up
-  EXPECT_NEAR(diffuse / n, 0.5, 4.5 * sigma + 1.5e-2);  // some pass beside the plate
+  EXPECT_NEAR(floor / n, 1, 2e-3);  // single precision moves some photons of so narrow a cone beyond its edge
+  EXPECT_NEAR(mirrored / n, 0.25, 4.5 * sigma + 3e-3);  // some diffuse photons go straight up
+  EXPECT_NEAR(diffuse / n, 0.5, 4.5 * sigma + 1.5e-2);  // some miss the plate
 }
 
 scene::Scene ball_over_a_floor(const Material& material) {
@@ -116,31 +122,34 @@ scene::Scene ball_over_a_floor(const Material& material) {
   return scene;
 }
 
-TEST(Photons, OfCausticsHaveComeByMirrorsAlone) {
+TEST(Photons, CausticPhotonsHaveSpecularPathsOnly) {
   integrator::PhotonPlan plan = plan_of(20'000);
-  plan.caustics = true, plan.min_length = 2;
+  plan.caustics = true;
+  plan.min_length = 2;
   const Emitted through(ball_over_a_floor(scene::glass()), plan);
   EXPECT_GT(through.photons().size(), 200U);
   for (const auto& p : through.photons()) {
     EXPECT_GE(p.length(), 2);
     EXPECT_LT(p.position().y, 1e-3f);
   }
-  // Read from the camera, all are DS+L: none is lost to that class.
+  // Seen from the camera, the class of all of them is DS+L; the class restriction loses none.
   EXPECT_EQ(Emitted(ball_over_a_floor(scene::glass()), plan, "E.*DS+L").photons().size(), through.photons().size());
   EXPECT_EQ(Emitted(ball_over_a_floor(scene::glass()), plan, "E.*DDL").photons().size(), 0U);
   EXPECT_EQ(Emitted(ball_over_a_floor(test::diffuse(Rgb(0.9f))), plan).photons().size(), 0U);
 }
 
-// L = rho a / (1 - rho). A sphere has no bias of its own (O18); 2 % for the noise of the map and for triangles.
-TEST(PhotonMapping, GoldenSphere) {
+// L = rho a / (1 - rho). Density estimation on a sphere has no boundary or topological bias. The tolerance of 2 %
+// covers the noise of the map and the tessellation.
+TEST(PhotonMapping, IntegratingSphere) {
   const auto d = test::integrating_sphere(0.05, 0.5f, scene::Cap::reflecting, 32);
   const double expected = 0.5 * 0.05 / 0.5;
   for (const char* mode : {"direct", "classic"}) {
-    const auto made = by(d, "photonmap", {{"mode", mode}, {"photons", "40000"}, {"renew", "on"}, {"nearest", "40"}});
+    const auto made =
+        with_integrator(d, "photonmap", {{"mode", mode}, {"photons", "40000"}, {"renew", "on"}, {"nearest", "40"}});
     EXPECT_NEAR(test::mean_of(test::rendered(made, 8)).value, expected, 0.02 * expected) << mode;
   }
   for (const char* connect : {"on", "off"}) {
-    const auto made = by(d, "sppm", {{"connect", connect}, {"photons", "20000"}});
+    const auto made = with_integrator(d, "sppm", {{"connect", connect}, {"photons", "20000"}});
     EXPECT_NEAR(test::mean_of(test::rendered(made, 16)).value, expected, 0.02 * expected) << connect;
   }
 }
@@ -153,59 +162,68 @@ render::Document room(int size) {
 
 double mean_of(const render::Document& d, uint32_t samples) { return test::mean_of(test::rendered(d, samples)).value; }
 
-// Every class of paths has its light, and only its own.
-TEST(PhotonMapping, ClassByClassLikePathTracing) {
+// Each class of paths has its own light, and only that.
+TEST(PhotonMapping, EachPathClassEqualsPathTracing) {
   auto d = *render::new_document("cornell-spheres");
   d.width = d.height = 24;
   for (const char* paths : {"ED.*L", "ESD.*L", "EDL", "EDDL", "E.*DS+L"}) {
     const auto filtered = with(d, "film.paths", paths);
-    const double expected = mean_of(by(filtered, "bdpt"), 128);
+    const double expected = mean_of(with_integrator(filtered, "bdpt"), 128);
     const double tolerance = 0.08 * expected;
     for (const char* mode : {"direct", "classic"})
-      EXPECT_NEAR(mean_of(by(filtered, "photonmap",
-                             {{"mode", mode},
-                              {"renew", "on"},
-                              {"photons", "20000"},
-                              {"caustic-photons", "20000"},
-                              {"nearest", "20"}}),
+      EXPECT_NEAR(mean_of(with_integrator(filtered, "photonmap",
+                                          {{"mode", mode},
+                                           {"renew", "on"},
+                                           {"photons", "20000"},
+                                           {"caustic-photons", "20000"},
+                                           {"nearest", "20"}}),
                           8),
                   expected, tolerance)
           << paths << ' ' << mode;
-    EXPECT_NEAR(mean_of(by(filtered, "sppm", {{"photons", "10000"}, {"radius", "0.7"}}), 64), expected, tolerance)
+    EXPECT_NEAR(mean_of(with_integrator(filtered, "sppm", {{"photons", "10000"}, {"radius", "0.7"}}), 64), expected,
+                tolerance)
         << paths;
   }
 }
 
-// A shiny floor, in which the base and the layer are estimated from the same photons.
-TEST(PhotonMapping, LettersOfOneSurfaceLikePathTracing) {
+// A glossy floor whose base and coat are estimated from the same photons.
+TEST(PhotonMapping, ScatteringTypesOfOneSurfaceEqualPathTracing) {
   scene::Scene scene;
   Material glazed;
-  glazed.metallic = 0, glazed.roughness = 0.6f, glazed.ior = 2, glazed.base_color = Rgb(0.4f);
+  glazed.metallic = 0;
+  glazed.roughness = 0.6f;
+  glazed.ior = 2;
+  glazed.base_color = Rgb(0.4f);
   test::add(scene, test::quad(4), glazed);
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1, above[3] = Vec4(0, 2, -1, 1);
+  above[1][1] = -1;
+  above[2][2] = -1;
+  above[3] = Vec4(0, 2, -1, 1);
   test::add(scene, test::quad(0.5f), test::diffuse(Rgb(0), Rgb(5)), above);
   const auto d = test::document(scene, look_at({0, 2, 3}, {0, 0, 0}, {0, 1, 0}, 0.3f), 24, 24);
   for (const char* paths : {"EDL", "EGL", "E(D|G)L"}) {
     const auto filtered = with(d, "film.paths", paths);
-    const double expected = mean_of(by(filtered, "path"), 64);
-    EXPECT_NEAR(mean_of(by(filtered, "photonmap", {{"mode", "direct"}, {"renew", "on"}}), 8), expected, 0.03 * expected)
+    const double expected = mean_of(with_integrator(filtered, "path"), 64);
+    EXPECT_NEAR(mean_of(with_integrator(filtered, "photonmap", {{"mode", "direct"}, {"renew", "on"}}), 8), expected,
+                0.03 * expected)
         << paths;
-    EXPECT_NEAR(mean_of(by(filtered, "sppm", {{"connect", "off"}, {"photons", "20000"}}), 16), expected,
+    EXPECT_NEAR(mean_of(with_integrator(filtered, "sppm", {{"connect", "off"}, {"photons", "20000"}}), 16), expected,
                 0.03 * expected)
         << paths;
   }
 }
 
-// Direct lookups darken the room by some percent at its edges; final gathering does not.
-TEST(PhotonMapping, FinalGatheringKeepsTheEdges) {
-  const double expected = mean_of(by(room(32), "path"), 512);
+// Direct visualisation of the map darkens the room by some per cent near its edges (boundary bias, [Lang, Remark
+// 9.32]). Final gathering does not.
+TEST(PhotonMapping, FinalGatheringHasNoBoundaryBias) {
+  const double expected = mean_of(with_integrator(room(32), "path"), 512);
   const std::vector<std::pair<std::string, std::string>> few{{"photons", "20000"}, {"radius", "0"}};
   auto direct = few, classic = few;
-  direct.emplace_back("mode", "direct"), classic.emplace_back("mode", "classic");
-  const double dark = mean_of(by(room(32), "photonmap", direct), 8) / expected;
+  direct.emplace_back("mode", "direct");
+  classic.emplace_back("mode", "classic");
+  const double dark = mean_of(with_integrator(room(32), "photonmap", direct), 8) / expected;
   EXPECT_LT(dark, 0.98);
-  EXPECT_NEAR(mean_of(by(room(32), "photonmap", classic), 16) / expected, 1, 0.015);
+  EXPECT_NEAR(mean_of(with_integrator(room(32), "photonmap", classic), 16) / expected, 1, 0.015);
 }
 
 double squared_error(const film::Film& film, const film::Film& reference) {
@@ -224,20 +242,21 @@ scene::Scene lit_floor() {
   return scene;
 }
 
-// The squared error falls as photons^-min(beta, 2 - 2 beta) where light is smooth, or, before bias shows, as
-// photons^-beta; a fixed number in the estimate (beta 0) keeps its noise.
+// With photons^beta photons in the estimate, the squared error falls as photons^-min(beta, 2 - 2 beta) for smooth
+// lighting, or as photons^-beta while the variance dominates [Lang, Remark 9.33]. A fixed number in the estimate (beta
+// = 0) keeps its noise.
 TEST(PhotonMapping, ErrorFallsWithPhotons) {
   auto d = test::document(lit_floor(), look_at({0, 3, 0.1f}, {0, 0, 0}, {0, 1, 0}, 0.6f), 16, 16);
-  const auto reference = test::rendered(by(d, "path"), 256);
+  const auto reference = test::rendered(with_integrator(d, "path"), 256);
   const auto error = [&](const char* beta, int photons) {
     double sum = 0;
     for (d.seed = 0; d.seed < 4; ++d.seed)
-      sum += squared_error(test::rendered(by(d, "photonmap",
-                                             {{"mode", "direct"},
-                                              {"radius", "0"},
-                                              {"nearest", "100"},
-                                              {"beta", beta},
-                                              {"photons", std::to_string(photons)}}),
+      sum += squared_error(test::rendered(with_integrator(d, "photonmap",
+                                                          {{"mode", "direct"},
+                                                           {"radius", "0"},
+                                                           {"nearest", "100"},
+                                                           {"beta", beta},
+                                                           {"photons", std::to_string(photons)}}),
                                           4),
                            reference);
     return sum;
@@ -251,40 +270,43 @@ TEST(PhotonMapping, ErrorFallsWithPhotons) {
   EXPECT_LT(slope("0.9"), -0.15);
 }
 
-// Below a point light of intensity I at height h, a disc of radius r has the mean irradiance 2 I (1 - h / d) / r^2,
-// d^2 = h^2 + r^2: the mean over samples is known, bias and all.
+// At a point light of intensity I and height h, the mean irradiance over a disc of radius r below it is 2 I (1 - h / d)
+// / r^2 with d^2 = h^2 + r^2. The expected mean over samples is therefore known, including the bias.
 TEST(ProgressivePhotonMapping, BiasFallsAsTheRadiusShrinks) {
-  // One pixel of a hundredth of a radian, two metres away: a multiple of 40 makes 0.8 m.
+  // One pixel of a hundredth of a radian at a distance of two metres. A radius of 40 pixels is 0.8 m.
   auto d = test::document(lit_floor(), look_at({0.8f, 2 * 0.9165f, 0}, {0, 0, 0}, {0, 1, 0}, 0.01f), 1, 1);
   const double distance = std::hypot(0.8, 2 * 0.9165);
-  for (const uint32_t half : {1U, 8U, 64U}) {
-    const auto made = by(d, "sppm", {{"connect", "off"}, {"radius", "40"}, {"photons", "20000"}, {"alpha", "0.5"}});
+  for (const uint32_t samples_per_half : {1U, 8U, 64U}) {
+    const auto made =
+        with_integrator(d, "sppm", {{"connect", "off"}, {"radius", "40"}, {"photons", "20000"}, {"alpha", "0.5"}});
     double expected = 0, shrunk = 1;
-    for (uint32_t i = 1; i <= half; ++i) {
+    for (uint32_t i = 1; i <= samples_per_half; ++i) {
       const double r2 = shrunk * sqr(40 * 0.01 * distance);
-      expected += 0.5 / double{kPi} * 2 * (1 - 1 / std::sqrt(1 + r2)) / r2 / half;
+      expected += 0.5 / double{kPi} * 2 * (1 - 1 / std::sqrt(1 + r2)) / r2 / samples_per_half;
       shrunk *= (i + 0.5) / (i + 1);
     }
-    // Some hundred photons in each disc.
-    EXPECT_NEAR(mean_of(made, 2 * half), expected, (0.09 / std::sqrt(2 * half) + 2e-3) * expected) << half;
+    // About a hundred photons in each disc.
+    EXPECT_NEAR(mean_of(made, 2 * samples_per_half), expected,
+                (0.09 / std::sqrt(2 * samples_per_half) + 2e-3) * expected)
+        << samples_per_half;
     EXPECT_LT(expected, 0.5 / double{kPi});
   }
 }
 
 TEST(ProgressivePhotonMapping, ConvergesTowardsPathTracing) {
-  const auto reference = test::rendered(by(room(24), "path"), 4096);
+  const auto reference = test::rendered(with_integrator(room(24), "path"), 4096);
   const auto error = [&](uint32_t samples) {
-    return squared_error(test::rendered(by(room(24), "sppm", {{"photons", "4000"}, {"radius", "1"}}), samples),
-                         reference);
+    return squared_error(
+        test::rendered(with_integrator(room(24), "sppm", {{"photons", "4000"}, {"radius", "1"}}), samples), reference);
   };
   const double few = error(8), many = error(128);
   EXPECT_LT(many, few / 4);
 }
 
-// The camera moves in a light that stays: photons are traced once.
-TEST(PhotonMapping, AMapOutlivesTheCamera) {
+// The photon map does not depend on the camera and is reused when the camera moves.
+TEST(PhotonMapping, MapIsReusedForANewCamera) {
   render::Session session({.threads = 2});
-  auto d = by(room(16), "photonmap", {{"photons", "50000"}});
+  auto d = with_integrator(room(16), "photonmap", {{"photons", "50000"}});
   d.limits = {2, 0, 0};
   const auto rays = [&](const render::Document& document) {
     session.submit(document);

@@ -1,12 +1,12 @@
-// Metropolis light transport in primary sample space, all forms, where pairwise_test.cpp does not compare it: path
-// classes, opacity, closed forms, and what chains owe besides their mean. z-tests over blocks of pixels, 1 % false
-// alarms for each test.
+// Primary sample space Metropolis light transport in all its forms, where pairwise_test.cpp does not compare it: path
+// classes, opacity, closed forms, determinism and checkpoints. t-tests over blocks of pixels with a false-alarm rate of
+// 1 % per test.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "support/cut.h"
 #include "support/replicates.h"
+#include "support/resume.h"
 
 namespace etendue {
 namespace {
@@ -21,36 +21,39 @@ Document with(const Document& d, const char* name, const std::string& value) {
   return changed ? *changed : d;
 }
 
-Document by(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
-Document chains(const Document& d, const std::string& form) { return with(by(d, "pssmlt"), "form", form); }
+Document with_integrator(const Document& d, const std::string& integrator) {
+  return with(d, "render.integrator", integrator);
+}
+Document chains(const Document& d, const std::string& form) { return with(with_integrator(d, "pssmlt"), "form", form); }
 
-// A few chains that go far, rather than many that hardly leave their starts.
+// Few long chains explore more than many short ones.
 Document metropolis(const Document& d, const std::string& form) { return with(chains(d, form), "chains", "64"); }
 
 Document cornell() { return test::cornell(test::kSize); }
 
-TEST(Pssmlt, LargeStepsNeedNotCount) {
-  const auto expected = test::replicated(by(cornell(), "path"), 512);
+TEST(Pssmlt, LargeStepsMayBeExcludedFromTheImage) {
+  const auto expected = test::replicated(with_integrator(cornell(), "path"), 512);
   for (const char* form : kForms)
     test::expect_agreement(expected, test::replicated(with(metropolis(cornell(), form), "combined", "off"), 128), form,
                            3);
 }
 
-TEST(Pssmlt, ClassesOfPaths) {
+TEST(Pssmlt, PathClassesAgree) {
   for (const char* paths : {"EL", "ED+L", "E(D|G)(D|G)L"}) {
-    const Document d = with(test::glossy_things(), "film.paths", paths);
-    const auto expected = test::replicated(by(d, "path"), 256);
+    const Document d = with(test::glossy_scene(), "film.paths", paths);
+    const auto expected = test::replicated(with_integrator(d, "path"), 256);
     for (const char* form : kForms)
       test::expect_agreement(expected, test::replicated(metropolis(d, form), 96), std::string(paths) + form, 9);
   }
 }
 
-// Leaves that let half of the light through, at random: a chain's world changes with its large steps.
+// Leaves that transmit half of the light at random: the random decisions of a chain change with its large steps.
 TEST(Pssmlt, StochasticOpacity) {
   scene::Scene scene;
   test::add(scene, test::quad(4), test::diffuse(Rgb(0.6f)));
   Material leaf = test::diffuse(Rgb(0.7f));
-  leaf.alpha_mode = AlphaMode::blend, leaf.alpha = 0.5f;
+  leaf.alpha_mode = AlphaMode::blend;
+  leaf.alpha = 0.5f;
   for (int i = 0; i < 3; ++i) {
     Mat4 place(1);
     place[3] = Vec4(0.2f * static_cast<float>(i), 0.5f + 0.4f * static_cast<float>(i), 0, 1);
@@ -58,17 +61,18 @@ TEST(Pssmlt, StochasticOpacity) {
   }
   Material light = test::diffuse(Rgb(0), Rgb(6));
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   test::add(scene, test::quad(1), light, above);
   const Document d =
       test::document(std::move(scene), look_at({0, 2, 4}, {0, 0.4f, 0}, {0, 1, 0}, 0.7f), test::kSize, test::kSize);
-  const auto expected = test::replicated(by(d, "path"), 512);
+  const auto expected = test::replicated(with_integrator(d, "path"), 512);
   for (const char* form : kForms) test::expect_agreement(expected, test::replicated(metropolis(d, form), 256), form, 3);
 }
 
-// Every point of the wall sees the same. The mean over halves and seeds within 4.5 standard errors.
-TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
+// Every point of the wall has the same radiance. The mean over half-buffers and seeds is within 4.5 standard errors.
+TEST(Pssmlt, MeanOfTheIntegratingSphere) {
   constexpr double kShare = 0.1, kAlbedo = 0.5, kMean = kAlbedo * kShare / (1 - kAlbedo);
   for (const char* form : kForms) {
     Document d = chains(test::integrating_sphere(kShare, kAlbedo, scene::Cap::reflecting, 16), form);
@@ -78,7 +82,8 @@ TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
     for (uint64_t seed = 0; seed < kRounds; ++seed) {
       d.seed = seed;
       const double mean = test::mean_of(test::rendered(d, 4)).value;
-      sum += mean, squares += mean * mean;
+      sum += mean;
+      squares += mean * mean;
     }
     const double mean = sum / kRounds, error = std::sqrt((squares / kRounds - mean * mean) / (kRounds - 1));
     EXPECT_NEAR(mean, kMean, 4.5 * error + 2e-4 * kMean) << form;
@@ -86,7 +91,7 @@ TEST(Pssmlt, TheMeanOfTheGoldenSphere) {
   }
 }
 
-TEST(Pssmlt, ABlackSceneStaysBlackAndEnds) {
+TEST(Pssmlt, BlackSceneStaysBlackAndEnds) {
   scene::Scene scene;
   test::add(scene, test::quad(4), test::diffuse(Rgb(0.6f)));
   const Document d = test::document(std::move(scene), look_at({0, 2, 4}, {0, 0, 0}, {0, 1, 0}, 0.7f), 16, 16);
@@ -95,11 +100,12 @@ TEST(Pssmlt, ABlackSceneStaysBlackAndEnds) {
 
 Document several_groups(const std::string& form) {
   Document d = with(chains(cornell(), form), "chains", "700");
-  d.width = 70, d.height = 50;
-  return with(d, "candidates", "300");  // so that eras end
+  d.width = 70;
+  d.height = 50;
+  return with(d, "candidates", "300");  // several epochs
 }
 
-TEST(Pssmlt, TheSameBitsWithAnyNumberOfThreads) {
+TEST(Pssmlt, BitIdenticalForAnyNumberOfThreads) {
   for (const char* form : kForms) {
     const Document d = several_groups(form);
     const auto one = test::rendered(d, 4, 1);
@@ -107,12 +113,12 @@ TEST(Pssmlt, TheSameBitsWithAnyNumberOfThreads) {
   }
 }
 
-TEST(Pssmlt, ARenderingThatWasCutGoesOnToTheSameBits) {
-  for (const char* form : kForms) test::expect_same_bits_after_a_cut(several_groups(form), form);
+TEST(Pssmlt, ResumesToTheSameBits) {
+  for (const char* form : kForms) test::expect_same_bits_after_resume(several_groups(form), form);
 }
 
-// A film whose chains are lost goes on with others.
-TEST(Pssmlt, AFilmWithoutItsChainsGoesOnWithNewOnes) {
+// A film without the state of its chains continues with new chains.
+TEST(Pssmlt, FilmWithoutChainsContinuesWithNewChains) {
   Document d = with(several_groups("path"), "candidates", "20000");
   const auto cut = test::rendered(d, 4), whole = test::rendered(d, 8);
   d.limits = {8, 0, 0};
@@ -125,13 +131,14 @@ TEST(Pssmlt, AFilmWithoutItsChainsGoesOnWithNewOnes) {
   size_t lit = 0, same = 0;
   for (size_t i = 0; i < whole.pixels().size(); ++i) {
     if (whole.pixels()[i].sum == film::Film(1, 1).pixels()[0].sum) continue;
-    ++lit, same += whole.pixels()[i].sum == other.pixels()[i].sum ? 1 : 0;
+    ++lit;
+    same += whole.pixels()[i].sum == other.pixels()[i].sum ? 1 : 0;
   }
   EXPECT_GT(lit, 1000u);
   EXPECT_LT(same, lit / 10);
 }
 
-TEST(Pssmlt, SaysHowManyMutationsAreAccepted) {
+TEST(Pssmlt, ReportsTheAcceptanceRate) {
   Document d = several_groups("multiplexed");
   d.limits = {6, 0, 0};
   render::Session session({.threads = 2});

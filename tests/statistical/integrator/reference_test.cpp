@@ -1,4 +1,4 @@
-// Real scenes against pictures that other renderers made of them.                                  data README, scenes/
+// Scenes from files against reference images by other renderers (see the README of the test data).
 #include <gtest/gtest.h>
 
 #include "image/image.h"
@@ -16,7 +16,8 @@ Blocks block_means(int width, int height, Pixel&& pixel) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto block = static_cast<size_t>(y * kBlocks / height * kBlocks + x * kBlocks / width);
-      sums[block] += pixel(x, y), ++counts[block];
+      sums[block] += pixel(x, y);
+      ++counts[block];
     }
   for (size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
   return sums;
@@ -53,7 +54,7 @@ Comparison compare_with_reference(const std::string& name, uint32_t samples) {
 }
 
 TEST(Reference, CornellBox) {
-  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   const auto c = compare_with_reference("cornell-box", 256);
   EXPECT_NEAR(c.mean_ratio, 1, 0.003);
   EXPECT_LT(c.worst_block, 0.03);
@@ -61,16 +62,16 @@ TEST(Reference, CornellBox) {
   RecordProperty("worst", std::to_string(c.worst_block));
 }
 
-// The layers of plastic in the source are none of glTF's: floor and steps are 5 to 20 % brighter.
+// The layered plastic of the source has no equivalent in glTF: floor and steps are 5 to 20 % brighter.
 TEST(Reference, Staircase2) {
-  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   const auto c = compare_with_reference("staircase2", 64);
   EXPECT_GT(c.mean_ratio, 0.97);
   EXPECT_LT(c.mean_ratio, 1.15);
 }
 
 TEST(Reference, VeachBidir) {
-  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA names no folder";
+  if (test::data_folder().empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
   const auto c = compare_with_reference("veach-bidir", 64);
   EXPECT_NEAR(c.mean_ratio, 1.02, 0.06);
 }

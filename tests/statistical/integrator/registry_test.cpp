@@ -1,4 +1,4 @@
-// What the registry says of methods: their places in it, their keys, and what stands in their way.
+// The registry of integrators: groups, keys, parameters, and incompatibilities with documents.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 namespace etendue {
 namespace {
 
-TEST(Registry, GroupsFollowEachOtherInTheirOrder) {
+TEST(Registry, GroupsAreContiguousAndInOrder) {
   const auto& infos = integrator::integrator_infos();
   EXPECT_TRUE(std::ranges::is_sorted(infos, {}, &integrator::IntegratorInfo::group));
 }
 
-TEST(Registry, NoTwoMethodsShareAKey) {
+TEST(Registry, KeysAreUnique) {
   std::set<char> keys;
   for (const auto& info : integrator::integrator_infos()) {
     if (!info.shortcut) continue;
@@ -28,7 +28,7 @@ TEST(Registry, NoTwoMethodsShareAKey) {
   EXPECT_TRUE(keys.contains('1'));
 }
 
-TEST(Registry, TechniquesAreChosenByParametersOfTheMethod) {
+TEST(Registry, TechniquesAreParametersOfTheIntegrator) {
   size_t methods = 0;
   for (const auto& info : integrator::integrator_infos()) {
     if (info.techniques.empty()) continue;
@@ -46,28 +46,28 @@ TEST(Registry, TechniquesAreChosenByParametersOfTheMethod) {
   EXPECT_GT(methods, 0u);
 }
 
-std::string obstacle_of(const render::Document& d) {
+std::string incompatibility_of(const render::Document& d) {
   return render::incompatibility(d, *scene::compile(d.scene, d.camera, nullptr));
 }
 
-render::Document under_a_point() {
+render::Document floor_under_point_light() {
   scene::Scene scene;
   test::add(scene, test::quad(10), test::diffuse(Rgb(0.5f)));
   test::add_point_light(scene, {0, 2, 0}, 10);
   return test::document(scene, look_at({1, 1, 0}, {0, 0, 0}, {0, 1, 0}, 1), 16, 16);
 }
 
-// What is hindered is black, and says so to the last of them.
-TEST(Incompatibility, IsThereWhereAMethodFindsNothing) {
+// An incompatible document renders black, and every sample reports the incompatibility.
+TEST(Incompatibility, IsReportedWhereAnIntegratorFindsNothing) {
   auto parallel = test::cornell(16);
   parallel = *render::with_text(parallel, "camera.projection", "orthographic");
-  for (const auto& place : {test::cornell(16), parallel, under_a_point()}) {
+  for (const auto& place : {test::cornell(16), parallel, floor_under_point_light()}) {
     size_t clear = 0;
     for (const auto& info : integrator::integrator_infos()) {
       auto d = place;
       d.method.integrator = info.name;
       const double mean = test::mean_of(test::rendered(d, 4)).value;
-      const std::string incompatibility = obstacle_of(d);
+      const std::string incompatibility = incompatibility_of(d);
       EXPECT_EQ(mean > 0, incompatibility.empty()) << info.name << ' ' << incompatibility;
       clear += incompatibility.empty();
     }
@@ -75,20 +75,20 @@ TEST(Incompatibility, IsThereWhereAMethodFindsNothing) {
   }
 }
 
-TEST(Incompatibility, SaysWhatToDo) {
+TEST(Incompatibility, MessageStatesTheRemedy) {
   auto d = test::cornell(16);
   d.method.integrator = "light-pure";
-  EXPECT_NE(obstacle_of(d).find("camera.lens-radius"), std::string::npos) << obstacle_of(d);
+  EXPECT_NE(incompatibility_of(d).find("camera.lens-radius"), std::string::npos) << incompatibility_of(d);
   d = *render::with_text(d, "camera.lens-radius", "0.1");
-  EXPECT_EQ(obstacle_of(d), "");
+  EXPECT_EQ(incompatibility_of(d), "");
   d.method.paths = "EDL";
   d.method.integrator = "raycast";
-  EXPECT_EQ(obstacle_of(d), "");
+  EXPECT_EQ(incompatibility_of(d), "");
   d.method.paths = "EDDL";
-  EXPECT_NE(obstacle_of(d).find("film.paths"), std::string::npos);
+  EXPECT_NE(incompatibility_of(d).find("film.paths"), std::string::npos);
 }
 
-TEST(Incompatibility, OfAdaptiveSamplingAreAllMethodsThatDoNotGoPixelByPixel) {
+TEST(Incompatibility, AdaptiveSamplingNeedsIndependentPixels) {
   for (const auto& info : integrator::integrator_infos())
     EXPECT_EQ(render::adaptive_incompatibility(info.name).empty(),
               info.accumulation == integrator::Accumulation::per_pixel)

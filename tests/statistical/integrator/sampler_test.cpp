@@ -1,4 +1,4 @@
-// Samplers: the same picture, sooner.
+// Samplers: low-discrepancy points converge to the same image faster.
 #include <gtest/gtest.h>
 
 #include "support/scenes.h"
@@ -6,8 +6,8 @@
 namespace etendue {
 namespace {
 
-// Scrambled points find the same pixels with less noise.
-TEST(Samplers, SobolBeatsRandomOnCornell) {
+// Scrambled Sobol' points give the same pixels with less noise.
+TEST(Samplers, SobolHasLessErrorThanRandomOnCornell) {
   auto d = test::cornell(32);
   d.seed = 99;
   const auto reference = test::rendered(d, 4096);

@@ -1,7 +1,7 @@
 // Irradiance of a floor under every type of light, against closed forms.                           [Lang, sec. 4.3]
 #include <gtest/gtest.h>
 
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 namespace etendue {
 namespace {
@@ -11,17 +11,19 @@ using test::Mean;
 
 constexpr float kAlbedo = 0.5f;
 
-// At a height, emitting downwards; `tilt` rotates the light about x, in radians.
+// A transform at this height that emits downwards; `tilt` rotates the light about x, in radians.
 scene::Transform above(float height, float tilt = 0) {
   scene::Transform place;
   place.matrix = Mat4(1);
   const float c = std::cos(tilt), s = std::sin(tilt);
   auto& m = *place.matrix;
-  m[1] = Vec4(0, s, -c, 0), m[2] = Vec4(0, c, s, 0), m[3] = Vec4(0, height, 0, 1);
+  m[1] = Vec4(0, s, -c, 0);
+  m[2] = Vec4(0, c, s, 0);
+  m[3] = Vec4(0, height, 0, 1);
   return place;
 }
 
-// The floor at the origin, in so narrow a view that all pixels see the same point below the light.
+// The floor at the origin, in such a narrow view that all pixels see the same point below the light.
 Document point_of_floor(const Light& light, const scene::Transform& place, float scale = 1) {
   scene::Scene scene;
   test::add(scene, test::quad(20 * scale), test::diffuse(Rgb(kAlbedo)));
@@ -29,16 +31,17 @@ Document point_of_floor(const Light& light, const scene::Transform& place, float
   return test::document(std::move(scene), look_at(scale * Vec3(3, 0.3f, 1), Vec3(0), {0, 1, 0}, 1e-4f), 8, 8);
 }
 
-// Irradiance of the Lambertian floor: its radiance times pi over the albedo.
+// Irradiance of the Lambertian floor: its radiance times pi / albedo.
 Mean irradiance(const Document& d, uint32_t samples) {
   Mean mean = test::mean_of(test::rendered(d, samples));
-  mean.value *= kPi / kAlbedo, mean.standard_error *= kPi / kAlbedo;
+  mean.value *= kPi / kAlbedo;
+  mean.standard_error *= kPi / kAlbedo;
   return mean;
 }
 
-// Within four standard errors, which are at most 0.4 % of the value.
+// Tolerance of four standard errors, which are at most 0.4 % of the value.
 void expect_irradiance(const Document& d, double expected, const std::string& what) {
-  const Mean e = irradiance(test::with(test::by(d, "path"), "max-depth", "2"), 1024);
+  const Mean e = irradiance(test::with(test::with_integrator(d, "path"), "max-depth", "2"), 1024);
   EXPECT_NEAR(e.value, expected, 4 * e.standard_error + 1e-5 * expected) << what;
   EXPECT_LT(e.standard_error, 4e-3 * expected) << what;
 }
@@ -52,7 +55,7 @@ TEST(SurfaceLight, DiskOverAParallelFloor) {
     }
 }
 
-// The irradiance of a sphere depends on the distance of its centre alone, near and far.
+// The irradiance of a sphere depends only on the distance of its centre, near and far.
 TEST(SurfaceLight, SphereOverAFloor) {
   for (const float scale : {1e-3f, 1.0f, 1e3f})
     for (const float height : {1.01f, 1.5f, 10.0f, 100.0f}) {
@@ -74,12 +77,12 @@ TEST(SurfaceLight, QuadOverAParallelFloor) {
   }
 }
 
-// The back of a one-sided light is black, that of a two-sided light is as bright as its front.
+// The back of a one-sided light is black; that of a two-sided light has the radiance of its front.
 TEST(SurfaceLight, EmitsFromItsSides) {
   for (const char* type : {"quad", "disk"}) {
     Light light = make_light(type);
     const auto turned = above(1, kPi);
-    EXPECT_EQ(irradiance(test::by(point_of_floor(light, turned), "path"), 64).value, 0);
+    EXPECT_EQ(irradiance(test::with_integrator(point_of_floor(light, turned), "path"), 64).value, 0);
     light.set("two-sided", true);
     const Mean front = irradiance(point_of_floor(light, above(1)), 256);
     const Mean back = irradiance(point_of_floor(light, turned), 256);
@@ -88,8 +91,8 @@ TEST(SurfaceLight, EmitsFromItsSides) {
   }
 }
 
-// L0 cos^k from a disk: E = 2 pi L0 (1 - cos^(k+2) a) / (k + 2) on the axis, a the angle of its edge. Point samples
-// have the same irradiance.
+// A disk with radiance L0 cos^k has the irradiance E = 2 pi L0 (1 - cos^(k+2) a) / (k + 2) on its axis, where a is the
+// half-angle that it subtends. Point samples give the same irradiance.
 TEST(SurfaceLight, RadianceIsAPowerOfTheCosine) {
   for (const double k : {0.0, 1.0, 6.5}) {
     Light disk = make_light("disk", {{"radius", 1.0}, {"focus", k}});
@@ -97,13 +100,14 @@ TEST(SurfaceLight, RadianceIsAPowerOfTheCosine) {
     const double expected = 2 * static_cast<double>(kPi) * (1 - std::pow(edge, k + 2)) / (k + 2);
     expect_irradiance(point_of_floor(disk, above(1)), expected, "cosine exponent " + std::to_string(k));
     disk.set("points", int64_t{400});
-    const auto points = test::with(test::by(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
+    const auto points =
+        test::with(test::with_integrator(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
     EXPECT_NEAR(irradiance(points, 4).value, expected, 1e-3 * expected);
   }
 }
 
-// A camera sees its radiance, over just the directions that it subtends.
-TEST(SurfaceLight, IsSeenAsLargeAsItIs) {
+// The camera sees the radiance of the light over the solid angle that the light subtends.
+TEST(SurfaceLight, CoversItsSolidAngle) {
   constexpr float kField = 1.2f, kDistance = 4;
   const double side = 2 * static_cast<double>(kDistance * std::tan(kField / 2));
   const auto share = [&](const Light& light) {
@@ -111,11 +115,11 @@ TEST(SurfaceLight, IsSeenAsLargeAsItIs) {
     scene::Transform place;  // emits towards -z, where the camera is
     test::add(scene, light, place);
     auto d = test::document(std::move(scene), look_at({0, 0, -kDistance}, Vec3(0), {0, 1, 0}, kField), 48, 48);
-    return test::mean_of(test::rendered(test::by(d, "path"), 64));
+    return test::mean_of(test::rendered(test::with_integrator(d, "path"), 64));
   };
   Mean seen = share(make_light("disk", {{"radius", 1.0}}));
   EXPECT_NEAR(seen.value, static_cast<double>(kPi) / sqr(side), 4 * seen.standard_error + 1e-4);
-  // Its outline is the disk where the cone of the camera touches it.
+  // The outline is the circle where the cone of view rays touches the sphere.
   seen = share(make_light("sphere", {{"radius", 1.0}}));
   EXPECT_NEAR(seen.value, static_cast<double>(kPi) / sqr(side) / (1 - 1.0 / sqr(kDistance)),
               4 * seen.standard_error + 1e-4);
@@ -123,21 +127,21 @@ TEST(SurfaceLight, IsSeenAsLargeAsItIs) {
   EXPECT_NEAR(seen.value, 2 / sqr(side), 4 * seen.standard_error + 1e-4);
 }
 
-// Point samples on rings of equal area, on the axis of a disk as high as its radius: errors in closed form, without
-// noise.
+// Point samples on rings of equal area, on the axis of a disk at a height equal to its radius: the errors have a closed
+// form and no noise.
 TEST(SurfaceLight, ErrorOfPointSamplesDependsOnTheirNumber) {
   const std::pair<int, double> kErrors[] = {
       {1, -1.745e-1}, {4, -1.399e-2}, {16, -8.935e-4}, {64, -5.59e-5}, {256, -3.5e-6}};
   for (const auto& [points, error] : kErrors) {
     const Light disk = make_light("disk", {{"radius", 1.0}, {"points", points}});
-    const auto d = test::with(test::by(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
+    const auto d = test::with(test::with_integrator(point_of_floor(disk, above(1)), "appel"), "appel.lights", "every");
     const Mean e = irradiance(d, 16);
     EXPECT_NEAR(e.value - static_cast<double>(kPi) / 2, error, 1e-3 * std::abs(error) + 2e-6) << points;
   }
 }
 
-// Many point samples converge to the surface.
-TEST(SurfaceLight, ManyPointSamplesHaveItsIrradiance) {
+// The irradiance of many point samples converges to that of the surface.
+TEST(SurfaceLight, ManyPointSamplesConvergeToTheSurface) {
   for (const char* type : {"quad", "disk", "sphere"}) {
     Light light = make_light(type);
     for (const auto& [size, value] : {std::pair("width", 1.4), std::pair("height", 0.6), std::pair("radius", 0.4)})
@@ -146,15 +150,15 @@ TEST(SurfaceLight, ManyPointSamplesHaveItsIrradiance) {
     const Document area = point_of_floor(light, above(1.2f, 0.5f));
     light.set("points", int64_t{400});
     const auto points =
-        test::with(test::by(point_of_floor(light, above(1.2f, 0.5f)), "appel"), "appel.lights", "every");
-    const Mean exact = irradiance(test::with(test::by(area, "path"), "max-depth", "2"), 1024);
+        test::with(test::with_integrator(point_of_floor(light, above(1.2f, 0.5f)), "appel"), "appel.lights", "every");
+    const Mean exact = irradiance(test::with(test::with_integrator(area, "path"), "max-depth", "2"), 1024);
     const double e = irradiance(points, 4).value;
     EXPECT_NEAR(e, exact.value, 4 * exact.standard_error + 2e-3 * exact.value) << type;
   }
 }
 
-// Ambient light of radiance C: a Lambertian surface shows albedo C, whatever covers it.
-TEST(AmbientLight, IsTheSameEverywhere) {
+// Ambient light of radiance C: a Lambertian surface reflects albedo C, regardless of occluders.
+TEST(AmbientLight, IsIndependentOfOccluders) {
   const Light ambient = make_light("ambient", {{"intensity", 3.0}});
   for (const float scale : {1e-3f, 1.0f, 1e4f}) {
     Document d = point_of_floor(ambient, above(1), scale);
@@ -163,7 +167,7 @@ TEST(AmbientLight, IsTheSameEverywhere) {
     d.scene = std::make_shared<const scene::Scene>(std::move(covered));
     d.camera = look_at(scale * Vec3(0.3f, 0.4f, 0.2f), Vec3(0), {0, 1, 0}, 1e-4f);
     for (const char* method : {"path", "appel", "bdpt"}) {
-      const Mean e = irradiance(test::with(test::by(d, method), "max-depth", "2"), 512);
+      const Mean e = irradiance(test::with(test::with_integrator(d, method), "max-depth", "2"), 512);
       EXPECT_NEAR(e.value, 3 * static_cast<double>(kPi), 4 * e.standard_error) << method;
     }
   }
@@ -172,7 +176,9 @@ TEST(AmbientLight, IsTheSameEverywhere) {
 // ---- Delta lights, without noise.
 
 double sharp_irradiance(const Light& light, const scene::Transform& place) {
-  return irradiance(test::with(test::by(point_of_floor(light, place), "appel"), "appel.lights", "every"), 4).value;
+  return irradiance(test::with(test::with_integrator(point_of_floor(light, place), "appel"), "appel.lights", "every"),
+                    4)
+      .value;
 }
 
 TEST(PointLight, FallsOffAsTheSquareOfTheDistance) {
@@ -181,13 +187,13 @@ TEST(PointLight, FallsOffAsTheSquareOfTheDistance) {
     EXPECT_NEAR(sharp_irradiance(light, above(height)), 3 / sqr(height), 1e-4 / sqr(height));
 }
 
-// Albedo 0.5, irradiance pi across the beam, 60 degrees: radiance 0.25.
-TEST(DirectionalLight, CountsByTheCosine) {
+// Albedo 0.5 and irradiance pi across the beam at 60 degrees: radiance 0.25.
+TEST(DirectionalLight, IrradianceHasTheCosine) {
   const Light light = make_light("directional", {{"intensity", double{kPi}}});
   EXPECT_NEAR(sharp_irradiance(light, above(1, kPi / 3)) * static_cast<double>(kAlbedo / kPi), 0.25, 1e-5);
 }
 
-TEST(SpotLight, ProfilesFallFromTheInnerConeToTheOuter) {
+TEST(SpotLight, ProfilesFallFromTheInnerToTheOuterCone) {
   const Light point = make_light("point");
   const double whole = sharp_irradiance(point, above(2));
   for (const char* profile : {"squared", "smoothstep", "quartic"}) {
@@ -201,7 +207,7 @@ TEST(SpotLight, ProfilesFallFromTheInnerConeToTheOuter) {
       EXPECT_GT(now, 0) << angle;
       before = now;
     }
-    // Between the cones, with t linear in the cosine.
+    // Between the cones t is linear in the cosine.
     const double t = (std::cos(0.6) - std::cos(0.9)) / (std::cos(0.3) - std::cos(0.9));
     const double expected = std::string(profile) == "squared"      ? t * t
                             : std::string(profile) == "smoothstep" ? t * t * (3 - 2 * t)
@@ -219,7 +225,7 @@ TEST(SpotLight, CosineProfileIsAPowerOfTheCosine) {
   }
 }
 
-TEST(SpotLight, HasAHardEdgeWhereTheConesAreOne) {
+TEST(SpotLight, EqualConesHaveAHardEdge) {
   const Light spot = make_light("spot", {{"inner-cone", 0.6}, {"outer-cone", 0.6}});
   EXPECT_NEAR(sharp_irradiance(spot, above(1, 0.597f)), 1, 1e-4);
   EXPECT_EQ(sharp_irradiance(spot, above(1, 0.603f)), 0);

@@ -1,4 +1,5 @@
-// What all methods that send something out first owe: the same bits whoever works, and an end when nobody wants them.
+// Guarantees of all integrators with a preprocessing pass: images independent of the threads, resumable films, and
+// prompt cancellation.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -24,14 +25,16 @@ const std::vector<Variant> kVariants{
     {"igi", {{"igi.light-paths", "9"}, {"igi.full-bsdf", "on"}, {"igi.renew", "off"}}}};
 
 render::Document made(const Variant& variant, const std::string& paths = "") {
-  auto d = test::glossy_things();
-  d.width = 40, d.height = 24;
-  d.method.integrator = variant.integrator, d.method.paths = paths;
+  auto d = test::glossy_scene();
+  d.width = 40;
+  d.height = 24;
+  d.method.integrator = variant.integrator;
+  d.method.paths = paths;
   for (const auto& [name, value] : variant.settings) d = *render::with_text(d, name, value);
   return d;
 }
 
-TEST(TwoPass, TheSameBitsWithAnyNumberOfThreads) {
+TEST(TwoPass, BitIdenticalForAnyNumberOfThreads) {
   for (const Variant& variant : kVariants)
     for (const char* paths : {"", "E.*D.*L"}) {
       const auto one = test::rendered(made(variant, paths), 3, 1);
@@ -41,7 +44,7 @@ TEST(TwoPass, TheSameBitsWithAnyNumberOfThreads) {
     }
 }
 
-TEST(TwoPass, WithEverySamplerAndEveryPathInTheModelForClasses) {
+TEST(TwoPass, EverySamplerAndPathExpression) {
   for (const Variant& variant : kVariants)
     for (const auto& sampler : sampler_infos()) {
       auto d = made(variant);
@@ -54,7 +57,7 @@ TEST(TwoPass, WithEverySamplerAndEveryPathInTheModelForClasses) {
     }
 }
 
-TEST(TwoPass, AFilmGoesOnToTheSameBits) {
+TEST(TwoPass, FilmContinuesToTheSameBits) {
   for (const Variant& variant : kVariants) {
     auto d = made(variant);
     const auto whole = test::rendered(d, 7);
@@ -67,8 +70,8 @@ TEST(TwoPass, AFilmGoesOnToTheSameBits) {
   }
 }
 
-// Edits at any moment: the picture after the last one is that of a session that saw nothing else.
-TEST(TwoPass, WhatIsCutShortLeavesNothingBehind) {
+// Edits at any time: the image after the last edit equals that of a session without the earlier edits.
+TEST(TwoPass, CancelledPassesLeaveNoTrace) {
   for (const Variant& variant : kVariants) {
     render::Session session({.threads = 2, .interactive = true, .publish_interval = 0.01});
     auto d = made(variant);
@@ -85,7 +88,7 @@ TEST(TwoPass, WhatIsCutShortLeavesNothingBehind) {
   }
 }
 
-TEST(TwoPass, PointsAreThereToBeLookedAt) {
+TEST(TwoPass, PointsAreAvailableForInspection) {
   for (const Variant& variant : kVariants) {
     auto d = made(variant);
     d.limits = {2, 0, 0};

@@ -1,4 +1,5 @@
-// What every reflection model must keep, whatever its knobs: one that is added to the registry is tested by that.
+// Properties of every BSDF model of the registry, at the ends of the range of each parameter: sampling, energy
+// conservation, reciprocity, components and adjoints. A new model is tested by its registration.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -29,9 +30,9 @@ INSTANTIATE_TEST_SUITE_P(Models, EveryModel, testing::ValuesIn(model_names()), [
   return name;
 });
 
-// Chi-square of sampled directions against the integrated density; what is a delta counts with what is absorbed. One
-// per cent of false alarms over all models together.
-TEST_P(EveryModel, IsSampledByItsDensity) {
+// Chi-square test of the sampled directions against the integrated density. Delta samples count as absorbed. The
+// false-alarm rate is 1 % over all models.
+TEST_P(EveryModel, SamplesFollowTheDensity) {
   const std::vector<Vec3> outs{direction(5), direction(45), direction(80), -direction(30)};
   const double significance = 1 - std::pow(0.99, 1.0 / static_cast<double>(test::count_cases() * outs.size()));
   unsigned seed = 1;
@@ -54,8 +55,8 @@ TEST_P(EveryModel, IsSampledByItsDensity) {
   }
 }
 
-// Upright, steep, grazing, in the surface, and below it.
-std::vector<Vec3> awkward_directions() {
+// Normal, oblique and grazing directions, directions in the surface, and directions below it.
+std::vector<Vec3> extreme_directions() {
   std::vector<Vec3> list{Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0.6f, 0.8f, 0)};
   for (const float theta : {1e-4f, 20.0f, 45.0f, 80.0f, 89.0f, 89.99f})
     for (const float phi : {0.0f, 0.3f, 1.5707963f, 2.5f, 3.14159265f, 4.0f}) list.push_back(direction(theta, phi));
@@ -65,7 +66,7 @@ std::vector<Vec3> awkward_directions() {
 }
 
 TEST_P(EveryModel, IsFiniteAndNotNegative) {
-  const auto directions = awkward_directions();
+  const auto directions = extreme_directions();
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (const Vec3& wo : directions)
       for (const Vec3& wi : directions)
@@ -80,8 +81,8 @@ TEST_P(EveryModel, IsFiniteAndNotNegative) {
         }
 }
 
-// weight = f cos / pdf for what was sampled, and samples are unit vectors on a side of the surface.
-TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
+// The sample weight is f cos / pdf, and samples are unit vectors on a side of the surface.
+TEST_P(EveryModel, SampleWeightIsFCosOverPdf) {
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       Random random(3);
@@ -100,8 +101,8 @@ TEST_P(EveryModel, WeighsSamplesByEvalOverPdf) {
     }
 }
 
-// Every delta that is sampled is one of those that are listed, its coefficient over the probability of its choice.
-TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
+// Every sampled delta is listed, with its coefficient divided by the probability of its selection.
+TEST_P(EveryModel, SampledDeltasAreListed) {
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (const auto mode : {TransportMode::radiance, TransportMode::importance})
       for (const Vec3& wo : {direction(10), direction(75, 2), -direction(30)}) {
@@ -124,8 +125,8 @@ TEST_P(EveryModel, SamplesTheDeltasThatItLists) {
       }
 }
 
-// The parts of all letters are the whole, and a part that is said not to be there is black.
-TEST_P(EveryModel, IsTheSumOfItsLetters) {
+// The components of all scattering types sum to f, and a component that is declared absent is black.
+TEST_P(EveryModel, ComponentsSumToF) {
   Random random(3);
   for (const ModelCase& c : test::cases_of(GetParam()))
     for (int k = 0; k < 100; ++k) {
@@ -142,10 +143,11 @@ TEST_P(EveryModel, IsTheSumOfItsLetters) {
     }
 }
 
-// The thesis says so of Phong and Blinn; all others claim to be reciprocal, or are by construction.
+// Phong and Blinn-Phong are not reciprocal [Lang, sec. 4.2.2.5.2]. All other models claim reciprocity or are reciprocal
+// by construction.
 const std::set<std::string> kNotReciprocal{"phong-1975", "phong", "blinn-phong"};
 
-// How much rounding of a direction can change f: what no formula could do better than.
+// The change of f by rounding of a direction. No implementation can be more accurate.
 double rounding_of(const AllLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
   const double f = average(lobes.eval(a, b, TransportMode::radiance));
   double most = 0;
@@ -158,7 +160,7 @@ double rounding_of(const AllLobes<Rgb>& lobes, const Vec3& a, const Vec3& b) {
   return most;
 }
 
-// The largest difference of f(a, b) / eta_a^2 and f(b, a) / eta_b^2, relative and beyond rounding.
+// The largest relative difference of f(a, b) / eta_a^2 and f(b, a) / eta_b^2 beyond the rounding error.
 double asymmetry(const ModelCase& c) {
   float eta2 = 1;
   const auto parameters = c.model->parameters();
@@ -169,7 +171,7 @@ double asymmetry(const ModelCase& c) {
   for (int k = 0; k < 1000; ++k) {
     const Vec3 a = direction(89 * random.uniform(), 6 * random.uniform());
     Vec3 b = direction(89 * random.uniform(), 6 * random.uniform());
-    // Half of them near the mirrored direction, where narrow lobes are.
+    // Half of the directions are near the mirror direction, where narrow lobes are.
     if (k % 2) b = glm::normalize(Vec3(-a.x, -a.y, a.z) + 0.1f * random.upper_direction());
     if (b.z <= 0) continue;
     if (k % 3 == 0) b = -b;
@@ -185,7 +187,7 @@ double asymmetry(const ModelCase& c) {
   return most;
 }
 
-TEST_P(EveryModel, IsReciprocalUpToTheSquaredIndexLawOrKnownNotToBe) {
+TEST_P(EveryModel, IsReciprocalUpToTheSquaredIndexLaw) {
   const bool expected = !kNotReciprocal.contains(GetParam());
   double most = 0;
   for (const ModelCase& c : test::cases_of(GetParam())) {
@@ -196,14 +198,17 @@ TEST_P(EveryModel, IsReciprocalUpToTheSquaredIndexLawOrKnownNotToBe) {
   EXPECT_TRUE(expected || most > 0.01) << most;
 }
 
-// <f, K g> = <K* f, g> with the same directions on both sides, for K by radiance and K* by importance.
-TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
+// <f, K g> = <K* f, g> with the same directions on both sides, for K of radiance and K* of importance.
+TEST_P(EveryModel, AdjointIsTheTranspose) {
   std::vector<Vec3> directions;
   Random random(7);
   for (int k = 0; k < 24; ++k)
     directions.push_back(direction(89 * random.uniform(), 6 * random.uniform()) * (k % 3 ? 1.0f : -1.0f));
   std::vector<double> left, right;
-  for (size_t k = 0; k < directions.size(); ++k) left.push_back(random.uniform()), right.push_back(random.uniform());
+  for (size_t k = 0; k < directions.size(); ++k) {
+    left.push_back(random.uniform());
+    right.push_back(random.uniform());
+  }
   for (const ModelCase& c : test::cases_of(GetParam())) {
     double forward = 0, adjoint = 0, rounding = 0;
     for (size_t o = 0; o < directions.size(); ++o)
@@ -218,7 +223,8 @@ TEST_P(EveryModel, HasAnAdjointThatIsItsTransposed) {
   }
 }
 
-// The share of a beam's power that leaves the surface: deltas and an integral that is refined where samples are dense.
+// The fraction of the incident power that leaves the surface: deltas plus an integral that is refined where samples are
+// dense.
 double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo) {
   DeltaSet<Rgb> deltas;
   lobes.add_deltas(wo, TransportMode::importance, deltas);
@@ -226,12 +232,12 @@ double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo) {
   for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k) sum += max_component(deltas.lobes[k].weight);
   if (!lobes.has_non_delta_lobe()) return sum;
   Random random(11);
-  std::vector<Vec3> scouts;
+  std::vector<Vec3> pilot;
   for (int k = 0; k < 4000; ++k)
     if (LobeSample<Rgb> s;
         lobes.sample(wo, {random.uniform(), random.uniform2()}, TransportMode::importance, s) && !s.delta)
-      scouts.push_back(s.wi);
-  const test::SpherePartition cells(scouts, 20);
+      pilot.push_back(s.wi);
+  const test::SpherePartition cells(pilot, 20);
   return sum + cells.integrate(
                    [&](const Vec3& wi) {
                      return max_component(lobes.eval(wo, wi, TransportMode::importance)) * std::abs(wi.z);
@@ -245,10 +251,10 @@ double number_of(const ModelCase& c, std::string_view name) {
   return p ? std::get<double>(p->default_value) : 0;
 }
 
-// The largest albedo from 0 to 89.9 degrees of every case that exceeds one and does not ask for it by rho_d + rho_s
-// > 1. They are properties of the models, which their own files state.
+// The largest albedo between 0 and 89.9 degrees for every case that exceeds one, except where rho_d + rho_s > 1. These
+// gains are properties of the models and are documented in their files.
 const std::map<std::string, double> kGains{
-    // Shading of intensities, and lobes over a cosine.
+    // Models without a cosine in the denominator or with lobes divided by a cosine.
     {"phong-1975", 8.781},
     {"phong-1975 diffuse 0", 8.381},
     {"phong-1975 diffuse 1", 9.181},
@@ -267,14 +273,16 @@ const std::map<std::string, double> kGains{
     {"lafortune n-1 0", 3.488},
     {"lafortune scale-2.r 100", 53.34},
     {"lafortune scale-3.r 100", 209.9},
-    // E24, and what was left out to show what it is for.
+    // Ward's model near grazing angles [Lang, sec. 4.2.2.5.3, corrected], and models without their masking term or
+    // normalisation.
     {"ward alpha-x 1", 1.256},
     {"ward form duer", 12.16},
     {"cook-torrance masking false", 38.16},
     {"schlick shadowing none", 51.38},
     {"schlick shadowing printed", 57.14},
     {"schlick shadowing diffuse", 1.248},
-    // Two of Schlick's layers share light by 1 - S(u) of the half angle, which at grazing angles is more than is left.
+    // The two layers of Schlick's model share the light by 1 - S(u) of the half angle, which at grazing angles exceeds
+    // the remaining light.
     {"schlick", 1.058},
     {"schlick color.r 0", 1.054},
     {"schlick color.r 1", 1.13},
@@ -283,20 +291,23 @@ const std::map<std::string, double> kGains{
     {"schlick under-color 1", 1.271},
     {"schlick under-roughness 1", 1.176},
     {"schlick under-isotropy 0.009999999776482582", 1.02},
-    // The table of what facets lose is good to a tenth of a per cent.
+    // The table of the energy loss of microfacets has an error of about 0.1 %.
     {"torrance-sparrow fresnel one", 1.001},
 };
 
-TEST_P(EveryModel, ConservesEnergyOrGainsWhatIsKnown) {
+TEST_P(EveryModel, EnergyGainIsNoneOrDocumented) {
   for (const ModelCase& c : test::cases_of(GetParam())) {
-    // Models of a diffuse and a glossy part that do not know of each other.
-    const bool apart = GetParam() != "ashikhmin-shirley";
-    if (apart && 0.8 * number_of(c, "diffuse") + number_of(c, "specular.r") > 1 + 1e-6) continue;
+    // Models with independent diffuse and glossy parts.
+    const bool additive = GetParam() != "ashikhmin-shirley";
+    if (additive && 0.8 * number_of(c, "diffuse") + number_of(c, "specular.r") > 1 + 1e-6) continue;
     double most = 0;
     float where = 0;
     for (const float theta : {0.0f, 45.0f, 75.0f, 85.0f, 89.0f, 89.9f}) {
       const double a = albedo(c.lobes, direction(theta));
-      if (a > most) most = a, where = theta;
+      if (a > most) {
+        most = a;
+        where = theta;
+      }
     }
     const auto known = kGains.find(c.name);
     const bool gains = known != kGains.end();

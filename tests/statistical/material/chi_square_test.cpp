@@ -1,4 +1,4 @@
-// The test of the tests: densities that are slightly wrong are told from right ones, also of narrow lobes.
+// The chi-square test itself: it distinguishes slightly wrong densities from correct ones, also for narrow lobes.
 #include "support/chi_square.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 using test::direction;
 using test::Random;
 
-// Directions by cos^n about an axis against the density of cos^m, times a factor.
+// Directions distributed as cos^n about an axis, tested against the density of cos^m times a factor.
 double p_value(float n, float m, double factor, unsigned seed) {
   const Frame frame(direction(50));
   Random random(seed);
@@ -32,7 +32,7 @@ double p_value(float n, float m, double factor, unsigned seed) {
       .p_value;
 }
 
-TEST(ChiSquare, TellsWrongDensitiesFromRightOnes) {
+TEST(ChiSquare, RejectsWrongDensitiesAndAcceptsCorrectOnes) {
   unsigned seed = 3;
   for (const float n : {1.0f, 30.0f, 1e3f, 1e5f}) {
     EXPECT_GT(p_value(n, n, 1, ++seed), 0.01 / 4) << n;
@@ -41,8 +41,8 @@ TEST(ChiSquare, TellsWrongDensitiesFromRightOnes) {
   }
 }
 
-// A part of the sphere where the density says that there is something, and nothing is drawn.
-TEST(ChiSquare, SeesWhatIsNeverDrawn) {
+// A part of the sphere where the density is positive and no direction is sampled.
+TEST(ChiSquare, DetectsDirectionsThatAreNeverSampled) {
   Random random(5);
   const auto result = test::chi_square_on_sphere(
       [&](Vec3& w) {

@@ -1,4 +1,4 @@
-// What the extensions' layers must keep: samples follow the density, reciprocity, no energy out of nothing.
+// The layers of the glTF material extensions: samples follow the density, reciprocity, energy conservation.
 #include <gtest/gtest.h>
 
 #include "support/chi_square.h"
@@ -7,10 +7,10 @@
 namespace etendue::test {
 namespace {
 
-// 1 % false alarms over all cases and directions together.
+// The false-alarm rate is 1 % over all cases and directions.
 class EveryLayer : public testing::TestWithParam<size_t> {};
 
-TEST_P(EveryLayer, IsSampledByItsDensity) {
+TEST_P(EveryLayer, SamplesFollowTheDensity) {
   const auto all = rough_gltf_cases();
   const auto& c = all[GetParam()];
   const auto lobes = lobes_of(c);
@@ -33,7 +33,7 @@ TEST_P(EveryLayer, IsSampledByItsDensity) {
 }
 INSTANTIATE_TEST_SUITE_P(Gltf, EveryLayer, testing::Range<size_t>(0, rough_gltf_cases().size()));
 
-TEST(GltfLayers, SampleWeightIsEvalOverPdf) {
+TEST(GltfLayers, SampleWeightIsFCosOverPdf) {
   for (const auto& c : gltf_cases())
     for (const auto mode : {TransportMode::radiance, TransportMode::importance}) {
       const auto lobes = lobes_of(c);
@@ -49,7 +49,7 @@ TEST(GltfLayers, SampleWeightIsEvalOverPdf) {
     }
 }
 
-// Each way the same, up to eta^2 where light is refracted; the adjoint is what it is the adjoint of; nothing negative.
+// f is reciprocal up to eta^2 for refraction, the adjoint has exchanged arguments, and f is non-negative.
 TEST(GltfLayers, AreReciprocal) {
   for (const auto& c : gltf_cases()) {
     const Material& m = c.material;
@@ -79,15 +79,16 @@ double albedo(const AllLobes<Rgb>& lobes, const Vec3& wo, double& error) {
     LobeSample<Rgb> s;
     if (!lobes.sample(wo, random.lobe(), TransportMode::importance, s)) continue;
     const double most = max_component(s.weight);
-    sum += most, squares += sqr(most);
+    sum += most;
+    squares += sqr(most);
   }
   error = std::sqrt((squares / kN - sqr(sum / kN)) / kN);
   return sum / kN;
 }
 
-// A white surface with a white sheen sends back at most what it gets. Where the core material has a diffuse base under
-// a layer, the specification's own gain at grazing angles (layered.h) is let through, and nothing on top of it.
-TEST(GltfLayers, DoNotGainEnergy) {
+// A white surface with a white sheen reflects at most the incident power. For a core material with a diffuse base under
+// a layer, the gain of the specification itself at grazing angles (layered.h) is allowed, and nothing in addition.
+TEST(GltfLayers, ConserveEnergy) {
   for (const auto& c : gltf_cases()) {
     Material white = c.material;
     white.base_color = white.diffuse_transmission_color = Rgb(1);
@@ -107,8 +108,8 @@ TEST(GltfLayers, DoNotGainEnergy) {
   }
 }
 
-// Letters add up to the whole, and only letters that the surface names have a part.
-TEST(GltfLayers, PartsOfTheLettersAddUp) {
+// The components of all scattering types sum to f, and only declared types have a component.
+TEST(GltfLayers, ComponentsSumToF) {
   Random random(3);
   for (const auto& c : gltf_cases()) {
     const auto lobes = lobes_of(c);
@@ -126,8 +127,8 @@ TEST(GltfLayers, PartsOfTheLettersAddUp) {
   }
 }
 
-// What `sample` gives a delta on average is what the list says of it, and with the probability that it says.
-TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
+// The mean weight of the samples of a delta is its listed coefficient, and its frequency is the listed probability.
+TEST(GltfLayers, ListedDeltasAreTheSampledOnes) {
   constexpr int kSamples = 20'000;
   for (const auto& c : gltf_cases())
     for (const Vec3& wo : {direction(10), direction(55), -direction(25), -direction(60)}) {
@@ -135,8 +136,10 @@ TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
       DeltaSet<Rgb> deltas;
       lobes.add_deltas(wo, TransportMode::radiance, deltas);
       double listed = 0, sampled = 0, probability = 0, hits = 0;
-      for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
-        listed += average(deltas.lobes[k].weight), probability += deltas.probabilities[k];
+      for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k) {
+        listed += average(deltas.lobes[k].weight);
+        probability += deltas.probabilities[k];
+      }
       Random random(9);
       for (int i = 0; i < kSamples; ++i) {
         LobeSample<Rgb> s;
@@ -145,16 +148,20 @@ TEST(GltfLayers, DeltasAreThoseThatAreSampled) {
         for (size_t k = 0; k < static_cast<size_t>(deltas.count); ++k)
           known = known || (glm::length(deltas.lobes[k].wi - s.wi) < 1e-4f && s.eta == deltas.lobes[k].eta);
         ASSERT_TRUE(known) << c.name << ' ' << wo.z;
-        sampled += average(s.weight) / kSamples, hits += 1.0 / kSamples;
+        sampled += average(s.weight) / kSamples;
+        hits += 1.0 / kSamples;
       }
       EXPECT_NEAR(hits, probability, 0.015) << c.name << ' ' << wo.z;
       EXPECT_NEAR(sampled, listed, 0.03 * listed + 0.005) << c.name << ' ' << wo.z;
     }
 }
 
-TEST(GltfLayers, WithoutAFactorNothingIsThere) {
+TEST(GltfLayers, ZeroFactorDisablesTheLayer) {
   Material m;
-  m.clearcoat_roughness = 0.5f, m.sheen_roughness = 0.5f, m.iridescence_ior = 2, m.thickness = 1;
+  m.clearcoat_roughness = 0.5f;
+  m.sheen_roughness = 0.5f;
+  m.iridescence_ior = 2;
+  m.thickness = 1;
   m.diffuse_transmission_color = {0, 1, 0};
   EXPECT_TRUE(SurfaceMaterial(m, {}).uses_standard_lobes);
   for (auto change : std::initializer_list<void (*)(Material&)>{

@@ -1,4 +1,4 @@
-// Reflectance that is data: files of two databases, tables made here, spherical harmonics.
+// Tabulated reflectance: files of the RGL and MERL databases, BRDF tables, and spherical harmonics.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -44,7 +44,7 @@ std::vector<std::filesystem::path> rgl_files() {
   return files;
 }
 
-// There and back, and the density adds to one; also between slices, and where parts are empty.
+// Inversion, and normalisation to one; also between slices and with empty regions.
 TEST(BilinearDensity, IsInvertedAndNormalised) {
   Random random(2);
   constexpr size_t kWidth = 7, kHeight = 5;
@@ -65,7 +65,7 @@ TEST(BilinearDensity, IsInvertedAndNormalised) {
       const Vec2 u = random.uniform2();
       const auto sample = density.sample(u, {0, t});
       const auto back = density.invert(sample.p, {0, t});
-      // A step where the density is near nothing is a long way.
+      // A small change of the density is a large step where the density is close to zero.
       if (sample.pdf < 0.05f) continue;
       ASSERT_NEAR(back.p.x, u.x, 2e-4f);
       ASSERT_NEAR(back.p.y, u.y, 2e-4f);
@@ -74,11 +74,11 @@ TEST(BilinearDensity, IsInvertedAndNormalised) {
   }
 }
 
-// The paper's density is nearly the measured value: weights hardly vary, which they would if any part of it were read
-// wrongly; and directions follow it.
-TEST(Rgl, IsDrawnNearlyByItself) {
+// The sampling density of [Dupuy and Jakob 2018] is nearly proportional to the measured values. Sample weights
+// therefore vary little, which would not hold if a part of the file were misread; and directions follow the density.
+TEST(Rgl, IsSampledNearlyInProportion) {
   const auto files = rgl_files();
-  if (files.empty()) GTEST_SKIP() << "no measurements under ETENDUE_TEST_DATA";
+  if (files.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA has no measurements";
   unsigned seed = 1;
   for (const auto& file : files) {
     ASSERT_TRUE(accepts_rgl_file(file.string())) << accepts_rgl_file(file.string()).error().message;
@@ -92,7 +92,8 @@ TEST(Rgl, IsDrawnNearlyByItself) {
         if (LobeSample<Rgb> s; lobes.sample(wo, {random.uniform(), random.uniform2()}, TransportMode::radiance, s)) {
           const double w = luminance(s.weight);
           ASSERT_TRUE(std::isfinite(w) && w >= 0);
-          sum += w / kSamples, squares += w * w / kSamples;
+          sum += w / kSamples;
+          squares += w * w / kSamples;
         }
       EXPECT_GT(sum, 0.02) << file;
       EXPECT_LT(sum, 1) << file;
@@ -110,8 +111,8 @@ TEST(Rgl, IsDrawnNearlyByItself) {
   }
 }
 
-// Paper is nearly Lambertian: what the file holds has a cosine in it, which is divided out.
-TEST(Rgl, WhitePaperIsWhiteAndFlat) {
+// Paper is nearly Lambertian. The stored values include a cosine, which is divided out.
+TEST(Rgl, WhitePaperIsWhiteAndNearlyLambertian) {
   for (const auto& file : rgl_files()) {
     if (file.filename() != "paper_white_rgb.bsdf") continue;
     const RglBrdf* paper = rgl_data(file.string());
@@ -120,11 +121,11 @@ TEST(Rgl, WhitePaperIsWhiteAndFlat) {
       EXPECT_NEAR(paper->f(direction(5), direction(theta, 2)).g, 0.26, 0.03) << theta;
     return;
   }
-  GTEST_SKIP() << "no paper under ETENDUE_TEST_DATA";
+  GTEST_SKIP() << "ETENDUE_TEST_DATA has no measurement of paper";
 }
 
-// A measurement is about reciprocal, and not more than that.
-TEST(Rgl, IsReciprocalAsMeasurementsAre) {
+// Measurements are reciprocal up to their measurement error.
+TEST(Rgl, IsApproximatelyReciprocal) {
   for (const auto& file : rgl_files()) {
     const RglBrdf* brdf = rgl_data(file.string());
     ASSERT_NE(brdf, nullptr);
@@ -134,17 +135,18 @@ TEST(Rgl, IsReciprocalAsMeasurementsAre) {
       const Vec3 a = direction(70 * random.uniform(), 6 * random.uniform()),
                  b = direction(70 * random.uniform(), 6 * random.uniform());
       const double forth = brdf->f(a, b).g, back = brdf->f(b, a).g;
-      off += std::abs(forth - back), all += forth;
+      off += std::abs(forth - back);
+      all += forth;
     }
     EXPECT_LT(off, 0.5 * all) << file;
     EXPECT_GT(off, 0.005 * all) << file;
   }
 }
 
-// Cut short anywhere, or with bytes that lie: an error with the file's name, or data that can be asked.
+// Files that are truncated anywhere or have damaged bytes: an error with the file name, or data that can be evaluated.
 TEST(Rgl, DamagedFilesAreErrors) {
   const auto files = rgl_files();
-  if (files.empty()) GTEST_SKIP() << "no measurements under ETENDUE_TEST_DATA";
+  if (files.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA has no measurements";
   const auto whole = read_bytes(files[0]);
   const auto path = temporary("damaged.bsdf");
   for (const size_t length :
@@ -156,7 +158,7 @@ TEST(Rgl, DamagedFilesAreErrors) {
   }
   EXPECT_FALSE(RglBrdf::read(temporary("not there.bsdf")));
   EXPECT_FALSE(accepts_rgl_file("/no/such/file_rgb.bsdf"));
-  // The directory of fields, with bytes that are anything.
+  // Random bytes in the directory of fields.
   Random random(4);
   for (int k = 0; k < 300; ++k) {
     auto bytes = whole;
@@ -172,7 +174,7 @@ TEST(Rgl, DamagedFilesAreErrors) {
   std::filesystem::remove(path);
 }
 
-// A MERL file of a function that is known.
+// A MERL file of a known function.
 double merl_value(double theta_h, double theta_d, double phi_d) {
   return 0.2 + 0.3 * std::exp(-4 * theta_h * theta_h) + 0.1 * std::cos(theta_d) +
          0.05 * std::cos(2 * phi_d) * std::sin(theta_d);
@@ -184,7 +186,9 @@ std::vector<char> merl_bytes(int32_t halves, int32_t differences, int32_t azimut
     const char* p = reinterpret_cast<const char*>(&x);
     bytes.insert(bytes.end(), p, p + sizeof x);
   };
-  put(halves), put(differences), put(azimuths);
+  put(halves);
+  put(differences);
+  put(azimuths);
   for (const double scale : {1500.0, 1500 / 1.15, 1500 / 1.66})
     for (int h = 0; h < halves; ++h)
       for (int d = 0; d < differences; ++d)
@@ -194,7 +198,7 @@ std::vector<char> merl_bytes(int32_t halves, int32_t differences, int32_t azimut
   return bytes;
 }
 
-TEST(Merl, IsReadInItsOwnAngles) {
+TEST(Merl, IsIndexedByHalfAndDifferenceAngles) {
   const auto path = temporary("known.binary");
   write_bytes(path, merl_bytes(60, 60, 90));
   const auto read = MerlBrdf::read(path);
@@ -203,7 +207,7 @@ TEST(Merl, IsReadInItsOwnAngles) {
   for (int k = 0; k < 2000; ++k) {
     const Vec3 a = direction(85 * random.uniform(), 6 * random.uniform()),
                b = direction(85 * random.uniform(), 6 * random.uniform());
-    // The angles by rotations, as the database's own page has them.
+    // The angles from rotations, as in the documentation of the database.
     const Vec3 h = glm::normalize(a + b);
     const double theta_h = std::acos(std::min(1.0, double{h.z})), phi_h = std::atan2(h.y, h.x);
     const double x = std::cos(phi_h) * b.x + std::sin(phi_h) * b.y, y = -std::sin(phi_h) * b.x + std::cos(phi_h) * b.y;
@@ -256,7 +260,7 @@ std::function<Rgb(const Vec3&, const Vec3&)> function_of(const AllLobes<Rgb>& lo
   return [&lobes](const Vec3& o, const Vec3& i) { return lobes.eval(o, i, TransportMode::radiance); };
 }
 
-// The root of the mean squared difference of f cos cos, over that of f cos cos itself.
+// The root mean square difference of f cos cos, relative to the root mean square of f cos cos.
 template <class Table>
 double error_of(const Table& table, const AllLobes<Rgb>& lobes) {
   Random random(9);
@@ -264,12 +268,13 @@ double error_of(const Table& table, const AllLobes<Rgb>& lobes) {
   for (int k = 0; k < 20'000; ++k) {
     const Vec3 o = random.upper_direction(), i = random.upper_direction();
     const double f = lobes.eval(o, i, TransportMode::radiance).r;
-    off += sqr(table.f(o, i).r - f), all += sqr(f);
+    off += sqr(table.f(o, i).r - f);
+    all += sqr(f);
   }
   return std::sqrt(off / all);
 }
 
-TEST(BrdfTable, LambertIsExactAndGlossyLobesGetBetter) {
+TEST(BrdfTable, LambertIsExactAndGlossyLobesConverge) {
   const auto lambert = lobes_of(*make_bsdf_model("lambert"), Rgb(1));
   for (const int steps : {2, 7, 24})
     EXPECT_LT(error_of(BrdfTable::measured(function_of(lambert), steps, 8, true), lambert), 1e-6);
@@ -285,14 +290,14 @@ TEST(BrdfTable, LambertIsExactAndGlossyLobesGetBetter) {
   EXPECT_LT(error_of(BrdfTable::measured(function_of(brushed), 20, 40, false), brushed), 0.06);
 }
 
-TEST(BrdfTable, NeverHasMoreEntriesThanItMay) {
+TEST(BrdfTable, EntryCountIsLimited) {
   const auto constant = [](const Vec3&, const Vec3&) { return Rgb(0.3f); };
   const auto table = BrdfTable::measured(constant, 90, 360, false);
   EXPECT_LE(table.size(), BrdfTable::kMaxEntries);
   EXPECT_NEAR(table.f(direction(20), direction(70, 2)).g, 0.3f, 1e-6f);
 }
 
-TEST(BrdfTable, SurvivesItsFile) {
+TEST(BrdfTable, FileRoundTripIsExact) {
   const auto path = temporary("table.brdf");
   for (const char* source : {"ward alpha-x=0.3 alpha-y=0.3", "ward alpha-x=0.3 alpha-y=0.6"}) {
     const auto* made = table_data(source, 6, 12);
@@ -333,7 +338,7 @@ TEST(BrdfTable, DamagedTextsAreErrors) {
   }
 }
 
-TEST(TableSource, IsAModelWithSettingsOrAFile) {
+TEST(TableSource, IsAModelWithParametersOrAFile) {
   EXPECT_TRUE(accepts_table_source("ward alpha-x=0.1 alpha-y=0.2"));
   EXPECT_TRUE(accepts_harmonic_source("ward alpha-x=0.2 alpha-y=0.2"));
   const std::pair<const char*, const char*> bad[] = {{"ward alpha-z=0.1", "no setting"},
@@ -353,7 +358,7 @@ TEST(TableSource, IsAModelWithSettingsOrAFile) {
   EXPECT_FALSE(accepts_harmonic_source("spherical-harmonics"));
 }
 
-TEST(Harmonics, OneBandIsEnoughForLambertAndMoreForGloss) {
+TEST(Harmonics, LambertNeedsOneBandAndGlossMore) {
   const auto lambert = lobes_of(*make_bsdf_model("lambert"), Rgb(1));
   const HarmonicBrdf flat(function_of(lambert), 1);
   EXPECT_LT(error_of(flat, lambert), 1e-5);
@@ -369,7 +374,7 @@ TEST(Harmonics, OneBandIsEnoughForLambertAndMoreForGloss) {
   EXPECT_LT(last, 0.05);
 }
 
-// Ringing is cut off, and how much of it there is, is known: a narrow lobe alone has it, and a wide one does not.
+// Negative lobes are clamped and their amount is reported: a narrow lobe has them, a wide one has not.
 TEST(Harmonics, RingingIsReported) {
   const std::vector<std::pair<std::string, std::string>> narrow{{"diffuse", "0"}, {"exponent", "100"}};
   const auto lobes = lobes_of(*model_with("modified-phong", narrow), Rgb(1));

@@ -8,7 +8,11 @@ namespace {
 
 Material boundary(float ior, float roughness = 0) {
   Material m;
-  m.metallic = 0, m.transmission = 1, m.thickness = 1, m.ior = ior, m.roughness = roughness;
+  m.metallic = 0;
+  m.transmission = 1;
+  m.thickness = 1;
+  m.ior = ior;
+  m.roughness = roughness;
   return m;
 }
 

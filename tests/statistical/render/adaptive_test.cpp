@@ -1,4 +1,5 @@
-// Adaptive sampling: unbiased, the same whatever the threads, whole again after a cut, and worth its name.
+// Adaptive sampling: unbiased, independent of the number of threads, resumable, and more efficient than uniform
+// sampling.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -11,7 +12,7 @@
 namespace etendue {
 namespace {
 
-// Of several blocks, so that there is something to choose.
+// Several tiles, so that there is an allocation to decide.
 render::Document adaptive_cornell(const char* sampler) {
   auto d = test::cornell(96);
   d.method.sampler = sampler;
@@ -32,12 +33,13 @@ double squared_error(const film::Film& film, const film::Film& reference) {
   return sum;
 }
 
-TEST(Adaptive, BeatsAnEvenHandAtTheSameNumberOfSamples) {
+TEST(Adaptive, BeatsUniformSamplingAtEqualSampleCount) {
   for (const char* sampler : {"random", "sobol"}) {
     auto adaptive = adaptive_cornell(sampler), even = adaptive;
     even.method.adaptive = render::Adaptive::off;
     auto much = even;
-    much.method.sampler = "sobol", much.seed = 99;
+    much.method.sampler = "sobol";
+    much.seed = 99;
     const auto reference = test::rendered(much, 1024);
     const double gain =
         squared_error(test::rendered(even, 128), reference) / squared_error(test::rendered(adaptive, 128), reference);
@@ -45,15 +47,15 @@ TEST(Adaptive, BeatsAnEvenHandAtTheSameNumberOfSamples) {
   }
 }
 
-// The mean over pictures with few samples, where decisions and samples are most entangled, against an even hand: in
-// blocks of the picture, z-test, 1 % false alarms for the family of 36. What scatters is a small light that few paths
-// find.
+// The mean over images with few samples, where the allocation depends most on the samples, against uniform sampling:
+// z-tests over blocks of the image with a false-alarm rate of 1 % for the family of 36. The noise comes from a small
+// light that few paths hit.
 TEST(Adaptive, IsUnbiased) {
   constexpr int kSize = 96, kCells = 6, kReplicates = 150;
   auto d = *render::with_text(adaptive_cornell("random"), "render.integrator", "path-pure");
   d = *render::with_text(d, "path-pure.max-depth", "3");
   const auto estimate = [&](render::Adaptive adaptive, uint64_t first_seed) {
-    std::array<std::array<double, 2>, kCells * kCells> sums{};  // of means and of their squares
+    std::array<std::array<double, 2>, kCells * kCells> sums{};  // of the means and of their squares
     d.method.adaptive = adaptive;
     for (uint64_t r = 0; r < kReplicates; ++r) {
       d.seed = first_seed + r;
@@ -62,7 +64,10 @@ TEST(Adaptive, IsUnbiased) {
       for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x)
           cells[static_cast<size_t>(y * kCells / kSize * kCells + x * kCells / kSize)] += luminance(film.mean(x, y));
-      for (size_t i = 0; i < cells.size(); ++i) sums[i][0] += cells[i], sums[i][1] += sqr(cells[i]);
+      for (size_t i = 0; i < cells.size(); ++i) {
+        sums[i][0] += cells[i];
+        sums[i][1] += sqr(cells[i]);
+      }
     }
     return sums;
   };
@@ -75,14 +80,14 @@ TEST(Adaptive, IsUnbiased) {
   }
 }
 
-TEST(Adaptive, SameImageBitForBitWithOneTwoAndSevenThreads) {
+TEST(Adaptive, BitIdenticalWithOneTwoAndSevenThreads) {
   const auto d = adaptive_cornell("sobol");
   const auto one = test::rendered(d, 40, 1);
   EXPECT_TRUE(same_bits(one, test::rendered(d, 40, 2)));
   EXPECT_TRUE(same_bits(one, test::rendered(d, 40, 7)));
 }
 
-TEST(Adaptive, ARenderingThatWasCutGoesOnToTheSameBits) {
+TEST(Adaptive, ResumesToTheSameBits) {
   const auto path = std::filesystem::temp_directory_path() / "etendue-test-adaptive.checkpoint";
   auto d = adaptive_cornell("sobol");
   const auto whole = test::rendered(d, 60);
@@ -100,8 +105,8 @@ TEST(Adaptive, ARenderingThatWasCutGoesOnToTheSameBits) {
   std::filesystem::remove(path);
 }
 
-// Two blocks of one size: twice the deviation is twice the samples, no block has less than the even part, and no more
-// is spent than there is.
+// Two tiles of equal size: twice the deviation gives twice the samples, every tile has at least the uniform part, and
+// the total does not exceed the budget.
 TEST(SampleAllocation, SamplesAreProportionalToDeviations) {
   render::SampleAllocation allocation(render::Adaptive::rmse, {512, 512, 512});
   film::TileVariance spread(3);
@@ -120,13 +125,14 @@ TEST(SampleAllocation, SamplesAreProportionalToDeviations) {
   }
 }
 
-// What one half is allotted is the other half's to say.
-TEST(SampleAllocation, AHalfDoesNotDecideForItself) {
+// The allocation of one half-buffer is computed from the other half-buffer.
+TEST(SampleAllocation, AHalfBufferDoesNotDetermineItsOwnAllocation) {
   const auto target = [](float own, float other) {
     render::SampleAllocation allocation(render::Adaptive::rmse, {512, 512});
     film::TileVariance spread(2);
     for (uint32_t half : {0U, 1U}) spread.record(1, half, 2, {1, 1, true});
-    spread.record(0, 0, 2, {own, 1, true}), spread.record(0, 1, 2, {other, 1, true});
+    spread.record(0, 0, 2, {own, 1, true});
+    spread.record(0, 1, 2, {other, 1, true});
     while (allocation.target(0, 0) == 4 && allocation.target(1, 0) == 4) allocation.advance(spread);
     return allocation.target(0, 0);
   };

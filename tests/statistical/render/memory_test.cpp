@@ -1,4 +1,4 @@
-// What methods keep while they render: shown in the status, and bounded however long that takes.
+// Memory of integrators during rendering: reported in the status, and bounded for any number of samples.
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
@@ -19,9 +19,9 @@ size_t memory_after(const std::string& integrator, uint32_t samples) {
   return session.status().memory;
 }
 
-// Beyond the scene and the film, which `path` needs as well. What is kept for each vertex of the longest path grows
-// with the logarithm of the samples; with their number it would be four times as much.
-TEST(Memory, OfNoMethodGrowsWithTheSamples) {
+// Memory beyond the scene and the film, which `path` needs as well. Storage per vertex of the longest path grows with
+// the logarithm of the number of samples; storage per sample would grow by a factor of four.
+TEST(Memory, IsIndependentOfTheNumberOfSamples) {
   constexpr double kLittle = 1 << 16;
   const auto base = static_cast<double>(memory_after("path", 32));
   for (const auto& info : integrator::integrator_infos()) {
@@ -31,8 +31,8 @@ TEST(Memory, OfNoMethodGrowsWithTheSamples) {
   }
 }
 
-// Photons are counted: 32 bytes for each that is stored. At least every third is, and none more than twenty times.
-TEST(Memory, OfPhotonsIsShown) {
+// Photons use 32 bytes each. The bound allows between a third and twenty stored photons per emitted photon.
+TEST(Memory, OfPhotonsIsReported) {
   auto d = test::cornell(16);
   const auto memory = [&](int photons) {
     d = *render::with_text(*render::with_text(d, "render.integrator", "sppm"), "photons", std::to_string(photons));

@@ -1,4 +1,5 @@
-// The stability matrix holds, says so when it does not, and is written as JSON and as a page.
+// The stress cases: each behaves as theory predicts, violations are reported, and the matrix is written as JSON and
+// HTML.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,10 +12,10 @@ namespace {
 
 class EveryCase : public testing::TestWithParam<size_t> {};
 
-TEST_P(EveryCase, GoesAsTheorySays) {
-  const Row row = run(cases()[GetParam()], {});
-  EXPECT_FALSE(row.findings.empty());
-  for (const Finding& f : row.findings)
+TEST_P(EveryCase, BehavesAsTheoryPredicts) {
+  const CaseResult row = run(cases()[GetParam()], {});
+  EXPECT_FALSE(row.results.empty());
+  for (const TestResult& f : row.results)
     EXPECT_TRUE(f.ok) << row.stress_case->name << ": " << f.method << ": expected " << f.expectation << ", measured "
                       << f.measured;
 }
@@ -25,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, testing::Range<size_t>(0, cases().siz
   return name;
 });
 
-TEST(Cases, AreOfEveryKindAndHaveNamesOfTheirOwn) {
+TEST(Cases, CoverEveryKindAndHaveUniqueNames) {
   std::set<std::string> names;
   std::set<Kind> kinds;
   for (const Case& c : cases()) {
@@ -37,24 +38,28 @@ TEST(Cases, AreOfEveryKindAndHaveNamesOfTheirOwn) {
   EXPECT_EQ(find_case("no-such-case"), nullptr);
 }
 
-TEST(Lab, TellsWhatIsMetFromWhatIsNot) {
-  Lab lab({});
-  lab.expect_near("a", "", 1.009, 1, 0.01), lab.expect_near("a", "", 1.011, 1, 0.01);
-  lab.expect_mean("a", "", {1.04, 0.01, 0}, 1), lab.expect_mean("a", "", {1.05, 0.01, 0}, 1);
-  lab.expect_between("a", "", 2, 1, 3), lab.expect_between("a", "", 3.1, 1, 3);
+TEST(TestContext, DistinguishesMetAndViolatedExpectations) {
+  TestContext lab({});
+  lab.expect_near("a", "", 1.009, 1, 0.01);
+  lab.expect_near("a", "", 1.011, 1, 0.01);
+  lab.expect_mean("a", "", {1.04, 0.01, 0}, 1);
+  lab.expect_mean("a", "", {1.05, 0.01, 0}, 1);
+  lab.expect_between("a", "", 2, 1, 3);
+  lab.expect_between("a", "", 3.1, 1, 3);
   lab.expect_between("a", "", std::nan(""), 1, 3);
-  lab.expect_zero("a", "", 0), lab.expect_zero("a", "", 1e-30);
+  lab.expect_zero("a", "", 0);
+  lab.expect_zero("a", "", 1e-30);
   std::vector<bool> ok;
-  for (const Finding& f : lab.take_findings()) ok.push_back(f.ok);
+  for (const TestResult& f : lab.take_results()) ok.push_back(f.ok);
   EXPECT_EQ(ok, (std::vector<bool>{true, false, true, false, true, false, false, true, false}));
 }
 
-TEST(Matrix, IsJsonWithEveryFindingAndAPageThatStandsAlone) {
-  static constexpr Case kCase{"a<b", Kind::bias, "one & two", [](Lab& lab) {
+TEST(Matrix, JsonHasEveryFindingAndThePageIsSelfContained) {
+  static constexpr Case kCase{"a<b", Kind::bias, "one & two", [](TestContext& lab) {
                                 lab.expect_zero("path", "", 0);
                                 lab.expect_zero("path", "", std::numeric_limits<double>::infinity());
                               }};
-  const std::vector<Row> rows{run(kCase, {})};
+  const std::vector<CaseResult> rows{run(kCase, {})};
   const auto json = nlohmann::json::parse(matrix_json(rows));
   ASSERT_EQ(json.size(), 2U);
   EXPECT_EQ(json[0]["case"], "a<b");

@@ -1,4 +1,4 @@
-// A bench from end to end on small pictures, at equal samples: curves are the same each time, but for their seconds.
+// The benchmark from end to end on small images, at equal sample counts: curves are reproducible except for the times.
 #include "bench/benchmark.h"
 #include "base/base64.h"
 
@@ -27,7 +27,7 @@ render::Document changed(const render::Document& d, const std::string& name, con
   return *result;
 }
 
-bool go_on(double, const std::string&) { return true; }
+bool never_cancel(double, const std::string&) { return true; }
 
 class Folder {
  public:
@@ -42,7 +42,7 @@ class Folder {
   fs::path path_;
 };
 
-TEST(Methods, AreDocumentsWithTheirSettings) {
+TEST(Methods, AreDocumentsWithTheirParameters) {
   const auto methods = bench::parse_methods("path:sampler=random:roulette-start=7,path-pure", cornell(8));
   ASSERT_TRUE(methods) << methods.error().message;
   ASSERT_EQ(methods->size(), 2u);
@@ -54,7 +54,7 @@ TEST(Methods, AreDocumentsWithTheirSettings) {
   EXPECT_EQ(methods->at(1).document.method.sampler, "sobol");
 }
 
-TEST(Methods, ACommaThatNoNameFollowsBelongsToItsValue) {
+TEST(Methods, ACommaBelongsToTheValueUnlessANameFollows) {
   const auto methods = bench::parse_methods("bdpt:without=1,* 2,3,path,bdpt:only=*,1", cornell(8));
   ASSERT_TRUE(methods) << methods.error().message;
   ASSERT_EQ(methods->size(), 3u);
@@ -64,7 +64,7 @@ TEST(Methods, ACommaThatNoNameFollowsBelongsToItsValue) {
   EXPECT_EQ(to_string(*render::get(methods->at(2).document, "bdpt.only")), "*,1");
 }
 
-TEST(Methods, TheSamplersSettingsMayComeBeforeIt) {
+TEST(Methods, SamplerParametersMayPrecedeTheSampler) {
   const auto& samplers = sampler_infos();
   for (const auto& info : samplers) {
     if (info.parameters.empty()) continue;
@@ -75,7 +75,7 @@ TEST(Methods, TheSamplersSettingsMayComeBeforeIt) {
   }
 }
 
-TEST(Methods, MayNotChangeThePicture) {
+TEST(Methods, MayNotChangeTheImage) {
   for (const char* setting : {"film.width=9", "material.0.metallic=1", "camera.yfov=1", "render.seed=3", "scene.time=1",
                               "camera.exposure=2", "render.samples=3"}) {
     const auto methods = bench::parse_methods(std::string("path:") + setting, cornell(8));
@@ -84,11 +84,14 @@ TEST(Methods, MayNotChangeThePicture) {
   }
 }
 
-TEST(PictureKey, IsOfThePictureOnly) {
+TEST(PictureKey, DependsOnTheImageOnly) {
   const auto d = cornell(8);
   const uint64_t key = bench::image_key(d);
   auto other = d;
-  other.seed = 5, other.limits.samples = 3, other.display.exposure = 2, other.scene_name = "elsewhere";
+  other.seed = 5;
+  other.limits.samples = 3;
+  other.display.exposure = 2;
+  other.scene_name = "elsewhere";
   EXPECT_EQ(bench::image_key(other), key);
   EXPECT_EQ(bench::image_key(cornell(8)), key);
   EXPECT_NE(bench::image_key(cornell(9)), key);
@@ -98,7 +101,7 @@ TEST(PictureKey, IsOfThePictureOnly) {
   EXPECT_NE(bench::image_key(changed(d, "camera.yfov", "0.5")), key);
 }
 
-TEST(PictureKey, SeesAMovedVertex) {
+TEST(PictureKey, ChangesWithAVertexPosition) {
   auto d = cornell(8);
   const uint64_t key = bench::image_key(d);
   auto scene = std::make_shared<scene::Scene>(*d.scene);
@@ -109,12 +112,12 @@ TEST(PictureKey, SeesAMovedVertex) {
   EXPECT_NE(bench::image_key(d), key);
 }
 
-TEST(Reference, IsExtendedToTheSameBits) {
+TEST(Reference, ExtensionIsBitIdentical) {
   const Folder cache;
   render::Session session({1});
   const auto d = cornell(12);
   const auto make = [&](uint32_t samples, const fs::path& folder) {
-    return bench::render_reference(session, d, {0, samples}, folder, go_on);
+    return bench::render_reference(session, d, {0, samples}, folder, never_cancel);
   };
   const Reference brief = make(4, cache.path());
   EXPECT_EQ(brief.samples, 4u);
@@ -124,31 +127,32 @@ TEST(Reference, IsExtendedToTheSameBits) {
   EXPECT_EQ(longer.file, brief.file);
   EXPECT_EQ(whole.file, "");
   EXPECT_EQ(longer.rgb(), whole.rgb());
-  // More than enough is taken as it is.
+  // A stored reference with more samples than requested is used unchanged.
   EXPECT_EQ(make(8, cache.path()).samples, 20u);
 }
 
-// The halves of a pixel say little about one pixel's error; over thousands of them the estimate stands.
-TEST(Reference, IsBetterTheLongerItIsMade) {
+// The two half-buffers of one pixel give a poor estimate of its error; over thousands of pixels the estimate is
+// accurate.
+TEST(Reference, ErrorFallsWithTime) {
   render::Session session({2});
   const auto error = [&](uint32_t samples) {
-    return bench::render_reference(session, cornell(64), {0, samples}, {}, go_on).standard_error();
+    return bench::render_reference(session, cornell(64), {0, samples}, {}, never_cancel).standard_error();
   };
   EXPECT_LT(error(128), 0.6 * error(8));
 }
 
-TEST(Reference, ADamagedCacheIsMadeAnew) {
+TEST(Reference, ADamagedCacheIsReplaced) {
   const Folder cache;
   render::Session session({1});
   const auto d = cornell(12);
-  const auto first = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
+  const auto first = bench::render_reference(session, d, {0, 4}, cache.path(), never_cancel);
   fs::resize_file(first.file, 100);
-  const auto second = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
+  const auto second = bench::render_reference(session, d, {0, 4}, cache.path(), never_cancel);
   EXPECT_EQ(second.samples, 4u);
   EXPECT_EQ(first.rgb(), second.rgb());
 }
 
-TEST(Reference, MayBeCutShort) {
+TEST(Reference, MayBeCancelled) {
   render::Session session({1});
   const auto r =
       bench::render_reference(session, cornell(12), {0, 1000000}, {}, [](double, const std::string&) { return false; });
@@ -156,12 +160,13 @@ TEST(Reference, MayBeCutShort) {
   EXPECT_EQ(r.rgb().size(), 12u * 12 * 3);
 }
 
-TEST(Run, MeasuresAtEqualSamplesTheSameEachTime) {
+TEST(Run, IsReproducibleAtEqualSamples) {
   render::Session session({2});
   const auto d = cornell(12);
-  const Reference reference = bench::render_reference(session, d, {0, 64}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 64}, {}, never_cancel);
   const Plan plan{*bench::parse_methods("path,path-pure:sampler=random", d), 0, 12, 3, 1};
-  const auto a = bench::run(session, plan, reference, go_on), b = bench::run(session, plan, reference, go_on);
+  const auto a = bench::run(session, plan, reference, never_cancel),
+             b = bench::run(session, plan, reference, never_cancel);
   ASSERT_EQ(a.methods.size(), 2u);
   for (size_t m = 0; m < 2; ++m) {
     ASSERT_EQ(a.methods[m].curves.repeats.size(), 3u);
@@ -174,15 +179,15 @@ TEST(Run, MeasuresAtEqualSamplesTheSameEachTime) {
         EXPECT_GT(x[i].seconds, i > 0 ? x[i - 1].seconds : 0);
       }
     }
-    // Repeats have seeds of their own.
+    // Repeats have different seeds.
     EXPECT_NE(a.methods[m].curves.repeats[0].points[6].mse, a.methods[m].curves.repeats[1].points[6].mse);
   }
 }
 
-TEST(Run, MethodsTakeTurns) {
+TEST(Run, MethodsAlternate) {
   render::Session session({1});
   const auto d = cornell(8);
-  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, never_cancel);
   const Plan plan{*bench::parse_methods("path,path-pure", d), 0, 2, 2, 0};
   std::vector<std::string> order;
   double last = 0;
@@ -196,21 +201,21 @@ TEST(Run, MethodsTakeTurns) {
   EXPECT_LE(last, 1);
 }
 
-TEST(Run, ABudgetOfSecondsIsKept) {
+TEST(Run, TimeBudgetIsRespected) {
   render::Session session({2});
   const auto d = cornell(16);
-  const Reference reference = bench::render_reference(session, d, {0, 16}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 16}, {}, never_cancel);
   const Plan plan{*bench::parse_methods("path", d), 0.1, 0, 1, 0};
-  const auto outcome = bench::run(session, plan, reference, go_on);
+  const auto outcome = bench::run(session, plan, reference, never_cancel);
   const auto& end = outcome.methods[0].curves.repeats[0].points.back();
   EXPECT_NEAR(end.seconds, 0.1, 0.05);
   EXPECT_GT(end.spp, 1);
 }
 
-TEST(Run, AnUnwantedRunLeavesWholeRepeats) {
+TEST(Run, CancellationKeepsCompleteRepeats) {
   render::Session session({1});
   const auto d = cornell(8);
-  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 4}, {}, never_cancel);
   const Plan plan{*bench::parse_methods("path", d), 0, 64, 100, 0};
   const auto outcome = bench::run(session, plan, reference,
                                   [](double, const std::string& what) { return !what.starts_with("path, repeat 3"); });
@@ -218,20 +223,20 @@ TEST(Run, AnUnwantedRunLeavesWholeRepeats) {
   EXPECT_EQ(outcome.methods[0].curves.repeats.size(), 2u);
 }
 
-// Random sampling has a slope of -1/2 over samples and no bias; cutting paths short has a bias that repeats show. Five
-// standard errors of five degrees of freedom are left in one of 240 seeds, each.
+// Random sampling has slope -1/2 over samples and no bias. Truncated paths have a bias, which repeats reveal. A
+// deviation of five standard errors with five degrees of freedom occurs in one of 240 seeds, for each of both checks.
 TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
   render::Session session({2});
   const auto d = cornell(16);
-  const Reference reference = bench::render_reference(session, d, {0, 4096}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 4096}, {}, never_cancel);
   const Plan plan{*bench::parse_methods("path:sampler=random,path:max-depth=2", d), 0, 128, 6, 4};
-  const auto outcome = bench::run(session, plan, reference, go_on);
+  const auto outcome = bench::run(session, plan, reference, never_cancel);
   const auto good = bench::summary_of(outcome.methods[0], reference, {});
   EXPECT_NEAR(good.slope_over_samples.value, -0.5, 5 * good.slope_over_samples.standard_error);
   EXPECT_LT(good.slope_over_samples.standard_error, 0.1);
   EXPECT_NEAR(good.bias.value, 0, 5 * good.bias.standard_error);
   EXPECT_FALSE(good.reference_too_noisy);
-  // Connections to a lamp on the ceiling are bounded.
+  // Connections to a light on the ceiling have bounded contributions.
   ASSERT_TRUE(good.khat);
   EXPECT_FALSE(good.has_heavy_tail);
   const auto dark = bench::summary_of(outcome.methods[1], reference, {});
@@ -242,10 +247,10 @@ TEST(Summary, FindsTheSlopeOfRandomSamplingAndABias) {
   EXPECT_GT(dark.flip, good.flip);
 }
 
-TEST(Report, OfNothingIsSound) {
+TEST(Report, OfAnEmptyRunIsValid) {
   render::Session session({1});
   const auto d = cornell(8);
-  const Reference reference = bench::render_reference(session, d, {0, 2}, {}, go_on);
+  const Reference reference = bench::render_reference(session, d, {0, 2}, {}, never_cancel);
   const Plan plan{*bench::parse_methods("path,path-pure", d), 0, 2, 1, 0};
   const auto outcome = bench::run(session, plan, reference, [](double, const std::string&) { return false; });
   const Folder folder;
@@ -257,7 +262,7 @@ TEST(Report, OfNothingIsSound) {
   EXPECT_TRUE(j["methods"][0]["slope"].is_null());
 }
 
-TEST(Base64, IsThatOfTheStandard) {
+TEST(Base64, MatchesTheStandard) {
   const auto of = [](const std::string& text) { return base64(std::as_bytes(std::span(text))); };
   EXPECT_EQ(of(""), "");
   EXPECT_EQ(of("f"), "Zg==");

@@ -1,4 +1,4 @@
-// Contests on small pictures: who gets which turn, what is measured, what is left behind.
+// The live benchmark on small images: scheduling, measurements, and the final state.
 #include "bench/live_benchmark.h"
 
 #include <gtest/gtest.h>
@@ -23,11 +23,11 @@ using bench::Rule;
 using Phase = bench::LiveBenchmarkSnapshot::Phase;
 using Snapshot = std::shared_ptr<const bench::LiveBenchmarkSnapshot>;
 
-bool go_on(double, const std::string&) { return true; }
+bool never_cancel(double, const std::string&) { return true; }
 
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / ("etendue-contest-" + std::to_string(::getpid()))) {}
+  Folder() : path_(fs::temp_directory_path() / ("etendue-live-benchmark-" + std::to_string(::getpid()))) {}
   ~Folder() {
     std::error_code code;
     fs::remove_all(path_, code);
@@ -45,18 +45,18 @@ LiveBenchmarkPlan plan_of(const render::Document& d, const std::string& methods)
   return plan;
 }
 
-// A contest whose snapshots can be waited for.
-class Watched {
+// A live benchmark whose snapshots can be awaited.
+class WatchedBenchmark {
  public:
-  explicit Watched(LiveBenchmarkPlan plan) : contest_(std::move(plan), [this] { wake(); }) {}
-  LiveBenchmark& contest() { return contest_; }
+  explicit WatchedBenchmark(LiveBenchmarkPlan plan) : benchmark_(std::move(plan), [this] { wake(); }) {}
+  LiveBenchmark& benchmark() { return benchmark_; }
 
   template <class F>
   Snapshot until(F&& keep_going) {
     Snapshot s;
     std::unique_lock lock(mutex_);
     const bool came = woken_.wait_for(lock, std::chrono::seconds(120), [&] {
-      s = contest_.snapshot();
+      s = benchmark_.snapshot();
       return keep_going(*s);
     });
     EXPECT_TRUE(came);
@@ -74,23 +74,26 @@ class Watched {
 
   std::mutex mutex_;
   std::condition_variable woken_;
-  LiveBenchmark contest_;  // last: it wakes
+  LiveBenchmark benchmark_;  // declared last, because its thread uses the members above
 };
 
 bench::Reference reference_of(const render::Document& d, uint32_t samples) {
   render::Session session({2});
-  return bench::render_reference(session, d, {0, samples}, {}, go_on);
+  return bench::render_reference(session, d, {0, samples}, {}, never_cancel);
 }
 
-// Against a reference that stays, the same numbers as in a bench, and the same pictures.
-TEST(LiveBenchmark, MeasuresWhatABenchMeasures) {
+// With a fixed reference, the values equal those of the batch benchmark, and so do the images.
+TEST(LiveBenchmark, MeasuresTheSameAsTheBatchBenchmark) {
   const auto d = cornell(12);
   LiveBenchmarkPlan plan = plan_of(d, "path,path-pure:sampler=random");
-  plan.rule = Rule::equal_samples, plan.samples = 12, plan.repeats = 3, plan.seed = 7;
+  plan.rule = Rule::equal_samples;
+  plan.samples = 12;
+  plan.repeats = 3;
+  plan.seed = 7;
   plan.reference = reference_of(d, 64);
   render::Session session({2});
-  const auto bench = bench::run(session, {plan.methods, 0, 12, 3, 7}, *plan.reference, go_on);
-  Watched watched(plan);
+  const auto bench = bench::run(session, {plan.methods, 0, 12, 3, 7}, *plan.reference, never_cancel);
+  WatchedBenchmark watched(plan);
   const auto s = watched.until(Phase::done);
   ASSERT_EQ(s->methods.size(), 2u);
   EXPECT_EQ(s->repeat, 3);
@@ -115,12 +118,14 @@ TEST(LiveBenchmark, MeasuresWhatABenchMeasures) {
   }
 }
 
-TEST(LiveBenchmark, TakesTheReferencesNoiseOffTheErrors) {
+TEST(LiveBenchmark, SubtractsTheNoiseOfTheReference) {
   const auto d = cornell(12);
   LiveBenchmarkPlan plan = plan_of(d, "path");
-  plan.rule = Rule::equal_samples, plan.samples = 8, plan.repeats = 1;
+  plan.rule = Rule::equal_samples;
+  plan.samples = 8;
+  plan.repeats = 1;
   plan.reference = reference_of(d, 64);
-  Watched watched(plan);
+  WatchedBenchmark watched(plan);
   const auto s = watched.until(Phase::done);
   const auto expected = metrics::without_noise(s->methods[0].measured, *plan.reference->noise);
   for (size_t i = 0; i < expected.repeats[0].points.size(); ++i)
@@ -129,13 +134,13 @@ TEST(LiveBenchmark, TakesTheReferencesNoiseOffTheErrors) {
   EXPECT_EQ(s->reference_samples, 64u);
 }
 
-// Whether somebody had a turn between the two; and whether it was theirs.
+// Checks whether a render ran between two snapshots and whether it was the one with the least time.
 bool checked_turn(const bench::LiveBenchmarkSnapshot& before, const bench::LiveBenchmarkSnapshot& after,
                   double budget) {
   double sum = 0, least = INFINITY;
   for (const auto& m : before.methods) {
     sum += m.seconds;
-    // Who is at the budget has no more turns.
+    // A render that has reached the budget does not run again.
     if (m.samples == 0 || m.seconds * (1 + 0.5 / m.samples) < budget) least = std::min(least, m.seconds);
   }
   if (after.reference_seconds > before.reference_seconds) {
@@ -150,18 +155,19 @@ bool checked_turn(const bench::LiveBenchmarkSnapshot& before, const bench::LiveB
   return false;
 }
 
-// Whoever has a turn had the least seconds before it, and the reference less than all of them together.
-TEST(LiveBenchmark, TurnsAreFairInSeconds) {
+// The scheduled render has the least time so far, and the reference has less time than all renders together.
+TEST(LiveBenchmark, TimeIsSharedEqually) {
   LiveBenchmarkPlan plan = plan_of(cornell(24), "path,path-pure:sampler=random,path:max-depth=2");
-  plan.seconds = 0.3, plan.repeats = 1;
+  plan.seconds = 0.3;
+  plan.repeats = 1;
   std::mutex mutex;
-  std::unique_ptr<LiveBenchmark> contest;
+  std::unique_ptr<LiveBenchmark> benchmark;
   std::vector<Snapshot> all;
   {
     const std::lock_guard lock(mutex);
-    contest = std::make_unique<LiveBenchmark>(plan, [&] {
+    benchmark = std::make_unique<LiveBenchmark>(plan, [&] {
       const std::lock_guard inner(mutex);
-      all.push_back(contest->snapshot());
+      all.push_back(benchmark->snapshot());
     });
   }
   const auto ended = [&] {
@@ -169,7 +175,7 @@ TEST(LiveBenchmark, TurnsAreFairInSeconds) {
     return !all.empty() && all.back()->phase == Phase::done;
   };
   while (!ended()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  contest.reset();
+  benchmark.reset();
   size_t turns = 0;
   for (size_t i = 1; i < all.size(); ++i) turns += checked_turn(*all[i - 1], *all[i], plan.seconds);
   EXPECT_GT(turns, 9u);
@@ -178,8 +184,10 @@ TEST(LiveBenchmark, TurnsAreFairInSeconds) {
 
 TEST(LiveBenchmark, EqualSamplesEndAtEqualSamples) {
   LiveBenchmarkPlan plan = plan_of(cornell(16), "path,path-pure,path:max-depth=2");
-  plan.rule = Rule::equal_samples, plan.samples = 21, plan.repeats = 2;
-  Watched watched(plan);
+  plan.rule = Rule::equal_samples;
+  plan.samples = 21;
+  plan.repeats = 2;
+  WatchedBenchmark watched(plan);
   const auto s = watched.until(Phase::done);
   for (const auto& m : s->methods) {
     ASSERT_EQ(m.corrected.repeats.size(), 2u);
@@ -188,12 +196,14 @@ TEST(LiveBenchmark, EqualSamplesEndAtEqualSamples) {
   }
 }
 
-// 64 times the samples are an eighth of the error by chance alone, and less with Sobol points.
-TEST(LiveBenchmark, ErrorsFall) {
+// 64 times the samples reduce the error to an eighth with random points, and further with Sobol' points.
+TEST(LiveBenchmark, ErrorsDecrease) {
   LiveBenchmarkPlan plan = plan_of(cornell(32), "path,path:sampler=random");
-  plan.rule = Rule::equal_samples, plan.samples = 64, plan.repeats = 2;
+  plan.rule = Rule::equal_samples;
+  plan.samples = 64;
+  plan.repeats = 2;
   plan.reference = reference_of(cornell(32), 2048);
-  Watched watched(plan);
+  WatchedBenchmark watched(plan);
   const auto s = watched.until(Phase::done);
   for (const auto& m : s->methods) {
     const auto& points = m.corrected.repeats[0].points;
@@ -203,12 +213,14 @@ TEST(LiveBenchmark, ErrorsFall) {
   }
 }
 
-TEST(LiveBenchmark, AfterTheEndItGoesOnToTwiceTheBudget) {
+TEST(LiveBenchmark, ContinuesToTwiceTheBudget) {
   LiveBenchmarkPlan plan = plan_of(cornell(12), "path,path-pure");
-  plan.rule = Rule::equal_samples, plan.samples = 6, plan.repeats = 2;
-  Watched watched(plan);
+  plan.rule = Rule::equal_samples;
+  plan.samples = 6;
+  plan.repeats = 2;
+  WatchedBenchmark watched(plan);
   const auto before = watched.until(Phase::done);
-  watched.contest().resume();
+  watched.benchmark().resume();
   const auto after = watched.until([](const auto& s) { return s.phase == Phase::done && s.samples == 12; });
   for (size_t m = 0; m < 2; ++m)
     for (size_t r = 0; r < 2; ++r) {
@@ -219,40 +231,43 @@ TEST(LiveBenchmark, AfterTheEndItGoesOnToTwiceTheBudget) {
     }
 }
 
-TEST(LiveBenchmark, StopsAtOnceAndGoesOn) {
+TEST(LiveBenchmark, StopsImmediatelyAndContinues) {
   LiveBenchmarkPlan plan = plan_of(cornell(64), "path,path-pure");
   plan.seconds = 1e6;
-  Watched watched(plan);
+  WatchedBenchmark watched(plan);
   watched.until([](const auto& s) { return s.methods[1].samples >= 2; });
-  watched.contest().stop();
+  watched.benchmark().stop();
   const auto stopped = watched.until(Phase::stopped);
   EXPECT_GE(stopped->methods[1].samples, 2u);
-  watched.contest().resume();
+  watched.benchmark().resume();
   watched.until([&](const auto& s) { return s.methods[1].samples > stopped->methods[1].samples; });
 }
 
-// A sample of this picture takes longer than anybody waits for a button: the end must not wait for one.
-TEST(LiveBenchmark, ItsEndDoesNotWaitForASample) {
+// A sample of this image takes longer than a user interface may block. The destructor must not wait for it.
+TEST(LiveBenchmark, DestructionDoesNotWaitForASample) {
   LiveBenchmarkPlan plan = plan_of(cornell(2048), "path");
   plan.threads = 1;
   plan.reference = bench::Reference{};
   plan.reference->image.width = plan.reference->image.height = 2048;
   plan.reference->image.layers.push_back({"", {"R", "G", "B"}, std::vector<float>(size_t{2048} * 2048 * 3)});
-  auto contest = std::make_unique<LiveBenchmark>(plan, nullptr);
-  contest->stop();
-  contest.reset();
+  auto benchmark = std::make_unique<LiveBenchmark>(plan, nullptr);
+  benchmark->stop();
+  benchmark.reset();
 }
 
-TEST(LiveBenchmark, TheReferenceIsTakenUpExtendedAndKept) {
+TEST(LiveBenchmark, ReferenceIsLoadedExtendedAndStored) {
   const Folder cache;
   const auto d = cornell(16);
   render::Session session({1});
-  const auto brief = bench::render_reference(session, d, {0, 4}, cache.path(), go_on);
+  const auto brief = bench::render_reference(session, d, {0, 4}, cache.path(), never_cancel);
   LiveBenchmarkPlan plan = plan_of(d, "path:sampler=random");
-  plan.rule = Rule::equal_samples, plan.samples = 256, plan.repeats = 2, plan.cache = cache.path();
+  plan.rule = Rule::equal_samples;
+  plan.samples = 256;
+  plan.repeats = 2;
+  plan.cache = cache.path();
   uint32_t samples = 0;
   {
-    Watched watched(plan);
+    WatchedBenchmark watched(plan);
     const auto s = watched.until(Phase::done);
     samples = s->reference_samples;
     EXPECT_GT(samples, brief.samples);
@@ -260,19 +275,19 @@ TEST(LiveBenchmark, TheReferenceIsTakenUpExtendedAndKept) {
     for (const auto& curve : s->methods[0].measured.repeats) methods += curve.points.back().seconds;
     EXPECT_GE(s->reference_seconds, methods);
   }
-  const auto kept = bench::render_reference(session, d, {0, 2}, cache.path(), go_on);
+  const auto kept = bench::render_reference(session, d, {0, 2}, cache.path(), never_cancel);
   EXPECT_EQ(kept.samples, samples);
-  EXPECT_EQ(kept.rgb(), bench::render_reference(session, d, {0, samples}, {}, go_on).rgb());
+  EXPECT_EQ(kept.rgb(), bench::render_reference(session, d, {0, samples}, {}, never_cancel).rgb());
 }
 
-TEST(LiveBenchmark, WhatDoesNotFitIntoMemoryIsNotBegun) {
+TEST(LiveBenchmark, ImagesLargerThanMemoryAreRejected) {
   render::Document d = cornell(8);
   d.width = d.height = 2048;
   LiveBenchmarkPlan plan = plan_of(d, "path,path-pure");
   plan.repeats = 100;
-  LiveBenchmark contest(plan, nullptr);
-  contest.stop();
-  EXPECT_EQ(contest.snapshot()->repeats, 4);
+  LiveBenchmark benchmark(plan, nullptr);
+  benchmark.stop();
+  EXPECT_EQ(benchmark.snapshot()->repeats, 4);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Sums, halves and filters.                                                                      digest 8-10: S11
+// The film: sums, half-buffers, error estimates, and reconstruction filters [Lang, eq. 8.47-8.54].
 #include <gtest/gtest.h>
 
 #include <random>
@@ -10,7 +10,7 @@
 namespace etendue::film {
 namespace {
 
-TEST(Film, MeanIsOfBothHalves) {
+TEST(Film, MeanIncludesBothHalfBuffers) {
   Film film(1, 1);
   film.add(0, 0, 0, Rgb(1, 2, 3));
   film.add(0, 0, 1, Rgb(3, 4, 5));
@@ -19,8 +19,8 @@ TEST(Film, MeanIsOfBothHalves) {
   EXPECT_EQ(film.mean(0, 0), Rgb(2, 3, 4));
 }
 
-// What cannot be a radiance is counted by its cause, and never reaches the mean.
-TEST(Film, RejectedSamplesAreCountedByCause) {
+// Samples that cannot be radiance are counted by cause and do not affect the mean.
+TEST(Film, InvalidSamplesAreCountedByCause) {
   Film film(1, 1);
   film.add(0, 0, 0, Rgb(NAN, 0, 0));
   film.add(0, 0, 1, Rgb(INFINITY, 1, 1));
@@ -32,8 +32,8 @@ TEST(Film, RejectedSamplesAreCountedByCause) {
   EXPECT_EQ(film.mean(0, 0), Rgb(1));
 }
 
-// The estimate of the error against the error that was made: samples uniform in [0, 1], 40,000 pixels, within 3 %.
-TEST(Film, ErrorEstimateMeetsTheError) {
+// The estimated error against the true error: samples uniform in [0, 1], 40,000 pixels, tolerance 3 %.
+TEST(Film, ErrorEstimateMatchesTheTrueError) {
   for (const int samples : {2, 7, 16}) {
     Film film(200, 200);
     std::mt19937 engine(5);
@@ -47,7 +47,7 @@ TEST(Film, ErrorEstimateMeetsTheError) {
   }
 }
 
-// How often the interval holds the error that was made, of films whose samples are drawn by `draw` with this mean.
+// The fraction of films whose error interval contains the true error, for samples from `draw` with this mean.
 template <class Draw>
 double coverage(int samples, double mean, Draw&& draw) {
   constexpr int kFilms = 1000, kSize = 40;
@@ -69,30 +69,32 @@ double coverage(int samples, double mean, Draw&& draw) {
   return static_cast<double>(held) / kFilms;
 }
 
-// 95 % of 1000 films hold within 93 and 97 %: four false alarms in a thousand seeds.
-TEST(Film, IntervalHoldsTheErrorOfThisPicture) {
+// Between 93 % and 97 % of 1000 films contain it for an interval of 95 %: four false alarms in a thousand seeds.
+TEST(Film, IntervalContainsTheErrorOfTheImage) {
   std::uniform_real_distribution<double> uniform;
   EXPECT_NEAR(coverage(4, 0.5, [&](auto& engine, int) { return uniform(engine); }), 0.95, 0.02);
-  // Noise that differs from place to place.
+  // Noise that varies over the image.
   EXPECT_NEAR(coverage(8, 0.5, [&](auto& engine, int x) { return 0.5 + (uniform(engine) - 0.5) * x / 40; }), 0.95,
               0.02);
 }
 
-// Long tails make the estimate itself uncertain, and the interval wide with it: excess kurtosis 110 of a sample.
-TEST(Film, IntervalHoldsWhereTailsAreLong) {
+// Long tails make the estimate itself uncertain and the interval wide: excess kurtosis of 110 per sample.
+TEST(Film, IntervalContainsTheErrorOfLongTails) {
   std::lognormal_distribution<double> lognormal(0, 1);
   EXPECT_NEAR(coverage(16, std::exp(0.5), [&](auto& engine, int) { return lognormal(engine); }), 0.95, 0.03);
 }
 
-TEST(Film, ErrorIsUnknownWhileAHalfIsEmpty) {
+TEST(Film, ErrorIsUnknownWhileAHalfBufferIsEmpty) {
   Film film(2, 1);
-  film.add(0, 0, 0, Rgb(1)), film.add(0, 0, 1, Rgb(1)), film.add(1, 0, 0, Rgb(1));
+  film.add(0, 0, 0, Rgb(1));
+  film.add(0, 0, 1, Rgb(1));
+  film.add(1, 0, 0, Rgb(1));
   EXPECT_FALSE(film.error().known);
 }
 
 class EveryFilter : public testing::TestWithParam<FilterKind> {};
 
-// Offsets follow the filter: chi-square on 24 cells, 1 % false alarms for all filters together.
+// Offsets are distributed as the filter: chi-square test with 24 cells, 1 % false alarms for all filters together.
 TEST_P(EveryFilter, SamplesFollowTheFilter) {
   const Filter filter(GetParam());
   constexpr int kCells = 24, kSamples = 200'000;
@@ -119,10 +121,10 @@ TEST_P(EveryFilter, SamplesFollowTheFilter) {
   EXPECT_GT(test::chi_square_tail(statistic, kCells - 1), 0.0025);
 }
 
-TEST_P(EveryFilter, ManySamplesAreThoseOfEachAlone) {
+TEST_P(EveryFilter, BatchesEqualSingleSamples) {
   const Filter filter(GetParam());
   alignas(64) std::array<float, 32> u;
-  u.fill(std::numeric_limits<float>::quiet_NaN());  // what stands beyond the last one must not matter
+  u.fill(std::numeric_limits<float>::quiet_NaN());  // elements beyond the last one must not matter
   std::array<float, 21> alone;
   for (size_t i = 0; i < alone.size(); ++i) {
     u[i] = std::min(static_cast<float>(i) / (alone.size() - 1), kOneMinusEpsilon);
@@ -132,9 +134,10 @@ TEST_P(EveryFilter, ManySamplesAreThoseOfEachAlone) {
   for (size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(u[i], alone[i]);
 }
 
-// (1 + sin(x^2 y^2)) / 2 over [0, 10.83]^2 in 512^2 pixels, one sample each: the picture of Fig. 8.21, whose mean is
-// 0.5132529. What is sampled at the centres has a mean of its own; any other filter's is off by chance alone.
-TEST(Filter, CentresAlias) {
+// (1 + sin(x^2 y^2)) / 2 over [0, 10.83]^2 in 512^2 pixels with one sample each: the image of [Lang, fig. 8.21], whose
+// mean is 0.5132529. Sampling at the pixel centres aliases to a different mean; the mean with any other filter differs
+// by noise only.
+TEST(Filter, SamplesAtPixelCentresAlias) {
   constexpr int kPixels = 512, kRuns = 16;
   const auto mean = [](FilterKind kind, unsigned seed) {
     const Filter filter(kind);
@@ -156,9 +159,10 @@ TEST(Filter, CentresAlias) {
   double sum = 0, squares = 0;
   for (unsigned run = 1; run <= kRuns; ++run) {
     const double m = mean(FilterKind::box, run);
-    sum += m / kRuns, squares += m * m / kRuns;
+    sum += m / kRuns;
+    squares += m * m / kRuns;
   }
-  // Student's t of 15 degrees: 1 % false alarms.
+  // Student's t with 15 degrees of freedom: 1 % false alarms.
   EXPECT_NEAR(sum, 0.5132529, 2.95 * std::sqrt((squares - sum * sum) / (kRuns - 1)));
 }
 

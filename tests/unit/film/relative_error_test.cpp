@@ -1,7 +1,7 @@
-// Films whose truth is known, and how often the stated interval holds their relMSE.
+// relMSE of films with known radiance, and the coverage of the stated interval.
 //
-// The interval is for 95 of 100 films. With 60 films each, 50 or fewer held have a probability of 7e-4 at 95 %; seeds
-// are fixed.
+// The interval contains the true value for 95 of 100 films. With 60 films, coverage of 50 or fewer has a probability of
+// 7e-4 at 95 %. Seeds are fixed.
 #include "film/relative_error.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ double relmse_of(const Film& film, const Truth& truth) {
   return sum / (kWidth * kHeight);
 }
 
-// How many of the films have it in their interval; how far it is off and how wide the interval is, in parts, on
-// average.
+// The number of films whose interval contains the true relMSE, the mean relative deviation of the estimate, and the
+// mean relative width of the interval.
 struct Coverage {
   int held = 0;
   double bias = 0, ratio = 0;
@@ -62,30 +62,30 @@ Coverage covered(const Truth& truth, const Noise& noise) {
 double smooth(int x, int y) { return 0.3 + 0.2 * std::sin(0.1 * x) * std::cos(0.08 * y); }
 double edges(int x, int y) { return x < 20 ? 0.02 : y < 17 ? 5 : 0.4; }
 double exponential(double r, std::mt19937& random) { return r * std::exponential_distribution<double>()(random); }
-// One sample of 50 has all of it.
+// One sample of 50 carries all of the radiance.
 double sparse(double r, std::mt19937& random) { return std::bernoulli_distribution(0.02)(random) ? 50 * r : 0; }
 
-TEST(RelativeError, HoldsWhereRadianceIsSmooth) {
+TEST(RelativeError, CoversSmoothRadiance) {
   const Coverage c = covered(smooth, exponential);
   EXPECT_GE(c.held, kHeldAtLeast);
   EXPECT_NEAR(c.bias, 0, 0.1);
   EXPECT_LT(c.ratio, 1.5);
 }
 
-TEST(RelativeError, HoldsAtEdges) {
+TEST(RelativeError, CoversEdges) {
   const Coverage c = covered(edges, exponential);
   EXPECT_GE(c.held, kHeldAtLeast);
   EXPECT_NEAR(c.bias, 0, 0.1);
   EXPECT_LT(c.ratio, 1.5);
 }
 
-// A mean of 48 pixels rests on fifteen bright samples here, and its inverse square is too high on average: the interval
-// has to hold that, too.
-TEST(RelativeError, HoldsWhereAFewSamplesCarryTheLight) { EXPECT_GE(covered(smooth, sparse).held, kHeldAtLeast); }
+// The mean of 48 pixels depends on fifteen bright samples here, and its inverse square is too large on average. The
+// interval must cover this bias as well.
+TEST(RelativeError, CoversSparseSamples) { EXPECT_GE(covered(smooth, sparse).held, kHeldAtLeast); }
 
-TEST(RelativeError, HoldsWhereAFewSamplesCarryTheLightAtEdges) { EXPECT_GE(covered(edges, sparse).held, kHeldAtLeast); }
+TEST(RelativeError, CoversSparseSamplesAtEdges) { EXPECT_GE(covered(edges, sparse).held, kHeldAtLeast); }
 
-TEST(RelativeError, IsUnknownUntilEveryPixelHasBothHalves) {
+TEST(RelativeError, IsUnknownUntilEveryPixelHasBothHalfBuffers) {
   Film film = film_of(smooth, exponential, 0);
   film.clear_rows(kHeight - 1, kHeight);
   EXPECT_FALSE(relative_error(film));
@@ -99,14 +99,16 @@ TEST(RelativeError, IsZeroWithoutNoise) {
   EXPECT_EQ(stated->interval.high, 0);
 }
 
-// Whoever has the picture and its variance can do the same sum.
-TEST(RelativeError, IsTheSameOfTheSavedPicture) {
+// The value can be recomputed from the image and its variance layer.
+TEST(RelativeError, EqualsTheValueOfTheSavedImage) {
   const Film film = film_of(edges, exponential, 1);
   std::vector<float> rgb, variance;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
-      for (size_t c = 0; c < 3; ++c)
-        rgb.push_back(film.mean(x, y)[c]), variance.push_back(film.variance_of_mean(x, y)[c]);
+      for (size_t c = 0; c < 3; ++c) {
+        rgb.push_back(film.mean(x, y)[c]);
+        variance.push_back(film.variance_of_mean(x, y)[c]);
+      }
   EXPECT_EQ(relative_error(kWidth, kHeight, rgb, variance).relmse, relative_error(film)->relmse);
 }
 

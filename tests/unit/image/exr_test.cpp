@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/file.h"
-#include "unit/image/file_bytes.h"
 #include "image/format.h"
+#include "unit/image/file_bytes.h"
 
 namespace etendue::test {
 namespace {

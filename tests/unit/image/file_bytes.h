@@ -1,4 +1,4 @@
-// Image files assembled byte by byte from the format specifications
+// Image files assembled byte by byte from the format specifications.
 //
 // They share no code with the readers and writers under test, and can contain what no writer produces.
 #pragma once

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/file.h"
-#include "unit/image/file_bytes.h"
 #include "image/image.h"
+#include "unit/image/file_bytes.h"
 
 namespace etendue::test {
 namespace {

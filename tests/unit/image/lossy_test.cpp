@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <memory>
 
-#include "unit/image/file_bytes.h"
 #include "image/image.h"
+#include "unit/image/file_bytes.h"
 
 namespace etendue::test {
 namespace {

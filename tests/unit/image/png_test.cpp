@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "base/file.h"
-#include "unit/image/file_bytes.h"
 #include "image/image.h"
+#include "unit/image/file_bytes.h"
 
 namespace etendue::test {
 namespace {

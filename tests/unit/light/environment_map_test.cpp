@@ -74,8 +74,8 @@ TEST(EnvironmentMap, RepeatsTheLastRowUpToThePole) {
   EXPECT_NEAR(map.radiance(direction_at(0.3f, 0.95f)).r, 3, 1e-3f);
 }
 
-// Chi-square test, 0.05 % false alarms over all maps. No bright texel at a pole: there the density per solid angle has
-// no limit, and the cells of the test could not be integrated.
+// Chi-square test with a false-alarm rate of 0.05 % over all maps. Bright texels at the poles are excluded: the density
+// per solid angle has no limit there and cannot be integrated over the cells of the test.
 TEST(EnvironmentMap, SamplesWithItsDensity) {
   for (const Environment& e :
        {noise(5, 3), noise(16, 8), noise(1, 1), one_bright_texel(3, 2), one_bright_texel(0, 4)}) {
@@ -93,7 +93,7 @@ TEST(EnvironmentMap, SamplesWithItsDensity) {
   }
 }
 
-TEST(EnvironmentMap, ASampleHasTheDensityOfItsDirection) {
+TEST(EnvironmentMap, DensityOfASampleIsThatOfItsDirection) {
   const EnvironmentMap map(noise(16, 8));
   for (int i = 0; i < 1000; ++i) {
     const auto s = map.sample(spread(i));
@@ -115,7 +115,7 @@ TEST(EnvironmentMap, EstimatesItsIntegral) {
   EXPECT_NEAR(sampled, uniform, 0.005 * uniform);
 }
 
-// Next to a bright texel the interpolated radiance is high within a dark texel: the density has to follow.
+// Next to a bright texel the interpolated radiance of a dark texel is high as well, and the density must follow.
 TEST(EnvironmentMap, RadianceOverDensityIsBounded) {
   const EnvironmentMap map(one_bright_texel(3, 2));
   double mean = 0;
@@ -146,7 +146,7 @@ TEST(EnvironmentMap, DensityIsIndependentOfScale) {
   }
 }
 
-TEST(EnvironmentMap, ABlackMapHasNoDensity) {
+TEST(EnvironmentMap, BlackMapHasNoDensity) {
   const EnvironmentMap map(environment(4, 2, [](int, int) { return Rgb(0); }));
   EXPECT_EQ(map.pdf_solid_angle(direction_at(0.3f, 0.4f)), 0);
   EXPECT_EQ(map.sample(Vec2(0.3f, 0.4f)).pdf_solid_angle, 0);

@@ -6,7 +6,7 @@
 namespace etendue {
 namespace {
 
-TEST(LightPresets, HaveTheirAmount) {
+TEST(LightPresets, HaveTheStatedFluxOrIlluminance) {
   for (const LightPreset& preset : kLightPresets) {
     int fitting = 0;
     for (const LightTypeInfo& type : light_type_infos()) {

@@ -28,7 +28,7 @@ class RandomNumbers {
   std::uniform_real_distribution<float> uniform_{0, 1};
 };
 
-// Receivers with the random numbers of their samples: more than one batch, not a whole number of registers.
+// Receivers with the random numbers of their samples: more than one batch, and not a multiple of the register width.
 struct Receivers {
   static constexpr size_t kCount = 1000;
   static constexpr size_t kCapacity = 1008;
@@ -36,9 +36,9 @@ struct Receivers {
   Vec3Lanes<kCapacity> from;
   alignas(64) std::array<float, kCapacity> choice{}, u0{}, u1{}, times{};
 
-  // All at one position.
+  // All receivers at one position.
   void draw(RandomNumbers& random, const Vec3& position) { draw(random, position, 0); }
-  // In a cube around a centre.
+  // Receivers in a cube around a centre.
   void draw(RandomNumbers& random, const Vec3& centre, float half_size) {
     for (size_t i = 0; i < kCapacity; ++i) {
       from.set(i, centre + random.in_cube(half_size));

@@ -1,8 +1,8 @@
-// Choosing lights in a light table: by power, by the tree, automatically.
+// Selection of lights from a light table: by power, by the light tree, and automatically.
 #include <gtest/gtest.h>
 
-#include "unit/light/light_queries.h"
 #include "support/moving_lights.h"
+#include "unit/light/light_queries.h"
 
 namespace etendue {
 namespace {
@@ -14,7 +14,8 @@ AreaLightTriangle panel(const Vec3& at, float size, bool double_sided, float rad
   return test::triangle(at, at + Vec3(size, 0, 0), at + Vec3(0, 0, size), radiance, double_sided);
 }
 
-// Panels above the receivers, points and spots around them; with `infinite` a directional light and an environment.
+// Panels above the receivers, with points and spots around them. `infinite` adds a directional light and an
+// environment.
 LightTable mixed_table(bool infinite, size_t panels = 40, size_t points = 10, uint32_t seed = 13) {
   RandomNumbers random(seed);
   std::vector<AreaLightTriangle> triangles;
@@ -60,7 +61,7 @@ TEST(LightSelection, TreeSamplesHaveTheStatedDensities) {
   }
 }
 
-// At most one: a receiver may be outside the cones of the spots.
+// The sum is at most one, because a receiver may be outside the cones of the spots.
 TEST(LightSelection, ProbabilitiesSumToOneWithInfiniteLights) {
   const LightTable table = mixed_table(true, 0, 9);
   RandomNumbers random(15);
@@ -74,7 +75,8 @@ TEST(LightSelection, ProbabilitiesSumToOneWithInfiniteLights) {
   }
 }
 
-// The mean of radiance over density is the same, and the tree has less variance. z-test, 0.5 % false alarms per table.
+// Both strategies estimate the same mean of radiance over density, and the tree has less variance. z-test with 0.5 %
+// false alarms per table.
 TEST(LightSelection, TreeAndPowerEstimateTheSameLight) {
   for (const bool infinite : {false, true}) {
     const LightTable table = mixed_table(infinite);
@@ -106,7 +108,7 @@ TEST(LightSelection, TreeAndPowerEstimateTheSameLight) {
   }
 }
 
-TEST(LightSelection, AutomaticUsesTheTreeForManyLightsThatAreApart) {
+TEST(LightSelection, AutomaticUsesTheTreeForManySeparateLights) {
   Receivers receivers;
   RandomNumbers random(14);
   receivers.draw(random, Vec3(0), 2);
@@ -129,7 +131,7 @@ TEST(LightSelection, AutomaticUsesTheTreeForManyLightsThatAreApart) {
   EXPECT_FALSE(same(one, LightStrategy::tree));
 }
 
-// A panel that rises and rotates and a point light with the same motion: the tree includes all their positions.
+// A panel that rises and rotates, and a point light with the same motion: the tree includes all their positions.
 TEST(LightSelection, TreeBoundsMovingLightsOverTheShutter) {
   Mat4 end(1);
   end[0] = Vec4(0, 1, 0, 0);

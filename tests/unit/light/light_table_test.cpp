@@ -1,12 +1,12 @@
-// The light table: samples of every kind of light have the densities that it states.
+// The light table: samples of every kind of light have the stated densities.
 #include "light/sampling/light_table.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "unit/light/light_queries.h"
 #include "support/moving_lights.h"
+#include "unit/light/light_queries.h"
 
 namespace etendue {
 namespace {
@@ -50,16 +50,16 @@ TEST(LightTable, SamplesPointsOnTrianglesWithTheStatedDensity) {
     EXPECT_NEAR(s.pdf / table.pdf_triangle(s.light, receivers.from[i], expected, 0, LightStrategy::one), 1, 1e-4f);
   }
   EXPECT_GT(of_each[0], 0);
-  EXPECT_GT(of_each[1], of_each[0]) << "the brighter triangle is chosen more often";
+  EXPECT_GT(of_each[1], of_each[0]) << "the brighter triangle is sampled more often";
 }
 
-TEST(LightTable, TheBackOfAOneSidedTriangleEmitsNothing) {
+TEST(LightTable, BackOfAOneSidedTriangleEmitsNothing) {
   const LightTable table(ceiling(), {}, Environment{}, scene_bounds());
   Receivers receivers = receivers_around(Vec3(0.5f, 4.5f, 0.5f));  // above both
   for (const LightSample& s : receivers.sample(table)) EXPECT_EQ(s.pdf > 0, s.light == 1);
 }
 
-TEST(LightTable, ChoosesAmongLightsOfEveryKind) {
+TEST(LightTable, SamplesLightsOfEveryKind) {
   const PlacedLight point = point_light();
   const LightTable table(ceiling(), {point}, test::constant_environment(0.01f), scene_bounds());
   Receivers receivers = receivers_around(Vec3(0.5f));
@@ -81,7 +81,7 @@ TEST(LightTable, SourcesAreInstancesPlacedLightsAndTheEnvironment) {
   auto triangles = ceiling();
   triangles.push_back(test::triangle({0, 3, 1}, {1, 3, 0}, {1, 3, 1}, 1, false));
   triangles.push_back(test::triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 1, false));
-  triangles.push_back(test::triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 0, false));  // black: no source
+  triangles.push_back(test::triangle({1, 3, 0}, {2, 3, 0}, {2, 3, 1}, 0, false));  // black, therefore no source
   const uint32_t instances[] = {0, 1, 2, 2, 3};
   for (size_t i = 0; i < triangles.size(); ++i) triangles[i].instance = instances[i];
   const LightTable table(triangles, {point_light()}, test::constant_environment(0.01f), scene_bounds());

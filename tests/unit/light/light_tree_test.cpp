@@ -1,10 +1,10 @@
-// The light tree: the probabilities of its choices.
+// The light tree: the probabilities of its selections.
 #include "light/sampling/light_tree.h"
 
 #include <gtest/gtest.h>
 
-#include "unit/light/light_queries.h"
 #include "support/chi_square.h"
+#include "unit/light/light_queries.h"
 
 namespace etendue {
 namespace {
@@ -18,7 +18,7 @@ LightBounds point_at(const Vec3& position, float intensity = 1) {
   return b;
 }
 
-// Points, one-sided and two-sided panels, spots and points of short range, in a cube.
+// Point lights, one-sided and two-sided panels, spots, and points of short range, in a cube.
 std::vector<LightBounds> mixed_lights(size_t count, float scale, uint32_t seed) {
   RandomNumbers random(seed);
   std::vector<LightBounds> lights;
@@ -63,9 +63,9 @@ TEST(LightTree, ProbabilitiesSumToOneIfEveryLightReachesTheReceiver) {
   }
 }
 
-// Chi-square test of the choices against `probability`, 1 % false alarms over all receivers. Lights that do not reach a
-// receiver leave a share of choices without a light, which is a cell of its own.
-TEST(LightTree, ChoosesWithTheStatedProbabilities) {
+// Chi-square test of the selections against `probability`, with 1 % false alarms over all receivers. Lights that do not
+// reach a receiver leave a fraction of selections without a light, which is a cell of its own.
+TEST(LightTree, SelectsWithTheStatedProbabilities) {
   constexpr size_t kLights = 60;
   constexpr int kSamples = 60000;
   constexpr int kReceivers = 8;
@@ -112,7 +112,7 @@ TEST(LightTree, ChoosesWithTheStatedProbabilities) {
   }
 }
 
-// No bias: every light that reaches a receiver has a positive probability there.
+// Unbiasedness: every light that reaches a receiver has a positive probability there.
 TEST(LightTree, IncludesEveryLightThatReachesTheReceiver) {
   constexpr size_t kLights = 300;
   const auto lights = mixed_lights(kLights, 1, 6);
@@ -135,7 +135,7 @@ TEST(LightTree, IncludesEveryLightThatReachesTheReceiver) {
   }
 }
 
-TEST(LightTree, PrefersLightsThatAreNearAndFaceTheReceiver) {
+TEST(LightTree, PrefersNearbyLightsThatFaceTheReceiver) {
   std::vector<LightBounds> lights{point_at({0, 1, 0}), point_at({10, 1, 0})};
   EXPECT_NEAR(LightTree(lights).probability(1, Vec3(0)), 1.0 / 102, 1e-5);
   lights[0].axis = Vec3(0, 1, 0);
@@ -145,7 +145,7 @@ TEST(LightTree, PrefersLightsThatAreNearAndFaceTheReceiver) {
   EXPECT_NEAR(LightTree(lights).probability(0, Vec3(0)), 101.0 / 102, 1e-5);
 }
 
-TEST(LightTree, NeverChoosesLightsWithoutPower) {
+TEST(LightTree, NeverSelectsLightsWithoutPower) {
   std::vector<LightBounds> lights{point_at({0, 1, 0}, 0), point_at({1, 1, 0}), point_at({2, 1, 0}, 0)};
   const LightTree tree(lights);
   for (const float u : {0.0f, 0.3f, kOneMinusEpsilon}) EXPECT_EQ(tree.choose(Vec3(0), u).index, 1U);
@@ -155,7 +155,7 @@ TEST(LightTree, NeverChoosesLightsWithoutPower) {
   EXPECT_TRUE(LightTree(std::vector<LightBounds>{}).empty());
 }
 
-// Lights at one position are chosen in proportion to their intensity, with a tree of normal depth.
+// Lights at one position are selected in proportion to their intensity, and the depth of the tree is normal.
 TEST(LightTree, SupportsCoincidentLights) {
   const std::vector<LightBounds> three{point_at(Vec3(1), 1), point_at(Vec3(1), 2), point_at(Vec3(1), 5)};
   for (const Vec3& from : {Vec3(0), Vec3(1)}) {  // distant, and at the same position

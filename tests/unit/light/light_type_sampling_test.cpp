@@ -1,12 +1,12 @@
 // Every registered light type, with several parameters: samples from receivers, ray casting, and emitted rays agree.
 //
-// Comparisons are z-tests at 5 standard errors: 6e-7 false alarms each, 3e-4 over the fewer than 500 of this file.
-// Seeds are fixed.
+// Comparisons are z-tests at 5 standard errors, with a false-alarm rate of 6e-7 each and 3e-4 over the fewer than 500
+// comparisons of this file. Seeds are fixed.
 #include <gtest/gtest.h>
 
-#include "unit/light/light_queries.h"
 #include "scene/builtin/shapes.h"
 #include "scene/compiled_scene.h"
+#include "unit/light/light_queries.h"
 
 namespace etendue {
 namespace {
@@ -64,7 +64,7 @@ bool has_points(const Light& light) {
   return points && std::get<int64_t>(*points) > 0;
 }
 
-// Above the origin, facing it.
+// Above the origin and facing it.
 const Vec3 kPosition(0.3f, -0.2f, 1.4f);
 
 struct LitScene {
@@ -75,7 +75,7 @@ struct LitScene {
     scene::Transform place;
     place.matrix = look_at(kPosition, Vec3(0), {0, 1, 0}, 1).to_world;
     scene::add(description, light, place);
-    // Gives the scene an extent, below everything else.
+    // Gives the scene a bounding box; the node is below everything else.
     Mat4 below(1);
     below[3] = Vec4(0, -4, 0, 1);
     scene::add(description, scene::quad(2), scene::diffuse(Rgb(0)), below);
@@ -83,7 +83,7 @@ struct LitScene {
   }
   const LightTable& table() const { return compiled->lights(); }
 
-  // Radiance that arrives at the origin from a direction.
+  // Incident radiance at the origin from a direction.
   double radiance(const Vec3& direction) const {
     Ray ray;
     ray.origin = Vec3(0);
@@ -96,7 +96,7 @@ struct LitScene {
     return static_cast<double>(compiled->emitted(point, wo).g);
   }
 
-  // Position and direction of an emitted ray; its flux, W.
+  // Position and direction of an emitted ray, and its flux in W.
   struct EmittedRay {
     Vec3 position, direction;
     double flux;
@@ -118,7 +118,7 @@ struct LitScene {
   }
 };
 
-// The directions and the densities of samples at the origin.
+// Calls use(direction, density) for samples at the origin.
 template <class Use>
 void for_samples(const LitScene& lit, LightStrategy strategy, int rounds, Use&& use) {
   RandomNumbers random(3);
@@ -129,7 +129,7 @@ void for_samples(const LitScene& lit, LightStrategy strategy, int rounds, Use&& 
   }
 }
 
-// Integrals of radiance times functions of the direction, by sampling the light and by rays uniform over the sphere.
+// Integrals of radiance times functions of the direction, by sampling the light and by uniform sampling of the sphere.
 TEST(LightTypeSampling, AgreesWithRayCasting) {
   using Function = double (*)(const Vec3&);
   const Function kFunctions[] = {[](const Vec3&) { return 1.0; },
@@ -178,8 +178,8 @@ TEST(LightTypeSampling, HasTheStatedDensity) {
   }
 }
 
-// Of a delta light the direction and the distance of every sample are known.
-TEST(LightTypeSampling, OfDeltaLightsIsExact) {
+// The direction and the distance of every sample of a delta light are known.
+TEST(LightTypeSampling, DeltaLightsAreExact) {
   for (const Light& light : lights()) {
     const LitScene lit(light);
     for_samples(lit, LightStrategy::one, 1, [&](const LightSample& s) {
@@ -224,12 +224,13 @@ TEST(LightTypeEmission, HasTheFluxOfTheLight) {
     const auto expected = static_cast<double>(light.flux().g);
     if (expected > 0) expect_near(flux, expected, light.name);
     if (class_of(light) == LightClass::ambient) {
-      EXPECT_EQ(flux.sum, 0) << "no ray leaves it";
+      EXPECT_EQ(flux.sum, 0) << "it emits no ray";
     }
   }
 }
 
-// The flux onto a disk around the origin, by sampling the light from its points and by the emitted rays that cross it.
+// The flux through a disk around the origin, by light samples from points of the disk and by emitted rays that cross
+// it.
 TEST(LightTypeEmission, AgreesWithSamplingFromReceivers) {
   constexpr float kRadius = 0.6f;
   for (const Light& light : lights()) {
@@ -263,7 +264,7 @@ TEST(LightTypeEmission, AgreesWithSamplingFromReceivers) {
   }
 }
 
-// The densities of an emitted ray are those stated for rays that another technique finds.
+// The densities of an emitted ray equal those stated for rays that another technique samples.
 TEST(LightTypeEmission, HasTheStatedDensities) {
   for (const Light& light : lights()) {
     const LitScene lit(light);
@@ -290,7 +291,7 @@ TEST(LightTypeEmission, HasTheStatedDensities) {
   }
 }
 
-// A resampled ray keeps its first end and its densities.
+// A resampled ray keeps its first end and the density of that end.
 TEST(LightTypeEmission, ResamplesTheSecondEnd) {
   for (const Light& light : lights()) {
     const LitScene lit(light);

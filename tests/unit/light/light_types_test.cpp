@@ -49,7 +49,7 @@ TEST(LightTypes, DescribeThemselves) {
   EXPECT_EQ(find_light_type("lantern"), nullptr);
 }
 
-// Every parameter is set through its text, changes the light, and is restored.
+// Every parameter can be set by its text, changes the light, and can be restored.
 TEST(LightTypes, KeepTheirParameters) {
   for (const LightTypeInfo& info : light_type_infos()) {
     const Light usual = make_light(info.description.name);
@@ -80,13 +80,13 @@ TEST(LightTypes, KeepTheirParameters) {
   }
 }
 
-TEST(LightTypes, AreEqualOnlyToTheirOwn) {
+TEST(LightTypes, AreEqualOnlyToThemselves) {
   for (const LightTypeInfo& a : light_type_infos())
     for (const LightTypeInfo& b : light_type_infos())
       EXPECT_EQ(make_light(a.description.name) == make_light(b.description.name), &a == &b);
 }
 
-TEST(LightTypes, TheUnitOfAnAreaLightFollowsItsQuantity) {
+TEST(LightTypes, UnitOfAnAreaLightFollowsItsQuantity) {
   Light light = make_light("disk");
   light.set("quantity", std::string("power"));
   const auto parameters = light.parameters();
@@ -126,7 +126,7 @@ TEST(LightFlux, SpotLight) {
     }
 }
 
-TEST(LightFlux, InfiniteLightsHaveNoFluxOfTheirOwn) {
+TEST(LightFlux, InfiniteLightsHaveNoFlux) {
   for (const LightTypeInfo& info : light_type_infos()) {
     const LightClass light_class = info.description.light_class;
     if (light_class == LightClass::delta_direction || light_class == LightClass::ambient) {
@@ -135,7 +135,7 @@ TEST(LightFlux, InfiniteLightsHaveNoFluxOfTheirOwn) {
   }
 }
 
-// 2 pi A s L0 / (k + 2), as the integral of L0 cos^k times the cosine over both the area and the hemisphere.
+// 2 pi A s L0 / (k + 2), the integral of L0 cos^k times the cosine over the area A of s sides and over the hemisphere.
 TEST(LightFlux, AreaLights) {
   const std::pair<const char*, double> kAreas[] = {
       {"quad", 0.7 * 0.4}, {"disk", kPiD * 0.3 * 0.3}, {"sphere", 4 * kPiD * 0.3 * 0.3}};
@@ -150,7 +150,7 @@ TEST(LightFlux, AreaLights) {
         EXPECT_NEAR(flux_of(light), expected, 1e-5 * expected) << type << ' ' << k;
         EXPECT_NEAR(radiance_of(light), 1.5, 1e-6);
 
-        // The same light by its power.
+        // The same light specified by its power.
         light.set("quantity", std::string("power"));
         EXPECT_NEAR(flux_of(light), 1.5, 1e-5);
         light.set("intensity", 2 * expected);

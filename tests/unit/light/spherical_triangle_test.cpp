@@ -1,5 +1,5 @@
-// Uniform directions to a triangle, compared with closed forms, with the density, and with points uniform over the
-// area.
+// Uniform sampling of the solid angle of a triangle, compared with closed forms, with its density, and with uniform
+// sampling of the area.
 #include "light/sampling/spherical_triangle.h"
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "base/warp.h"
-#include "unit/light/light_queries.h"
 #include "support/chi_square.h"
+#include "unit/light/light_queries.h"
 
 namespace etendue {
 namespace {
@@ -55,8 +55,8 @@ TEST(SphericalTriangle, SamplesPointsOfTheTriangleInTheirDirection) {
     }
 }
 
-// Chi-square test over n^2 congruent parts, each with its solid angle as expectation. 1 % false alarms over all
-// triangles.
+// Chi-square test over n^2 congruent parts, each with its solid angle as expectation. The false-alarm rate is 1 % over
+// all triangles.
 TEST(SphericalTriangle, DirectionsAreUniform) {
   constexpr int kSides = 6;
   constexpr int kSamples = 50000;
@@ -97,8 +97,8 @@ TEST(SphericalTriangle, DirectionsAreUniform) {
   }
 }
 
-// Integrals over directions equal weighted integrals over the area: z-tests of the means of three functions, 1 % false
-// alarms over all triangles and functions.
+// Integrals over directions equal weighted integrals over the area: z-tests of the means of three functions with a
+// false-alarm rate of 1 % over all triangles and functions.
 TEST(SphericalTriangle, IntegralsEqualThoseOverTheArea) {
   constexpr int kSamples = 200000;
   std::mt19937 engine(4);

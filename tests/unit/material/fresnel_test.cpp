@@ -1,4 +1,4 @@
-// Fresnel's equations, their approximations and the constants of materials: thesis 4.1.3 and what follows from it.
+// Fresnel's equations, their approximations, and the optical constants of materials [Lang, sec. 4.1.3].
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace {
 
 using test::direction;
 
-// Dielectrics by angle, and their means on both sides.
+// Reflectance of dielectrics by angle, and the hemispherical means on both sides.
 TEST(Fresnel, Dielectrics) {
   struct Row {
     double eta, r0, at30, at45, at60, at75, at85, at89, mean_outside, mean_inside;
@@ -48,8 +48,9 @@ TEST(Fresnel, Dielectrics) {
   }
 }
 
-// Schlick's approximation is as wrong as it is known to be, and E5 is kept.
-TEST(Fresnel, SchlickErrs) {
+// The known errors of Schlick's approximation. From the denser side it uses the cosine of the transmitted direction
+// [Lang, eq. 4.75, corrected].
+TEST(Fresnel, SchlickHasItsKnownErrors) {
   const std::array<double, 3> rows[] = {{1.31, .0653, 83.6}, {1.333, .0592, 83.8}, {1.46, .0388, 84.8},
                                         {1.5, .0357, 85.0},  {1.6, .0319, 85.3},   {1.77, .0335, 85.5},
                                         {2.42, .0757, 84.5}};
@@ -59,7 +60,10 @@ TEST(Fresnel, SchlickErrs) {
       float cos_t;
       const float c = direction(static_cast<float>(theta)).z, n = static_cast<float>(eta);
       const double off = std::abs(double{fresnel_dielectric(c, n, cos_t)} - fresnel_schlick(c, n, 0));
-      if (off > most) most = off, where = theta;
+      if (off > most) {
+        most = off;
+        where = theta;
+      }
     }
     EXPECT_NEAR(most, error, 6e-5) << eta;
     EXPECT_NEAR(where, angle, 0.11) << eta;
@@ -73,7 +77,8 @@ TEST(Fresnel, SchlickErrs) {
   EXPECT_EQ(fresnel_schlick(direction(42).z, inside, 0), 1);
 }
 
-// The thesis's approximation and the exact equations; its double square (E3) is neither.
+// The approximation for conductors [Lang, eq. 4.69-4.72, corrected] and the exact equations. Squaring the terms again,
+// as printed, agrees with neither.
 TEST(Fresnel, Conductors) {
   struct Row {
     const char* name;
@@ -133,8 +138,8 @@ TEST(Fresnel, Conductors) {
   EXPECT_NEAR(most, 0.0054, 5e-5);
 }
 
-// Where the metals' numbers come from.
-TEST(Conductors, AreTheMeasuredOnesSeenByTheObserver) {
+// The sources of the constants of metals.
+TEST(Conductors, AreTheMeasuredSpectraWeightedByTheObserver) {
   const char* data = std::getenv("ETENDUE_TEST_DATA");
   if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
   using Table = std::vector<std::array<double, 4>>;
@@ -178,7 +183,9 @@ TEST(Conductors, AreTheMeasuredOnesSeenByTheObserver) {
         if (row[0] < 380 || row[0] > 780) continue;
         double w = 0;
         for (size_t j = 0; j < 3; ++j) w += to_srgb[band][j] * row[1 + j];
-        weights += w, n += w * at(metal, row[0], 1), k += w * at(metal, row[0], 2);
+        weights += w;
+        n += w * at(metal, row[0], 1);
+        k += w * at(metal, row[0], 2);
       }
       EXPECT_NEAR(constants->eta[band], n / weights, 1e-5) << name;
       EXPECT_NEAR(constants->kappa[band], k / weights, 1e-5) << name;

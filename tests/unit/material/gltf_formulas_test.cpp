@@ -1,4 +1,4 @@
-// What the layers are, where it can be told without their code.
+// Layers of the glTF extensions against formulas that are independent of their implementation.
 #include <gtest/gtest.h>
 
 #include "bsdf/lobes/sheen.h"
@@ -7,10 +7,14 @@
 namespace etendue::test {
 namespace {
 
-// A smooth coat is a mirror of 4 % about its own normal, foreshortened by the surface's, and takes that from below.
+// A smooth coat of strength s is a mirror with reflectance 4 % s about its own normal, with the cosine of the surface
+// normal, and attenuates the base by its reflectance.
 TEST(Clearcoat, IsAMirrorAboutItsNormal) {
   Material m;
-  m.metallic = 0, m.specular = 0, m.base_color = Rgb(1), m.clearcoat = 0.5f;
+  m.metallic = 0;
+  m.specular = 0;
+  m.base_color = Rgb(1);
+  m.clearcoat = 0.5f;
   const Vec3 normal = direction(10, 1);
   const auto lobes = lobes_of(m, normal);
   DeltaSet<Rgb> deltas;
@@ -22,20 +26,25 @@ TEST(Clearcoat, IsAMirrorAboutItsNormal) {
   EXPECT_NEAR(lobes.eval(normal, wi, TransportMode::radiance).r, kInvPi * 0.98f, 1e-4f);
 }
 
-TEST(Clearcoat, TakesTheGreaterOfBothSides) {
+TEST(Clearcoat, AttenuatesByTheGreaterReflectanceOfBothDirections) {
   Material m;
-  m.metallic = 0, m.specular = 0, m.base_color = Rgb(1), m.clearcoat = 1;
+  m.metallic = 0;
+  m.specular = 0;
+  m.base_color = Rgb(1);
+  m.clearcoat = 1;
   const Vec3 steep = direction(20), flat = direction(80);
   const float kept = 0.04f + 0.96f * std::pow(1 - flat.z, 5.0f);
   EXPECT_NEAR(lobes_of(m).eval(steep, flat, TransportMode::radiance).r, kInvPi * (1 - kept), 1e-4f);
 }
 
-// E of the table against the mean of samples, and its ends: none when looking along the fibres of a narrow sheen.
-TEST(Sheen, TableIsItsAlbedo) {
+// The tabulated albedo E against the mean sample weight, and its limits: zero for a view along the fibres of a narrow
+// sheen.
+TEST(Sheen, TableEqualsItsAlbedo) {
   for (const float roughness : {0.31f, 0.5f, 0.77f, 1.0f})
     for (const float theta : {0.0f, 40.0f, 75.0f, 87.0f}) {
       Sheen<Rgb> sheen;
-      sheen.color = Rgb(1), sheen.roughness = roughness;
+      sheen.color = Rgb(1);
+      sheen.roughness = roughness;
       const Vec3 wo = direction(theta);
       Random random(3);
       double sum = 0, squares = 0;
@@ -43,7 +52,8 @@ TEST(Sheen, TableIsItsAlbedo) {
       for (int i = 0; i < kN; ++i) {
         LobeSample<Rgb> s;
         if (!sheen.sample(wo, random.lobe(), TransportMode::radiance, s)) continue;
-        sum += s.weight.r, squares += sqr(double{s.weight.r});
+        sum += s.weight.r;
+        squares += sqr(double{s.weight.r});
       }
       const double mean = sum / kN, error = std::sqrt((squares / kN - mean * mean) / kN);
       EXPECT_NEAR(mean, sheen_albedo(wo.z, roughness), 0.002 + 4 * error) << roughness << ' ' << theta;
@@ -52,9 +62,9 @@ TEST(Sheen, TableIsItsAlbedo) {
   EXPECT_GT(sheen_albedo(0.01f, 0.1f), 1) << "the fit gains energy here, and the lobe divides by it";
 }
 
-// alpha is the square of the roughness: D at the horizon is (2 + 1 / alpha) / (2 pi).
-TEST(Sheen, DistributionIsThatOfTheSpecification) {
-  const Vec3 o = direction(60, 0), i = direction(60, 0);  // h is o: sin theta_h is sin 60
+// alpha is the squared roughness: D at the horizon is (2 + 1 / alpha) / (2 pi).
+TEST(Sheen, DistributionFollowsTheSpecification) {
+  const Vec3 o = direction(60, 0), i = direction(60, 0);  // h = o, so sin theta_h = sin 60
   const float alpha = 0.25f, x = 0.5f;
   const auto l = [&](float t) {
     const float s = sqr(1 - alpha);
@@ -67,40 +77,44 @@ TEST(Sheen, DistributionIsThatOfTheSpecification) {
   EXPECT_NEAR(sheen_shape(o, i, 0.5f), d / (4 * 0.25f * (1 + 2 * lambda)), 1e-4f);
 }
 
-// A film of the index of air is none, along the normal, where Schlick's term of the boundary is zero.
-TEST(ThinFilm, OfAirLeavesTheBase) {
+// A film with the index of air has no effect at normal incidence, where Schlick's term of the boundary is zero.
+TEST(ThinFilm, IndexOfAirLeavesTheBase) {
   for (const Rgb& f0 : {Rgb(0.04f), Rgb(0.2f, 0.1f, 0.5f)}) {
     const Rgb f = ThinFilm{1, 400}.reflectance(1, f0);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(f[k], f0[k], 1e-4f) << k;
   }
 }
 
-// One without thickness leaves the base as bright as it was; its white is that of equal energies, ours is D65.
-TEST(ThinFilm, WithoutThicknessLeavesTheBase) {
+// A film without thickness leaves the luminance of the base. The white point of the film is that of equal energy, that
+// of the renderer is D65.
+TEST(ThinFilm, ZeroThicknessLeavesTheBase) {
   EXPECT_NEAR(luminance(ThinFilm{1.3f, 0}.reflectance(1, Rgb(0.04f))), 0.04f, 4e-4f);
 }
 
-// Light that has come far further has no phase left: R12 + T^2 R23 / (1 - R12 R23).
-TEST(ThinFilm, OfGreatThicknessAddsUpPowers) {
+// For a large optical path difference the interference vanishes: R12 + T^2 R23 / (1 - R12 R23).
+TEST(ThinFilm, LargeThicknessAddsPowers) {
   const float r12 = sqr(0.3f / 2.3f), r23 = sqr(0.2f / 2.8f);
   const Rgb f = ThinFilm{1.3f, 1e6f}.reflectance(1, Rgb(0.04f));
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(f[k], r12 + sqr(1 - r12) * r23 / (1 - r12 * r23), 1e-4f);
 }
 
-// A quarter of the wavelength, of the root of the base's index: what coats lenses.
-TEST(ThinFilm, OfAQuarterWaveExtinguishesGreen) {
+// A quarter-wave film with the square root of the index of the base: an antireflection coating.
+TEST(ThinFilm, QuarterWaveExtinguishesGreen) {
   const float n = std::sqrt(1.5f);
   const Rgb f = ThinFilm{n, 550 / (4 * n)}.reflectance(1, Rgb(0.04f));
   EXPECT_LT(f.g, 0.002f);
   EXPECT_LT(max_component(f), 0.02f) << "of 0.04 without the film";
-  EXPECT_GT(f.b, f.g) << "blue is further from the quarter of its wave";
+  EXPECT_GT(f.b, f.g) << "the film is further from a quarter of the wavelength of blue";
 }
 
-// Half of the light that the layer lets pass goes to the other side, in a colour of its own.
-TEST(DiffuseTransmission, SharesTheLightBetweenTheSides) {
+// A fraction of the transmitted light of the layer goes to the other side, with its own colour.
+TEST(DiffuseTransmission, SplitsTheLightBetweenTheSides) {
   Material m;
-  m.metallic = 0, m.specular = 0, m.base_color = {0.2f, 0.4f, 0.8f};
-  m.diffuse_transmission = 0.25f, m.diffuse_transmission_color = {1, 0.5f, 0.1f};
+  m.metallic = 0;
+  m.specular = 0;
+  m.base_color = {0.2f, 0.4f, 0.8f};
+  m.diffuse_transmission = 0.25f;
+  m.diffuse_transmission_color = {1, 0.5f, 0.1f};
   const auto lobes = lobes_of(m);
   const Rgb front = lobes.eval(direction(20), direction(60), TransportMode::radiance);
   const Rgb back = lobes.eval(direction(20), direction(120), TransportMode::radiance);
@@ -110,23 +124,35 @@ TEST(DiffuseTransmission, SharesTheLightBetweenTheSides) {
   }
 }
 
-TEST(DiffuseTransmission, LetsLightIntoAVolume) {
+TEST(DiffuseTransmission, TransmitsLightIntoAVolume) {
   Material m;
-  m.metallic = 0, m.diffuse_transmission = 1, m.thickness = 1;
-  m.attenuation_distance = 1, m.attenuation_color = {0.5f, 1, 1};
+  m.metallic = 0;
+  m.diffuse_transmission = 1;
+  m.thickness = 1;
+  m.attenuation_distance = 1;
+  m.attenuation_color = {0.5f, 1, 1};
   EXPECT_TRUE(m.is_solid());
   EXPECT_TRUE(SurfaceMaterial(m, {}).absorbs_inside);
 }
 
-// A metal and a plastic, each in both ways of saying it.
-TEST(SpecularGlossiness, IsAMetalOrADielectric) {
+// A metal and a plastic, each in both parameterisations.
+TEST(SpecularGlossiness, EqualsAMetalOrADielectric) {
   Material gold, gold_too, plastic, plastic_too;
-  gold.specular_glossiness = true, gold.base_color = Rgb(0), gold.specular_color = {1, 0.77f, 0.34f};
-  gold.metallic = 0, gold.roughness = 0.3f;
-  gold_too.base_color = gold.specular_color, gold_too.roughness = 0.3f;
-  plastic.specular_glossiness = true, plastic.base_color = {0.1f, 0.5f, 0.9f}, plastic.specular_color = Rgb(0.04f);
-  plastic.metallic = 0, plastic.roughness = 0.6f;
-  plastic_too.base_color = plastic.base_color * 0.96f, plastic_too.metallic = 0, plastic_too.roughness = 0.6f;
+  gold.specular_glossiness = true;
+  gold.base_color = Rgb(0);
+  gold.specular_color = {1, 0.77f, 0.34f};
+  gold.metallic = 0;
+  gold.roughness = 0.3f;
+  gold_too.base_color = gold.specular_color;
+  gold_too.roughness = 0.3f;
+  plastic.specular_glossiness = true;
+  plastic.base_color = {0.1f, 0.5f, 0.9f};
+  plastic.specular_color = Rgb(0.04f);
+  plastic.metallic = 0;
+  plastic.roughness = 0.6f;
+  plastic_too.base_color = plastic.base_color * 0.96f;
+  plastic_too.metallic = 0;
+  plastic_too.roughness = 0.6f;
   const Vec3 o = direction(30, 0), i = direction(50, 2.5f);
   for (const auto& [one, other] : {std::pair(gold, gold_too), std::pair(plastic, plastic_too)}) {
     const Rgb a = lobes_of(one).eval(o, i, TransportMode::radiance),
@@ -135,11 +161,16 @@ TEST(SpecularGlossiness, IsAMetalOrADielectric) {
   }
 }
 
-// KHR_materials_volume: strength and colour do not touch total reflection, and colour not what grazes.
-TEST(TintedGlass, ReflectsTotallyAllTheSame) {
+// KHR_materials_volume: strength and colour do not affect total internal reflection, and the colour does not affect
+// grazing reflection.
+TEST(TintedGlass, TotalReflectionIsUnaffected) {
   Material m;
-  m.metallic = 0, m.roughness = 0, m.transmission = 1, m.thickness = 1;
-  m.specular = 0.5f, m.specular_color = {1, 0.5f, 0};
+  m.metallic = 0;
+  m.roughness = 0;
+  m.transmission = 1;
+  m.thickness = 1;
+  m.specular = 0.5f;
+  m.specular_color = {1, 0.5f, 0};
   const auto lobes = lobes_of(m);
   DeltaSet<Rgb> inside, outside;
   lobes.add_deltas(-direction(60), TransportMode::radiance, inside);

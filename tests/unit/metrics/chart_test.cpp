@@ -24,7 +24,7 @@ MethodCurves power_law(const std::string& name, double scale, double slope, int 
   return method;
 }
 
-// Whether every element is closed, in order, attributes are quoted and every & begins an entity.
+// Checks that every element is closed in order, attributes are quoted, and every & starts an entity.
 bool well_formed(const std::string& xml) {
   std::vector<std::string> open;
   for (size_t i = 0; i < xml.size(); ++i) {
@@ -56,13 +56,15 @@ size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-bool sound(const std::string& svg) { return well_formed(svg) && count(svg, "nan") == 0 && count(svg, "inf") == 0; }
+bool is_valid_svg(const std::string& svg) {
+  return well_formed(svg) && count(svg, "nan") == 0 && count(svg, "inf") == 0;
+}
 
 std::string svg_chart(std::span<const MethodCurves> methods, const ChartOptions& options) {
   return to_svg(convergence_chart(methods, options));
 }
 
-TEST(WellFormed, TellsGoodFromBad) {
+TEST(WellFormed, AcceptsValidAndRejectsInvalid) {
   EXPECT_TRUE(well_formed("<a b=\"c>d\"><e/>&amp;</a>"));
   EXPECT_FALSE(well_formed("<a><b></a></b>"));
   EXPECT_FALSE(well_formed("<a>"));
@@ -73,7 +75,7 @@ TEST(SvgChart, ShowsEveryMethodWithItsSlope) {
   const std::vector<MethodCurves> methods{power_law("path:sampler=sobol", 1, -0.75),
                                           power_law("path:sampler=random", 2, -0.5)};
   const std::string svg = svg_chart(methods, {.title = "Cornell box"});
-  EXPECT_TRUE(sound(svg)) << svg;
+  EXPECT_TRUE(is_valid_svg(svg)) << svg;
   for (const auto& method : methods) {
     EXPECT_EQ(count(svg, ">" + method.name + "</text>"), 1u);
     EXPECT_EQ(count(svg, "<title>" + method.name), 25u);
@@ -87,10 +89,10 @@ TEST(SvgChart, ShowsEveryMethodWithItsSlope) {
   EXPECT_EQ(count(svg, ">seconds</text>"), 1u);
 }
 
-TEST(SvgChart, KnowsSamplesAndRelativeErrors) {
+TEST(SvgChart, SupportsSamplesAndRelativeErrors) {
   const std::vector<MethodCurves> methods{power_law("path", 1, -0.5)};
-  const std::string svg = svg_chart(methods, {.abscissa = Abscissa::samples, .kind = ErrorKind::relmse});
-  EXPECT_TRUE(sound(svg));
+  const std::string svg = svg_chart(methods, {.title = "", .abscissa = Abscissa::samples, .kind = ErrorKind::relmse});
+  EXPECT_TRUE(is_valid_svg(svg));
   EXPECT_EQ(count(svg, ">samples per pixel</text>"), 1u);
   EXPECT_EQ(count(svg, ">relMSE</text>"), 1u);
   EXPECT_EQ(count(svg, ">-2</text>"), 1u);
@@ -99,26 +101,29 @@ TEST(SvgChart, KnowsSamplesAndRelativeErrors) {
 TEST(SvgChart, NamesAreEscaped) {
   const std::vector<MethodCurves> methods{power_law("<a href=\"x\">&'\x01", 1, -0.5)};
   const std::string svg = svg_chart(methods, {.title = "R&D <1>"});
-  EXPECT_TRUE(sound(svg));
+  EXPECT_TRUE(is_valid_svg(svg));
   EXPECT_EQ(count(svg, "&lt;a href=&quot;x&quot;&gt;&amp;&#39;</text>"), 1u);
   EXPECT_EQ(count(svg, "R&amp;D &lt;1&gt;"), 2u);
 }
 
-TEST(SvgChart, OddDataGiveSoundCharts) {
+TEST(SvgChart, UnusualDataGiveValidCharts) {
   MethodCurves nothing{"nothing", {}}, zero = power_law("zero", 0, -0.5), one = power_law("one", 1, -0.5),
                                        odd = power_law("odd", 1, -0.5), wide = power_law("wide", 1e-12, -6);
-  one.repeats.resize(1), one.repeats[0].points.resize(1);
-  odd.repeats[0].points[2].mse = NAN, odd.repeats[1].points[0].seconds = 0, odd.repeats[2].points[9].mse = INFINITY;
+  one.repeats.resize(1);
+  one.repeats[0].points.resize(1);
+  odd.repeats[0].points[2].mse = NAN;
+  odd.repeats[1].points[0].seconds = 0;
+  odd.repeats[2].points[9].mse = INFINITY;
   for (const auto& method : {nothing, zero, one, odd, wide}) {
     const std::string svg = svg_chart(std::vector{method}, {.title = "t", .reference_error = 1e-3});
-    EXPECT_TRUE(sound(svg)) << method.name;
+    EXPECT_TRUE(is_valid_svg(svg)) << method.name;
     EXPECT_EQ(count(svg, ">" + method.name + "</text>"), 1u);
   }
-  EXPECT_TRUE(sound(svg_chart({}, {.title = "empty"})));
-  EXPECT_TRUE(sound(svg_chart(std::vector{nothing, zero, one, odd, wide}, {.title = "all"})));
+  EXPECT_TRUE(is_valid_svg(svg_chart({}, {.title = "empty"})));
+  EXPECT_TRUE(is_valid_svg(svg_chart(std::vector{nothing, zero, one, odd, wide}, {.title = "all"})));
 }
 
-TEST(SvgChart, EverythingLiesInside) {
+TEST(SvgChart, EverythingIsInsideTheFrame) {
   const std::vector<MethodCurves> methods{power_law("a", 1, -0.5), power_law("b", 3, -1), power_law("c", 1e-3, 0)};
   const Drawing drawing = convergence_chart(methods, {"t", Abscissa::seconds, ErrorKind::rmse, 900, 520, 2e-3});
   const auto inside = [&](const Point& s) {
@@ -139,7 +144,7 @@ std::vector<std::string> labels(double low, double high) {
   return found;
 }
 
-TEST(LogAxis, TicksAreRound) {
+TEST(LogAxis, TicksAreRoundNumbers) {
   using Labels = std::vector<std::string>;
   EXPECT_EQ(labels(0.008, 130), (Labels{"0.01", "0.1", "1", "10", "100"}));
   EXPECT_EQ(labels(0.9, 21), (Labels{"1", "2", "5", "10", "20"}));
@@ -148,20 +153,20 @@ TEST(LogAxis, TicksAreRound) {
   EXPECT_LE(labels(1e-30, 1).size(), 12u);
 }
 
-TEST(LogAxis, PlacesAreLogarithmic) {
+TEST(LogAxis, PositionsAreLogarithmic) {
   const LogAxis axis(0.1, 1000, 50, 450);
   EXPECT_NEAR(axis.position(0.1), 50, 1e-9);
   EXPECT_NEAR(axis.position(10), 250, 1e-9);
   EXPECT_NEAR(axis.position(1000), 450, 1e-9);
 }
 
-TEST(ShortNumber, HasNoEmptyDigits) {
+TEST(ShortNumber, HasNoTrailingZeros) {
   for (const auto& [value, text] :
        {std::pair{0.01, "0.01"}, {20.0, "20"}, {1e-5, "1e-5"}, {1e10, "1e10"}, {1.5e-12, "1.5e-12"}})
     EXPECT_EQ(short_number(value), text);
 }
 
-TEST(Raster, PaintsShapesWithSmoothEdges) {
+TEST(Raster, DrawsShapesWithAntialiasing) {
   Drawing drawing{20, 10, "", {}};
   drawing.shapes.push_back(Polygon{{{2, 2}, {7.5, 2}, {7.5, 8}, {2, 8}}, {0, 0, 0}});
   drawing.shapes.push_back(Polyline{{{10, 5}, {20, 5}}, {255, 0, 0}, 2});
@@ -177,7 +182,7 @@ TEST(Raster, PaintsShapesWithSmoothEdges) {
   EXPECT_EQ(at(15, 2, 1), 255);
 }
 
-TEST(Raster, WritesWords) {
+TEST(Raster, DrawsText) {
   Drawing drawing{20, 12, "", {}};
   drawing.shapes.push_back(Text{{1, 11}, "I", 13, {0, 0, 0}});
   const auto bytes = rasterize(drawing);

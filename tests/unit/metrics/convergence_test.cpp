@@ -1,5 +1,5 @@
-// False alarms: every test has a seed of its own, so that it passes always or never; the rates stated are those of a
-// new seed.
+// Convergence analysis: slopes, quantile bands, efficiency, bias and variance. Every test has a fixed seed, so that it
+// is reproducible; the stated false-alarm rates are those of a new seed.
 #include "metrics/convergence.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace metrics;
 
-// error = scale * seconds^slope, log-spaced, with 100 samples a second.
+// error = scale * seconds^slope at log-spaced times, with 100 samples per second.
 ErrorCurve power_law(double scale, double slope, int points = 12) {
   ErrorCurve curve;
   for (const double t : log_grid(0.1, 10, points)) {
@@ -28,7 +28,8 @@ MethodCurves method_of(std::vector<ErrorCurve> repeats) {
   return method;
 }
 
-// Pixels that are running means of independent samples: errors of one curve go together as those of a rendering do.
+// Pixels that are running means of independent samples: the errors along a curve are correlated as those of a
+// rendering.
 ErrorCurve running_means(std::mt19937& random, int pixels) {
   std::normal_distribution<double> normal;
   std::vector<double> sums(static_cast<size_t>(pixels));
@@ -36,10 +37,12 @@ ErrorCurve running_means(std::mt19937& random, int pixels) {
   double n = 0;
   for (const double next : {1, 2, 4, 8, 16, 32, 64, 128, 256}) {
     ErrorPoint p;
-    p.spp = next, p.seconds = 0.01 * next;
+    p.spp = next;
+    p.seconds = 0.01 * next;
     for (double& sum : sums) {
       sum += normal(random) * std::sqrt(next - n);
-      p.mse += std::pow(sum / next, 2) / pixels, p.bias += sum / next / pixels;
+      p.mse += std::pow(sum / next, 2) / pixels;
+      p.bias += sum / next / pixels;
     }
     n = next;
     curve.points.push_back(p);
@@ -47,9 +50,10 @@ ErrorCurve running_means(std::mt19937& random, int pixels) {
   return curve;
 }
 
-// Student's t for intervals of 95 %.
+// Quantiles of Student's t for 95 % intervals.
 constexpr double kStudent7 = 2.365, kStudent18 = 2.101;
-// Of 500 intervals of 95 %, 475 +- 4.87 hold the truth; 3.3 standard deviations are a false alarm in 1000, both sides.
+// Of 500 intervals of 95 %, 475 +- 4.87 contain the true value. 3.3 standard deviations are exceeded once in 1000, on
+// both sides together.
 constexpr double kRuns = 500, kExpected = 475, kAllowed = 3.3 * 4.873;
 
 TEST(LineFit, FindsALine) {
@@ -61,8 +65,8 @@ TEST(LineFit, FindsALine) {
   EXPECT_NEAR(fit.slope_error, 0, 1e-9);
 }
 
-TEST(LineFit, WeightsCount) {
-  // The third point is worth nothing.
+TEST(LineFit, WeightsAreRespected) {
+  // The third point has weight zero.
   const LinePoint points[] = {{0, 0}, {1, 1}, {2, 100, 0}};
   EXPECT_NEAR(fit_line(points).slope, 1, 1e-12);
 }
@@ -74,7 +78,7 @@ TEST(LineFit, NeedsTwoAbscissas) {
   EXPECT_FALSE(fit_line(same).known);
 }
 
-TEST(LineFit, TheStandardErrorIsOne) {
+TEST(LineFit, StandardErrorsAreCalibrated) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   int held = 0;
@@ -105,7 +109,7 @@ TEST(Convergence, SlopesOfPowerLawsAreExact) {
   }
 }
 
-TEST(Convergence, SlopesOfRenderingsHoldTheTruthAsOftenAsTheySay) {
+TEST(Convergence, SlopeIntervalsOfRenderingsAreCalibrated) {
   std::mt19937 random(2);
   int held = 0;
   double mean = 0;
@@ -120,8 +124,8 @@ TEST(Convergence, SlopesOfRenderingsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_NEAR(mean, -0.5, 1e-3);
 }
 
-TEST(Convergence, DenseEndsDoNotRuleTheSlope) {
-  // Steep at first, flat later, with a thousand points in the flat part: as a log-spaced curve has it.
+TEST(Convergence, DenselySampledEndsDoNotDominateTheSlope) {
+  // Steep at first, then flat, with a thousand points in the flat part.
   const auto bent = [](const std::vector<double>& times) {
     ErrorCurve curve;
     for (const double t : times) curve.points.push_back({t, t, t < 1 ? 1 / t : 1, 0, 0});
@@ -133,7 +137,7 @@ TEST(Convergence, DenseEndsDoNotRuleTheSlope) {
   EXPECT_NEAR(slope_of(bent(crowded), Abscissa::seconds).value, even, 0.02);
 }
 
-TEST(Convergence, OneRepeatKnowsNoSpread) {
+TEST(Convergence, OneRepeatHasNoSpread) {
   std::mt19937 random(3);
   const Estimate slope = slope_of(method_of({running_means(random, 16)}), Abscissa::samples);
   EXPECT_TRUE(slope.known);
@@ -142,7 +146,7 @@ TEST(Convergence, OneRepeatKnowsNoSpread) {
   EXPECT_FALSE(slope_of(MethodCurves(), Abscissa::samples).known);
 }
 
-TEST(Convergence, GridsAreInEqualRatios) {
+TEST(Convergence, GridsHaveEqualRatios) {
   const auto grid = log_grid(0.5, 32, 7);
   ASSERT_EQ(grid.size(), 7u);
   for (size_t i = 0; i < 7; ++i) EXPECT_NEAR(grid[i], std::ldexp(0.5, static_cast<int>(i)), 1e-12);
@@ -179,10 +183,13 @@ TEST(Convergence, BandsEndWhereMostRepeatsEnd) {
   EXPECT_EQ(band.size(), 6u);
 }
 
-TEST(Convergence, TheReferencesVarianceIsTakenOff) {
+TEST(Convergence, VarianceOfTheReferenceIsSubtracted) {
   const ReferenceNoise noise{0.04, 0.08};
   MethodCurves measured = method_of({power_law(1, -0.5)});
-  for (auto& p : measured.repeats[0].points) p.mse += noise.mse, p.relmse += noise.relmse;
+  for (auto& p : measured.repeats[0].points) {
+    p.mse += noise.mse;
+    p.relmse += noise.relmse;
+  }
   EXPECT_GT(slope_of(measured, Abscissa::seconds).value, -0.48);
   const auto corrected = without_noise(measured, noise);
   EXPECT_NEAR(slope_of(corrected, Abscissa::seconds, noise).value, -0.5, 1e-9);
@@ -197,7 +204,7 @@ TEST(Convergence, ANoisyReferenceIsFlagged) {
   EXPECT_TRUE(is_reference_too_noisy(method, {0.1 / 99, 0}));
 }
 
-TEST(Convergence, PointsWithoutErrorAreLeftOut) {
+TEST(Convergence, PointsWithoutErrorAreSkipped) {
   MethodCurves method = method_of({power_law(1, -0.5)});
   method.repeats[0].points[3].mse = 0;
   method.repeats[0].points[5].mse = NAN;
@@ -206,7 +213,7 @@ TEST(Convergence, PointsWithoutErrorAreLeftOut) {
     EXPECT_NEAR(p.median * std::sqrt(p.x), 1, 1e-9);
 }
 
-TEST(Convergence, EfficiencyOfMonteCarloIsThatOfAnyTime) {
+TEST(Convergence, EfficiencyOfMonteCarloIsIndependentOfTime) {
   const Estimate e = efficiency_of(method_of({power_law(0.1, -0.5), power_law(0.1, -0.5, 3)}));
   EXPECT_NEAR(e.value, 100, 1e-9);
   EXPECT_NEAR(e.standard_error, 0, 1e-9);
@@ -217,9 +224,9 @@ TEST(Convergence, EfficiencyOfMonteCarloIsThatOfAnyTime) {
   EXPECT_FALSE(efficiency_of(method_of({power_law(0, -0.5)})).known);
 }
 
-// Eight repeats of 16 pixels with unit variance and a bias of 0.2: the split finds both. The mean of 500 estimates lies
-// within 3.3 of its standard errors but in one of 1000.
-TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
+// Eight repeats of 16 pixels with unit variance and a bias of 0.2. The mean of 500 estimates of each part is within 3.3
+// of its standard errors, except once in 1000.
+TEST(Convergence, BiasAndVarianceAreSeparatedByRepeats) {
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
   constexpr int kRepeats = 8, kPixels = 16;
@@ -230,13 +237,15 @@ TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
       double sum = 0;
       for (int i = 0; i < kRepeats; ++i) {
         const double error = 0.2 + normal(random);
-        sum += error, mean_mse += error * error / kRepeats / kPixels;
+        sum += error;
+        mean_mse += error * error / kRepeats / kPixels;
       }
       mse_of_mean += std::pow(sum / kRepeats, 2) / kPixels;
     }
     const auto parts = bias_and_variance(mean_mse, mse_of_mean, kRepeats);
     ASSERT_TRUE(parts);
-    biases.push_back(parts->squared_bias), variances.push_back(parts->variance);
+    biases.push_back(parts->squared_bias);
+    variances.push_back(parts->variance);
   }
   const Estimate bias = estimate_of(biases), variance = estimate_of(variances);
   EXPECT_NEAR(bias.value, 0.04, 3.3 * bias.standard_error);
@@ -245,15 +254,16 @@ TEST(Convergence, BiasAndVarianceAreTellApartByRepeats) {
   EXPECT_FALSE(bias_and_variance(1, 1, 1));
 }
 
-TEST(Convergence, TheBiasHasTheReferencesErrorInIt) {
+TEST(Convergence, BiasIncludesTheErrorOfTheReference) {
   auto a = power_law(1, -0.5), b = power_law(1, -0.5);
-  a.points.back().bias = 0.1, b.points.back().bias = 0.3;
+  a.points.back().bias = 0.1;
+  b.points.back().bias = 0.3;
   const Estimate bias = bias_of(method_of({a, b}), 0.1);
   EXPECT_NEAR(bias.value, 0.2, 1e-12);
   EXPECT_NEAR(bias.standard_error, std::hypot(0.1, 0.1), 1e-12);
 }
 
-TEST(Convergence, QuantilesAreBetweenOrderStatistics) {
+TEST(Convergence, QuantilesInterpolateOrderStatistics) {
   EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);
   EXPECT_EQ(quantile({4, 1}, 0.25), 1.75);
   EXPECT_EQ(quantile({7}, 0.9), 7);

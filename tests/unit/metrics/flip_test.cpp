@@ -51,26 +51,26 @@ TEST(Flip, EqualImagesHaveNone) {
   for (const float v : flip_map(40, 30, a, a)) EXPECT_EQ(v, 0);
 }
 
-// Of plain colours only the distance of colours is left.
-TEST(Flip, PlainColoursHaveClosedForms) {
+// For images of constant colour only the colour difference remains.
+TEST(Flip, ConstantColoursHaveClosedForms) {
   // 0.95 + 0.05 (100^0.7 - 0.4 c) / (0.6 c), c = HyAB(green, blue)^0.7 with L*a*b* of green (87.74, -86.18, 83.18) and
-  // blue (32.30, 79.20, -107.86), a* and b* times 0.01 L*.
+  // blue (32.30, 79.20, -107.86), a* and b* multiplied by 0.01 L*.
   const double green[3] = {87.74, -86.18 * 0.8774, 83.18 * 0.8774}, blue[3] = {32.30, 79.20 * 0.3230, -107.86 * 0.3230};
   const double hyab = green[0] - blue[0] + std::hypot(green[1] - blue[1], green[2] - blue[2]);
   const double c = std::pow(hyab, 0.7);
   EXPECT_NEAR(flip_of_colors(Rgb(0), Rgb(1)), 0.95 + 0.05 * (std::pow(100, 0.7) - 0.4 * c) / (0.6 * c), 1e-4);
   EXPECT_NEAR(flip_of_colors(Rgb(0), Rgb(1)), 0.9674, 1e-4);
   EXPECT_NEAR(flip_of_colors(Rgb(0, 1, 0), Rgb(0, 0, 1)), 1, 1e-4);
-  // Below the knee: L* of linear 0.18 is 49.50, of 0.2 is 51.84.
+  // Below the knee: L* of linear 0.18 is 49.50, that of 0.2 is 51.84.
   EXPECT_NEAR(flip_of_colors(Rgb(0.18f), Rgb(0.2f)), 0.95 / (0.4 * c) * std::pow(51.837 - 49.496, 0.7), 1e-3);
 }
 
-TEST(Flip, DoesNotSayWhichIsWhich) {
+TEST(Flip, IsSymmetric) {
   const Pixels a = noise(40, 30, 1), b = noise(40, 30, 2);
   EXPECT_EQ(flip_map(40, 30, a, b), flip_map(40, 30, b, a));
 }
 
-TEST(Flip, StaysWithinItsRange) {
+TEST(Flip, IsInTheUnitInterval) {
   for (const float v :
        flip_map(64, 64, noise(64, 64, 1), drawn(64, 64, [](int x, int y) { return (x / 7 + y) % 2; }))) {
     EXPECT_GE(v, 0);
@@ -78,7 +78,7 @@ TEST(Flip, StaysWithinItsRange) {
   }
 }
 
-TEST(Flip, GrowsWithTheOffset) {
+TEST(Flip, IncreasesWithTheOffset) {
   const Pixels a = noise(48, 48, 1), white = plain(48, 48, Rgb(1));
   double last = 0;
   for (const float t : {0.01f, 0.02f, 0.05f, 0.1f, 0.2f, 0.5f}) {
@@ -88,7 +88,7 @@ TEST(Flip, GrowsWithTheOffset) {
   }
 }
 
-TEST(Flip, GrowsWithBlur) {
+TEST(Flip, IncreasesWithBlur) {
   const auto edge = [](double softness) {
     return drawn(64, 64, [&](int x, int) { return 1 / (1 + std::exp(-(x - 31.5) / softness)); });
   };
@@ -100,7 +100,7 @@ TEST(Flip, GrowsWithBlur) {
   }
 }
 
-TEST(Flip, ComesAlongWhenThePictureIsMoved) {
+TEST(Flip, IsTranslationInvariant) {
   const auto spot = [](int dx, int dy, float height) {
     return drawn(80, 80, [&](int x, int y) { return std::hypot(x - 30 - dx, y - 30 - dy) < 5 ? height : 0.3f; });
   };
@@ -113,9 +113,9 @@ TEST(Flip, ComesAlongWhenThePictureIsMoved) {
     }
 }
 
-// At 67 pixels a degree a board of single pixels is grey to the eye, and one of 16 pixels is not: what a shift by one
-// pixel does to the first is next to invisible, though every pixel changes from black to white.
-TEST(Flip, AShiftOfAFineBoardIsHardToSee) {
+// At 67 pixels per degree a checkerboard of single pixels appears grey, and one of 16 pixels does not. A shift by one
+// pixel is nearly invisible in the first, although every pixel changes from black to white.
+TEST(Flip, ShiftOfAFineCheckerboardIsHardToSee) {
   const auto board = [](int cell, int shift) {
     return drawn(96, 96, [=](int x, int y) { return ((x + shift) / cell + y / cell) % 2; });
   };
@@ -127,7 +127,7 @@ TEST(Flip, AShiftOfAFineBoardIsHardToSee) {
   EXPECT_GT(inverted, 0.8);
 }
 
-TEST(Flip, LooksThroughTheToneCurveAndTheExposure) {
+TEST(Flip, AppliesToneCurveAndExposure) {
   const auto layered = [](float value) {
     image::LayeredImage image;
     image.width = image.height = 4;
@@ -145,7 +145,7 @@ TEST(Flip, LooksThroughTheToneCurveAndTheExposure) {
 
 double sum_of(const std::vector<float>& taps) { return std::accumulate(taps.begin(), taps.end(), 0.0); }
 
-TEST(FlipFilters, ContrastWeightsAddUpToOne) {
+TEST(FlipFilters, ContrastWeightsSumToOne) {
   for (const double resolution : {20.0, metrics::kPixelsPerDegree, 150.0})
     for (const auto& filter : metrics::contrast_filters(resolution)) {
       double sum = 0;
@@ -154,8 +154,8 @@ TEST(FlipFilters, ContrastWeightsAddUpToOne) {
     }
 }
 
-// sigma = sqrt(b / (2 pi^2)) degrees: 1.03, 1.10, 3.02 and 2.39 pixels of 67 a degree.
-TEST(FlipFilters, ContrastWidthsAreThePublishedOnes) {
+// sigma = sqrt(b / (2 pi^2)) degrees: 1.03, 1.10, 3.02 and 2.39 pixels at 67 pixels per degree.
+TEST(FlipFilters, ContrastWidthsMatchThePublication) {
   const auto filters = metrics::contrast_filters(metrics::kPixelsPerDegree);
   const auto sigma = [](const Kernel& k) {
     const auto middle = static_cast<size_t>(k.radius());
@@ -166,13 +166,13 @@ TEST(FlipFilters, ContrastWidthsAreThePublishedOnes) {
   EXPECT_NEAR(sigma(filters[2].gaussians[0]), 3.017, 2e-3);
   EXPECT_NEAR(sigma(filters[2].gaussians[1]), 2.385, 2e-3);
   EXPECT_EQ(filters[0].gaussians[0].radius(), 10);
-  // Heights at the centre are as a sqrt(pi / b).
+  // The heights at the centre are proportional to a sqrt(pi / b).
   const auto height = [](const Kernel& k) { return static_cast<double>(k.taps[10] * k.taps[10]); };
   EXPECT_NEAR(height(filters[2].gaussians[0]) / height(filters[2].gaussians[1]), 34.1 / 13.5 * std::sqrt(0.025 / 0.04),
               1e-5);
 }
 
-TEST(FlipFilters, DerivativesAreBalanced) {
+TEST(FlipFilters, DerivativesHaveZeroSum) {
   const auto k = metrics::feature_kernels(metrics::kPixelsPerDegree);
   EXPECT_EQ(k.gaussian.radius(), 9);
   EXPECT_NEAR(sum_of(k.gaussian.taps), 1, 1e-6);
@@ -203,7 +203,7 @@ TEST(Separable, EqualsTheDirectSum) {
     }
 }
 
-TEST(Separable, KernelsMayBeWiderThanThePicture) {
+TEST(Separable, KernelsMayBeWiderThanTheImage) {
   Plane in(2, 1);
   in.values = {1, 1};
   const auto k = metrics::feature_kernels(metrics::kPixelsPerDegree);

@@ -15,7 +15,8 @@ using metrics::compare;
 
 LayeredImage picture(int width, int height, std::vector<float> rgb) {
   LayeredImage image;
-  image.width = width, image.height = height;
+  image.width = width;
+  image.height = height;
   image.layers.push_back({"", {"R", "G", "B"}, std::move(rgb)});
   return image;
 }
@@ -37,7 +38,7 @@ TEST(Metrics, ConstantImagesHaveClosedForms) {
 }
 
 TEST(Metrics, MeansAreOverPixelsAndChannels) {
-  // Differences 1, -2, 0, 0, 0, 4 of references 0, 2, 1, 1, 1, 4.
+  // Differences 1, -2, 0, 0, 0, 4 with references 0, 2, 1, 1, 1, 4.
   const auto m = compare(picture(2, 1, {1, 0, 1, 1, 1, 8}), picture(2, 1, {0, 2, 1, 1, 1, 4}));
   ASSERT_TRUE(m) << m.error().message;
   EXPECT_DOUBLE_EQ(m->mse, 21.0 / 6);
@@ -65,7 +66,7 @@ TEST(Metrics, EqualBlackImagesHaveNoError) {
   EXPECT_TRUE(std::isinf(m->psnr) && m->psnr > 0);
 }
 
-TEST(Metrics, SmallErrorsOfManyPixelsAreNotLost) {
+TEST(Metrics, SmallErrorsOfManyPixelsAreSummedAccurately) {
   // Each squared difference is far below the resolution of a float sum.
   const int side = 1000;
   const auto m = compare(constant(side, side, 1 + 0x1p-10f), constant(side, side, 1));
@@ -74,7 +75,7 @@ TEST(Metrics, SmallErrorsOfManyPixelsAreNotLost) {
   EXPECT_NEAR(m->bias, std::ldexp(1.0, -10), 1e-12);
 }
 
-TEST(Metrics, ImagesThatCannotBeComparedAreErrors) {
+TEST(Metrics, IncomparableImagesAreErrors) {
   EXPECT_FALSE(compare(constant(4, 2, 1), constant(2, 4, 1)));
   EXPECT_FALSE(compare(LayeredImage(), LayeredImage()));
   EXPECT_FALSE(compare(picture(1, 1, {0, std::numeric_limits<float>::quiet_NaN(), 0}), constant(1, 1, 1)));
@@ -82,7 +83,7 @@ TEST(Metrics, ImagesThatCannotBeComparedAreErrors) {
 }
 
 TEST(Viridis, HasThePublishedColours) {
-  // Entries 0, 68, 153, 204 and 255 of the published table, whose colours are even steps of x.
+  // Entries 0, 68, 153, 204 and 255 of the published table, whose colours are at equal steps of x.
   const std::pair<float, Rgb> published[] = {{0, {0.267004f, 0.004874f, 0.329415f}},
                                              {68 / 255.0f, {0.221989f, 0.339161f, 0.548752f}},
                                              {153 / 255.0f, {0.134692f, 0.658636f, 0.517649f}},
@@ -92,7 +93,7 @@ TEST(Viridis, HasThePublishedColours) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(viridis(x)[c], expected[c], 0.02f) << x;
 }
 
-TEST(Viridis, IsClampedAndGrowsInLuminance) {
+TEST(Viridis, IsClampedAndIncreasesInLuminance) {
   EXPECT_EQ(viridis(-1), viridis(0));
   EXPECT_EQ(viridis(2), viridis(1));
   for (float x = 0; x < 1; x += 0.05f) {

@@ -1,4 +1,4 @@
-// The tail index on samples whose index is known, with error rates; moments against the samples themselves; merging.
+// The tail index khat of samples with known index, with error rates; moments against the samples; merging.
 #include "film/tail.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using Draw = std::function<double(Uniform&)>;
 Draw pareto(double alpha) {
   return [alpha](Uniform& u) { return std::pow(u(), -1 / alpha); };
 }
-// The absolute value of Student's t with two degrees of freedom in closed form, and of Cauchy's distribution.
+// The absolute value of Student's t with two degrees of freedom in closed form, and of the Cauchy distribution.
 double student2(Uniform& u) {
   const double p = 2 * u() - 1;
   return std::abs(p) * std::sqrt(2 / (1 - p * p));
@@ -34,7 +34,7 @@ double cauchy(Uniform& u) { return std::abs(std::tan(3.14159265358979 * (u() - 0
 double exponential(Uniform& u) { return -std::log(u()); }
 double uniform(Uniform& u) { return u(); }
 
-// Samples as they are, where nothing was expected, or against what was.
+// The tail of the samples relative to the expectation.
 Tail report_of(std::span<const double> x, double expected = 0, size_t capacity = 8192) {
   std::vector<float> deviations;
   for (const double v : x) deviations.push_back(static_cast<float>(v - expected));
@@ -62,38 +62,39 @@ Runs run(const Draw& draw, int samples) {
   for (int r = 0; r < kRuns; ++r) {
     Uniform random{std::mt19937_64(static_cast<uint64_t>(r) + 1)};
     const Tail t = report_of(drawn(draw, random, samples));
-    runs.mean += *t.khat / kRuns, squares += *t.khat * *t.khat / kRuns;
+    runs.mean += *t.khat / kRuns;
+    squares += *t.khat * *t.khat / kRuns;
     runs.heavy += t.heavy();
   }
   runs.deviation = std::sqrt(squares - runs.mean * runs.mean);
   return runs;
 }
 
-// At 20,000 samples 425 are the tail; the index is known to about (1 + k) / sqrt(425).
-TEST(Tail, InfiniteVarianceIsFlagged) {
-  // Missed in 1 % of the runs at most.
+// At 20,000 samples the tail has 425 samples; the standard error of the index is about (1 + k) / sqrt(425).
+TEST(Tail, InfiniteVarianceIsDetected) {
+  // Missed in at most 1 % of the runs.
   EXPECT_GE(run(pareto(1), 20'000).heavy, 198);
   EXPECT_GE(run(cauchy, 20'000).heavy, 198);
   EXPECT_EQ(run(pareto(0.7), 20'000).heavy, kRuns);
-  // k = 0.8, near the limit: in 10 % at most, at 100,000 samples.
+  // k = 0.8, near the limit: missed in at most 10 % of the runs, at 100,000 samples.
   EXPECT_GE(run(pareto(1.25), 100'000).heavy, 180);
 }
 
-TEST(Tail, WhatHasAVarianceIsNot) {
+TEST(Tail, FiniteVarianceIsNotFlagged) {
   EXPECT_EQ(run(uniform, 20'000).heavy, 0);
   EXPECT_EQ(run(exponential, 20'000).heavy, 0);
   EXPECT_EQ(run(pareto(4), 20'000).heavy, 0);
   EXPECT_LE(run(pareto(2.5), 20'000).heavy, 1);
-  // At 1/2, where the variance is infinite by a logarithm only, nothing is said either: 2 % of false alarms at most.
+  // At k = 1/2 the variance diverges logarithmically. It must not be flagged either: at most 2 % false alarms.
   EXPECT_LE(run(student2, 20'000).heavy, 4);
 }
 
-TEST(Tail, TheIndexIsThatOfTheDistribution) {
+TEST(Tail, IndexMatchesTheDistribution) {
   struct Case {
     const char* name;
     Draw draw;
     double k;
-    double bias = 0.01;  // of the fit; it grows below -1/2, where its theory ends (Zhang & Stephens)
+    double bias = 0.01;  // of the fit; it grows below -1/2, outside the range of its theory [Zhang and Stephens 2009]
   };
   for (const Case& c : {Case{"Pareto 1", pareto(1), 1},
                         {"Pareto 2", pareto(2), 0.5},
@@ -103,14 +104,15 @@ TEST(Tail, TheIndexIsThatOfTheDistribution) {
                         {"exponential", exponential, 0},
                         {"uniform", uniform, -1, 0.04}}) {
     const Runs runs = run(c.draw, 20'000);
-    // The prior moves k by (1/2 - k) 10/435; the mean of the runs is known to a fourteenth of their deviation.
+    // The prior moves k by (1/2 - k) 10/435. The standard error of the mean is a fourteenth of the standard deviation
+    // of a run.
     const double expected = c.k + (0.5 - c.k) * 10 / 435;
     EXPECT_NEAR(runs.mean, expected, 4 * runs.deviation / std::sqrt(kRuns) + c.bias) << c.name;
     EXPECT_NEAR(runs.deviation, (1 + std::max(c.k, -0.5)) / std::sqrt(425), 0.03) << c.name;
   }
 }
 
-TEST(Tail, TheVarianceOfTheVarianceFollowsFromTheFourthMoment) {
+TEST(Tail, VarianceOfTheVarianceFollowsFromTheFourthMoment) {
   struct Case {
     Draw draw;
     double mean, kurtosis;
@@ -123,40 +125,45 @@ TEST(Tail, TheVarianceOfTheVarianceFollowsFromTheFourthMoment) {
   }
 }
 
-// Of squares without a mean, sum p^2 over their shares p is 1 - alpha / 2 in expectation [Pitman and Yor 1997]. Its
-// spread is known to a twentieth from 200 runs; two per cent is four times the error of the mean.
-TEST(Tail, WithoutAVarianceTheVarianceOfTheVarianceStays) {
+// For squares without a mean, the sum of p^2 over their shares p has the expectation 1 - alpha / 2 [Pitman and Yor
+// 1997]. Its standard deviation is known to a twentieth from 200 runs. Two per cent is four times the error of the
+// mean.
+TEST(Tail, VarianceOfTheVarianceStaysForInfiniteVariance) {
   for (const double alpha : {0.7, 1.0, 1.4}) {
     for (const int samples : {2000, 50'000}) {
       double mean = 0, squares = 0;
       for (int r = 0; r < kRuns; ++r) {
         Uniform random{std::mt19937_64(static_cast<uint64_t>(r) + 1)};
         const double vov = report_of(drawn(pareto(alpha), random, samples)).vov;
-        mean += vov / kRuns, squares += vov * vov / kRuns;
+        mean += vov / kRuns;
+        squares += vov * vov / kRuns;
       }
       const double error = std::sqrt((squares - mean * mean) / kRuns);
-      // The smallest squares are no power law: they weigh as n^(1 - 2 / alpha).
+      // The smallest squares do not follow a power law; their contribution is of order n^(1 - 2 / alpha).
       EXPECT_NEAR(mean, 1 - alpha / 2, 4 * error + 2 * std::pow(samples, 1 - 2 / alpha)) << alpha << " " << samples;
     }
   }
 }
 
-TEST(Tail, MomentsAndSharesAreThoseOfTheSamples) {
+TEST(Tail, MomentsAndSharesEqualThoseOfTheSamples) {
   Uniform random{std::mt19937_64(9)};
   std::vector<double> x = drawn(pareto(1.5), random, 30'000);
   const auto n = static_cast<double>(x.size());
   const double total = std::accumulate(x.begin(), x.end(), 0.0), mean = total / n;
   const Tail t = report_of(x, mean);
   double second = 0, fourth = 0;
-  for (const double v : x) second += std::pow(v - mean, 2), fourth += std::pow(v - mean, 4);
+  for (const double v : x) {
+    second += std::pow(v - mean, 2);
+    fourth += std::pow(v - mean, 4);
+  }
   EXPECT_NEAR(t.vov, fourth / (second * second) - 1 / n, 1e-6);
   std::sort(x.begin(), x.end(), std::greater<>());
   EXPECT_NEAR(t.brightest_share, (x[0] + x[1] + x[2] - 3 * mean) / total, 1e-6);
   EXPECT_FALSE(t.brightest_share_is_lower_bound);
 }
 
-// With little memory the threshold is higher: the tail is shorter, but nothing that belongs to it is missing.
-TEST(Tail, LittleMemoryShortensTheTailAndNothingElse) {
+// With less memory the threshold is higher: the tail is shorter but complete.
+TEST(Tail, LessMemoryOnlyShortensTheTail) {
   Runs runs;
   for (int r = 0; r < kRuns; ++r) {
     Uniform random{std::mt19937_64(static_cast<uint64_t>(r) + 1)};
@@ -165,9 +172,10 @@ TEST(Tail, LittleMemoryShortensTheTailAndNothingElse) {
     EXPECT_EQ(little.vov, much.vov);
     EXPECT_EQ(little.brightest_share, much.brightest_share);
     EXPECT_GT(little.khat_error, much.khat_error);
-    runs.mean += *little.khat / kRuns, runs.heavy += little.heavy();
+    runs.mean += *little.khat / kRuns;
+    runs.heavy += little.heavy();
   }
-  // Of 128 to 255 samples: k is drawn towards 1/2 by ten of them.
+  // Tails of 128 to 255 samples; the prior has the weight of ten samples at k = 1/2.
   EXPECT_NEAR(runs.mean, 1, 0.05);
   EXPECT_GE(runs.heavy, 190);
 }
@@ -192,7 +200,7 @@ TEST(Tail, MergedBlocksKeepTheTailOfTheWhole) {
   }
 }
 
-TEST(Tail, TheUnitDoesNotMatter) {
+TEST(Tail, IsScaleInvariant) {
   Uniform random{std::mt19937_64(2)};
   const std::vector<double> x = drawn(pareto(2), random, 5000);
   std::vector<double> dim = x, bright = x;
@@ -204,7 +212,7 @@ TEST(Tail, TheUnitDoesNotMatter) {
   EXPECT_NEAR(a.brightest_share, b.brightest_share, 1e-9);
 }
 
-TEST(Tail, EdgesAreSaid) {
+TEST(Tail, DegenerateCases) {
   std::vector<double> few;
   EXPECT_FALSE(report_of(few).khat);
   EXPECT_EQ(report_of(few).brightest_share, 0);
@@ -213,10 +221,13 @@ TEST(Tail, EdgesAreSaid) {
   few.push_back(24);
   EXPECT_TRUE(report_of(few).khat);
 
-  // Black, constant, and two values: no tail.
+  // Black, constant, and two-valued samples have no tail.
   for (const double high : {0.0, 3.0}) {
     std::vector<double> flat, two;
-    for (int i = 0; i < 10'000; ++i) flat.push_back(high), two.push_back(i % 2 ? high : 1.0);
+    for (int i = 0; i < 10'000; ++i) {
+      flat.push_back(high);
+      two.push_back(i % 2 ? high : 1.0);
+    }
     for (const Tail& t : {report_of(flat), report_of(two), report_of(flat, 0, 64), report_of(two, 0, 64)}) {
       ASSERT_TRUE(t.khat);
       EXPECT_FALSE(t.heavy());
@@ -224,7 +235,7 @@ TEST(Tail, EdgesAreSaid) {
       EXPECT_TRUE(std::isfinite(t.vov) && std::isfinite(t.brightest_share));
     }
   }
-  // A black picture with a few bright dots.
+  // A black image with a few bright pixels.
   std::vector<double> dots;
   for (int i = 0; i < 100'000; ++i) dots.push_back(i % 10'000 == 0 ? 1000 + i : 0);
   const Tail t = report_of(dots);
@@ -232,7 +243,7 @@ TEST(Tail, EdgesAreSaid) {
   EXPECT_NEAR(t.brightest_share, 1, 1e-12);
   EXPECT_GT(t.vov, 0.05);
 
-  // Three of them are too few to say anything, and nothing is said.
+  // Three bright pixels are too few for an estimate, so there is none.
   std::vector<double> three;
   for (int i = 0; i < 100'000; ++i) three.push_back(i % 40'000 == 0 ? 1000 + i : 0);
   EXPECT_FALSE(report_of(three).khat);

@@ -1,5 +1,5 @@
-// The tree of photons against brute force, and what estimates of density from it are known to be.   digest 8-10: S34,
-// O18
+// The kd-tree of photons against brute force, and density estimation against its theory: E[(k - 1) / (pi r_k^2)] is the
+// density, with relative standard deviation 1 / sqrt(k - 2) [Lang, eq. 9.127-9.134].
 #include "integrator/photon/photon_map.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ std::vector<Photon> cloud(size_t count, uint32_t seed) {
   return photons;
 }
 
-// Evenly over the unit square, facing up.
+// Photons distributed uniformly over the unit square, facing up.
 PhotonMap plate(size_t count, uint32_t seed) {
   Numbers random(seed);
   std::vector<Photon> photons;
@@ -73,9 +73,9 @@ std::vector<float> distances_of(const Neighbourhood& around) {
   return all;
 }
 
-// Half a step in both numbers, which is 1.22 steps on the octahedron, and the root of 3 more in the middle of its
-// faces.
-TEST(Photon, DirectionsArePackedCloseToWhatTheyWere) {
+// Half a quantisation step in both coordinates is 1.22 steps on the octahedron, and a factor of sqrt(3) more in the
+// middle of its faces.
+TEST(Photon, PackedDirectionsAreAccurate) {
   Numbers random(1);
   const auto worst = [&](int bits) {
     float most = 0;
@@ -91,8 +91,8 @@ TEST(Photon, DirectionsArePackedCloseToWhatTheyWere) {
     EXPECT_LT(glm::length(v - unpack_direction(pack_direction(v, 10), 10)), 4.3f / (1 << 10));
 }
 
-TEST(Photon, ManyDirectionsArePackedAsEachAlone) {
-  constexpr size_t kCount = 75;  // no whole number of registers
+TEST(Photon, BatchPackingEqualsSinglePacking) {
+  constexpr size_t kCount = 75;  // not a multiple of the register width
   Numbers random(3);
   Vec3Lanes<80> v{};
   std::array<uint32_t, 80> packed{};
@@ -101,7 +101,7 @@ TEST(Photon, ManyDirectionsArePackedAsEachAlone) {
   for (size_t i = 0; i < kCount; ++i) EXPECT_EQ(packed[i], pack_direction(v[i], 10)) << i;
 }
 
-TEST(Photon, KeepsWhatItIsGiven) {
+TEST(Photon, StoresItsValues) {
   Photon p({1, 2, 3}, {0, 0, 1}, {0, 1, 0}, Rgb(4, 5, 6), 17, 63);
   p.set_axis(2);
   EXPECT_EQ(p.position(), Vec3(1, 2, 3));
@@ -114,12 +114,12 @@ TEST(Photon, KeepsWhatItIsGiven) {
   EXPECT_EQ(Photon({}, kUp, kUp, Rgb(1), 1000).length(), Photon::kMaxLength);
 }
 
-TEST(PhotonMap, PlanesPartTheSubtreesOfATreeWithoutGaps) {
+TEST(PhotonMap, SplittingPlanesSeparateABalancedTree) {
   for (const size_t count : {1U, 2U, 3U, 4U, 7U, 8U, 100U, 1000U, 4095U, 4096U, 5000U}) {
     PhotonMap map;
     map.build(cloud(count, 7));
     ASSERT_EQ(map.size(), count);
-    // The heap's numbers are all in use, so the depth is ceil(log2(count + 1)).
+    // All indices of the heap are in use, so the depth is ceil(log2(count + 1)).
     const auto position = [&](size_t node) { return map[node - 1].position(); };
     for (size_t node = 2; node <= count; ++node)
       for (size_t below = node; below > 1; below /= 2) {
@@ -130,7 +130,7 @@ TEST(PhotonMap, PlanesPartTheSubtreesOfATreeWithoutGaps) {
   }
 }
 
-TEST(PhotonMap, NearestAreThoseOfBruteForce) {
+TEST(PhotonMap, NearestEqualBruteForce) {
   const auto photons = cloud(3000, 3);
   PhotonMap map;
   map.build(photons);
@@ -156,8 +156,8 @@ TEST(PhotonMap, NearestAreThoseOfBruteForce) {
   }
 }
 
-// The inner side of a far wall faces as the outer side of the near one does.
-TEST(PhotonMap, WhatLiesStraightBehindIsOfAnotherSurface) {
+// The inner side of a far wall has the same normal as the outer side of the near wall.
+TEST(PhotonMap, PhotonsStraightBehindBelongToAnotherSurface) {
   std::vector<Neighbour> room;
   PhotonMap map;
   const Vec3 beside = glm::normalize(glm::cross(kUp, Vec3(0.3f, 0.4f, 0.5f)));
@@ -171,7 +171,7 @@ TEST(PhotonMap, WhatLiesStraightBehindIsOfAnotherSurface) {
   EXPECT_EQ(visited, 1);
 }
 
-TEST(PhotonMap, OfFewerPhotonsThanAreAskedFor) {
+TEST(PhotonMap, QueriesForMorePhotonsThanStored) {
   std::vector<Neighbour> room;
   PhotonMap map;
   map.build({});
@@ -185,7 +185,7 @@ TEST(PhotonMap, OfFewerPhotonsThanAreAskedFor) {
   EXPECT_TRUE(map.nearest({0, 0, 0}, -kUp, 10, kInfinity, room).photons.empty());
 }
 
-TEST(PhotonMap, ManyInOnePlaceAreFoundAll) {
+TEST(PhotonMap, CoincidentPhotonsAreAllFound) {
   PhotonMap map;
   map.build(std::vector<Photon>(1000, at({1, 1, 1})));
   std::vector<Neighbour> room;
@@ -195,9 +195,10 @@ TEST(PhotonMap, ManyInOnePlaceAreFoundAll) {
   EXPECT_EQ(visited, 1000);
 }
 
-// k - 1 photons over the disc of the k-th have the right mean and a relative deviation of 1 / sqrt(k - 2). Queries lie
-// so far apart that they share no photon. Mean: 4.5 standard errors; deviation: 10 %, several of its own.
-TEST(Density, HasTheMeanAndTheNoiseOfTheory) {
+// The estimate from k - 1 photons over the disc of the k-th has the correct mean and a relative standard deviation of 1
+// / sqrt(k - 2). Queries are so far apart that they share no photon. Tolerances: 4.5 standard errors for the mean, 10 %
+// for the deviation, which is several standard errors.
+TEST(Density, HasTheMeanAndTheDeviationOfTheory) {
   constexpr size_t kPhotons = 400'000;
   const PhotonMap map = plate(kPhotons, 5);
   std::vector<Neighbour> room;
@@ -210,7 +211,8 @@ TEST(Density, HasTheMeanAndTheNoiseOfTheory) {
         const auto around = map.nearest({x, 0, z}, kUp, k, kInfinity, room);
         const double density =
             static_cast<double>(around.photons.size()) / (double{kPi} * double{around.radius2} * kPhotons);
-        sum += density, squares += sqr(density);
+        sum += density;
+        squares += sqr(density);
       }
     const double mean = sum / count, deviation = std::sqrt(squares / count - sqr(mean));
     const double expected = 1 / std::sqrt(static_cast<double>(k) - 2);
@@ -226,7 +228,8 @@ double density_at(const PhotonMap& map, const Vec3& position, size_t k, const Ve
          (double{kPi} * double{around.radius2} * static_cast<double>(map.size()));
 }
 
-// At an edge half of the disc lies beside the plate, at a corner three quarters. Noise 1 %, tolerance 4.5 %.
+// Boundary bias [Lang, Remark 9.32]: at an edge half of the disc lies beside the plate, at a corner three quarters. The
+// noise is 1 %, the tolerance 4.5 %.
 TEST(Density, IsHalvedAtAnEdgeAndQuarteredAtACorner) {
   constexpr size_t kNearest = 2500;
   double edge = 0, corner = 0;
@@ -241,7 +244,8 @@ TEST(Density, IsHalvedAtAnEdgeAndQuarteredAtACorner) {
   EXPECT_NEAR(corner, 0.25, 0.01125);
 }
 
-// A chord of length r cuts the area pi r^2 from a sphere: no bias there. 400 estimates of 4.5 % noise.
+// A sphere of radius r around a point of a larger sphere cuts off a cap of area pi r^2 exactly, so there is no bias.
+// 400 estimates with 4.5 % noise.
 TEST(Density, HasNoBiasOnASphere) {
   Numbers random(9);
   std::vector<Photon> photons;
@@ -256,11 +260,11 @@ TEST(Density, HasNoBiasOnASphere) {
     const Vec3 p = square_to_sphere(random.pair());
     sum += density_at(map, p, 500, p) * 4 * double{kPi} / 400;
   }
-  // Neighbouring estimates share photons: as many as 200 are independent.
+  // Neighbouring estimates share photons; about 200 are independent.
   EXPECT_NEAR(sum, 1, 4.5 * 0.045 / std::sqrt(200));
 }
 
-TEST(Kernel, HasTheMeanOneOverTheDisc) {
+TEST(Kernel, MeanOverTheDiscIsOne) {
   for (const Kernel kernel : {Kernel::constant, Kernel::cone, Kernel::gaussian}) {
     constexpr int kSteps = 100'000;
     double mean = 0;

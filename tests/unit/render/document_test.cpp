@@ -1,4 +1,4 @@
-// New documents: what is added to a scene so that there is something to see.
+// New documents: additions to a scene without light or camera.
 #include "render/document.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace etendue::render {
 namespace {
 
-// A file with one material and nothing that is drawn.
+// A file with one material and no geometry.
 Result<Document> opened(const std::string& material) {
   const auto file = std::filesystem::temp_directory_path() / ("etendue-lit-" + std::to_string(::getpid()) + ".gltf");
   std::ofstream(file)
@@ -21,7 +21,7 @@ Result<Document> opened(const std::string& material) {
   return document;
 }
 
-TEST(NewDocument, AGlowIsNoLightToSeeBy) {
+TEST(NewDocument, AWeakEmitterIsNoLightSource) {
   for (const char* material : {"{}", R"({"emissiveFactor":[1,1,1]})"}) {
     const auto document = opened(material);
     ASSERT_TRUE(document) << document.error().message;
@@ -31,7 +31,7 @@ TEST(NewDocument, AGlowIsNoLightToSeeBy) {
   }
 }
 
-TEST(NewDocument, AStrongEmitterIsALight) {
+TEST(NewDocument, AStrongEmitterIsALightSource) {
   const auto document =
       opened(R"({"emissiveFactor":[1,1,1],"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":5}}})");
   ASSERT_TRUE(document) << document.error().message;

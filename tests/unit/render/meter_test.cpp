@@ -1,4 +1,4 @@
-// The light meters, where the light is known in closed form.
+// The light meter in scenes with closed-form irradiance and radiance.
 #include "render/light_meter.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace etendue::render {
 namespace {
 
-// A floor of albedo 1/2 in the xz plane, seen from above at its middle.
+// A floor of albedo 1/2 in the xz plane, with the camera above its centre.
 Document over_floor(scene::Scene scene) {
   scene::add(scene, scene::quad(20), scene::diffuse(Rgb(0.5f)));
   Document d;
@@ -34,7 +34,7 @@ void expect(const MeterReading& r, double value) {
     EXPECT_NEAR(static_cast<double>(r.value[c]), value, 5 * r.standard_error + 2e-4 * value) << r.standard_error;
 }
 
-// Phi = 100 W two metres above: E = Phi / (4 pi r^2), L = rho E / pi.                            thesis, Example 4.2
+// Phi = 100 W at two metres: E = Phi / (4 pi r^2), L = rho E / pi [Lang, Example 4.2].
 TEST(Meter, UnderAPointLight) {
   scene::Scene scene;
   const Light lamp = make_light("point", {{"intensity", 100 / (4 * 3.14159265358979)}});
@@ -44,13 +44,15 @@ TEST(Meter, UnderAPointLight) {
   expect(m.radiance, 0.316629);
 }
 
-// E = pi L R^2 / (R^2 + h^2), and the lamp's flux is pi L times its area.                              thesis, item 80
+// E = pi L R^2 / (R^2 + h^2) on the axis of a disk [Lang, eq. 10.81]. The flux of the disk is pi L times its area.
 TEST(Meter, UnderADisk) {
   scene::Scene scene;
   Material lamp = scene::diffuse(Rgb(0), Rgb(3));
   lamp.double_sided = false;
   Mat4 down(1);
-  down[1] = Vec4(0, -1, 0, 0), down[2] = Vec4(0, 0, -1, 0), down[3] = Vec4(0, 1, 0, 1);
+  down[1] = Vec4(0, -1, 0, 0);
+  down[2] = Vec4(0, 0, -1, 0);
+  down[3] = Vec4(0, 1, 0, 1);
   scene::add(scene, scene::disk(1, 256), lamp, down);
   Document d = over_floor(std::move(scene));
   const auto m = read(d, 2048);
@@ -59,7 +61,7 @@ TEST(Meter, UnderADisk) {
   EXPECT_NEAR(static_cast<double>(read(d, 4).emitted_flux.g), 3 * 3.14159265 * 3.14159265, 2e-3);
 }
 
-// The sky of one gives pi on a floor that sees nothing else.
+// A constant environment of radiance one has irradiance pi on a floor without occluders.
 TEST(Meter, UnderASky) {
   scene::Scene scene;
   scene.environment.tint = Rgb(1);
@@ -68,8 +70,8 @@ TEST(Meter, UnderASky) {
   expect(m.radiance, 0.5);
 }
 
-// The card is as exact in a scene as small as a coin and as large as a county.
-TEST(Meter, OfAnySize) {
+// The probe is scaled with the scene: it is as accurate in a scene of the size of a coin as in one of many kilometres.
+TEST(Meter, IsIndependentOfTheSceneScale) {
   for (const float size : {1e-3f, 1e5f}) {
     scene::Scene scene;
     scene.environment.tint = Rgb(1);
@@ -82,18 +84,18 @@ TEST(Meter, OfAnySize) {
   }
 }
 
-TEST(Meter, NothingToMeasureInTheSky) {
+TEST(Meter, BackgroundHasNoReadings) {
   Document d = over_floor({});
   d.camera = look_at({0, 1, 0}, {0, 2, 0.1f}, {0, 0, 1}, 0.5f);
   EXPECT_FALSE(meter_point_at(d, *scene::compile(d.scene, d.camera, nullptr), Vec2(32)));
 }
 
-// The meter reads the flux 2 pi A L / (k + 2) of every area light with a cosine exponent k.
+// The meter reports the flux 2 pi A L / (k + 2) of every area light with cosine exponent k.
 TEST(Meter, FluxOfAreaLightsWithACosineExponent) {
   for (const LightTypeInfo& type : light_type_infos()) {
     if (type.description.light_class != LightClass::area) continue;
     const Light light = make_light(type.description.name, {{"intensity", 2.0}, {"focus", 6.0}});
-    // Facing up at the camera, above the floor.
+    // A light facing up towards the camera, above the floor.
     scene::Scene scene;
     scene::add(scene, light, {.translation = {0, 1, 0}, .rotation = {std::sqrt(0.5f), 0, 0, std::sqrt(0.5f)}});
     Document d = over_floor(std::move(scene));
@@ -103,7 +105,7 @@ TEST(Meter, FluxOfAreaLightsWithACosineExponent) {
   }
 }
 
-// Table 3.2: a constant spectral radiance C over 300 to 800 nm has a luminance of 683 * 107 C.
+// A constant spectral radiance C over 300 to 800 nm has the luminance 683 * 107 C [Lang, table 3.2].
 TEST(Photometry, Efficacies) {
   EXPECT_NEAR(lumens_per_watt(Efficacy::equal_energy) * 500, 73081, 0.5);
   EXPECT_NEAR(photometric(Rgb(2), Efficacy::maximal), 1366, 0.1);

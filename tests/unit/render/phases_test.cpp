@@ -1,4 +1,4 @@
-// What a method does before it looks at pixels, as a session tells of it.
+// Preprocessing phases of integrators, as reported by the status of a session.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,33 +12,36 @@
 namespace etendue {
 namespace {
 
-// Photons enough for some seconds.
+// Enough photons for some seconds of preprocessing.
 render::Document slow_to_begin() {
   auto d = test::cornell(16);
   d.method.integrator = "photonmap";
   return *render::with_text(d, "photonmap.photons", "20000000");
 }
 
-// Whether the session tells of a phase that goes on, before it is finished.
-void expect_a_phase_that_goes_on(render::Session& session) {
+// Expects the status to report an unfinished phase.
+void expect_unfinished_phase(render::Session& session) {
   std::set<double> seen;
   std::string phase;
   while (seen.size() < 3 && !session.status().finished) {
     const auto status = session.status();
-    if (status.phase_progress > 0) seen.insert(status.phase_progress), phase = status.phase;
+    if (status.phase_progress > 0) {
+      seen.insert(status.phase_progress);
+      phase = status.phase;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   EXPECT_EQ(seen.size(), 3u);
   EXPECT_NE(phase.find("photons"), std::string::npos) << phase;
 }
 
-TEST(Phases, ThatLastAreSeenToGoOnAndEndWithAnEdit) {
+TEST(Phases, LongPhasesAreReportedAndEndWithAnEdit) {
   for (const bool interactive : {false, true}) {
     render::Session session({2, interactive});
     auto d = slow_to_begin();
     d.limits.samples = 1;
     session.submit(d);
-    expect_a_phase_that_goes_on(session);
+    expect_unfinished_phase(session);
     d.method.integrator = "path";
     session.submit(d);
     session.finish();
@@ -47,8 +50,8 @@ TEST(Phases, ThatLastAreSeenToGoOnAndEndWithAnEdit) {
   }
 }
 
-// Every word of a phase stands long enough to be read: the session tells of none that has not lasted.
-TEST(Phases, OfAMethodThatHasNoneAreNotTold) {
+// The status reports only phases that have lasted for some time, so that labels do not flicker.
+TEST(Phases, IntegratorsWithoutPhasesReportNone) {
   render::Session session({2});
   auto d = test::cornell(32);
   d.limits.samples = 64;

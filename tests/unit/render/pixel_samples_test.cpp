@@ -1,4 +1,4 @@
-// The samples of one pixel are those of the rendering, and its points those of the sampler.
+// Samples of a single pixel equal those of the rendering, and sample points equal those of the sampler.
 #include "render/pixel_samples.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,13 @@ std::shared_ptr<const scene::CompiledScene> compiled(const render::Document& d) 
   return session.scene();
 }
 
-TEST(PixelSamples, TheirMeanIsThePixelOfTheFilm) {
-  constexpr uint32_t kSamples = 300;  // beyond a window of tables in both halves
+TEST(PixelSamples, MeanEqualsThePixelOfTheFilm) {
+  constexpr uint32_t kSamples = 300;  // more than one table window in both half-buffers
   for (const char* sampler : {"sobol", "halton", "stratified", "random"})
     for (const char* integrator : {"path", "path-pure"}) {
       auto d = test::cornell(24);
-      d.method.sampler = sampler, d.method.integrator = integrator;
+      d.method.sampler = sampler;
+      d.method.integrator = integrator;
       const auto film = test::rendered(d, kSamples);
       std::vector<Rgb> samples(kSamples);
       ASSERT_TRUE(render::PixelSamples(d, compiled(d), kPixel).draw(0, 0, samples));
@@ -40,7 +41,7 @@ TEST(PixelSamples, TheirMeanIsThePixelOfTheFilm) {
     }
 }
 
-TEST(PixelSamples, PiecesGiveTheSameSamples) {
+TEST(PixelSamples, BatchesGiveTheSameSamples) {
   const auto d = test::cornell(40);
   const auto scene = compiled(d);
   std::vector<Rgb> whole(200), piece(70);
@@ -52,9 +53,9 @@ TEST(PixelSamples, PiecesGiveTheSameSamples) {
   EXPECT_TRUE(std::equal(piece.begin(), piece.end(), whole.begin()));
 }
 
-// Eight means of 64 samples against eight more: the difference of their averages in units of its standard error is
-// Student's t with 14 degrees of freedom, beyond 4.1 once in a thousand times. Seeds are fixed.
-TEST(PixelSamples, ReplicatesAreOtherSamplesOfTheSameMean) {
+// Eight means of 64 samples against eight others. The difference of their averages in units of its standard error is
+// Student's t with 14 degrees of freedom, which exceeds 4.1 once in a thousand runs. Seeds are fixed.
+TEST(PixelSamples, ReplicatesAreIndependentSamplesWithTheSameMean) {
   const auto d = test::cornell(40);
   const auto scene = compiled(d);
   const auto moments = [&](uint32_t first_replicate) {
@@ -64,7 +65,8 @@ TEST(PixelSamples, ReplicatesAreOtherSamplesOfTheSameMean) {
       EXPECT_TRUE(render::PixelSamples(d, scene, kPixel).draw(0, r, samples));
       double mean = 0;
       for (const Rgb& s : samples) mean += double{luminance(s)} / 64;
-      sum += mean / 8, squares += mean * mean / 8;
+      sum += mean / 8;
+      squares += mean * mean / 8;
     }
     return std::pair(sum, (squares - sum * sum) / 7);
   };
@@ -74,24 +76,27 @@ TEST(PixelSamples, ReplicatesAreOtherSamplesOfTheSameMean) {
   EXPECT_LT(std::abs(mean_a - mean_b), 4.1 * std::sqrt(variance_a + variance_b));
 }
 
-TEST(PixelSamples, AreGivenUpWhenNobodyWantsThem) {
+TEST(PixelSamples, AreCancelledOnRequest) {
   const auto d = test::cornell(40);
   std::vector<Rgb> samples(64);
   EXPECT_FALSE(render::PixelSamples(d, compiled(d), kPixel).draw(0, 0, samples, [] { return false; }));
 }
 
-TEST(PathDimensions, HaveNamesAndPlacesOfTheirOwn) {
+TEST(PathDimensions, HaveUniqueNamesAndPositions) {
   const auto list = render::path_dimensions(3);
   std::set<std::string> names;
   std::set<std::pair<uint32_t, int>> places;
-  for (const auto& d : list) names.insert(d.name), places.insert({d.block, d.index});
+  for (const auto& d : list) {
+    names.insert(d.name);
+    places.insert({d.block, d.index});
+  }
   EXPECT_EQ(names.size(), list.size());
   EXPECT_EQ(places.size(), list.size());
   EXPECT_EQ(list.size(), 5U + 3 * 7);
 }
 
-// Each half is a (0, m, 2)-net in the first two dimensions of a sequence: 64 points, one in each cell of 8 x 8.
-TEST(SamplePoints, EachHalfOfSobolIsANet) {
+// The first two dimensions of each half-buffer form a (0, m, 2)-net: 64 points, one in each cell of 8 x 8.
+TEST(SamplePoints, EachHalfBufferOfSobolIsANet) {
   const auto d = test::cornell(40);
   const auto list = render::path_dimensions(1);
   const auto points = render::sample_points(d, kPixel, list[0], list[1], 128);

@@ -1,6 +1,6 @@
-// Five hundred edits, faster than they can be rendered: every method, its parameters, samplers, the camera, materials,
-// path classes. Nothing crashes, nothing leaks (under the address sanitizer), nobody races (under the thread
-// sanitizer), no frame is older than the one before it, and what stands at the end is what the last document asks for.
+// Five hundred edits, faster than they can be rendered: integrators, their parameters, samplers, the camera, materials,
+// path classes. There are no crashes, no leaks (address sanitizer) and no data races (thread sanitizer). Frames are
+// never older than the previous frame. The final image is that of the last document.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -34,7 +34,7 @@ class Editor {
   size_t below(size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(random_); }
 
  private:
-  // Pictures stay small, and limits far.
+  // Images stay small, and limits large.
   static bool is_small(const Document& d) {
     return d.width * d.height <= 64 * 64 && d.limits.samples == 0 && d.limits.seconds == 0 && d.limits.rmse == 0;
   }
@@ -53,7 +53,8 @@ class Editor {
     return false;
   }
 
-  // At the ends of the range, at the usual value, or not far from it: the largest pools of photons take their time.
+  // A value at the ends of the range, the default, or a value near it. The largest numbers of photons would take too
+  // long.
   double amount(const ParameterInfo& info) {
     const double usual = std::holds_alternative<int64_t>(info.default_value)
                              ? static_cast<double>(std::get<int64_t>(info.default_value))
@@ -81,13 +82,13 @@ TEST(Session, FiveHundredEditsOfEverything) {
   std::vector<std::string> methods;
   for (const auto& info : integrator::integrator_infos()) methods.push_back(info.name);
   for (int i = 0; i < 500; ++i) {
-    // Every method comes up, whatever chance does.
+    // Every integrator occurs, independent of chance.
     d = i % 10 == 0 ? *render::with(d, "render.integrator", methods[static_cast<size_t>(i / 10) % methods.size()])
                     : editor.edited(d);
     const uint64_t version = session.submit(d);
     ASSERT_GT(version, newest);
     newest = version;
-    // Most edits cut the one before short; some let phases and passes come to their ends.
+    // Most edits cancel the previous one early; some wait until phases and passes are complete.
     const size_t longest = i % 5 == 0 ? 120 : 12;
     std::this_thread::sleep_for(std::chrono::microseconds(500 * editor.below(longest)));
     if (const auto frame = session.frame()) {
@@ -96,7 +97,7 @@ TEST(Session, FiveHundredEditsOfEverything) {
       shown = frame->version;
     }
   }
-  // What a fresh session makes of the same document, bit for bit.
+  // The image of a new session with the same document, bit for bit.
   Document last = test::cornell(24);
   last.limits = {2, 0, 0};
   session.submit(last);

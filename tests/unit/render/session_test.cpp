@@ -1,4 +1,4 @@
-// Sessions: the same bits whatever the threads, edits that rebuild only what they touch, checkpoints, limits.
+// Sessions: images independent of the number of threads, incremental rebuilds after edits, checkpoints, limits.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -19,7 +19,7 @@ bool same_bits(const film::Film& a, const film::Film& b) {
          std::memcmp(a.pixels().data(), b.pixels().data(), a.pixels().size_bytes()) == 0;
 }
 
-TEST(Session, SameImageBitForBitWithOneTwoAndSevenThreads) {
+TEST(Session, BitIdenticalWithOneTwoAndSevenThreads) {
   for (const char* sampler : {"sobol", "halton", "stratified", "random"}) {
     auto d = test::cornell(53);
     d.method.sampler = sampler;
@@ -37,7 +37,7 @@ TEST(Session, AnotherSeedIsAnotherImage) {
 }
 
 TEST(Session, LargerModelsGiveTheSameImage) {
-  for (const auto& d : {test::cornell(48), test::glossy_things()})
+  for (const auto& d : {test::cornell(48), test::glossy_scene()})
     for (const char* integrator : {"path", "path-pure", "raycast", "whitted", "distribution"}) {
       const auto document = *render::with_text(d, "render.integrator", integrator);
       const auto small = test::rendered(document, 16);
@@ -48,7 +48,7 @@ TEST(Session, LargerModelsGiveTheSameImage) {
     }
 }
 
-TEST(Checkpoint, ARenderingThatWasCutGoesOnToTheSameBits) {
+TEST(Checkpoint, ResumesToTheSameBits) {
   const auto path = std::filesystem::temp_directory_path() / "etendue-test.checkpoint";
   auto d = test::cornell(64);
   const auto whole = test::rendered(d, 12);
@@ -59,7 +59,7 @@ TEST(Checkpoint, ARenderingThatWasCutGoesOnToTheSameBits) {
   while (first.status().samples < 3) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   first.stop();
   auto cut = first.film_copy();
-  // What lies beyond twelve samples cannot be taken back: only a shorter film is of use here.
+  // Samples beyond the twelfth cannot be removed: only a shorter film is useful here.
   if (cut.samples(0, 0) > 12) cut = test::rendered(d, 5);
   ASSERT_TRUE(render::write_checkpoint(path, {render::state_json(d, 3), cut, 1.5}));
 
@@ -76,7 +76,7 @@ TEST(Checkpoint, ARenderingThatWasCutGoesOnToTheSameBits) {
   std::filesystem::remove(path);
 }
 
-TEST(Checkpoint, DamagedFilesAreRefused) {
+TEST(Checkpoint, DamagedFilesAreRejected) {
   const auto path = std::filesystem::temp_directory_path() / "etendue-damaged.checkpoint";
   ASSERT_TRUE(render::write_checkpoint(path, {"{}", film::Film(8, 8), 0}));
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
@@ -86,9 +86,9 @@ TEST(Checkpoint, DamagedFilesAreRefused) {
   std::filesystem::remove(path);
 }
 
-TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
+TEST(Compile, EditsRebuildOnlyWhatTheyAffect) {
   auto d = test::cornell(16);
-  // An object that is used twice is an instance with a level of its own.
+  // An object that is used twice is an instance with its own acceleration structure.
   test::add(const_cast<scene::Scene&>(*d.scene), test::sphere(0.3f, 8, false), test::diffuse(Rgb(0.5f)));
   auto scene = std::make_shared<scene::Scene>(*d.scene);
   scene::Node twin = scene->nodes.back();
@@ -122,7 +122,7 @@ TEST(Compile, EditsRebuildOnlyWhatTheyTouch) {
   EXPECT_GE(transform->report().meshes_reused, 1);
 }
 
-TEST(State, EverySettingComesBack) {
+TEST(State, EveryParameterIsRestored) {
   auto d = test::cornell(40);
   const std::pair<const char*, const char*> edits[] = {
       {"render.integrator", "path-pure"}, {"path.roulette-start", "7"},
@@ -144,7 +144,7 @@ TEST(State, EverySettingComesBack) {
     EXPECT_EQ(back->scene->nodes[i].transform, d.scene->nodes[i].transform) << i;
 }
 
-TEST(Settings, WrongNamesAndValuesSayWhatWouldBeRight) {
+TEST(Settings, InvalidNamesAndValuesAreExplained) {
   const auto d = test::cornell(16);
   const auto name = render::with_text(d, "render.integrater", "path");
   ASSERT_FALSE(name);

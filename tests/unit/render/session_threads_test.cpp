@@ -1,4 +1,4 @@
-// Sessions under many hands at once: meant for the thread sanitizer, but no hand may hang without it either.
+// Concurrent use of sessions, for the thread sanitizer. Without it, the tests check that no thread blocks forever.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,7 +11,7 @@
 namespace etendue {
 namespace {
 
-// Edits of every kind: another light, another size, the display only, the method.
+// Edits of every kind: another light, another size, display settings only, another integrator.
 void edit(render::Session& session, int rounds) {
   for (int i = 0; i < rounds; ++i) {
     auto d = test::cornell(i % 5 == 4 ? 40 : 64);
@@ -25,15 +25,15 @@ void edit(render::Session& session, int rounds) {
   session.pause(false);
 }
 
-// What an interface and a status line read, all the time.
-uint64_t look(const render::Session& session) {
+// The state that an interface and a status line read continuously.
+uint64_t read_state(const render::Session& session) {
   uint64_t seen = session.status().version + (session.scene() ? 1 : 0) + (session.model().summary().empty() ? 0 : 1);
   if (const auto frame = session.frame())
     for (const Rgb& pixel : *frame->pixels) seen += pixel.r >= 0 ? 1 : 0;
   return seen;
 }
 
-TEST(SessionThreads, EditsLooksAndCopiesAtTheSameTime) {
+TEST(SessionThreads, ConcurrentEditsReadsAndCopies) {
   std::atomic<int> wakes{0};
   std::atomic<bool> over{false};
   uint64_t seen = 0;
@@ -42,28 +42,29 @@ TEST(SessionThreads, EditsLooksAndCopiesAtTheSameTime) {
     render::Session session({.threads = 3, .interactive = true, .publish_interval = 0.005});
     session.on_update([&] { ++wakes; });
     std::thread looker([&] {
-      while (!over) seen += look(session);
+      while (!over) seen += read_state(session);
     });
     std::thread copier([&] {
       while (!over) copied += session.film_copy().pixels().size();
     });
     edit(session, 60);
     over = true;
-    looker.join(), copier.join();
+    looker.join();
+    copier.join();
     auto last = test::cornell(32);
     last.limits.samples = 2;
     session.submit(last);
     session.finish();
     EXPECT_EQ(session.status().samples, 2U);
     EXPECT_FALSE(session.take_restart_latencies().empty());
-    session.restart();  // and is left while it renders
+    session.restart();  // and is destroyed while it renders
   }
   EXPECT_GT(wakes.load(), 0);
   EXPECT_GT(seen, 0U);
   EXPECT_GT(copied, 0U);
 }
 
-TEST(SessionThreads, AVersionStandsUnderThePictureItWasMadeFrom) {
+TEST(SessionThreads, FramesHaveTheVersionOfTheirDocument) {
   render::Session session({.threads = 2, .interactive = true, .publish_interval = 0.005});
   for (int i = 1; i <= 20; ++i) {
     const int size = 16 + i;
@@ -73,7 +74,7 @@ TEST(SessionThreads, AVersionStandsUnderThePictureItWasMadeFrom) {
   }
 }
 
-TEST(SessionThreads, WhatChangesNoLightSharesThePixels) {
+TEST(SessionThreads, DisplayEditsShareThePixels) {
   render::Session session({.threads = 2, .interactive = true});
   auto d = test::cornell(32);
   d.limits.samples = 2;
@@ -92,7 +93,7 @@ TEST(SessionThreads, WhatChangesNoLightSharesThePixels) {
   EXPECT_TRUE(wait_for(version, 2)->pixels == before->pixels);
 }
 
-TEST(SessionThreads, TwoSessionsDoNotMeet) {
+TEST(SessionThreads, TwoSessionsAreIndependent) {
   std::vector<std::thread> hands;
   for (int i = 0; i < 2; ++i)
     hands.emplace_back([i] {

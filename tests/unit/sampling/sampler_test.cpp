@@ -4,8 +4,8 @@
 #include <thread>
 
 #include "base/hash.h"
-#include "unit/sampling/points.h"
 #include "support/chi_square.h"
+#include "unit/sampling/points.h"
 
 namespace etendue {
 namespace {

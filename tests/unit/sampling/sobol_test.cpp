@@ -4,8 +4,8 @@
 #include <set>
 
 #include "base/hash.h"
-#include "unit/sampling/points.h"
 #include "sampling/sobol.h"
+#include "unit/sampling/points.h"
 
 namespace etendue {
 namespace {

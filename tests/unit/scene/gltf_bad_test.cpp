@@ -212,7 +212,8 @@ TEST_F(BadNumbers, SparseIndicesOutOfRange) {
   EXPECT_EQ(error_of(gltf),
             "meshes[0].primitives[0].attributes.POSITION: accessor 0 (sparse indices) ends at byte 2, but bufferView 1 "
             "has 1; at most 1 elements fit");
-  sparse["count"] = 1, sparse["indices"]["componentType"] = kFloat;
+  sparse["count"] = 1;
+  sparse["indices"]["componentType"] = kFloat;
   gltf.root["accessors"][position]["sparse"] = sparse;
   EXPECT_EQ(
       error_of(gltf),

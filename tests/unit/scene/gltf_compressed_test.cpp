@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "unit/scene/gltf_builder.h"
 #include "support/scenes.h"
+#include "unit/scene/gltf_builder.h"
 
 namespace etendue::test {
 namespace {
@@ -67,7 +67,9 @@ class Draco : public GltfTest {
       const auto set = [&](int attribute, const auto& v) {
         builder.SetAttributeValuesForFace(attribute, face, &v[t[0]], &v[t[1]], &v[t[2]]);
       };
-      set(position, grid.positions), set(normal, grid.normals), set(uv, grid.uvs);
+      set(position, grid.positions);
+      set(normal, grid.normals);
+      set(uv, grid.uvs);
     }
     const auto mesh = builder.Finalize();
     draco::ExpertEncoder encoder(*mesh);
@@ -158,7 +160,9 @@ TEST_F(Draco, DefectsAreReported) {
   EXPECT_EQ(error("no such thing"), where + ": its data are no Draco data");
   EXPECT_TRUE(error(bytes.substr(0, bytes.size() / 2)).starts_with(where + ": its Draco data are damaged"));
   std::string old = bytes, cloud = bytes, method = bytes;
-  old[5] = 1, cloud[7] = 0, method[8] = 9;
+  old[5] = 1;
+  cloud[7] = 0;
+  method[8] = 9;
   EXPECT_EQ(error(old), where + ": its Draco data are of version 1.2; 2.2 is what glTF takes");
   EXPECT_EQ(error(cloud), where + ": its Draco data are no mesh");
   EXPECT_EQ(error(method), where + ": its Draco data are of a method that does not exist");

@@ -132,8 +132,11 @@ json moved_texture(int index) {
 
 void expect_moved(const TextureUse& use, int index) {
   TextureUse moved;
-  moved.texture = index, moved.uv_set = 1;
-  moved.offset = Vec2(0.5f, 1), moved.scale = Vec2(2, 3), moved.rotation = 0.25f;
+  moved.texture = index;
+  moved.uv_set = 1;
+  moved.offset = Vec2(0.5f, 1);
+  moved.scale = Vec2(2, 3);
+  moved.rotation = 0.25f;
   EXPECT_EQ(use, moved);
 }
 

@@ -1,8 +1,8 @@
 // KHR_materials_variants: import and selection.
 #include "render/document.h"
 #include "scene/compiled_scene.h"
-#include "unit/scene/gltf_builder.h"
 #include "scene/variants.h"
+#include "unit/scene/gltf_builder.h"
 
 namespace etendue::test {
 namespace {
@@ -24,7 +24,7 @@ Gltf shop() {
   return gltf;
 }
 
-std::vector<int> worn(const scene::Scene& scene) {
+std::vector<int> materials_in_use(const scene::Scene& scene) {
   std::vector<int> materials;
   for (const auto& primitive : scene.meshes[0].primitives) materials.push_back(primitive.material);
   return materials;
@@ -39,13 +39,13 @@ TEST_F(Variants, AreImportedAndSelected) {
   EXPECT_EQ(scene.variants, (std::vector<std::string>{"spring", "autumn"}));
   EXPECT_EQ(scene.variant, -1);
   const std::vector<int> own{0, 3, 1}, spring{1, 3, 1}, autumn{2, 2, 1};  // 3 is the default material
-  EXPECT_EQ(worn(scene), own);
+  EXPECT_EQ(materials_in_use(scene), own);
   scene::select_variant(scene, 0);
-  EXPECT_EQ(worn(scene), spring);
+  EXPECT_EQ(materials_in_use(scene), spring);
   scene::select_variant(scene, 1);
-  EXPECT_EQ(worn(scene), autumn);
+  EXPECT_EQ(materials_in_use(scene), autumn);
   scene::select_variant(scene, -1);
-  EXPECT_EQ(worn(scene), own);
+  EXPECT_EQ(materials_in_use(scene), own);
 }
 
 TEST_F(Variants, AreAParameterOfTheScene) {

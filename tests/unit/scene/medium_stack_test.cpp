@@ -13,7 +13,9 @@ TEST(MediumStack, MediumIsTheSmallestNumber) {
   MediumStack stack;
   EXPECT_TRUE(stack.empty());
   EXPECT_EQ(stack.top(), kNoSolid);
-  stack.insert(7), stack.insert(3), stack.insert(5);
+  stack.insert(7);
+  stack.insert(3);
+  stack.insert(5);
   EXPECT_EQ(stack.top(), 3U);
   stack.erase(3);
   EXPECT_EQ(stack.top(), 5U);
@@ -37,10 +39,13 @@ TEST(MediumStack, DoesNotDependOnTheOrder) {
 // Meshes may be open: a path can enter or leave a solid twice.
 TEST(MediumStack, IgnoresRepeatedInsertionAndErasure) {
   MediumStack stack, once;
-  stack.insert(2), stack.insert(2), stack.erase(9);
+  stack.insert(2);
+  stack.insert(2);
+  stack.erase(9);
   once.insert(2);
   EXPECT_EQ(stack, once);
-  stack.erase(2), stack.erase(2);
+  stack.erase(2);
+  stack.erase(2);
   EXPECT_TRUE(stack.empty());
 }
 
@@ -58,7 +63,8 @@ TEST(MediumStack, DropsTheLowestPriorityWhenItIsFull) {
 
 TEST(MediumInterface, HasTheSolidsOfBothSides) {
   MediumStack stack;
-  stack.insert(9), stack.insert(4);
+  stack.insert(9);
+  stack.insert(4);
   MediumInterface interface;
   interface.clear(stack);
   interface.add_boundary(4, true);
@@ -66,8 +72,10 @@ TEST(MediumInterface, HasTheSolidsOfBothSides) {
   EXPECT_EQ(interface.top(true), 2U);
   EXPECT_EQ(interface.top(false), 4U);
   MediumStack front, back;
-  front.insert(2), front.insert(9);
-  back.insert(4), back.insert(9);
+  front.insert(2);
+  front.insert(9);
+  back.insert(4);
+  back.insert(9);
   EXPECT_EQ(interface.side(true), front);
   EXPECT_EQ(interface.side(false), back);
   interface.flip();

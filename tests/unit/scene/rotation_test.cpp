@@ -59,7 +59,8 @@ TEST(Rotation, MatricesAreDecomposed) {
 
 TEST(Rotation, ShearedAndSingularMatricesAreNotDecomposed) {
   Mat4 sheared(1), flat(1);
-  sheared[1][0] = 0.5f, flat[2] = Vec4(0);
+  sheared[1][0] = 0.5f;
+  flat[2] = Vec4(0);
   EXPECT_FALSE(scene::decompose({.matrix = sheared}));
   EXPECT_FALSE(scene::decompose({.matrix = flat}));
 }

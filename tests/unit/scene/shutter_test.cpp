@@ -93,7 +93,8 @@ TEST(Shutter, ResolvesEveryKeyframe) {
 TEST(Shutter, ChildrenMoveWithTheirParents) {
   Animated a;
   a.scene.nodes.emplace_back();
-  a.scene.nodes[1].children = {0}, a.scene.nodes[0].parent = 1;
+  a.scene.nodes[1].children = {0};
+  a.scene.nodes[0].parent = 1;
   a.scene.roots = {1};
   animate(a.scene, 1, AnimatedPath::translation, {0, 1}, {0, 0, 0, 1, 0, 0});
   EXPECT_TRUE(a.moving(1));

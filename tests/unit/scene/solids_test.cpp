@@ -15,7 +15,8 @@ Mat4 at(const Vec3& p) {
 
 Material tinted(float ior) {
   Material m = glass(ior);
-  m.attenuation_color = {0.5f, 0.6f, 0.7f}, m.attenuation_distance = 1;
+  m.attenuation_color = {0.5f, 0.6f, 0.7f};
+  m.attenuation_distance = 1;
   return m;
 }
 
@@ -76,13 +77,16 @@ TEST(Solids, PriorityUsesTheAreaOfTheBounds) {
 TEST(Solids, PrimitivesOfANodeWithEqualInteriorsAreOneSolid) {
   Scene scene;
   add(scene, sphere(1, 8, false), tinted(1.5f));
-  scene.materials.push_back(tinted(1.5f)), scene.materials.push_back(tinted(1.7f));
+  scene.materials.push_back(tinted(1.5f));
+  scene.materials.push_back(tinted(1.7f));
   scene.materials[1].base_color = {0.5f, 1, 1};
   Primitive wall = scene.meshes[0].primitives[0], other = wall;
-  wall.material = 1, other.material = 2;
+  wall.material = 1;
+  other.material = 2;
   wall.mesh = sphere(0.8f, 8, true);
   other.mesh = sphere(0.2f, 8, false);
-  scene.meshes[0].primitives.push_back(wall), scene.meshes[0].primitives.push_back(other);
+  scene.meshes[0].primitives.push_back(wall);
+  scene.meshes[0].primitives.push_back(other);
   const auto c = compiled(scene);
   ASSERT_EQ(c->solids().size(), 2U);
   EXPECT_EQ(c->instances()[0].solid, c->instances()[1].solid);
@@ -96,7 +100,8 @@ TEST(Solids, BsdfModelsDefineTheIndex) {
   Scene scene;
   Material model;
   model.model.model = make_bsdf_model("dielectric")->with("eta", 1.7);
-  model.attenuation_color = Rgb(0.5f), model.attenuation_distance = 1;
+  model.attenuation_color = Rgb(0.5f);
+  model.attenuation_distance = 1;
   add(scene, sphere(1, 8, false), model);
   const auto c = compiled(scene);
   ASSERT_EQ(c->solids().size(), 1U);
@@ -129,14 +134,18 @@ TEST(Solids, ContainingTheCamera) {
   Camera camera;
   camera.to_world = at({0, 0, 0.5f});
   Ray ray;
-  ray.origin = {0, 0, 0.5f}, ray.direction = {0, 0, -1};
+  ray.origin = {0, 0, 0.5f};
+  ray.direction = {0, 0, -1};
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), stack_of({0}));
   // Rays that start on the near plane start outside the ball.
-  camera.near_clip = 2, ray.tnear = 2;
+  camera.near_clip = 2;
+  ray.tnear = 2;
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), MediumStack());
-  camera.near_clip = 0, ray.tnear = 0;
+  camera.near_clip = 0;
+  ray.tnear = 0;
   // A lens partly outside the ball.
-  camera.lens_radius = 2, ray.origin = {1.5f, 0, 0.5f};
+  camera.lens_radius = 2;
+  ray.origin = {1.5f, 0, 0.5f};
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), MediumStack());
   ray.origin = {0.3f, 0, 0.5f};
   EXPECT_EQ(compiled(scene, camera)->media_at_camera(ray, 0), stack_of({0}));
@@ -149,7 +158,8 @@ TEST(Interfaces, InsideAHigherPriorityAreSkipped) {
   add(scene, sphere(1, 16, false), glass(1.5f), at({1.5f, 0, 0}));
   const auto c = compiled(scene);
   Ray ray;
-  ray.origin = {1.3f, 0.1f, 0}, ray.direction = {1, 0, 0};
+  ray.origin = {1.3f, 0.1f, 0};
+  ray.direction = {1, 0, 0};
   Hit hit = c->intersect(ray, 0);
   ASSERT_EQ(c->instances()[hit.instance].solid, 1U);
   MediumInterface found;
@@ -171,7 +181,8 @@ TEST(Interfaces, TouchingFacesAreOne) {
   const auto c = compiled(scene);
   for (const float side : {-1.0f, 1.0f}) {
     Ray ray;
-    ray.origin = {-0.3f * side, 0.1f, 0.2f}, ray.direction = {side, 0, 0};
+    ray.origin = {-0.3f * side, 0.1f, 0.2f};
+    ray.direction = {side, 0, 0};
     Hit hit = c->intersect(ray, 0);
     MediumInterface found;
     ASSERT_TRUE(c->find_interface(stack_of({side > 0 ? 1U : 0U}), 0, hit, found));

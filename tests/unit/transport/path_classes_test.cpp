@@ -1,4 +1,4 @@
-// Names of classes are expressions that part the paths.
+// Names of path classes are expressions that partition the paths.
 #include "transport/path_expression/path_classes.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(PathClass, Names) {
   EXPECT_EQ(name_of("G", Naming::runs, 0), "E.+L");
 }
 
-TEST(PathClass, EveryPathMatchesTheNameOfItsOwnClassAndNoOther) {
+TEST(PathClass, EveryPathMatchesOnlyTheNameOfItsClass) {
   const auto words = words_up_to(6);
   for (const Naming naming : {Naming::words, Naming::runs})
     for (const size_t detail : {0U, 1U, 2U, 3U, 4U}) {
@@ -58,7 +58,7 @@ TEST(PathClass, EveryPathMatchesTheNameOfItsOwnClassAndNoOther) {
     }
 }
 
-TEST(PathClass, PartsPartTheClass) {
+TEST(PathClass, PartsPartitionTheClass) {
   const auto words = words_up_to(5);
   for (const Naming naming : {Naming::words, Naming::runs})
     for (const auto& word : words)

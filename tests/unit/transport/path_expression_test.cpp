@@ -1,4 +1,4 @@
-// The notation against a matcher that follows the definition, word by word; its errors; what the automaton promises.
+// Path expressions against a matcher that follows the definition, error messages, and properties of the automaton.
 #include "transport/path_expression/path_expression.h"
 
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 namespace etendue::transport {
 namespace {
 
-// An expression as a tree, its own text, and the set of places where a match that starts at `from` can end.
-struct BranchingPaths {
+// An expression as a tree, with its text and the set of positions where a match that starts at `from` can end.
+struct ExpressionTree {
   char kind;  // a letter or '.', or one of & | * + ? [
-  std::vector<BranchingPaths> parts;
+  std::vector<ExpressionTree> parts;
 
   std::string text() const {
     switch (kind) {
@@ -74,11 +74,11 @@ struct BranchingPaths {
   bool matches(const std::string& word) const { return ends(word, 0).contains(word.size()); }
 };
 
-BranchingPaths random_tree(std::mt19937& random, int depth) {
+ExpressionTree random_tree(std::mt19937& random, int depth) {
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   if (depth == 0 || below(5) == 0) return {"ELDGS." [below(6)], {}};
   const char kind = "&&&||*+?["[below(9)];
-  std::vector<BranchingPaths> parts{random_tree(random, depth - 1)};
+  std::vector<ExpressionTree> parts{random_tree(random, depth - 1)};
   if (kind == '&' || kind == '|') parts.push_back(random_tree(random, depth - 1));
   return {kind, parts};
 }
@@ -103,13 +103,13 @@ Automaton automaton(const std::string& text) {
   return e ? e->automaton() : Automaton();
 }
 
-// The tree of E(...)L, so that a fair share of random words are paths.
-BranchingPaths as_path(BranchingPaths inner) { return {'&', {{'E', {}}, {'&', {std::move(inner), {'L', {}}}}}}; }
+// The tree of E(...)L, so that many random words are paths.
+ExpressionTree as_path(ExpressionTree inner) { return {'&', {{'E', {}}, {'&', {std::move(inner), {'L', {}}}}}}; }
 
-TEST(PathExpression, RandomExpressionsMatchWhatTheirDefinitionMatches) {
+TEST(PathExpression, RandomExpressionsMatchTheirDefinition) {
   std::mt19937 random(7);
   for (int i = 0; i < 12; ++i) {
-    BranchingPaths tree = random_tree(random, 4);
+    ExpressionTree tree = random_tree(random, 4);
     if (i % 2) tree = as_path(tree);
     const Automaton a = automaton(tree.text());
     for_all_words(7, [&](const std::string& word) {
@@ -117,7 +117,7 @@ TEST(PathExpression, RandomExpressionsMatchWhatTheirDefinitionMatches) {
     });
   }
   for (int i = 0; i < 400; ++i) {
-    BranchingPaths tree = random_tree(random, 5);
+    ExpressionTree tree = random_tree(random, 5);
     if (i % 2) tree = as_path(tree);
     const auto e = PathExpression::parse(tree.text());
     if (!e) {
@@ -144,7 +144,7 @@ TEST(PathExpression, NamedClassesOfTheThesis) {
   EXPECT_FALSE(matches("EDS+L", "EDL"));
 }
 
-TEST(PathExpression, EqualSetsOfWordsAreEqualAutomata) {
+TEST(PathExpression, EqualLanguagesHaveEqualAutomata) {
   EXPECT_EQ(automaton("E(D|G|S)*L"), automaton("E.*L"));
   EXPECT_EQ(automaton("E[D|G]L"), automaton("E(D|G)?L"));
   EXPECT_EQ(automaton("E(D*|G*)*L"), automaton("E(D|G)*L"));
@@ -153,15 +153,16 @@ TEST(PathExpression, EqualSetsOfWordsAreEqualAutomata) {
   EXPECT_EQ(automaton("E(D?)+L"), automaton("ED*L"));
   EXPECT_EQ(automaton("ED**L"), automaton("E[D+]L"));
   EXPECT_FALSE(automaton("ED*L") == automaton("ED+L"));
-  // Dead, after E, after E.*, and accepted.
+  // States: rejected, after E, after E.*, and accepted.
   EXPECT_EQ(automaton("E.*L").size(), 4u);
 }
 
-TEST(PathExpression, TheDeadStateIsReachedAsSoonAsNothingCanMatch) {
+TEST(PathExpression, RejectingStateIsEnteredAsEarlyAsPossible) {
   std::mt19937 random(11);
   for (int i = 0; i < 40; ++i) {
     const Automaton a = automaton(random_tree(random, 4).text());
-    // A minimal automaton with n states accepts something within n letters of every state that is alive.
+    // In a minimal automaton with n states, an accepting state is within n letters of every state that is not
+    // rejecting.
     for (size_t s = 1; s < a.size(); ++s) {
       std::set<Automaton::State> reached{static_cast<Automaton::State>(s)};
       for (size_t length = 0; length < a.size(); ++length)
@@ -183,7 +184,7 @@ TEST(PathExpression, TheDeadStateIsReachedAsSoonAsNothingCanMatch) {
   EXPECT_EQ(after("EDD"), Automaton::kDead);
 }
 
-TEST(PathExpression, WordsThatAreNoPathsAreLeftOut) {
+TEST(PathExpression, WordsThatAreNotPathsAreExcluded) {
   const auto e = PathExpression::parse_paths("(E|D)(D|L)*");
   ASSERT_TRUE(e);
   EXPECT_EQ(e->automaton(), automaton("ED*L"));
@@ -202,7 +203,7 @@ TEST(PathExpression, IntersectionsAndEmptiness) {
   EXPECT_TRUE(Automaton::intersection(automaton("EDL"), automaton("EGL"))->empty());
 }
 
-TEST(PathExpression, ErrorsSayWhatWhereAndWhatWouldBeRight) {
+TEST(PathExpression, ErrorsStateDefectPositionAndRemedy) {
   struct Case {
     const char *text, *column, *part;
   };
@@ -237,7 +238,7 @@ TEST(PathExpression, ErrorsSayWhatWhereAndWhatWouldBeRight) {
   }
 }
 
-TEST(PathExpression, WhatIsTooLargeIsRefused) {
+TEST(PathExpression, TooLargeExpressionsAreRejected) {
   const auto expect_refused = [](const std::string& text, const char* part) {
     const auto e = PathExpression::parse(text);
     ASSERT_FALSE(e) << text;
@@ -246,14 +247,14 @@ TEST(PathExpression, WhatIsTooLargeIsRefused) {
   expect_refused(std::string(300, 'D'), "characters");
   expect_refused(std::string(100, 'D'), "states");
   expect_refused(std::string(100, '(') + "D" + std::string(100, ')'), "brackets");
-  // The tenth letter from the end: the smallest automaton has two to the tenth states.
+  // The tenth letter from the end: the minimal automaton has 2^10 states.
   expect_refused("E.*D.........L", "states");
   expect_refused("E.*D....................L", "states");
   EXPECT_TRUE(PathExpression::parse("E.*D...L"));
   EXPECT_TRUE(PathExpression::parse(std::string(60, 'D')));
 }
 
-TEST(Automaton, DifferenceTakesOut) {
+TEST(Automaton, DifferenceRemovesWords) {
   const auto all = PathExpression::all().automaton();
   const auto whitted = PathExpression::parse_paths("ES*[D|G]L")->automaton();
   const auto rest = *Automaton::difference(all, whitted);
@@ -262,8 +263,8 @@ TEST(Automaton, DifferenceTakesOut) {
   EXPECT_TRUE(Automaton::difference(whitted, all)->empty());
 }
 
-// There and back again, with complements, which nobody wrote.
-TEST(PathExpression, OfAnAutomatonMeansTheSame) {
+// Round trip through the expression of an automaton, including complements.
+TEST(PathExpression, ExpressionOfAnAutomatonIsEquivalent) {
   const auto all = PathExpression::all().automaton();
   for (const char* text : {"EL", "E.*L", "E(D|G).+L", "ES*[D|G]L", "EDS+L", "E.*(D|G)S+L", "E[D|G]L", "ED+S+(D|G).*L",
                            "E[.[.[.[.]]]]L", "E(DS|SD)*L", "E.*DG.*L"}) {

@@ -1,4 +1,5 @@
-// Re-weighting: what is seen often stays, what is seen once goes, and in the end it is the mean.
+// Firefly reweighting [Zirr et al. 2018]: frequent values are kept, single bright samples are suppressed, and the
+// result converges to the mean.
 #include "film/firefly_reweighting.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 namespace etendue::film {
 namespace {
 
-TEST(FireflyReweighting, AnEvenPictureIsShownAsItIs) {
+TEST(FireflyReweighting, UniformImagesAreUnchanged) {
   for (const float value : {0.0f, 1e-6f, 0.01f, 0.7f, 8.0f, 5e4f, 1e9f}) {
     FireflyReweighting reweighting(3, 3);
     for (uint32_t s = 1; s <= 16; ++s) {
@@ -19,14 +20,14 @@ TEST(FireflyReweighting, AnEvenPictureIsShownAsItIs) {
   }
 }
 
-TEST(FireflyReweighting, SamplesThatComeTogetherAreThoseThatComeAlone) {
+TEST(FireflyReweighting, BatchesEqualSingleSamples) {
   FireflyReweighting alone(1, 1), together(1, 1);
   for (int i = 0; i < 20; ++i) alone.add(0, 0, Rgb(2));
   together.add(0, 0, Rgb(2), 20);
   EXPECT_NEAR(alone.shown(0, 0, 20).r, together.shown(0, 0, 20).r, 1e-5f);
 }
 
-TEST(FireflyReweighting, AFireflyIsGoneAndItsNeighboursAreNot) {
+TEST(FireflyReweighting, RemovesAFireflyAndKeepsItsNeighbours) {
   std::mt19937 engine(1);
   std::uniform_real_distribution<float> uniform(0, 1);
   FireflyReweighting reweighting(9, 9);
@@ -36,13 +37,14 @@ TEST(FireflyReweighting, AFireflyIsGoneAndItsNeighboursAreNot) {
   const Rgb before = reweighting.shown(4, 4, kSamples);
   reweighting.add(4, 4, Rgb(3000));
   const Rgb after = reweighting.shown(4, 4, kSamples + 1);
-  EXPECT_NEAR(after.r, before.r, 0.1f);  // kept it would be 91
+  EXPECT_NEAR(after.r, before.r, 0.1f);  // 91 with the firefly
   reweighting.add(3, 4, Rgb(uniform(engine)));
   EXPECT_NEAR(reweighting.shown(3, 4, kSamples + 1).r, 0.5f, 0.2f);
 }
 
-// One sample in fifty is a thousand times as bright as the others: less and less of it is held back.
-TEST(FireflyReweighting, TendToTheMean) {
+// One sample in fifty is a thousand times brighter than the others. The suppressed part decreases with the sample
+// count.
+TEST(FireflyReweighting, ConvergesToTheMean) {
   std::mt19937 engine(7);
   std::uniform_real_distribution<float> uniform(0, 1);
   FireflyReweighting reweighting(8, 8);
@@ -67,7 +69,8 @@ TEST(FireflyReweighting, TendToTheMean) {
 
 TEST(FireflyReweighting, BordersAndClearedRows) {
   FireflyReweighting reweighting(2, 2);
-  reweighting.add(0, 0, Rgb(500)), reweighting.add(1, 1, Rgb(1), 8);
+  reweighting.add(0, 0, Rgb(500));
+  reweighting.add(1, 1, Rgb(1), 8);
   EXPECT_LT(reweighting.shown(0, 0, 8).r, 1.0f);
   EXPECT_NEAR(reweighting.shown(1, 1, 8).r, 1, 1e-5f);
   reweighting.clear_rows(0, 1);

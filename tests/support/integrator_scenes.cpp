@@ -1,4 +1,4 @@
-#include "support/places.h"
+#include "support/integrator_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +12,25 @@ Document with(const Document& d, const char* name, const std::string& value) {
   return changed ? *changed : d;
 }
 
-Document by(const Document& d, const std::string& integrator) { return with(d, "render.integrator", integrator); }
+Document with_integrator(const Document& d, const std::string& integrator) {
+  return with(d, "render.integrator", integrator);
+}
 
-// What light tracing can find.
-Document without_mirrors_in_view(const Document& d) { return with(d, "film.paths", "E[(D|G).*]L"); }
+Document without_specular_first_hit(const Document& d) { return with(d, "film.paths", "E[(D|G).*]L"); }
 
-// A floor, a smooth-shaded ball, one of glass that absorbs and one of clay, and room for lights.
 scene::Scene balls() {
   scene::Scene scene;
   add(scene, quad(4), diffuse(Rgb(0.6f)));
   Material glass, clay;
-  glass.metallic = 0, glass.transmission = 1, glass.thickness = 1, glass.roughness = 0;
-  glass.attenuation_color = {0.4f, 0.8f, 0.9f}, glass.attenuation_distance = 0.7f;
-  clay.base_color = {0.7f, 0.3f, 0.2f}, clay.metallic = 0, clay.roughness = 0.3f;
+  glass.metallic = 0;
+  glass.transmission = 1;
+  glass.thickness = 1;
+  glass.roughness = 0;
+  glass.attenuation_color = {0.4f, 0.8f, 0.9f};
+  glass.attenuation_distance = 0.7f;
+  clay.base_color = {0.7f, 0.3f, 0.2f};
+  clay.metallic = 0;
+  clay.roughness = 0.3f;
   const std::pair<Material, bool> materials[] = {{diffuse(Rgb(0.5f)), true}, {glass, false}, {clay, true}};
   for (int i = 0; i < 3; ++i) {
     Mat4 place(1);
@@ -37,27 +43,28 @@ scene::Scene balls() {
   return scene;
 }
 
-Document seen(scene::Scene scene) {
+Document view_from_above(scene::Scene scene) {
   return document(std::move(scene), look_at({0, 2, 4}, {0, 0.4f, 0}, {0, 1, 0}, 0.7f), kSize, kSize);
 }
 
-Document under_a_lamp() {
+Document balls_under_area_light() {
   auto scene = balls();
   Material light = diffuse(Rgb(0.3f), Rgb(6));
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, quad(1), light, above);
-  return seen(std::move(scene));
+  return view_from_above(std::move(scene));
 }
 
-Document under_a_sky() {
+Document balls_under_sky() {
   auto scene = balls();
   scene.environment.tint = {0.7f, 0.8f, 1.0f};
-  return seen(std::move(scene));
+  return view_from_above(std::move(scene));
 }
 
-Document under(const char* light_type) {
+Document balls_under_light(const char* light_type) {
   auto scene = balls();
   Light light = make_light(light_type);
   light.set("intensity", light.info().description.light_class == LightClass::delta_direction ? 3.0 : 12.0);
@@ -67,10 +74,10 @@ Document under(const char* light_type) {
   scene::Transform place;
   place.matrix = look_at({0.8f, 3, 1}, {0, 0, 0}, {0, 1, 0}, 1).to_world;
   add(scene, light, place);
-  return seen(std::move(scene));
+  return view_from_above(std::move(scene));
 }
 
-Document under_surface_lights() {
+Document balls_under_analytic_lights() {
   auto scene = balls();
   const auto add_light = [&](Light light, const Rgb& color, const Vec3& from, const Vec3& to) {
     light.color = color;
@@ -83,15 +90,15 @@ Document under_surface_lights() {
             {-0.5f, 0, 0});
   add_light(make_light("disk", {{"two-sided", true}}), {0.5f, 1, 0.6f}, {0.3f, 2.5f, -0.8f}, {0.2f, 0, 0.1f});
   add_light(make_light("sphere"), {0.5f, 0.7f, 1}, {1.7f, 1.6f, 0.9f}, {0, 0, 0});
-  return seen(std::move(scene));
+  return view_from_above(std::move(scene));
 }
 
-Document through_a_lens(const Document& d) {
+Document with_lens(const Document& d) {
   return with(with(d, "camera.lens-radius", "0.25"), "camera.focus-distance", "4");
 }
 
-void expect_same(const Document& a, uint32_t samples_a, const Document& b, uint32_t samples_b, const std::string& what,
-                 int comparisons) {
+void expect_same_mean(const Document& a, uint32_t samples_a, const Document& b, uint32_t samples_b,
+                      const std::string& what, int comparisons) {
   expect_agreement(replicated(a, samples_a), replicated(b, samples_b), what, comparisons);
 }
 
@@ -107,13 +114,18 @@ Material modelled(const char* model, std::initializer_list<std::pair<const char*
 
 }  // namespace
 
-Document modelled_things() {
+// The floor, a row of balls with one reflection model each, and a quad light.
+Document bsdf_model_scene() {
   scene::Scene scene;
-  // The floor's lobe is not reciprocal: light from the lamp and importance from the eye scatter differently.
+  // The lobe of the floor is not reciprocal: radiance and importance scatter differently.
   add(scene, scene::quad(4), modelled("phong", {{"diffuse", 0.4}, {"exponent", 6.0}}));
   Material coated;
-  coated.metallic = 0, coated.base_color = {0.6f, 0.2f, 0.2f}, coated.roughness = 0.6f;
-  coated.clearcoat = 0.8f, coated.clearcoat_roughness = 0.35f, coated.sheen_color = Rgb(0.3f),
+  coated.metallic = 0;
+  coated.base_color = {0.6f, 0.2f, 0.2f};
+  coated.roughness = 0.6f;
+  coated.clearcoat = 0.8f;
+  coated.clearcoat_roughness = 0.35f;
+  coated.sheen_color = Rgb(0.3f);
   coated.sheen_roughness = 0.5f;
   const Material materials[] = {
       modelled("ward", {{"alpha-x", 0.2}, {"alpha-y", 0.5}}),
@@ -128,7 +140,8 @@ Document modelled_things() {
     add(scene, scene::sphere(0.5f, 16, false), materials[i], place);
   }
   Mat4 above(1);
-  above[1][1] = -1, above[2][2] = -1;
+  above[1][1] = -1;
+  above[2][2] = -1;
   above[3] = Vec4(0, 3, 1, 1);
   add(scene, scene::quad(1), scene::diffuse(Rgb(0), Rgb(6)), above);
   scene.environment.tint = {0.2f, 0.25f, 0.3f};

@@ -1,4 +1,4 @@
-#include "support/own_process.h"
+#include "support/child_process.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,7 +19,7 @@ size_t status_field(const std::string& name) {
 
 }  // namespace
 
-int in_own_process(const std::function<int()>& work) {
+int run_in_child_process(const std::function<int()>& work) {
   std::fflush(nullptr);
   const pid_t child = fork();
   if (child == 0) {
@@ -32,7 +32,7 @@ int in_own_process(const std::function<int()>& work) {
   return WEXITSTATUS(status);
 }
 
-size_t peak_resident() { return status_field("VmHWM:"); }
-size_t resident() { return status_field("VmRSS:"); }
+size_t peak_resident_bytes() { return status_field("VmHWM:"); }
+size_t resident_bytes() { return status_field("VmRSS:"); }
 
 }  // namespace etendue::test

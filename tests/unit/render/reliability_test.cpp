@@ -1,4 +1,4 @@
-// What tiles gather, which of them are heavy, and what a session says of it.
+// Reliability of a rendering: tail statistics of tiles, detection of heavy tails, and the report of a session.
 #include "render/reliability.h"
 
 #include <gtest/gtest.h>
@@ -17,10 +17,10 @@
 namespace etendue::render {
 namespace {
 
-// A picture whose samples are made up: radiance of a pixel, drawn with a uniform number.
-std::shared_ptr<const Reliability> health_of_made_up(int width, int height, uint32_t samples,
-                                                     const std::function<float(int, int, double)>& radiance,
-                                                     uint64_t seed = 1) {
+// A rendering with artificial samples: a function of the pixel and a uniform random number.
+std::shared_ptr<const Reliability> reliability_of_samples(int width, int height, uint32_t samples,
+                                                          const std::function<float(int, int, double)>& radiance,
+                                                          uint64_t seed = 1) {
   film::Film film(width, height);
   TailStatistics tails(width, height);
   std::mt19937_64 engine(seed);
@@ -44,9 +44,9 @@ std::shared_ptr<const Reliability> health_of_made_up(int width, int height, uint
 float even(double u) { return static_cast<float>(u); }
 float pareto(double u, double alpha) { return static_cast<float>(std::pow(u, -1 / alpha)); }
 
-TEST(Reliability, WhatIsBrightButCertainIsNoTail) {
+TEST(Reliability, BrightUniformRegionsAreReliable) {
   const auto h =
-      health_of_made_up(40, 20, 64, [](int x, int y, double u) { return x == 7 && y == 3 ? 1e6f : even(u); });
+      reliability_of_samples(40, 20, 64, [](int x, int y, double u) { return x == 7 && y == 3 ? 1e6f : even(u); });
   EXPECT_EQ(h->verdict, Verdict::healthy);
   EXPECT_LT(h->tail.vov, 1e-3);
   EXPECT_LT(h->tail.brightest_share, 1e-4);
@@ -55,11 +55,12 @@ TEST(Reliability, WhatIsBrightButCertainIsNoTail) {
   EXPECT_EQ(h->samples, 62U * 40 * 20);
 }
 
-// A hundred tiles, ten of which have k = 1. Missed are those whose vov happens to be below its limit, one in five.
-TEST(Reliability, HeavyTilesAreFoundAmongOthers) {
+// A hundred tiles, ten of which have tail index k = 1. A tile is missed if its variance of the variance (vov) happens
+// to be below the limit, which is the case for one in five.
+TEST(Reliability, HeavyTilesAreDetected) {
   int found = 0, alarms = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
-    const auto h = health_of_made_up(
+    const auto h = reliability_of_samples(
         320, 160, 24, [](int x, int, double u) { return x < 32 ? pareto(u, 1) : even(u); }, seed);
     for (size_t i = 0; i < h->tiles.size(); ++i) (i % 10 == 0 ? found : alarms) += h->tiles[i].heavy ? 1 : 0;
     EXPECT_EQ(h->verdict, Verdict::unreliable);
@@ -69,11 +70,11 @@ TEST(Reliability, HeavyTilesAreFoundAmongOthers) {
   EXPECT_EQ(alarms, 0);
 }
 
-// k = 0.4 everywhere: some tiles look heavy by chance, which nobody is told.
-TEST(Reliability, ChanceAloneIsNoAlarm) {
+// k = 0.4 everywhere: some tiles appear heavy by chance, which must not be reported.
+TEST(Reliability, ChanceDoesNotCauseAnAlarm) {
   int looking = 0;
   for (uint64_t seed = 1; seed <= 4; ++seed) {
-    const auto h = health_of_made_up(
+    const auto h = reliability_of_samples(
         320, 160, 24, [](int, int, double u) { return pareto(u, 2.5); }, seed);
     for (const auto& t : h->tiles) looking += t.tail.heavy() ? 1 : 0;
     EXPECT_EQ(h->heavy_share, 0) << seed;
@@ -82,21 +83,22 @@ TEST(Reliability, ChanceAloneIsNoAlarm) {
   EXPECT_GT(looking, 0);
 }
 
-TEST(Reliability, OneFireflyMakesThePictureDoubtful) {
+TEST(Reliability, OneFireflyMakesTheImageUncertain) {
   int drawn = 0;
-  const auto h = health_of_made_up(64, 32, 32, [&](int, int, double u) { return ++drawn == 30'000 ? 1e4f : even(u); });
+  const auto h =
+      reliability_of_samples(64, 32, 32, [&](int, int, double u) { return ++drawn == 30'000 ? 1e4f : even(u); });
   EXPECT_EQ(h->verdict, Verdict::doubtful);
   EXPECT_GT(h->tail.vov, 0.9);
 }
 
-TEST(Reliability, RefusedSamplesAreNoZeroesInTheDark) {
-  const auto h = health_of_made_up(32, 16, 32, [](int x, int, double u) { return x == 3 ? -1 : even(u); });
+TEST(Reliability, InvalidSamplesAreNoZeros) {
+  const auto h = reliability_of_samples(32, 16, 32, [](int x, int, double u) { return x == 3 ? -1 : even(u); });
   EXPECT_EQ(h->verdict, Verdict::unreliable);
   EXPECT_NE(h->reason.find("3.1 %"), std::string::npos) << h->reason;
   EXPECT_TRUE(std::isfinite(h->tail.vov));
 }
 
-TEST(Reliability, IsTheSameForAnyNumberOfThreads) {
+TEST(Reliability, IsIndependentOfTheNumberOfThreads) {
   auto d = test::cornell(70);
   d.limits.samples = 20;
   std::vector<std::shared_ptr<const Reliability>> all;
@@ -116,8 +118,8 @@ TEST(Reliability, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-// Coarse frames are not watched, an edit begins anew, and a film from a file was not seen growing.
-TEST(Reliability, CoversTheSamplesOfThisPicture) {
+// Preview frames are not included, an edit restarts the statistics, and a loaded film has none.
+TEST(Reliability, CoversTheSamplesOfThisRendering) {
   Session session({.threads = 2, .interactive = true, .publish_interval = 0.005});
   for (const int size : {40, 40, 33}) {
     auto d = test::cornell(size);
@@ -142,14 +144,17 @@ Document nan_in_a_sky() {
   scene::Scene scene;
   scene.environment.tint = Rgb(1);
   auto map = std::make_shared<image::Image>();
-  map->width = 16, map->height = 8, map->channels = 3, map->type = image::PixelType::float32;
+  map->width = 16;
+  map->height = 8;
+  map->channels = 3;
+  map->type = image::PixelType::float32;
   map->floats.assign(16 * 8 * 3, 1.0f);
   map->floats[3 * (4 * 16 + 8)] = std::numeric_limits<float>::quiet_NaN();
   scene.environment.map = map;
   return test::document(std::move(scene), look_at({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2.5f), 48, 48);
 }
 
-TEST(InvalidSamples, TheFirstAreTheSameForAnyNumberOfThreadsAndInACheckpoint) {
+TEST(InvalidSamples, TheFirstAreIndependentOfThreadsAndStoredInCheckpoints) {
   const auto one = test::rendered(nan_in_a_sky(), 3, 1).invalid_samples();
   ASSERT_EQ(one.first.size(), film::kListedInvalidSamples);
   EXPECT_EQ(one.first[0].sample, 0U);
@@ -168,7 +173,7 @@ TEST(InvalidSamples, TheFirstAreTheSameForAnyNumberOfThreadsAndInACheckpoint) {
   std::filesystem::remove(path);
 }
 
-TEST(Fireflies, ReweightingShowsAnotherPictureOfTheSameSums) {
+TEST(Fireflies, ReweightingChangesTheImageButNotTheSums) {
   auto d = test::cornell(48);
   d.method.integrator = "path-pure";
   d.limits.samples = 16;
@@ -198,8 +203,8 @@ TEST(Fireflies, ReweightingShowsAnotherPictureOfTheSameSums) {
   EXPECT_FALSE(session.reweighted_copy());
 }
 
-// Cornell box, 256 samples a pixel: less than half a per cent of the light is not shown.
-TEST(Fireflies, WhatHasNoneStaysAsItIs) {
+// Cornell box with 256 samples per pixel: reweighting removes less than half a per cent of the light.
+TEST(Fireflies, ImagesWithoutFirefliesAreNearlyUnchanged) {
   auto d = test::cornell(32);
   d.limits.samples = 256;
   d.fireflies = film::Fireflies::reweight;

@@ -1,4 +1,4 @@
-// When a target error will be reached: exact curves, and renderings that are waited for.
+// Estimates of the time to a target error, for exact error curves and for renderings.
 #include "render/time_estimate.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,9 @@ namespace {
 
 film::ErrorEstimate estimate(double rmse, double relative) {
   film::ErrorEstimate e;
-  e.rmse = rmse, e.rmse_interval = {rmse * (1 - relative), rmse / (1 - relative)}, e.known = true;
+  e.rmse = rmse;
+  e.rmse_interval = {rmse * (1 - relative), rmse / (1 - relative)};
+  e.known = true;
   return e;
 }
 
@@ -21,33 +23,33 @@ TimeEstimator with_slope(double slope, double relative) {
 }
 
 TEST(TimeEstimator, FollowsAKnownCurve) {
-  // Half the error takes four times the samples: 7.68 more seconds.
+  // Half the error needs four times the samples: 7.68 more seconds.
   const auto random = with_slope(-0.5, 0.01).time_to(std::pow(256, -0.5) / 2, 2.56);
   ASSERT_TRUE(random);
   EXPECT_NEAR(random->seconds, 7.68, 0.01 * 7.68);
   EXPECT_LT(random->interval.low, random->seconds);
   EXPECT_GT(random->interval.high, random->seconds);
-  // A steep curve is believed for the most part: 2^(1/0.75) = 2.52 times the samples.
+  // A steep slope is used with a weight below one: 2^(1/0.75) = 2.52 times the samples.
   const auto steep = with_slope(-0.75, 0.001).time_to(std::pow(256, -0.75) / 2, 2.56);
   ASSERT_TRUE(steep);
   EXPECT_NEAR(steep->seconds, 1.52 * 2.56, 0.2 * 1.52 * 2.56);
 }
 
-TEST(TimeEstimator, IsWiderWhereErrorsAreVaguer) {
+TEST(TimeEstimator, IntervalIsWiderForUncertainErrors) {
   const double target = std::pow(256, -0.5) / 4;
   const auto sure = with_slope(-0.5, 0.01).time_to(target, 2.56), vague = with_slope(-0.5, 0.4).time_to(target, 2.56);
   ASSERT_TRUE(sure && vague);
   EXPECT_GT(vague->interval.high - vague->interval.low, 1.5 * (sure->interval.high - sure->interval.low));
 }
 
-TEST(TimeEstimator, KnowsNothingBeforeTheFirstError) {
+TEST(TimeEstimator, IsUnknownBeforeTheFirstError) {
   TimeEstimator forecast;
   EXPECT_FALSE(forecast.time_to(0.1, 0));
   forecast.add(1, 0.1, {});
   EXPECT_FALSE(forecast.time_to(0.1, 0.1));
 }
 
-TEST(TimeEstimator, HasNothingLeftOnceTheErrorIsThere) {
+TEST(TimeEstimator, IsZeroOnceTheErrorIsReached) {
   const auto there = with_slope(-0.5, 0.1).time_to(0.5, 2.56);
   ASSERT_TRUE(there);
   EXPECT_EQ(there->seconds, 0);

@@ -1,4 +1,4 @@
-#include "support/cut.h"
+#include "support/resume.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ void expect_same_bits(const film::Film& a, const film::Film& b, const std::strin
   for (size_t i = 0; i < a.pixels().size(); ++i) ASSERT_EQ(a.pixels()[i].sum, b.pixels()[i].sum) << what << ' ' << i;
 }
 
-void expect_same_bits_after_a_cut(render::Document d, const std::string& what) {
-  const auto path = std::filesystem::temp_directory_path() / ("etendue-test-cut-" + d.method.integrator);
+void expect_same_bits_after_resume(render::Document d, const std::string& what) {
+  const auto path = std::filesystem::temp_directory_path() / ("etendue-test-resume-" + d.method.integrator);
   const auto whole = rendered(d, 9);
   for (const bool running : {false, true}) {
     d.limits = {running ? 9u : 4u, 0, 0};

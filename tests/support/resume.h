@@ -1,0 +1,15 @@
+// Checks that a render resumed from a checkpoint continues to the same bits.
+#pragma once
+#include <string>
+
+#include "support/scenes.h"
+
+namespace etendue::test {
+
+void expect_same_bits(const film::Film& a, const film::Film& b, const std::string& what);
+
+// Renders nine samples per pixel and compares with two renders that are resumed from a checkpoint: one stopped after
+// four samples, one saved in the middle of a sample.
+void expect_same_bits_after_resume(render::Document document, const std::string& what);
+
+}  // namespace etendue::test
