@@ -12,7 +12,7 @@
 #include <cstdlib>
 
 #include "advisor/advisor.h"
-#include "advisor/reference_method.h"
+#include "advisor/reference_integrator.h"
 #include "advisor/true_error.h"
 #include "bench/benchmark.h"
 #include "bench/summary.h"

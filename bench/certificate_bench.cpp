@@ -42,7 +42,7 @@ void cover(const std::string& scene, int renderings) {
     held_relative += holds(relative.interval, true_error.relative.value);
     width += error.rmse_interval.high / error.rmse_interval.low / renderings;
     width_relative += relative.interval.high / relative.interval.low / renderings;
-    unchanged += advisor::changed_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
+    unchanged += advisor::test_blocks({rgb, picture.find("variance")->pixels, kSamples}, reference).changed.empty();
   }
   std::printf(
       "%-60s RMSE covered %d, relMSE covered %d, block test passed %d of %d; high / low %.3f, %.3f; reference %.2g\n",

@@ -133,8 +133,8 @@ class PointBelowLight {
   explicit PointBelowLight(float height) {
     for (size_t i = 0; i < kCount; ++i) from_.set(i, Vec3(0.3f, -height, 0.2f));
     std::vector<AreaLightTriangle> triangles(2);
-    triangles[0].place({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1});
-    triangles[1].place({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
+    triangles[0].set_triangle({{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}, 1});
+    triangles[1].set_triangle({{1, 0, -1}, {1, 0, 1}, {-1, 0, 1}, 1});
     for (AreaLightTriangle& t : triangles) {
       t.radiance = Rgb(1);
       t.double_sided = false;

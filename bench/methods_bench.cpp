@@ -13,7 +13,7 @@
 
 #include "bench/method_spec.h"
 #include "bench/timed_render.h"
-#include "bench/work_rig.h"
+#include "integrator_harness.h"
 
 namespace etendue {
 namespace {

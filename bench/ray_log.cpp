@@ -1,4 +1,4 @@
-#include "bench/ray_log.h"
+#include "ray_log.h"
 
 namespace {
 

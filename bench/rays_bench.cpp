@@ -9,8 +9,8 @@
 #include <cstdio>
 
 #include "bench/method_spec.h"
-#include "bench/ray_log.h"
-#include "bench/work_rig.h"
+#include "integrator_harness.h"
+#include "ray_log.h"
 #include "scene/builtin/cornell.h"
 #include "support/scenes.h"
 

@@ -46,7 +46,7 @@ void slopes(render::Session& session, const char* name, const std::string& file,
   const auto sobol = bench::summary_of(outcome.methods[1], reference, {});
   std::printf("%-14s %8u %18s %18s %8.2f%-8s %6.1f\n", name, samples, with_error(random.slope_over_samples).c_str(),
               with_error(sobol.slope_over_samples).c_str(), random.khat.value_or(NAN),
-              random.heavy_tail ? " heavy" : "", random.rmse / reference.standard_error());
+              random.has_heavy_tail ? " heavy" : "", random.rmse / reference.standard_error());
   std::fflush(stdout);
 }
 
@@ -79,7 +79,8 @@ int biases(render::Session& session, const char* chart) {
   }
   if (!chart) return 0;
   const metrics::ChartOptions options{"A furnace, paths cut after 6, 4 and 2 edges", metrics::Abscissa::samples};
-  const std::string svg = metrics::svg_chart(bench::corrected_curves(outcome, reference), options);
+  const std::string svg =
+      metrics::to_svg(metrics::convergence_chart(bench::corrected_curves(outcome, reference), options));
   return write_file(chart, svg.data(), svg.size()) ? 0 : 4;
 }
 

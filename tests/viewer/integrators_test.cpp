@@ -193,11 +193,11 @@ TEST_F(Techniques, ExportAsLayersAndAsAGrid) {
 }
 
 TEST(TechniqueSet, AddAndRemove) {
-  using viewer::toggled;
-  EXPECT_EQ(toggled("", 1, 2), "1,2");
-  EXPECT_EQ(toggled("0,3", 1, 2), "0,3 1,2");
-  EXPECT_EQ(toggled("0,3 1,2", 1, 2), "0,3");
-  EXPECT_EQ(toggled("1,* 0,3", 1, 2), "0,3");
+  using viewer::toggle_technique;
+  EXPECT_EQ(toggle_technique("", 1, 2), "1,2");
+  EXPECT_EQ(toggle_technique("0,3", 1, 2), "0,3 1,2");
+  EXPECT_EQ(toggle_technique("0,3 1,2", 1, 2), "0,3");
+  EXPECT_EQ(toggle_technique("1,* 0,3", 1, 2), "0,3");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ using nlohmann::json;
 constexpr int kSkipped = 77;
 constexpr unsigned kSecondsPerFile = 60;  // a file that takes longer is a hang
 
-enum class Kind { json, bytes, alternating };
+enum class Kind { values, bytes, alternating };
 
 // The JSON text of a .gltf or .glb file and the bytes that follow it in a GLB.
 struct Container {
@@ -167,7 +167,7 @@ int fuzz(Kind kind, uint32_t seed, int iterations, const std::vector<fs::path>& 
     const size_t round = static_cast<size_t>(i) / targets.size();
     Mutator mutator(seed + static_cast<uint32_t>(i));
     Target& target = targets[number];
-    if (kind == Kind::json || (kind == Kind::alternating && round % 2 == 0))
+    if (kind == Kind::values || (kind == Kind::alternating && round % 2 == 0))
       target.damage_json(mutator);
     else
       target.damage_bytes(mutator);
@@ -193,7 +193,7 @@ int fuzz(Kind kind, uint32_t seed, int iterations, const std::vector<fs::path>& 
 
 int run(std::vector<std::string> args) {
   const auto take = [&](const char* option) { return std::erase(args, option) > 0; };
-  const Kind kind = take("--json") ? Kind::json : take("--bytes") ? Kind::bytes : Kind::alternating;
+  const Kind kind = take("--json") ? Kind::values : take("--bytes") ? Kind::bytes : Kind::alternating;
   if (args.size() < 3) {
     std::fprintf(stderr, "usage: gltf_fuzz [--json | --bytes] SEED ITERATIONS FILE...\n");
     return 2;

@@ -1,6 +1,7 @@
 // The declared module graph (etendue_module in CMake) against the actual includes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <regex>
