@@ -56,7 +56,7 @@ int main() {
                                                         {"large", large.string()}};
   int code = 0;
   for (const auto& [name, file] : scenes)
-    if (test::run_in_child_process([&] { return weigh(name, file); }) != 0) code = 1;
+    if (test::run_in_child_process([&] { return measure_memory(name, file); }) != 0) code = 1;
   fs::remove(large);
   return code;
 }

@@ -11,9 +11,9 @@
 #include <cstdio>
 #include <deque>
 
+#include "bench/integrator_harness.h"
 #include "bench/method_spec.h"
 #include "bench/timed_render.h"
-#include "integrator_harness.h"
 
 namespace etendue {
 namespace {

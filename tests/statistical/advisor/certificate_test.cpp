@@ -123,10 +123,10 @@ TEST(Certify, AnEditedStatementIsRejected) {
       (*stated)->value *= factor;
       (*stated)->interval.low *= factor, (*stated)->interval.high *= factor;
     }
-    EXPECT_EQ(judged(image).verdict, Verdict::refuted);
+    EXPECT_EQ(certification(image).verdict, Verdict::refuted);
     // Without the variance layer, which contradicts the statement, the reference alone decides.
     image.image.layers.resize(1);
-    const CertificationResult result = judged(image);
+    const CertificationResult result = certification(image);
     EXPECT_EQ(result.verdict, Verdict::refuted) << factor;
     EXPECT_GT(result.samples, 0u);
   }
@@ -151,10 +151,10 @@ TEST(Certify, ABiasedImageWithAHiddenBiasIsRejected) {
   const film::Film film = rendered(cut, 64);
   const advisor::RenderStatistics evidence{film.error(), film::relative_error(film), {}, {}, {}};
   image.certificate = advisor::certificate(session, cornell(32), evidence, 1, never_cancel);
-  const CertificationResult result = judged(image);
+  const CertificationResult result = certification(image);
   EXPECT_EQ(result.verdict, Verdict::refuted);
   EXPECT_TRUE(std::ranges::any_of(result.reasons, [](const auto& r) { return r.starts_with("true RMSE"); }))
-      << said(result);
+      << text_of(result);
 }
 
 TEST(Certify, AFewChangedPixelsAreLocated) {
@@ -174,8 +174,8 @@ TEST(Certify, AFewChangedPixelsAreLocated) {
 
 TEST(Certify, ReportsUndecidableCases) {
   const CertifiedImage image = certified_image(glossy_scene_under(true, true, false, 32), 1024);
-  const CertificationResult result = judged(image, 1e-3);
-  EXPECT_EQ(result.verdict, Verdict::undecided) << said(result);
+  const CertificationResult result = certification(image, 1e-3);
+  EXPECT_EQ(result.verdict, Verdict::undecided) << text_of(result);
   EXPECT_GT(result.seconds_needed, result.seconds);
 }
 

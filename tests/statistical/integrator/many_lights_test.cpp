@@ -36,7 +36,7 @@ double error_of(const Document& d, const std::string& lights) {
   return sum;
 }
 
-// The bound is far below the measured factor of ten (docs/results), so that chance cannot decide.
+// The bound is far below the measured factor of ten (docs/results/lights.md), so that chance cannot decide.
 TEST(ManyLights, LightTreeHasLessNoise) {
   const Document d = hall(300);
   EXPECT_LT(3 * error_of(d, "tree"), error_of(d, "one"));

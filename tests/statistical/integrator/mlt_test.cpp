@@ -29,13 +29,13 @@ Document with_only(const Document& d, const std::string& mutation) {
 }
 
 TEST(Mlt, AgreesWithPathTracing) {
-  const std::pair<const char*, Document> places[] = {{"cornell", test::cornell(test::kSize)},
+  const std::pair<const char*, Document> scenes[] = {{"cornell", test::cornell(test::kSize)},
                                                      {"glossy scene", test::glossy_scene()},
                                                      {"area light", test::balls_under_area_light()},
                                                      {"sky", test::balls_under_sky()},
                                                      {"lens", test::with_lens(test::balls_under_area_light())},
                                                      {"lens and shutter", test::motion_and_lens_scene()}};
-  for (const auto& [name, d] : places) test::expect_same_mean(with_integrator(d, "path"), 256, by_mlt(d), 256, name, 6);
+  for (const auto& [name, d] : scenes) test::expect_same_mean(with_integrator(d, "path"), 256, by_mlt(d), 256, name, 6);
 }
 
 // Path tracing does not find all paths from a point light through glass, so the reference is bidirectional.

@@ -134,7 +134,7 @@ double covered(double phi, double turned) {
 }
 
 // A blade that rotates by a right angle: its edge sweeps at constant speed and remains straight.
-TEST(TurningBlade, CoverageIsTheSweptFraction) {
+TEST(RotatingBlade, CoverageIsTheSweptFraction) {
   constexpr int kSize = 16, kFine = 32;
   constexpr double kTurned = kPi / 2;
   constexpr uint32_t kSamples = 2048;
@@ -251,7 +251,7 @@ scene::Scene lights_on_the_move() {
   return scene;
 }
 
-TEST(BlurredPicture, EqualsTheMeanOfStillImagesUnderMovingLights) {
+TEST(MotionBlur, EqualsTheMeanOfStillImagesUnderMovingLights) {
   auto d =
       test::document(lights_on_the_move(), look_at({0, 3, 4}, {0, 0, 0}, {0, 1, 0}, 0.9f), test::kSize, test::kSize);
   d.camera.shutter = 1;
@@ -259,7 +259,7 @@ TEST(BlurredPicture, EqualsTheMeanOfStillImagesUnderMovingLights) {
 }
 
 // A quad, a disk, a sphere and a quad with point samples move over a floor with a post and rotate.
-TEST(BlurredPicture, EqualsTheMeanOfStillImagesUnderMovingAnalyticLights) {
+TEST(MotionBlur, EqualsTheMeanOfStillImagesUnderMovingAnalyticLights) {
   scene::Scene scene;
   test::add(scene, test::quad(3), test::diffuse(Rgb(0.7f)));
   Mat4 post(1);
@@ -281,13 +281,13 @@ TEST(BlurredPicture, EqualsTheMeanOfStillImagesUnderMovingAnalyticLights) {
   expect_mean_of_moments(d, 1024, 48, "surface lights");
 }
 
-TEST(BlurredPicture, EqualsTheMeanOfStillImagesOfAFullScene) {
+TEST(MotionBlur, EqualsTheMeanOfStillImagesOfAFullScene) {
   expect_mean_of_moments(test::motion_and_lens_scene(), 1024, 48, "everything");
 }
 
 // Photons and virtual lights have the time of the paths that use them. The integrators are biased, but equally so in
 // all images.
-TEST(BlurredPicture, EqualsTheMeanOfStillImagesWithTwoPassIntegrators) {
+TEST(MotionBlur, EqualsTheMeanOfStillImagesWithTwoPassIntegrators) {
   const std::vector<std::vector<std::pair<const char*, const char*>>> methods{
       {{"render.integrator", "sppm"}, {"sppm.photons", "2000"}, {"sppm.alpha", "1"}},
       {{"render.integrator", "photonmap"},
@@ -305,7 +305,7 @@ TEST(BlurredPicture, EqualsTheMeanOfStillImagesWithTwoPassIntegrators) {
 }
 
 // A camera that rotates in a room.
-TEST(BlurredPicture, EqualsTheMeanOfStillImagesFromAMovingCamera) {
+TEST(MotionBlur, EqualsTheMeanOfStillImagesFromAMovingCamera) {
   const auto cornell = test::cornell(test::kSize);
   auto scene = *cornell.scene;
   const auto with_camera = std::ranges::find_if(scene.nodes, [](const auto& n) { return n.camera >= 0; });
@@ -322,7 +322,7 @@ TEST(BlurredPicture, EqualsTheMeanOfStillImagesFromAMovingCamera) {
 }
 
 // A rotating normal-mapped cube, a morphing cube, a skinned fox and spinning wheels.
-TEST(BlurredPicture, EqualsTheMeanOfStillImagesOfRealFiles) {
+TEST(MotionBlur, EqualsTheMeanOfStillImagesOfRealFiles) {
   const std::string folder = test::data_folder();
   if (folder.empty()) GTEST_SKIP() << "no data";
   for (const char* file :

@@ -68,7 +68,7 @@ bool finds_all(const Document& d, const scene::CompiledScene& scene) {
 }
 
 // The variants of all integrators that sample every path of the class.
-std::vector<Form> finders(const Document& place, const std::string& paths, const std::vector<std::string>& but) {
+std::vector<Form> complete_forms(const Document& place, const std::string& paths, const std::vector<std::string>& but) {
   const auto scene = scene::compile(place.scene, place.camera, nullptr);
   std::vector<Form> found;
   for (const IntegratorInfo& info : integrator::integrator_infos()) {
@@ -89,7 +89,7 @@ void expect_pairs_agree(const Document& place, const std::string& paths, uint32_
     test::Estimate estimate;
   };
   std::vector<Answer> answers;
-  for (const Form& form : finders(place, paths, but)) {
+  for (const Form& form : complete_forms(place, paths, but)) {
     const auto own = static_cast<uint32_t>(samples * effort(form.name));
     answers.push_back({form.name, test::replicated(form.document, own, 1000 * (answers.size() + 2))});
   }

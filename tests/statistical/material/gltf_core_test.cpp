@@ -164,8 +164,8 @@ TEST(GltfCore, RoughSurfacesHaveNoDeltas) {
   EXPECT_EQ(deltas.count, 0);
 }
 
-// f(i -> o) / eta_o^2 = f(o -> i) / eta_i^2, which is plain reciprocity on one side [Lang, eq. 4.301]. The adjoint has its
-// arguments exchanged.
+// f(i -> o) / eta_o^2 = f(o -> i) / eta_i^2, which is plain reciprocity on one side [Lang, eq. 4.301]. The adjoint
+// has exchanged arguments.
 TEST(GltfCore, IsReciprocalUpToTheSquaredIndexLaw) {
   for (const auto& c : rough_cases()) {
     const auto lobes = lobes_of(c.material);

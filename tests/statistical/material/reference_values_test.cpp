@@ -143,7 +143,7 @@ test::ModelPtr model_of(const char* name, Settings settings) {
 // Tolerance: half of the last printed digit, and 1e-4 for the error of the quadrature.
 double half_digit(double printed) { return (printed >= 10 ? 5e-3 : printed >= 3.9 ? 6e-4 : 6e-5) + 1e-5 * printed; }
 
-TEST(Oracles, Albedos) {
+TEST(ReferenceValues, Albedos) {
   for (const AlbedoRow& row : albedo_rows()) {
     const auto lobes = lobes_of(*model_of(row.model, row.settings));
     for (size_t k = 0; k < kAngles.size(); ++k)
@@ -153,7 +153,7 @@ TEST(Oracles, Albedos) {
 }
 
 // The albedo of Ward's model grows without bound towards grazing angles.
-TEST(Oracles, WardExceedsAnyBoundAtGrazingAngles) {
+TEST(ReferenceValues, WardExceedsAnyBoundAtGrazingAngles) {
   const auto wide = lobes_of(*model_of("ward", {{"alpha-x", "0.5"}, {"alpha-y", "0.5"}}));
   EXPECT_NEAR(albedo(wide, direction(89.5f, 0)), 0.682, 6e-4);
   EXPECT_NEAR(albedo(wide, direction(89.9f, 0)), 1.484, 6e-4);
@@ -179,7 +179,7 @@ struct PointRow {
   double opposite, beside;
 };
 
-TEST(Oracles, PointValues) {
+TEST(ReferenceValues, PointValues) {
   const std::vector<PointRow> rows{
       {"phong", {{"exponent", "10"}}, .81640781, .10815839},
       {"reciprocal-phong", {{"exponent", "10"}}, .70702990, .09366791},

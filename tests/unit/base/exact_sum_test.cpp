@@ -1,3 +1,4 @@
+// Exact summation: correct rounding, and independence of order and grouping.
 #include "base/exact_sum.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Display transform: exposure, tone curves and sRGB codes, against their formulas in double precision.
 #include <gtest/gtest.h>
 
 #include <cmath>

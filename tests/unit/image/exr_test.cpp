@@ -1,3 +1,4 @@
+// Reading and writing OpenEXR: exact round trips, data and display windows, damaged files.
 #include <gtest/gtest.h>
 
 #include <cmath>

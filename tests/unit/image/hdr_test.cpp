@@ -1,3 +1,4 @@
+// Reading and writing Radiance HDR: precision, run-length encodings, damaged files.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Reading images of any format as linear RGB.
 #include <gtest/gtest.h>
 
 #include <cmath>

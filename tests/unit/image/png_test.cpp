@@ -1,3 +1,4 @@
+// Reading and writing PNG: exact round trips, all colour types, damaged files.
 #include <gtest/gtest.h>
 
 #include "base/file.h"

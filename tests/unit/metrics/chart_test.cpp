@@ -1,3 +1,4 @@
+// Convergence charts: valid SVG, logarithmic axes, and the raster version.
 #include <gtest/gtest.h>
 
 #include <algorithm>

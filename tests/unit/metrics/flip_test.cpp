@@ -1,3 +1,4 @@
+// FLIP against closed forms for constant colours, and its properties [Andersson et al. 2020].
 #include "metrics/flip.h"
 
 #include <gtest/gtest.h>

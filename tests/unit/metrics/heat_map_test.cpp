@@ -1,3 +1,4 @@
+// Colours of error heat maps.
 #include "metrics/heat_map.h"
 
 #include <gtest/gtest.h>

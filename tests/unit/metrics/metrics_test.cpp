@@ -1,3 +1,4 @@
+// Error metrics of images against closed forms, and the Viridis colour map.
 #include "metrics/metrics.h"
 
 #include <gtest/gtest.h>

@@ -150,9 +150,9 @@ const Damage kDamages[] = {
      "extensionsRequired: has to be an array of strings"},
 };
 
-class Bad : public GltfTest, public testing::WithParamInterface<Damage> {};
+class InvalidFiles : public GltfTest, public testing::WithParamInterface<Damage> {};
 
-TEST_P(Bad, IsRejectedWithAMessage) {
+TEST_P(InvalidFiles, IsRejectedWithAMessage) {
   Gltf gltf = valid_file();
   (void)gltf.glb();  // fills in the buffer's length
   json root = gltf.root;
@@ -166,19 +166,19 @@ TEST_P(Bad, IsRejectedWithAMessage) {
   EXPECT_EQ(message.substr(0, std::string(GetParam().message).size()), GetParam().message) << message;
 }
 
-INSTANTIATE_TEST_SUITE_P(Damage, Bad, testing::ValuesIn(kDamages),
+INSTANTIATE_TEST_SUITE_P(Damage, InvalidFiles, testing::ValuesIn(kDamages),
                          [](const auto& test) { return std::string(test.param.name); });
 
-class BadNumbers : public GltfTest {};
+class InvalidValues : public GltfTest {};
 
-TEST_F(BadNumbers, UndamagedFileLoads) {
+TEST_F(InvalidValues, UndamagedFileLoads) {
   Gltf gltf = valid_file();
   const auto scene = opened(gltf);
   EXPECT_EQ(scene.warnings.size(), 1U) << all(scene.warnings);
   EXPECT_TRUE(warns(scene, "images[0] 'none.png': there is no such file; constant factors are used instead"));
 }
 
-TEST_F(BadNumbers, IndicesOutOfRange) {
+TEST_F(InvalidValues, IndicesOutOfRange) {
   Gltf gltf;
   json& over = gltf.triangle();
   over["indices"] = gltf.indices({0, 1, 3});
@@ -192,7 +192,7 @@ TEST_F(BadNumbers, IndicesOutOfRange) {
             "glTF forbids, but the primitive has 3 vertices");
 }
 
-TEST_F(BadNumbers, SparseIndicesOutOfRange) {
+TEST_F(InvalidValues, SparseIndicesOutOfRange) {
   Gltf gltf;
   const int position = gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const int index = gltf.view(std::vector<uint8_t>{3}), value = gltf.view(std::vector<Vec3>{{1, 0, 0}});
@@ -221,7 +221,7 @@ TEST_F(BadNumbers, SparseIndicesOutOfRange) {
 }
 
 // A small file with large counts is rejected without allocating memory for them.
-TEST_F(BadNumbers, LargeCountsCostNoMemory) {
+TEST_F(InvalidValues, LargeCountsCostNoMemory) {
   const auto peak = [] {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -246,7 +246,7 @@ TEST_F(BadNumbers, LargeCountsCostNoMemory) {
   EXPECT_LT(peak() - before, 1 << 20) << "KiB";
 }
 
-TEST_F(BadNumbers, DefectsOfUnusedObjectsAreWarnings) {
+TEST_F(InvalidValues, DefectsOfUnusedObjectsAreWarnings) {
   Gltf gltf;
   gltf.triangle();
   gltf.accessor(0, kFloat, "VEC3", 1000);
@@ -257,7 +257,7 @@ TEST_F(BadNumbers, DefectsOfUnusedObjectsAreWarnings) {
       << all(scene.warnings);
 }
 
-TEST_F(BadNumbers, RepeatedWarningsAreShortened) {
+TEST_F(InvalidValues, RepeatedWarningsAreShortened) {
   Gltf gltf;
   const int position = gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   for (int i = 0; i < 1000; ++i)
@@ -268,7 +268,7 @@ TEST_F(BadNumbers, RepeatedWarningsAreShortened) {
       << all(scene.warnings);
 }
 
-TEST_F(BadNumbers, IntegersWrittenAsFloats) {
+TEST_F(InvalidValues, IntegersWrittenAsFloats) {
   Gltf gltf;
   gltf.triangle();
   gltf.root["accessors"][0]["count"] = 3.0;
