@@ -1,4 +1,4 @@
-#include "bench/instruction_counter.h"
+#include "instruction_counter.h"
 
 #include <linux/perf_event.h>
 #include <sys/syscall.h>

@@ -14,6 +14,7 @@
 
 #include "bench/method_spec.h"
 #include "bench/timed_render.h"
+#include "light/placed_light.h"
 #include "metrics/convergence.h"
 #include "scene/builtin/many_lights.h"
 

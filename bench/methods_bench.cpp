@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <deque>
 
-#include "bench/integrator_harness.h"
+#include "integrator_harness.h"
 #include "bench/method_spec.h"
 #include "bench/timed_render.h"
 

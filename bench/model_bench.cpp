@@ -10,7 +10,7 @@
 #include <ctime>
 #include <vector>
 
-#include "bench/instruction_counter.h"
+#include "instruction_counter.h"
 #include "metrics/convergence.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"

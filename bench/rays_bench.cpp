@@ -8,9 +8,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "bench/integrator_harness.h"
+#include "integrator_harness.h"
 #include "bench/method_spec.h"
-#include "bench/ray_log.h"
+#include "ray_log.h"
 #include "scene/builtin/cornell.h"
 #include "support/scenes.h"
 

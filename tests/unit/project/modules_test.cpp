@@ -17,7 +17,7 @@ using Names = std::set<std::string>;
 
 struct Module {
   std::string folder;
-  Names depends, internal;    // declared
+  Names depends, internal;       // declared
   Names in_headers, in_sources;  // included
 };
 
@@ -98,7 +98,8 @@ TEST(Modules, SourcesIncludeDeclaredModulesOnly) {
 TEST(Modules, DeclareNothingThatIsUnused) {
   for (const auto& [name, module] : modules_with_includes()) {
     Names used = module.in_headers;
-    EXPECT_EQ(text_of(difference(module.depends, used)), "") << "module " << name << ": DEPENDS lists modules that no header includes";
+    EXPECT_EQ(text_of(difference(module.depends, used)), "")
+        << "module " << name << ": DEPENDS lists modules that no header includes";
     used.insert(module.in_sources.begin(), module.in_sources.end());
     EXPECT_EQ(text_of(difference(module.internal, used)), "") << "module " << name << ": INTERNAL lists unused modules";
     for (const std::string& both : module.internal) EXPECT_FALSE(module.depends.contains(both)) << name << ": " << both;
@@ -151,7 +152,8 @@ TEST(Modules, FormNoCycle) {
     graph[name] = module.in_headers;
     graph[name].insert(module.in_sources.begin(), module.in_sources.end());
   }
-  for (const std::string& cycle : Cycles(graph).found()) ADD_FAILURE() << "modules include each other: " << cycle;
+  const Cycles cycles(graph);
+  for (const std::string& cycle : cycles.found()) ADD_FAILURE() << "modules include each other: " << cycle;
 }
 
 // Units that are allowed to be part of a cycle, because a registry lists what in turn uses the registry's types.
@@ -172,7 +174,8 @@ TEST(Modules, FilesOfOneModuleFormNoCycle) {
         const std::string unit = base + include.substr(0, include.rfind('.'));
         if (unit != file.unit() && !is_registry(unit)) graph[file.unit()].insert(unit);
       }
-    for (const std::string& cycle : Cycles(graph).found()) ADD_FAILURE() << "files include each other: " << cycle;
+    const Cycles cycles(graph);
+    for (const std::string& cycle : cycles.found()) ADD_FAILURE() << "files include each other: " << cycle;
   }
 }
 
@@ -181,7 +184,8 @@ TEST(Modules, TheCoreAndTheLabIncludeNoUserInterface) {
   const std::regex forbidden(R"re(#include [<"](imgui|GLFW|GL/|EGL|GLES|glad|osmesa|viewer/|cli/))re");
   for (const char* folder : {"core", "lab"})
     for (const SourceFile& file : source_files(folder, {".h", ".cpp"}))
-      for (const std::string& line : file.lines) EXPECT_FALSE(std::regex_search(line, forbidden)) << file.path << ": " << line;
+      for (const std::string& line : file.lines)
+        EXPECT_FALSE(std::regex_search(line, forbidden)) << file.path << ": " << line;
 }
 
 }  // namespace
