@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kBase = 8;
 constexpr int kBaseExponent = 3;
-constexpr uint32_t kFewestSamples = 3;
+constexpr uint32_t kMinSamples = 3;
 
 }  // namespace
 
@@ -33,37 +33,38 @@ void FireflyReweighting::add(int x, int y, const Rgb& radiance, uint32_t samples
   }
 }
 
-float FireflyReweighting::seen(const Pixel& pixel, int layer) {
+float FireflyReweighting::sample_count(const Pixel& pixel, int layer) {
   float count = 0;
   for (int i = std::max(0, layer - 1); i <= std::min(kLayers - 1, layer + 1); ++i)
     count += luminance(pixel[static_cast<size_t>(i)]) / scale(i);
   return count;
 }
 
-float FireflyReweighting::seen_around(int x, int y, int layer) const {
+float FireflyReweighting::mean_count_around(int x, int y, int layer) const {
   float count = 0;
   int pixels = 0;
   for (int v = std::max(0, y - 1); v <= std::min(height_ - 1, y + 1); ++v)
-    for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u, ++pixels) count += seen(at(u, v), layer);
+    for (int u = std::max(0, x - 1); u <= std::min(width_ - 1, x + 1); ++u, ++pixels)
+      count += sample_count(at(u, v), layer);
   return count / static_cast<float>(pixels);
 }
 
-float FireflyReweighting::belief(int x, int y, int layer, float shown) const {
-  const float unsurprising = shown / scale(layer);
-  // Believed whatever was seen: the neighbours need not be asked.
-  if (unsurprising >= 3) return 1;
-  float count = seen_around(x, y, layer);
-  if (count >= 1) count = seen(at(x, y), layer);
-  return std::clamp(0.5f * (count - 1 + unsurprising), 0.0f, 1.0f);
+float FireflyReweighting::weight(int x, int y, int layer, float displayed) const {
+  const float expected_count = displayed / scale(layer);
+  // The weight is one for any count.
+  if (expected_count >= 3) return 1;
+  float count = mean_count_around(x, y, layer);
+  if (count >= 1) count = sample_count(at(x, y), layer);
+  return std::clamp(0.5f * (count - 1 + expected_count), 0.0f, 1.0f);
 }
 
-Rgb FireflyReweighting::shown(int x, int y, uint32_t samples) const {
+Rgb FireflyReweighting::displayed(int x, int y, uint32_t samples) const {
   const Pixel& pixel = at(x, y);
   Rgb sum = pixel[0];
   for (int layer = 1; layer < kLayers; ++layer) {
     const Rgb& next = pixel[static_cast<size_t>(layer)];
     if (is_black(next)) continue;
-    sum += samples < kFewestSamples ? next : next * belief(x, y, layer, luminance(sum));
+    sum += samples < kMinSamples ? next : next * weight(x, y, layer, luminance(sum));
   }
   return sum * (1 / std::max(1.0f, static_cast<float>(samples)));
 }

@@ -1,14 +1,13 @@
-// Samples sorted by brightness, for showing a picture without its fireflies.
-//        Zirr, Hanika & Dachsbacher, "Re-weighting Firefly Samples for Improved Finite-Sample Monte Carlo Estimates",
-//        Computer Graphics Forum 37(6), 2018
+// Samples sorted by brightness, for displaying an image without fireflies.                        [Zirr et al. 2018]
 //
-// A sample of luminance between b^i and b^(i+1) is split between the layers i and i + 1, so that it counts as one
-// sample over both: w / L falls linearly in 1 / L. A layer is believed as far as samples of its brightness, and of
-// those next to it, were seen in the pixel; where 3 x 3 pixels have fewer than one each, as far as they were seen
-// there; and as far as one sample of its brightness would not stand out from what the darker layers show. What is shown
-// tends to the mean: any brightness is seen more and more often, and stands out less and less.
+// A sample of luminance L between b^i and b^(i+1) is split between the layers i and i + 1 with weights that sum to one
+// and are linear in 1 / L. A layer has full weight if enough samples of its brightness, or of that of its neighbours,
+// were found in the pixel; if the 3 x 3 pixels around have less than one each, the count of these pixels is used. It
+// also has full weight if one sample of its brightness would not exceed what the darker layers show. The displayed
+// value converges to the mean: samples of any brightness are found more and more often and become less and less
+// exceptional.
 //
-// With one sample of its brightness a layer weighs nothing, with three everything (kappa = 1 in the paper).
+// A layer with one sample of its brightness has weight zero, one with three samples weight one (kappa = 1 in the paper).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,12 +18,12 @@
 
 namespace etendue::film {
 
-// What is shown of samples that stand out: all of them, or as much as can be believed.
+// Whether exceptionally bright samples are displayed completely or with reduced weight.
 enum class Fireflies { keep, reweight };
 
 class FireflyReweighting {
  public:
-  // Scales from 8^-3 to 8^5: what is darker or brighter than all of them belongs to the first or the last.
+  // Luminances from 8^-3 to 8^5. Darker and brighter samples belong to the first and last layer.
   static constexpr int kLayers = 9;
   static constexpr size_t kBytesPerPixel = kLayers * sizeof(Rgb);
 
@@ -33,10 +32,10 @@ class FireflyReweighting {
   int width() const { return width_; }
   int height() const { return height_; }
 
-  // Adds samples of one radiance, finite and not negative. Different pixels may be added to from different threads.
+  // Adds samples of equal radiance, finite and not negative. Threads may add to different pixels concurrently.
   void add(int x, int y, const Rgb& radiance, uint32_t samples = 1);
-  // The pixel as it is shown, if it has so many samples. Below three nothing can be told apart, and it is the mean.
-  Rgb shown(int x, int y, uint32_t samples) const;
+  // The displayed radiance of a pixel with this number of samples; the mean if there are fewer than three.
+  Rgb displayed(int x, int y, uint32_t samples) const;
 
   void clear_rows(int first, int end);
 
@@ -48,11 +47,11 @@ class FireflyReweighting {
   const Pixel& at(int x, int y) const {
     return pixels_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
   }
-  // Samples of the brightness of a layer and of those next to it.
-  static float seen(const Pixel& pixel, int layer);
-  float seen_around(int x, int y, int layer) const;
-  // How much of a layer to show over `shown`, the luminance of what the darker ones show; both are sums of samples.
-  float belief(int x, int y, int layer, float shown) const;
+  // The number of samples with the brightness of a layer or of its neighbours.
+  static float sample_count(const Pixel& pixel, int layer);
+  float mean_count_around(int x, int y, int layer) const;
+  // The weight of a layer. `displayed` is the luminance displayed by the darker layers, as a sum over samples.
+  float weight(int x, int y, int layer, float displayed) const;
 
   int width_, height_;
   std::vector<Pixel> pixels_;

@@ -12,16 +12,16 @@ namespace {
 
 using Numbers = std::array<double, 3>;
 
-// Of the normal distribution, both sides together.
+// Two-sided, of the normal distribution.
 constexpr double kNinetyFivePercent = 1.96;
-// Alike pixels are looked for so far away.
+// Radius of the search for similar pixels, in pixels.
 constexpr int kReach = 3;
-// What the pixel itself counts among the others, so that one that is like no other has a mean; and in the second
-// estimate, as much as one that is alike.
-constexpr double kOwn = 0.05, kOwnAsAny = 1;
-// The same among the squared errors that stand for each other.
-constexpr double kOwnSquare = 0.2;
-constexpr double kDark = 0.01;
+// Weight of the pixel itself in the mean, so that a pixel without similar ones has a mean; and in the second estimate,
+// where it equals that of a similar pixel.
+constexpr double kSelfWeight = 0.05, kEqualSelfWeight = 1;
+// The same in the mean of the squared errors.
+constexpr double kSelfSquareWeight = 0.2;
+constexpr double kRelmseOffset = 0.01;
 
 struct Offset {
   int x, y;
@@ -38,32 +38,40 @@ class Estimator {
         sums_(pixels()),
         squares_(pixels()),
         slopes_(pixels()),
-        apart_(pixels()),
+        difference_(pixels()),
         noise_(pixels()) {}
 
   RelativeError estimate() {
-    for_pairs([&](size_t p, size_t q, double w) { gather(p, q, w), gather(q, p, w); });
+    for_pairs([&](size_t p, size_t q, double w) {
+      gather(p, q, w);
+      gather(q, p, w);
+    });
     divide();
     if (!(total_ > 0)) return {};
-    std::vector<double> alike(pixels());
-    std::vector<Numbers> moved(pixels());
-    const auto meet = [&](size_t p, size_t q, double w) {
-      alike[p] += w * squares_[q];
-      for (size_t c = 0; c < 3; ++c) moved[p][c] += w * slopes_[q][c];
+    std::vector<double> similar_squares(pixels());
+    std::vector<Numbers> similar_slopes(pixels());
+    const auto add_similar = [&](size_t p, size_t q, double w) {
+      similar_squares[p] += w * squares_[q];
+      for (size_t c = 0; c < 3; ++c) similar_slopes[p][c] += w * slopes_[q][c];
     };
-    for_pairs([&](size_t p, size_t q, double w) { meet(p, q, w), meet(q, p, w); });
+    for_pairs([&](size_t p, size_t q, double w) {
+      add_similar(p, q, w);
+      add_similar(q, p, w);
+    });
     double missed = 0, divisor = 0;
     for (size_t p = 0; p < pixels(); ++p) {
-      // Alone, a normal number's fourth moment is three times the square of its second.
-      missed += squares_[p] * (alike[p] + kOwnSquare * squares_[p] / 3) / (weights_[p] + kOwnSquare);
-      double step = 0;  // channels err together at worst, and are taken to
+      // The fourth moment of a normal variable is three times the square of its variance.
+      missed +=
+          squares_[p] * (similar_squares[p] + kSelfSquareWeight * squares_[p] / 3) / (weights_[p] + kSelfSquareWeight);
+      double step = 0;  // the errors of the channels are assumed fully correlated, the worst case
       for (size_t c = 0; c < 3; ++c)
-        step += (moved[p][c] + kOwn * slopes_[p][c]) * std::sqrt(double{variance_[3 * p + c]});
+        step += (similar_slopes[p][c] + kSelfWeight * slopes_[p][c]) * std::sqrt(double{variance_[3 * p + c]});
       divisor += sqr(step);
     }
-    const double spread = std::sqrt(4 * missed + divisor) / total_, unlike = std::log(total_ / total_as_any_);
-    // Symmetric in the logarithm: a mean square is positive, and its distribution leans to the right.
-    const double factor = std::exp(kNinetyFivePercent * std::hypot(spread, unlike));
+    const double spread = std::sqrt(4 * missed + divisor) / total_;
+    const double bias = std::log(total_ / total_equal_weights_);
+    // Symmetric in the logarithm, because a mean square is positive and its distribution is skewed.
+    const double factor = std::exp(kNinetyFivePercent * std::hypot(spread, bias));
     const double mean = total_ / (3.0 * static_cast<double>(pixels()));
     return {mean, {mean / factor, mean * factor}};
   }
@@ -74,7 +82,7 @@ class Estimator {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   }
 
-  // Every pair of pixels within reach, once, with the weight that one has for the other.
+  // Calls f once for each pair of pixels within the search radius, with their mutual weight.
   template <typename F>
   void for_pairs(const F& f) {
     for (int y = 0; y <= kReach; ++y)
@@ -88,35 +96,37 @@ class Estimator {
       for (int x = first(o); x < end(o); ++x) f(index(x, y), index(x + o.x, y + o.y), weight(x, y, o));
   }
 
-  // Columns of pixels whose partner is in the picture.
+  // The range of columns whose partner lies in the image.
   int first(Offset o) const { return std::max(0, -o.x); }
   int end(Offset o) const { return width_ - std::max(0, o.x); }
 
-  // How far each pixel and its partner are apart, squared, and how far noise would set them.
+  // The squared difference of each pixel and its partner, and its expectation from noise.
   void compare(Offset o) {
     for (int y = 0; y < height_ - o.y; ++y)
       for (int x = first(o); x < end(o); ++x) {
         const size_t p = index(x, y), q = index(x + o.x, y + o.y);
-        double apart = 0, noise = 0;
+        double difference = 0, noise = 0;
         for (size_t c = 0; c < 3; ++c) {
-          apart += sqr(double{rgb_[3 * p + c]} - double{rgb_[3 * q + c]});
+          difference += sqr(double{rgb_[3 * p + c]} - double{rgb_[3 * q + c]});
           noise += double{variance_[3 * p + c]} + double{variance_[3 * q + c]};
         }
-        apart_[p] = apart, noise_[p] = noise;
+        difference_[p] = difference;
+        noise_[p] = noise;
       }
   }
 
-  // Of a pixel and its partner, from their neighbours.
+  // The weight of a pixel and its partner, from the differences of their neighbours.
   double weight(int x, int y, Offset o) const {
-    double apart = 0, noise = 1e-12;
+    double difference = 0, noise = 1e-12;
     for (int j = std::max(-1, -y); j <= std::min(1, height_ - 1 - o.y - y); ++j)
       for (int i = std::max(-1, first(o) - x); i <= std::min(1, end(o) - 1 - x); ++i) {
-        // Neither of the two has a say.
+        // Excludes the two pixels themselves.
         if ((i == 0 && j == 0) || (i == o.x && j == o.y) || (i == -o.x && j == -o.y)) continue;
         const size_t p = index(x + i, y + j);
-        apart += apart_[p], noise += noise_[p];
+        difference += difference_[p];
+        noise += noise_[p];
       }
-    return std::exp(-std::max(0.0, apart / noise - 1));
+    return std::exp(-std::max(0.0, difference / noise - 1));
   }
 
   void gather(size_t p, size_t q, double w) {
@@ -128,23 +138,25 @@ class Estimator {
     for (size_t p = 0; p < pixels(); ++p)
       for (size_t c = 0; c < 3; ++c) {
         const double own = rgb_[3 * p + c], square = variance_[3 * p + c];
-        const double r = (sums_[p][c] + kOwn * own) / (weights_[p] + kOwn), divisor = sqr(r) + kDark;
+        const double r = (sums_[p][c] + kSelfWeight * own) / (weights_[p] + kSelfWeight),
+                     divisor = sqr(r) + kRelmseOffset;
         squares_[p] += square / divisor;
-        // By how much the sum falls as one pixel that is alike is brighter.
-        slopes_[p][c] = square * 2 * r / sqr(divisor) / (weights_[p] + kOwn);
+        // The derivative of the sum with respect to the radiance of one similar pixel, negated.
+        slopes_[p][c] = square * 2 * r / sqr(divisor) / (weights_[p] + kSelfWeight);
         total_ += square / divisor;
-        total_as_any_ += square / (sqr((sums_[p][c] + kOwnAsAny * own) / (weights_[p] + kOwnAsAny)) + kDark);
+        total_equal_weights_ +=
+            square / (sqr((sums_[p][c] + kEqualSelfWeight * own) / (weights_[p] + kEqualSelfWeight)) + kRelmseOffset);
       }
   }
 
   int width_, height_;
   std::span<const float> rgb_, variance_;
-  std::vector<double> weights_;  // of all others
-  std::vector<Numbers> sums_;    // of their radiance
-  std::vector<double> squares_;  // relative squared errors, channels added up
+  std::vector<double> weights_;  // sums over the other pixels
+  std::vector<Numbers> sums_;    // of their weighted radiance
+  std::vector<double> squares_;  // relative squared errors, summed over the channels
   std::vector<Numbers> slopes_;
-  std::vector<double> apart_, noise_;
-  double total_ = 0, total_as_any_ = 0;
+  std::vector<double> difference_, noise_;
+  double total_ = 0, total_equal_weights_ = 0;
 };
 
 }  // namespace
@@ -159,7 +171,8 @@ std::optional<RelativeError> relative_error(const Film& film) {
     for (int x = 0; x < film.width(); ++x) {
       if (film.half_buffer_samples(x, y, 0) == 0 || film.half_buffer_samples(x, y, 1) == 0) return {};
       const Rgb m = film.mean(x, y), v = film.variance_of_mean(x, y);
-      rgb.insert(rgb.end(), {m.r, m.g, m.b}), variance.insert(variance.end(), {v.r, v.g, v.b});
+      rgb.insert(rgb.end(), {m.r, m.g, m.b});
+      variance.insert(variance.end(), {v.r, v.g, v.b});
     }
   return relative_error(film.width(), film.height(), rgb, variance);
 }

@@ -1,15 +1,16 @@
-// relMSE of a picture, the mean of (x - r)^2 / (r^2 + 0.01) over pixels and channels, told without the truth r.
+// Estimate of relMSE, the mean of (x - r)^2 / (r^2 + 0.01) over pixels and channels, without the true radiance r.
 //
-// The squared error above the line is told from the halves (error.h). Below it stands the true radiance. A pixel's own
-// mean will not do for that: where noise is a few bright samples, it is highest where it errs most, and relMSE comes
-// out a third too low. So r is told from others: the mean of the pixels around whose own eight neighbours look like
-// this pixel's within their noise, like non-local means (Buades et al. 2005; noise as in Rousselle et al. 2012). What
-// the pixel itself happened to become has no say in who is like it, and hardly any in the mean.
+// The squared error in the numerator is estimated from the half-buffers (error.h). The denominator needs the true
+// radiance. The pixel's own mean is not suitable: if few bright samples cause the noise, the mean is highest where the
+// error is largest, and relMSE is underestimated by a third. r is therefore estimated from other pixels, as in non-local
+// means [Buades et al. 2005; Rousselle et al. 2012]: the mean of nearby pixels whose own eight neighbours equal those of
+// this pixel within their noise. The value of the pixel itself does not influence the weights and has little weight in
+// the mean.
 //
-// The interval is for the error of this very picture. It holds three things: what the halves miss of the realised
-// error, as in error.h, with alike pixels standing for each other; what noise in the mean of the others does; and how
-// far the estimate would move if the pixel's own mean counted as much as any other, for what is alike and yet not the
-// same.
+// The interval is for the error of this image. It combines three terms: the part of the realised error that the
+// half-buffers miss, as in error.h, with similar pixels as substitutes for each other; noise in the mean of the other
+// pixels; and the change of the estimate if the pixel's own mean had the same weight as the others, which bounds the
+// bias from similar pixels of different radiance.
 #pragma once
 #include <optional>
 #include <span>
@@ -23,10 +24,10 @@ struct RelativeError {
   Interval interval;
 };
 
-// `rgb` and `variance`, of its mean, hold three numbers a pixel. Takes 0.7 us a pixel, about.
+// `rgb` and `variance` (of the mean) have three numbers per pixel. Takes about 0.7 us per pixel.
 RelativeError relative_error(int width, int height, std::span<const float> rgb, std::span<const float> variance);
 
-// Nothing until every pixel has a sample in both halves.
+// Empty until every pixel has a sample in both half-buffers.
 std::optional<RelativeError> relative_error(const Film& film);
 
 }  // namespace etendue::film

@@ -14,18 +14,19 @@
 namespace etendue::film {
 namespace {
 
-constexpr size_t kFewestExceedances = 5;
+constexpr size_t kMinExceedances = 5;
 constexpr double kBrightest = 1e-4;
-// Of an upper end that many samples share.
-constexpr double kShapeOfAnEdge = -1;
+// If no sample exceeds the threshold: many samples share the largest value.
+constexpr double kNoTailShape = -1;
 
-// Samples that count as the tail: a fifth of all, but no more than grows with the root.
+// The number of samples in the tail: a fifth of all, at most 3 sqrt(n).
 size_t tail_length(uint64_t samples) {
   const auto n = static_cast<double>(samples);
   return static_cast<size_t>(std::min(0.2 * n, std::ceil(3 * std::sqrt(n))));
 }
 
-// What lies above the largest value that is no tail any more, ascending; values that equal it are left out.
+// Ascending differences of the tail to the threshold, the largest value below the tail. Values that equal it are left
+// out.
 std::vector<double> exceedances_of(std::span<const float> descending, size_t length, double threshold) {
   std::vector<double> x;
   for (size_t i = length; i-- > 0;)
@@ -33,17 +34,17 @@ std::vector<double> exceedances_of(std::span<const float> descending, size_t len
   return x;
 }
 
-// More than a compiler would write out one by one.
+// Too many for the compiler to unroll.
 constexpr size_t kLanes = 32;
 constexpr size_t kRun = 512;
 
-// What a run of deviations adds to the sums, in lanes: the same bits on every machine.
+// Sums of powers of a run of deviations. They are accumulated in lanes, so they do not depend on the vector width.
 struct Powers {
   double squares = 0, fourths = 0;
 };
 
-// Also says which lengths of kLanes have something above the threshold.
-ETENDUE_VECTORIZE Powers look_at(const float* d, size_t count, float threshold, int* above) {
+// Sets above[i] if group i of kLanes deviations has one above the threshold.
+ETENDUE_VECTORIZE Powers accumulate(const float* d, size_t count, float threshold, int* above) {
   std::array<double, kLanes> squares{}, fourths{};
   for (size_t i = 0; i < count; i += kLanes) {
     int any = 0;
@@ -52,15 +53,19 @@ ETENDUE_VECTORIZE Powers look_at(const float* d, size_t count, float threshold, 
     for (size_t j = 0; j < kLanes; ++j) {
       const auto x = static_cast<double>(d[i + j]);
       const double square = x * x;
-      squares[j] += square, fourths[j] += square * square;
+      squares[j] += square;
+      fourths[j] += square * square;
     }
   }
   Powers sum;
-  for (size_t j = 0; j < kLanes; ++j) sum.squares += squares[j], sum.fourths += fourths[j];
+  for (size_t j = 0; j < kLanes; ++j) {
+    sum.squares += squares[j];
+    sum.fourths += fourths[j];
+  }
   return sum;
 }
 
-// Products of 1 + a x over all x, for many a side by side, their exponents counted apart.
+// Products of 1 + a x over all x, for many values of a. Mantissas and exponents are separate, which avoids overflow.
 struct Products {
   std::vector<double> mantissa;
   std::vector<int64_t> exponent;
@@ -91,10 +96,10 @@ double khat_limit(uint64_t samples) {
   return samples < 10 ? 0 : std::min(1 - 1 / std::log10(static_cast<double>(samples)), 0.7);
 }
 
-// Zhang & Stephens: the likelihood with k profiled out is a function of a = k / sigma alone; a is its mean over a grid
-// of candidates, which reaches to the largest exceedance.
+// [Zhang and Stephens 2009]: the profile likelihood is a function of a = k / sigma only. The estimate of a is the mean over
+// a grid of candidates, weighted by the likelihood. The grid extends to the largest exceedance.
 double fit_pareto(std::span<const double> x) {
-  assert(x.size() >= kFewestExceedances && x.front() > 0);
+  assert(x.size() >= kMinExceedances && x.front() > 0);
   const auto n = static_cast<double>(x.size());
   const size_t candidates = 30 + static_cast<size_t>(std::sqrt(n));
   const double quartile = x[static_cast<size_t>(n / 4 + 0.5) - 1];
@@ -107,14 +112,15 @@ double fit_pareto(std::span<const double> x) {
   for (size_t j = 0; j < candidates; ++j) {
     const double k = products.log(j) / n;
     const double l = n * (std::log(a[j] / k) - k - 1);
-    // Rounding can put the largest exceedance on the very end of a candidate's support.
+    // Rounding can place the largest exceedance on the end of a candidate's support.
     likelihood[j] = std::isfinite(l) && 1 + a[j] * x.back() > 0 ? l : std::numeric_limits<double>::lowest();
   }
   const double best = *std::max_element(likelihood.begin(), likelihood.end());
   double weights = 0, weighted = 0;
   for (size_t j = 0; j < candidates; ++j) {
     const double w = std::exp(likelihood[j] - best);
-    weights += w, weighted += w * a[j];
+    weights += w;
+    weighted += w * a[j];
   }
   constexpr double kPrior = 10;
   const std::array<double, 1> mean{weighted / weights};
@@ -123,13 +129,14 @@ double fit_pareto(std::span<const double> x) {
 
 double Tail::p_value() const {
   if (!khat || khat_error <= 0) return 1;
-  // Under k = 1/2 the error is the one that belongs there, not that of the khat found.
+  // The standard error at k = 1/2, not that at khat.
   const double error = khat_error * 1.5 / (1 + *khat);
   return 0.5 * std::erfc((*khat - 0.5) / (error * std::numbers::sqrt2));
 }
 
 void TailAccumulator::add(std::span<const float> deviations, double sum) {
-  samples_ += deviations.size(), sum_ += sum;
+  samples_ += deviations.size();
+  sum_ += sum;
   while (!deviations.empty()) {
     const auto run = deviations.first(std::min(kRun, deviations.size()));
     const size_t whole = run.size() / kLanes * kLanes;
@@ -143,40 +150,45 @@ void TailAccumulator::add(std::span<const float> deviations, double sum) {
 
 void TailAccumulator::add_run(std::span<const float> run) {
   std::array<int, kRun / kLanes> above;
-  const Powers powers = look_at(run.data(), run.size(), threshold_, above.data());
-  squares_ += powers.squares, fourths_ += powers.fourths;
+  const Powers powers = accumulate(run.data(), run.size(), threshold_, above.data());
+  squares_ += powers.squares;
+  fourths_ += powers.fourths;
   for (size_t i = 0; i < run.size(); i += kLanes) {
     if (above[i / kLanes] == 0) continue;
     for (const float x : run.subspan(i, kLanes))
-      if (x > threshold_) keep(x);
+      if (x > threshold_) store(x);
   }
 }
 
-void TailAccumulator::keep(float x) {
-  if (kept_.capacity() < capacity_) kept_.reserve(capacity_);
-  kept_.push_back(x);
-  if (kept_.size() < capacity_) return;
+void TailAccumulator::store(float x) {
+  if (largest_.capacity() < capacity_) largest_.reserve(capacity_);
+  largest_.push_back(x);
+  if (largest_.size() < capacity_) return;
   const size_t half = capacity_ / 2;
-  const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(half);
-  std::nth_element(kept_.begin(), end, kept_.end(), std::greater<>());
+  const auto end = largest_.begin() + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(largest_.begin(), end, largest_.end(), std::greater<>());
   threshold_ = *end;
-  kept_.resize(half);
+  largest_.resize(half);
 }
 
 void TailAccumulator::merge(const TailAccumulator& other) {
-  samples_ += other.samples_, sum_ += other.sum_;
-  squares_ += other.squares_, fourths_ += other.fourths_;
+  samples_ += other.samples_;
+  sum_ += other.sum_;
+  squares_ += other.squares_;
+  fourths_ += other.fourths_;
   if (other.threshold_ > threshold_) {
     threshold_ = other.threshold_;
-    std::erase_if(kept_, [&](float x) { return x <= threshold_; });
+    std::erase_if(largest_, [&](float x) { return x <= threshold_; });
   }
-  for (const float x : other.kept_)
-    if (x > threshold_) keep(x);
+  for (const float x : other.largest_)
+    if (x > threshold_) store(x);
 }
 
 void TailAccumulator::clear() {
-  samples_ = 0, sum_ = 0, squares_ = 0, fourths_ = 0, threshold_ = 0;
-  kept_.clear();
+  samples_ = 0;
+  sum_ = squares_ = fourths_ = 0;
+  threshold_ = 0;
+  largest_.clear();
 }
 
 double TailAccumulator::vov() const {
@@ -188,21 +200,21 @@ Tail TailAccumulator::report() const {
   Tail tail;
   tail.samples = samples_;
   tail.vov = vov();
-  std::vector<float> descending = kept_;
+  std::vector<float> descending = largest_;
   std::sort(descending.begin(), descending.end(), std::greater<>());
 
   const auto brightest = static_cast<size_t>(std::ceil(kBrightest * static_cast<double>(samples_)));
   const auto end = descending.begin() + static_cast<std::ptrdiff_t>(std::min(brightest, descending.size()));
   if (sum_ > 0) tail.brightest_share = std::accumulate(descending.begin(), end, 0.0) / sum_;
-  // With nothing thrown away, what is missing is no brighter than expected.
+  // With a threshold of zero all positive deviations are stored.
   tail.brightest_share_is_lower_bound = threshold_ > 0 && brightest > descending.size();
 
-  if (tail_length(samples_) < kFewestExceedances) return tail;
+  if (tail_length(samples_) < kMinExceedances) return tail;
   const size_t length = std::min(tail_length(samples_), descending.size());
   const double threshold = length < descending.size() ? descending[length] : threshold_;
   const auto x = exceedances_of(descending, length, threshold);
-  if (x.empty()) tail.khat = kShapeOfAnEdge;
-  if (x.size() < kFewestExceedances) return tail;
+  if (x.empty()) tail.khat = kNoTailShape;
+  if (x.size() < kMinExceedances) return tail;
   tail.khat = fit_pareto(x);
   tail.khat_error = std::max(0.0, 1 + *tail.khat) / std::sqrt(static_cast<double>(x.size()));
   return tail;

@@ -1,18 +1,18 @@
-// Can the variance of these samples be believed? Three looks at the upper tail of an estimator's samples.
+// Statistics of the upper tail of an estimator's samples: whether its sample variance is reliable.
 //
-// What is looked at is a sample's deviation from what was expected of it before it was drawn. A constant is no tail,
-// however bright.
+// All of them describe the deviations of samples from their expected values, as estimated before they were drawn. A
+// bright but constant region has no tail.
 //
-//   khat       shape of the generalised Pareto distribution that fits the largest deviations; moments of order 1/k and
-//   above
-//              are infinite. Fit: Zhang & Stephens 2009; length of the tail, prior on k and limits: Vehtari, Simpson,
-//              Gelman, Yao & Gabry, "Pareto Smoothed Importance Sampling", 2015 and 2024. From 1/2 on the variance is
-//              infinite; above 0.7 errors that are estimated from it mean nothing at any sample count in reach.
-//   vov        sum d^4 / (sum d^2)^2 - 1/n of the deviations, the relative variance of the variance (Estes & Cashwell
-//              1978). Falls as 1/n where the fourth moment is finite; above 0.1 it is too early to trust the variance.
-//              Stays near 1 - 1/(2k) for k above 1/2: the sum of squares lies in a few hands, however many are drawn.
-//   brightest  the share of the samples' sum that the largest 0.01 % of the deviations carry: below 0.0001 where no
-//              sample is worth more than two.
+//   khat        shape parameter of the generalised Pareto distribution that fits the largest deviations. Moments of
+//               order 1/khat and above are infinite: from 1/2 on the variance is infinite; above 0.7 errors estimated
+//               from it are meaningless at any practical number of samples. Fit: [Zhang and Stephens 2009]; length of
+//               the tail, prior on the shape and limits: [Vehtari et al. 2024].
+//   vov         sum d^4 / (sum d^2)^2 - 1/n of the deviations d, the relative variance of the variance
+//               [Estes and Cashwell 1978]. It decreases as 1/n if the fourth moment is finite; above 0.1 the variance
+//               is not yet reliable. For a shape k above 1/2 it stays near 1 - 1/(2k), because few samples dominate the
+//               sum of squares for any n.
+//   brightest   share of the largest 0.01 % of the deviations in the sum of all samples. It is at most 0.0001 if no
+//               sample exceeds twice the mean.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -21,60 +21,60 @@
 
 namespace etendue::film {
 
-// Above this khat the samples' mean and its error cannot be relied on; smaller for few samples (Vehtari et al. 2024).
+// The largest reliable khat; smaller for few samples [Vehtari et al. 2024].
 double khat_limit(uint64_t samples);
 
 struct Tail {
   uint64_t samples = 0;
-  // Nothing for fewer samples than 25, or where fewer than five stand out from the rest: there is no tail to fit. -1,
-  // as for the uniform distribution, where none stands out.
+  // Empty for fewer than 25 samples, or if fewer than five exceed the threshold of the tail. -1, as for the uniform
+  // distribution, if none does.
   std::optional<double> khat;
-  double khat_error = 0;  // its standard error, about
+  double khat_error = 0;  // approximate standard error of khat
   double vov = 0;
   double brightest_share = 0;
-  bool brightest_share_is_lower_bound = false;  // not all of the brightest were kept: the share is larger
+  bool brightest_share_is_lower_bound = false;  // some of the largest were not stored
 
   bool heavy() const { return khat && *khat > khat_limit(samples); }
-  // The probability of a khat this large by chance where the variance is only just infinite, k = 1/2; 1 if unknown.
+  // The probability of an estimate of at least khat if the shape is 1/2, the limit of infinite variance; 1 if unknown.
   double p_value() const;
 };
 
-// The shape k of the generalised Pareto distribution for exceedances over a threshold, in ascending order, at least 5,
-// all above zero. Drawn towards 1/2 with the weight of ten samples.
+// The shape parameter of the generalised Pareto distribution of exceedances over a threshold: at least 5, ascending, all
+// positive. The prior draws it towards 1/2 with the weight of ten samples.
 double fit_pareto(std::span<const double> exceedances);
 
-// Takes deviations and keeps the largest of them, at least half of its capacity and less than all of it: what is under
-// the threshold costs one comparison. The same deviations in the same order give the same report to the bit; in another
-// order the sums round differently, and the tail may be longer or shorter.
+// Accumulates deviations and stores the largest of them: between half of the capacity and the capacity. Deviations below
+// the threshold cost one comparison. The same deviations in the same order give bit-identical reports. Another order
+// changes the rounding of the sums and possibly the length of the tail.
 class TailAccumulator {
  public:
-  // With `capacity` numbers of memory, up to (capacity / 6)^2 samples the tail is as long as Vehtari et al. have it,
-  // and up to capacity / 0.0002 the share of the brightest is exact.
+  // The tail has the length of [Vehtari et al. 2024] up to (capacity / 6)^2 samples. The share of the brightest is exact
+  // up to capacity / 0.0002 samples.
   explicit TailAccumulator(size_t capacity = 8192) : capacity_(capacity) {}
 
-  // Deviations of finite numbers, which may be negative: then they are no tail, but add to the variance. `sum` is that
-  // of the samples themselves.
+  // Adds finite deviations. Negative ones are not part of the tail but of the variance. `sum` is the sum of the samples
+  // themselves.
   void add(std::span<const float> deviations, double sum);
-  // Sums and sizes of `other`, and of what it kept the largest. What is above the higher of both thresholds is whole.
+  // Adds another accumulator. The tail is complete above the larger of both thresholds.
   void merge(const TailAccumulator& other);
   void clear();
 
   uint64_t samples() const { return samples_; }
   double sum() const { return sum_; }
-  // The largest deviations, in no order.
-  std::span<const float> largest() const { return kept_; }
+  // The stored deviations, unordered.
+  std::span<const float> largest() const { return largest_; }
   Tail report() const;
 
  private:
   void add_run(std::span<const float> run);
-  void keep(float x);
+  void store(float x);
   double vov() const;
 
   size_t capacity_;
   uint64_t samples_ = 0;
   double sum_ = 0, squares_ = 0, fourths_ = 0;
-  float threshold_ = 0;  // what is above it was kept
-  std::vector<float> kept_;
+  float threshold_ = 0;  // all deviations above it are stored
+  std::vector<float> largest_;
 };
 
 }  // namespace etendue::film

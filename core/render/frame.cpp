@@ -35,7 +35,7 @@ void fill_with_means(const film::Film& film, int y, bool keep_unsampled, Row row
 void fill_reweighted(const film::FireflyReweighting& reweighting, const film::Film& film, int y, Row row) {
   for (int x = 0; x < film.width(); ++x)
     if (const uint32_t samples = film.samples(x, y); samples > 0)
-      row[static_cast<size_t>(x)] = reweighting.shown(x, y, samples);
+      row[static_cast<size_t>(x)] = reweighting.displayed(x, y, samples);
 }
 
 }  // namespace

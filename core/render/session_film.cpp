@@ -69,7 +69,7 @@ std::optional<std::vector<float>> SessionFilm::reweighted() const {
   rgb.reserve(3 * film_.pixels().size());
   for (int y = 0; y < film_.height(); ++y)
     for (int x = 0; x < film_.width(); ++x) {
-      const Rgb c = reweighting_->shown(x, y, film_.samples(x, y));
+      const Rgb c = reweighting_->displayed(x, y, film_.samples(x, y));
       rgb.insert(rgb.end(), {c.r, c.g, c.b});
     }
   return rgb;

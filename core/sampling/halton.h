@@ -8,9 +8,9 @@
 //   Properties    b^k successive samples are stratified into b^k intervals of a dimension. Progressive.
 //   Cost          about twenty times that of `sobol`
 //   Limitations   In high dimensions the primes are large, and pairs of dimensions are evenly filled only by many
-//   samples.
-//                 With fewer samples than the prime, they lie on lines, whose slope differs from pixel to pixel.
-//                 Beyond 64 dimensions, every block reuses the first eight dimensions with its own order of samples.
+//                 samples. With fewer samples than the prime, they lie on lines, whose slope differs from pixel to
+//                 pixel. Beyond 64 dimensions, every block reuses the first eight dimensions with its own order of
+//                 samples.
 #pragma once
 #include "sampling/sampler.h"
 

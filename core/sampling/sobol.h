@@ -5,16 +5,13 @@
 // own order of samples (padding): the same nets within a block, independent between blocks.
 //
 //   Properties    Any aligned group of 2^m samples is a (0, m, 1)-net in each dimension and a (0, m, 2)-net in the
-//   first
-//                 two dimensions; pairs of neighbouring dimensions have t <= 6 for 1024 samples. Unbiased and
+//                 first two dimensions; pairs of neighbouring dimensions have t <= 6 for 1024 samples. Unbiased and
 //                 progressive. For smooth integrands of few dimensions the error decreases faster than 1/N; for large N
 //                 it is never worse than that of random numbers.
 //   Cost          One hash per dimension. All pixels share the unscrambled point of a sample, which `prepare`
-//   tabulates.
-//                 Samples outside of the table have the same values at about three times the cost.
+//                 tabulates. Samples outside of the table have the same values at about three times the cost.
 //   Limitations   Less effective for sample counts far from powers of two, and for pairs of late dimensions while
-//   samples
-//                 are few.
+//                 samples are few.
 #pragma once
 #include "sampling/sampler.h"
 

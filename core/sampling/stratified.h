@@ -5,8 +5,7 @@
 // n^2 intervals. The order of cells is an independent random permutation for each group, pixel and decision.
 //
 //   Properties    The variance of smooth integrands decreases by up to a factor n^2 within a group. Beyond one group
-//   the
-//                 convergence rate is that of `random`; an incomplete group is as good as random numbers.
+//                 the convergence rate is that of `random`; an incomplete group is as good as random numbers.
 #pragma once
 #include "sampling/sampler.h"
 

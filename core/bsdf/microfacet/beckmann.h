@@ -1,8 +1,7 @@
 // The Beckmann distribution of microfacet normals with Smith's height-correlated masking and shadowing, anisotropic.
 //
-//   D(h)      = exp(-tan^2 (cos^2 phi / a_x^2 + sin^2 phi / a_y^2)) / (pi a_x a_y cos^4)       [Lang, eq. 4.291,
-//   corrected] Lambda(w) = (erf(a) - 1) / 2 + exp(-a^2) / (2 a sqrt(pi)),   a = cos / (alpha sin) in the azimuth of w
-//   [Heitz 2014]
+//   D(h)      = exp(-tan^2 (cos^2 phi / a_x^2 + sin^2 phi / a_y^2)) / (pi a_x a_y cos^4)    [Lang, eq. 4.291, corrected]
+//   Lambda(w) = (erf(a) - 1) / 2 + exp(-a^2) / (2 a sqrt(pi)),   a = cos / (alpha sin) in the azimuth of w [Heitz 2014]
 //
 // tan, cos and phi belong to h. Slopes are normally distributed with standard deviations a_x / sqrt(2) and a_y /
 // sqrt(2); alpha is the root mean square slope. Visible normals are sampled by the slopes that are visible from wo

@@ -3,8 +3,8 @@
 // Estimates L = L_e + T L with one random path per sample. At each vertex x_i the direct light is estimated twice, by
 // sampling a light and by sampling the BSDF:
 //
-//    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b ),   beta_i = prod f_s |cos| /
-//    p_b
+//    L  ~  sum over i  beta_i ( w_l f_s L_e |cos| V / p_l  +  w_b f_s L_e |cos| / p_b )
+//    beta_i = product of f_s |cos| / p_b over the vertices before x_i
 //
 // w_l and w_b are weights of multiple importance sampling [Lang, sec. 6.6.9; Veach and Guibas 1995].
 //

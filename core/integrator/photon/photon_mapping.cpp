@@ -26,8 +26,7 @@
 //   Cost          first 2 to 4 rays per photon and 32 bytes per stored photon, twice; then 2 + 2 gather rays per sample
 //                 with one lookup each
 //   Limitations   Caustics and contact shadows are blurred, few photons show as blotches. Direct lookups darken edges
-//   and
-//                 leak light. Near-specular surfaces receive point lights only directly.
+//                 and leak light. Near-specular surfaces receive point lights only directly.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/final_gather.h"
 #include "integrator/photon/photon_emission.h"

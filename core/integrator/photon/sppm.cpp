@@ -16,9 +16,8 @@
 //   Cost          per sample 2 to 4 rays per photon, about 2 rays and one lookup per pixel; 32 bytes per stored photon,
 //                 twice
 //   Limitations   Early samples are blurred, and light leaks through objects thinner than the radius. The error falls
-//   as
-//                 samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a small
-//                 part of the lit scene receive few photons.
+//                 as samples^-1/3 at best: slower than unbiased integrators where these find the light. Views of a
+//                 small part of the lit scene receive few photons.
 #include "integrator/integrator_base.h"
 #include "integrator/photon/photon_emission.h"
 #include "integrator/photon/photon_lookup.h"

@@ -18,8 +18,7 @@
 //
 //   Paths         ES*[(D|G)[(D|G).*]]L; point lights: ES*(D|G)[(D|G).*]L
 //   Bias          biased by default. None with the full BSDF of virtual lights, or if all surfaces are diffuse, and
-//   with
-//                 no bound, or with compensation
+//                 with no bound, or with compensation
 //   Cost          per sample 3 rays and one per virtual light; each light path makes 2 to 4 of a few hundred bytes
 //   Limitations   Caustics, and light that reaches visible surfaces through glass, are missing. Corners show splotches,
 //                 or with a bound and without compensation are too dark. Glossy virtual lights are treated as diffuse

@@ -15,7 +15,7 @@ TEST(FireflyReweighting, UniformImagesAreUnchanged) {
     FireflyReweighting reweighting(3, 3);
     for (uint32_t s = 1; s <= 16; ++s) {
       for (int i = 0; i < 9; ++i) reweighting.add(i % 3, i / 3, Rgb(value, 0.5f * value, 0));
-      for (int i = 0; i < 9; ++i) EXPECT_NEAR(reweighting.shown(i % 3, i / 3, s).r, value, 1e-5f * value) << s;
+      for (int i = 0; i < 9; ++i) EXPECT_NEAR(reweighting.displayed(i % 3, i / 3, s).r, value, 1e-5f * value) << s;
     }
   }
 }
@@ -24,7 +24,7 @@ TEST(FireflyReweighting, BatchesEqualSingleSamples) {
   FireflyReweighting alone(1, 1), together(1, 1);
   for (int i = 0; i < 20; ++i) alone.add(0, 0, Rgb(2));
   together.add(0, 0, Rgb(2), 20);
-  EXPECT_NEAR(alone.shown(0, 0, 20).r, together.shown(0, 0, 20).r, 1e-5f);
+  EXPECT_NEAR(alone.displayed(0, 0, 20).r, together.displayed(0, 0, 20).r, 1e-5f);
 }
 
 TEST(FireflyReweighting, RemovesAFireflyAndKeepsItsNeighbours) {
@@ -34,12 +34,12 @@ TEST(FireflyReweighting, RemovesAFireflyAndKeepsItsNeighbours) {
   constexpr uint32_t kSamples = 32;
   for (uint32_t s = 0; s < kSamples; ++s)
     for (int i = 0; i < 81; ++i) reweighting.add(i % 9, i / 9, Rgb(uniform(engine)));
-  const Rgb before = reweighting.shown(4, 4, kSamples);
+  const Rgb before = reweighting.displayed(4, 4, kSamples);
   reweighting.add(4, 4, Rgb(3000));
-  const Rgb after = reweighting.shown(4, 4, kSamples + 1);
+  const Rgb after = reweighting.displayed(4, 4, kSamples + 1);
   EXPECT_NEAR(after.r, before.r, 0.1f);  // 91 with the firefly
   reweighting.add(3, 4, Rgb(uniform(engine)));
-  EXPECT_NEAR(reweighting.shown(3, 4, kSamples + 1).r, 0.5f, 0.2f);
+  EXPECT_NEAR(reweighting.displayed(3, 4, kSamples + 1).r, 0.5f, 0.2f);
 }
 
 // One sample in fifty is a thousand times brighter than the others. The suppressed part decreases with the sample
@@ -58,7 +58,7 @@ TEST(FireflyReweighting, ConvergesToTheMean) {
         reweighting.add(i % 8, i / 8, Rgb(value));
       }
     double shown = 0;
-    for (int i = 0; i < 64; ++i) shown += static_cast<double>(reweighting.shown(i % 8, i / 8, samples).r) * samples;
+    for (int i = 0; i < 64; ++i) shown += static_cast<double>(reweighting.displayed(i % 8, i / 8, samples).r) * samples;
     const double missing = 1 - shown / sum;
     EXPECT_GT(missing, -1e-4);
     EXPECT_LT(missing, last) << target;
@@ -71,11 +71,11 @@ TEST(FireflyReweighting, BordersAndClearedRows) {
   FireflyReweighting reweighting(2, 2);
   reweighting.add(0, 0, Rgb(500));
   reweighting.add(1, 1, Rgb(1), 8);
-  EXPECT_LT(reweighting.shown(0, 0, 8).r, 1.0f);
-  EXPECT_NEAR(reweighting.shown(1, 1, 8).r, 1, 1e-5f);
+  EXPECT_LT(reweighting.displayed(0, 0, 8).r, 1.0f);
+  EXPECT_NEAR(reweighting.displayed(1, 1, 8).r, 1, 1e-5f);
   reweighting.clear_rows(0, 1);
-  EXPECT_EQ(reweighting.shown(0, 0, 8), Rgb(0));
-  EXPECT_NEAR(reweighting.shown(1, 1, 8).r, 1, 1e-5f);
+  EXPECT_EQ(reweighting.displayed(0, 0, 8), Rgb(0));
+  EXPECT_NEAR(reweighting.displayed(1, 1, 8).r, 1, 1e-5f);
 }
 
 }  // namespace
