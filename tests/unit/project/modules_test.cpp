@@ -156,6 +156,41 @@ TEST(Modules, FormNoCycle) {
   for (const std::string& cycle : cycles.found()) ADD_FAILURE() << "modules include each other: " << cycle;
 }
 
+// Whether `to` is reachable from `from` by at least one edge.
+bool reaches(const Cycles::Graph& graph, const std::string& from, const std::string& to) {
+  const auto edges = graph.find(from);
+  if (edges == graph.end()) return false;
+  return std::ranges::any_of(edges->second,
+                             [&](const std::string& next) { return next == to || reaches(graph, next, to); });
+}
+
+// The edges that do not follow from others, as "from->to".
+Names reduced_edges(const Cycles::Graph& graph) {
+  Names edges;
+  for (const auto& [from, targets] : graph)
+    for (const std::string& to : targets) {
+      const bool follows = std::ranges::any_of(
+          targets, [&](const std::string& other) { return other != to && reaches(graph, other, to); });
+      if (!follows) edges.insert(from + "->" + to);
+    }
+  return edges;
+}
+
+TEST(Modules, PictureShowsTheDeclaredGraph) {
+  Cycles::Graph graph;
+  for (const auto& [name, module] : declared_modules()) {
+    graph[name] = module.depends;
+    graph[name].insert(module.internal.begin(), module.internal.end());
+  }
+  std::ifstream in(source_root() / "docs/images/modules.svg");
+  const std::string svg{std::istreambuf_iterator<char>(in), {}};
+  Names drawn;
+  const std::regex pattern("<title>(\\w+)&#45;&gt;(\\w+)</title>");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), pattern), end; it != end; ++it)
+    drawn.insert((*it)[1].str() + "->" + (*it)[2].str());
+  EXPECT_EQ(drawn, reduced_edges(graph)) << "run tools/module_graph.sh";
+}
+
 // Units that are allowed to be part of a cycle, because a registry lists what in turn uses the registry's types.
 bool is_registry(const std::string& unit) {
   return unit.ends_with("registry") || unit.ends_with("all_lobe_types") || unit.ends_with("all_lobes");
