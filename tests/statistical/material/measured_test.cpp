@@ -319,8 +319,8 @@ TEST(BrdfTable, DamagedTextsAreErrors) {
   ASSERT_TRUE(BrdfTable::parse(good, "t"));
   EXPECT_NEAR(BrdfTable::parse(good, "t")->f(direction(10), direction(20)).b, 0.3f, 1e-6f);
   const std::pair<const char*, const char*> bad[] = {
-      {"", "starts with"},
-      {"etendue-brdf 2\nisotropic 1 1\n0 0 0\n", "starts with"},
+      {"", "does not start with"},
+      {"etendue-brdf 2\nisotropic 1 1\n0 0 0\n", "does not start with"},
       {"etendue-brdf 1\nround 1 1\n0 0 0\n", "isotropic"},
       {"etendue-brdf 1\nisotropic 0 1\n", "polar"},
       {"etendue-brdf 1\nisotropic 9999999999 1\n", "polar"},
@@ -341,11 +341,11 @@ TEST(BrdfTable, DamagedTextsAreErrors) {
 TEST(TableSource, IsAModelWithParametersOrAFile) {
   EXPECT_TRUE(accepts_table_source("ward alpha-x=0.1 alpha-y=0.2"));
   EXPECT_TRUE(accepts_harmonic_source("ward alpha-x=0.2 alpha-y=0.2"));
-  const std::pair<const char*, const char*> bad[] = {{"ward alpha-z=0.1", "no setting"},
-                                                     {"ward alpha-x", "no setting"},
+  const std::pair<const char*, const char*> bad[] = {{"ward alpha-z=0.1", "is not a parameter"},
+                                                     {"ward alpha-x", "is not a parameter"},
                                                      {"ward alpha-x=7", "alpha-x"},
-                                                     {"mirror", "mirrors"},
-                                                     {"dielectric roughness=0.5", "lets"},
+                                                     {"mirror", "reflects only specularly"},
+                                                     {"dielectric roughness=0.5", "transmits light"},
                                                      {"/no/such/table.brdf", "table"},
                                                      {"tabulated", "itself"},
                                                      {"spherical-harmonics", "itself"}};

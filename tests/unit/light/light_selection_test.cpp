@@ -29,7 +29,8 @@ LightTable mixed_table(bool infinite, size_t panels = 40, size_t points = 10, ui
       spot.intensity.value = 0.1f;
       emitter = spot.emitter(Rgb(1));
     }
-    placed.push_back(test::placed(emitter, random.in_cube(2), random.direction()));
+    const Vec3 position = random.in_cube(2);
+    placed.push_back(test::placed(emitter, position, random.direction()));
   }
   if (infinite) placed.push_back(test::placed(DirectionalLight::Emitter(), Vec3(0)));
   return {std::move(triangles), std::move(placed), test::constant_environment(infinite ? 0.3f : 0),

@@ -75,10 +75,10 @@ struct LitScene {
     scene::Transform place;
     place.matrix = look_at(kPosition, Vec3(0), {0, 1, 0}, 1).to_world;
     scene::add(description, light, place);
-    // Gives the scene a bounding box; the node is below everything else.
+    // Gives the scene a bounding sphere that contains the light and the receivers; below everything else.
     Mat4 below(1);
     below[3] = Vec4(0, -4, 0, 1);
-    scene::add(description, scene::quad(2), scene::diffuse(Rgb(0)), below);
+    scene::add(description, scene::quad(6), scene::diffuse(Rgb(0)), below);
     compiled = scene::compile(std::make_shared<const scene::Scene>(std::move(description)), Camera(), nullptr);
   }
   const LightTable& table() const { return compiled->lights(); }
