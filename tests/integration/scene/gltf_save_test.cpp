@@ -273,7 +273,7 @@ TEST_F(Saving, FloatImagesAreClampedWithAWarning) {
   std::vector<std::string> warnings;
   ASSERT_TRUE(scene::save_gltf(scene, folder_ / "floats.glb", &warnings));
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0], "textures[0]: its picture of floats is limited to 0 to 1 and to 16 bits");
+  EXPECT_EQ(warnings[0], "textures[0]: the floating-point image was clamped to [0, 1] and stored with 16 bits");
   const auto again = scene::load_gltf(folder_ / "floats.glb");
   EXPECT_EQ(again->textures[0].image->bytes, (std::vector<uint8_t>{0, 188, 255, 255, 0, 137})) << "as sRGB";
 }
@@ -301,7 +301,7 @@ TEST_F(Saving, ExtensionValuesOutOfRange) {
   EXPECT_EQ(scene.cameras[0].lens_radius, 0);
   EXPECT_EQ(scene.environment.tint, Rgb(1));
   for (const char* text :
-       {"cameras[0].extensions.ETENDUE_transport.lensRadius: is no number in its range",
+       {"cameras[0].extensions.ETENDUE_transport.lensRadius: is not a number in the allowed range",
         "cameras[0].extensions.ETENDUE_transport.shutter:", "extensions.ETENDUE_transport.time:",
         "extensions.ETENDUE_transport.environment.tint:", "extensions.ETENDUE_transport.environment.rotation:"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);

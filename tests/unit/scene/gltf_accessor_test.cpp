@@ -152,7 +152,7 @@ TEST_F(Accessors, MissingNormalizedFlagIsRepairedWithAWarning) {
   EXPECT_EQ(mesh_of(scene)->colors[0].x, 1);
   EXPECT_TRUE(
       warns(scene,
-            "meshes[0].primitives[0].attributes.COLOR_0: accessor 0 is VEC4 of unsigned bytes; they are read as if "
+            "meshes[0].primitives[0].attributes.COLOR_0: accessor 0 is VEC4 of unsigned bytes; it is read as if "
             "normalized were true"))
       << all(scene.warnings);
 }

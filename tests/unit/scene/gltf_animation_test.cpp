@@ -106,18 +106,20 @@ TEST_F(Animations, InvalidChannelsAreIgnored) {
     EXPECT_TRUE(warns(scene, text)) << all(scene.warnings);
   };
   refused(animated("translation", "LINEAR", 3, {0, 1, 1}, std::vector<float>(9)),
-          "animations[0].channels[0]: its times do not grow from key to key (key 2)");
-  refused(animated("translation", "LINEAR", 3, {0, 1}, std::vector<float>(9)), "has 9 values where its 2 keys need 6");
+          "animations[0].channels[0]: the times do not increase strictly (keyframe 2)");
+  refused(animated("translation", "LINEAR", 3, {0, 1}, std::vector<float>(9)),
+          "has 9 values, but its 2 keyframes need 6");
   refused(animated("translation", "CUBICSPLINE", 3, {0, 1}, std::vector<float>(6)),
-          "has 6 values where its 2 keys need 18");
-  refused(animated("translation", "BEZIER", 3, {0, 1}, std::vector<float>(6)), "its interpolation is none of");
+          "has 6 values, but its 2 keyframes need 18");
+  refused(animated("translation", "BEZIER", 3, {0, 1}, std::vector<float>(6)),
+          "the interpolation has to be LINEAR, STEP or CUBICSPLINE");
   refused(animated("translation", "LINEAR", 3, {0, 1}, {0, 0, 0, 0, kInfinity, 0}),
-          "values that are no finite numbers");
-  refused(animated("weights", "LINEAR", 1, {0, 1}, {0, 1}), "its node has no morph targets");
+          "has values that are not finite or beyond 1e9");
+  refused(animated("weights", "LINEAR", 1, {0, 1}, {0, 1}), "the target node has no morph targets");
   refused(animated("colour", "LINEAR", 3, {0, 1}, std::vector<float>(6)), "cannot animate 'colour'");
   Gltf gltf = animated("translation", "LINEAR", 3, {0, 1}, std::vector<float>(6));
   gltf.root["nodes"][0]["matrix"] = std::vector<int>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  refused(std::move(gltf), "its node has a matrix");
+  refused(std::move(gltf), "the target node has a matrix; animated nodes need translation, rotation and scale");
 }
 
 TEST_F(Animations, AnimationsOfTheSameNodeDoNotPlayTogether) {
@@ -132,7 +134,7 @@ TEST_F(Animations, AnimationsOfTheSameNodeDoNotPlayTogether) {
   const auto scene = opened(gltf);
   EXPECT_EQ(matrix(scene, 0)[3], Vec4(1, 0, 0, 1));
   EXPECT_EQ(matrix(scene, 0)[0], Vec4(3, 0, 0, 0));
-  EXPECT_TRUE(warns(scene, "1 animations move what an earlier one moves already; they do not play"));
+  EXPECT_TRUE(warns(scene, "1 animations move the same nodes as an earlier one; only the earlier one plays"));
 }
 
 class Morphs : public Animations {
@@ -234,7 +236,7 @@ TEST_F(Skins, WeightsAreNormalised) {
   Gltf gltf = skinned({{2, 2, 0, 0}, {0, 0, 0, 0}, {0, -1, 0, 0}});
   const auto scene = opened(gltf);
   EXPECT_TRUE(
-      warns(scene, "meshes[0].primitives[0]: the skin weights of 3 vertices did not sum to 1 and were normalised"))
+      warns(scene, "meshes[0].primitives[0]: the joint weights of 3 vertices do not sum to 1; they were normalised"))
       << all(scene.warnings);
   const auto& weights = scene.meshes[0].primitives[0].deformation->weights;
   EXPECT_EQ(weights[0], Vec4(0.5f, 0.5f, 0, 0));
@@ -266,7 +268,7 @@ TEST_F(Skins, JointsWithoutWeightsAreIgnored) {
   gltf.root["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0");
   const auto scene = opened(gltf);
   EXPECT_FALSE(scene.meshes[0].primitives[0].deformation);
-  EXPECT_TRUE(warns(scene, "has JOINTS_0 without the WEIGHTS_ that belongs to it")) << all(scene.warnings);
+  EXPECT_TRUE(warns(scene, "has JOINTS_0 without WEIGHTS_0; it is ignored")) << all(scene.warnings);
 }
 
 }  // namespace

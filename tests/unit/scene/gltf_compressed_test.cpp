@@ -144,7 +144,7 @@ TEST_F(Draco, WrongAccessorCountsAreCorrected) {
   gltf.root["accessors"][0]["count"] = 7;
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->positions.size(), size_t{(Grid::kSide + 1) * (Grid::kSide + 1)});
-  EXPECT_TRUE(warns(scene, "attributes.POSITION: its accessor declares 7 elements, but there are 625"))
+  EXPECT_TRUE(warns(scene, "attributes.POSITION: the accessor declares 7 elements, but the decoded mesh has 625"))
       << all(scene.warnings);
 }
 
@@ -157,15 +157,15 @@ TEST_F(Draco, DefectsAreReported) {
     return error_of(gltf);
   };
   const std::string where = kDracoWhere;
-  EXPECT_EQ(error("no such thing"), where + ": its data are no Draco data");
-  EXPECT_TRUE(error(bytes.substr(0, bytes.size() / 2)).starts_with(where + ": its Draco data are damaged"));
+  EXPECT_EQ(error("no such thing"), where + ": the data are not Draco data");
+  EXPECT_TRUE(error(bytes.substr(0, bytes.size() / 2)).starts_with(where + ": the Draco data are damaged: "));
   std::string old = bytes, cloud = bytes, method = bytes;
   old[5] = 1;
   cloud[7] = 0;
   method[8] = 9;
-  EXPECT_EQ(error(old), where + ": its Draco data are of version 1.2; 2.2 is what glTF takes");
-  EXPECT_EQ(error(cloud), where + ": its Draco data are no mesh");
-  EXPECT_EQ(error(method), where + ": its Draco data are of a method that does not exist");
+  EXPECT_EQ(error(old), where + ": the Draco data have version 1.2; glTF allows only 2.2");
+  EXPECT_EQ(error(cloud), where + ": the Draco data are not a mesh");
+  EXPECT_EQ(error(method), where + ": the Draco data use an unknown encoding method");
   Gltf id = file(bytes);
   id.root["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"]["attributes"]["NORMAL"] = 9;
   EXPECT_EQ(error_of(id), where + ".attributes.NORMAL: the Draco data have no attribute 9");
@@ -183,7 +183,7 @@ TEST_F(Draco, HugeCountsAreRejected) {
     bytes.replace(method == draco::MESH_EDGEBREAKER_ENCODING ? 12 : 11, 4, varint + varint);
     Gltf gltf = file(bytes);
     const std::string error = error_of(gltf);
-    EXPECT_TRUE(error.starts_with(std::string(kDracoWhere) + ": its Draco header claims more than ")) << error;
+    EXPECT_TRUE(error.starts_with(std::string(kDracoWhere) + ": the Draco header declares more data than ")) << error;
   }
 }
 
@@ -311,20 +311,20 @@ TEST_F(Meshopt, DefectsAreReported) {
   const std::string first = "bufferViews[0].extensions.EXT_meshopt_compression: ",
                     last = "bufferViews[3].extensions.EXT_meshopt_compression: ";
   EXPECT_EQ(error("buffer", 7), first + "refers to buffers[7], which does not exist; the file has 2");
-  EXPECT_EQ(error("buffer", 1), first + "buffers[1] is a placeholder for what is compressed");
+  EXPECT_EQ(error("buffer", 1), first + "buffers[1] is a placeholder for compressed data");
   EXPECT_TRUE(error("byteOffset", 1 << 30).starts_with(first + "ends at byte "));
-  EXPECT_EQ(error("count", -1), first + "count has to be there and to be a whole number that is not negative");
-  EXPECT_EQ(error("count", "many"), first + "count has to be there and to be a whole number that is not negative");
-  EXPECT_EQ(error("byteStride", 13), first + "byteStride 13 is not possible in its mode");
-  EXPECT_EQ(error("byteStride", 260), first + "byteStride 260 is not possible in its mode");
+  EXPECT_EQ(error("count", -1), first + "count has to be an integer between 0 and 9007199254740992");
+  EXPECT_EQ(error("count", "many"), first + "count has to be an integer between 0 and 9007199254740992");
+  EXPECT_EQ(error("byteStride", 13), first + "byteStride 13 is not allowed in this mode");
+  EXPECT_EQ(error("byteStride", 260), first + "byteStride 260 is not allowed in this mode");
   EXPECT_EQ(error("mode", "POINTS"), first + "mode has to be one of ATTRIBUTES, TRIANGLES, INDICES");
   EXPECT_EQ(error("filter", 4), first + "filter has to be one of NONE, OCTAHEDRAL, QUATERNION, EXPONENTIAL");
-  EXPECT_EQ(error("filter", "OCTAHEDRAL"), first + "byteStride 12 is not possible in its mode");
-  EXPECT_EQ(error("count", 100, 3), last + "count 100 has to be a multiple of three for triangles");
-  EXPECT_EQ(error("filter", "EXPONENTIAL", 3), last + "has a filter, which only attributes can have");
-  EXPECT_TRUE(error("count", 700).starts_with(first + "its ")) << error("count", 700);
+  EXPECT_EQ(error("filter", "OCTAHEDRAL"), first + "byteStride 12 is not allowed in this mode");
+  EXPECT_EQ(error("count", 100, 3), last + "count 100 has to be a multiple of 3 in mode TRIANGLES");
+  EXPECT_EQ(error("filter", "EXPONENTIAL", 3), last + "has a filter, which only mode ATTRIBUTES allows");
+  EXPECT_TRUE(error("count", 700).starts_with(first + "the ")) << error("count", 700);
   EXPECT_TRUE(error("count", uint64_t{1} << 50).starts_with(first)) << "without allocating memory for it";
-  EXPECT_TRUE(error("count", 40'000'000).starts_with(first + "would need more than ")) << error("count", 40'000'000);
+  EXPECT_TRUE(error("count", 40'000'000).starts_with(first + "needs more than ")) << error("count", 40'000'000);
 }
 
 // Flipped, truncated and random bytes give a message of one line or a mesh. Meshes from damaged data still pass the

@@ -32,7 +32,7 @@ class GltfData : public testing::Test {
 // Files that need an unsupported extension or a later glTF version; the message names it.
 bool names_what_is_missing(const std::string& message) {
   return message.find("requires the extension ") != std::string::npos ||
-         message.find("needs glTF 2.1") != std::string::npos;
+         message.find("requires glTF 2.1") != std::string::npos;
 }
 
 TEST_F(GltfData, ValidFilesOpenAndCompile) {

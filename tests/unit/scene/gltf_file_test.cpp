@@ -30,7 +30,7 @@ TEST_F(Files, DataUri) {
     EXPECT_EQ(mesh_of(*scene)->positions[1], Vec3(1, 0, 0));
   }
   EXPECT_EQ(error_of(described("data:application/octet-stream;base64,AA*A").dump()),
-            "meshes[0].primitives[0].attributes.POSITION: buffers[0] its data URI is malformed; base64 is needed");
+            "meshes[0].primitives[0].attributes.POSITION: buffers[0] has a malformed data URI; it has to be base64");
 }
 
 TEST_F(Files, ExternalFilesWithSpacesPercentsAndUnicode) {
@@ -49,11 +49,12 @@ TEST_F(Files, ExternalFilesWithSpacesPercentsAndUnicode) {
 
 TEST_F(Files, MissingBuffersAreReported) {
   EXPECT_EQ(error_of(described("gone.bin").dump()),
-            "meshes[0].primitives[0].attributes.POSITION: buffers[0] its file 'gone.bin' cannot be had: there is no "
+            "meshes[0].primitives[0].attributes.POSITION: buffers[0] cannot be read from 'gone.bin': there is no "
             "such file");
-  EXPECT_EQ(error_of(described("https://example.com/a.bin").dump()),
-            "meshes[0].primitives[0].attributes.POSITION: buffers[0] its uri 'https://example.com/a.bin' names no "
-            "local file");
+  EXPECT_EQ(
+      error_of(described("https://example.com/a.bin").dump()),
+      "meshes[0].primitives[0].attributes.POSITION: buffers[0] has the uri 'https://example.com/a.bin', which is not a "
+      "local file");
   json no_uri = described("x");
   no_uri["buffers"][0].erase("uri");
   EXPECT_EQ(
@@ -76,11 +77,11 @@ TEST_F(Files, FilesThatAreNotGltf) {
   };
   EXPECT_EQ(message(folder_ / "none.gltf"), (folder_ / "none.gltf").string() + ": there is no such file");
   EXPECT_EQ(message(folder_), folder_.string() + ": this is a folder; give a file");
-  EXPECT_EQ(error_of(""), "the file is empty; give a .gltf or .glb file");
-  EXPECT_EQ(error_of("hello"), "is no glTF: it begins neither with '{' (JSON) nor with 'glTF' (binary)");
-  EXPECT_TRUE(error_of("{\"asset\": }").starts_with("is no valid JSON: parse error at line 1, column 11"));
-  EXPECT_TRUE(error_of("{\n\"asset\":\n }").starts_with("is no valid JSON: parse error at line 3"));
-  EXPECT_EQ(error_of("{}"), "is no glTF: asset.version is missing");
+  EXPECT_EQ(error_of(""), "is empty; it has to be a .gltf or .glb file");
+  EXPECT_EQ(error_of("hello"), "is not glTF: the file has to begin with '{' (JSON) or 'glTF' (binary)");
+  EXPECT_TRUE(error_of("{\"asset\": }").starts_with("is not valid JSON: parse error at line 1, column 11"));
+  EXPECT_TRUE(error_of("{\n\"asset\":\n }").starts_with("is not valid JSON: parse error at line 3"));
+  EXPECT_EQ(error_of("{}"), "is not glTF: asset.version is missing");
 }
 
 TEST_F(Files, DeepNestingIsRejected) {
@@ -94,11 +95,11 @@ TEST_F(Files, Versions) {
   EXPECT_EQ(with_asset("{\"version\":\"2.0\"}"), "");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\"}"), "")
       << "later minor versions are compatible unless minVersion excludes 2.0";
-  EXPECT_EQ(with_asset("{\"version\":\"1.0\"}"), "is glTF of version 1.0 (asset.version); 2.0 is what can be read");
+  EXPECT_EQ(with_asset("{\"version\":\"1.0\"}"), "has the glTF version 1.0 (asset.version); only 2.0 is supported");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\",\"minVersion\":\"2.1\"}"),
-            "needs glTF 2.1 (asset.minVersion); 2.0 is what can be read");
+            "requires glTF 2.1 (asset.minVersion); only 2.0 is supported");
   EXPECT_EQ(with_asset("{\"version\":\"2.1\",\"minVersion\":\"2.0\"}"), "");
-  EXPECT_EQ(with_asset("{\"version\":2.0}"), "is glTF of version 2.0 (asset.version); 2.0 is what can be read");
+  EXPECT_EQ(with_asset("{\"version\":2.0}"), "has the glTF version 2.0 (asset.version); only 2.0 is supported");
 }
 
 TEST_F(Files, GlbHeader) {
@@ -109,15 +110,15 @@ TEST_F(Files, GlbHeader) {
     return std::string(good).replace(offset, 4, Gltf::word(value));
   };
   EXPECT_EQ(error_of(good), "");
-  EXPECT_EQ(error_of(good.substr(0, 8)), "is cut off: a GLB begins with a header of 12 bytes, the file has 8");
-  EXPECT_EQ(error_of(patched(4, 1)), "is a GLB of version 1; version 2 is what can be read");
-  EXPECT_EQ(error_of(good.substr(0, good.size() - 10)), "is cut off: the GLB header claims " +
-                                                            std::to_string(good.size()) + " bytes, the file has " +
+  EXPECT_EQ(error_of(good.substr(0, 8)), "is truncated: a GLB header has 12 bytes, but the file has 8");
+  EXPECT_EQ(error_of(patched(4, 1)), "is a GLB of version 1; only version 2 is supported");
+  EXPECT_EQ(error_of(good.substr(0, good.size() - 10)), "is truncated: the GLB header declares " +
+                                                            std::to_string(good.size()) + " bytes, but the file has " +
                                                             std::to_string(good.size() - 10));
-  EXPECT_EQ(error_of(patched(8, 12)), "the GLB header claims 12 bytes; a header and one chunk need at least 20");
+  EXPECT_EQ(error_of(patched(8, 12)), "the GLB header declares 12 bytes; a header and one chunk need at least 20");
   EXPECT_EQ(error_of(patched(12, 0xffffffffU)),
-            "chunk 0: claims 4294967295 bytes, but only " + std::to_string(good.size() - 20) + " are left");
-  EXPECT_EQ(error_of(patched(16, 0x004e4942)), "chunk 0: is no JSON; a GLB begins with a chunk of JSON");
+            "chunk 0: declares 4294967295 bytes, but only " + std::to_string(good.size() - 20) + " remain in the file");
+  EXPECT_EQ(error_of(patched(16, 0x004e4942)), "chunk 0: is not JSON; the first chunk of a GLB has to be JSON");
 }
 
 TEST_F(Files, GlbWithUnusualChunks) {
@@ -162,7 +163,7 @@ TEST_F(Files, SceneSelection) {
   options.scene = 0;
   EXPECT_EQ(load(gltf, options)->roots, std::vector<int>{0});
   options.scene = 5;
-  EXPECT_EQ(stripped(load(gltf, options)), "there is no scene 5; the file has 2");
+  EXPECT_EQ(stripped(load(gltf, options)), "scene 5 does not exist; the file has 2");
   gltf.root.erase("scene");
   EXPECT_EQ(opened(gltf).roots, std::vector<int>{0});
   gltf.root.erase("scenes");

@@ -233,9 +233,9 @@ TEST_F(Materials, ValuesOutOfRangeAreRepairedWithAWarning) {
   EXPECT_EQ(m.iridescence_ior, 1);
   EXPECT_EQ(m.iridescence_thickness_min, 0);
   EXPECT_EQ(m.diffuse_transmission, 1);
-  for (const char* text : {"materials[0]: clearcoatFactor is 2; it has to be between 0 and 1, and 1 is used",
+  for (const char* text : {"materials[0]: clearcoatFactor is 2; it has to be between 0 and 1; 1 is used",
                            "materials[0]: clearcoatRoughnessFactor is -1;", "materials[0]: sheenColorFactor[1] is 1.5;",
-                           "materials[0]: iridescenceIor is 0.5; it has to be at least 1, and 1 is used",
+                           "materials[0]: iridescenceIor is 0.5; it has to be at least 1; 1 is used",
                            "materials[0]: iridescenceThicknessMinimum is -7; it has to be at least 0",
                            "materials[0]: diffuseTransmissionFactor is 3;"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
@@ -360,7 +360,7 @@ TEST_F(Textures, MissingImagesFallBackToFactors) {
        {"images[0] 'broken.png': ", "images[1] 'text.png': ",
         "images[2] 'https://example.com/a.png': has a uri that is not a local file",
         "images[3]: has neither uri nor bufferView", "images[4]: ", "images[5]: bufferView 99 does not exist",
-        "images[6] 'data:image/png...': its data URI is malformed", "textures[7]: has no picture"})
+        "images[6] 'data:image/png...': has a malformed data URI", "textures[7]: has no image in a supported format"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
 }
 
@@ -396,8 +396,8 @@ TEST_F(Textures, BasisUniversalFallsBack) {
   EXPECT_EQ(scene.unsupported, std::vector<std::string>{"KHR_texture_basisu"});
   EXPECT_EQ(scene.textures[0].image->bytes, (std::vector<uint8_t>{9, 9, 9}));
   EXPECT_FALSE(scene.textures[1].image);
-  EXPECT_TRUE(
-      warns(scene, "textures[1]: has no picture in a format that can be read; constant factors are used instead"));
+  EXPECT_TRUE(warns(
+      scene, "textures[1]: has no image in a supported format (PNG, JPEG, WebP); constant factors are used instead"));
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST_F(Meshes, IncompleteTriangles) {
   gltf.primitive({{"POSITION", gltf.vec3(quad_)}});
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->triangles.size(), 1U);
-  EXPECT_TRUE(warns(scene, "has 4 corners; the last 1 make no triangle"));
+  EXPECT_TRUE(warns(scene, "has 4 vertices; the last 1 cannot form a triangle"));
   Gltf two;
   two.primitive({{"POSITION", two.vec3({{0, 0, 0}, {1, 0, 0}})}});
   EXPECT_TRUE(opened(two).meshes[0].primitives.empty());
@@ -82,7 +82,7 @@ TEST_F(Meshes, DuplicateTrianglesAreDropped) {
   gltf.primitive({{"POSITION", position}}, gltf.indices({0, 1, 2, 1, 2, 0, 4, 5, 6, 2, 1, 0, 1, 3, 2}));
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->triangles, (std::vector<Triangle>{{0, 1, 2}, {2, 1, 0}, {1, 3, 2}}));
-  EXPECT_TRUE(warns(scene, "2 triangles that lie exactly on others were dropped")) << all(scene.warnings);
+  EXPECT_TRUE(warns(scene, "2 duplicate triangles were dropped")) << all(scene.warnings);
 }
 
 TEST_F(Meshes, PositionsThatAreNotFinite) {
@@ -91,7 +91,7 @@ TEST_F(Meshes, PositionsThatAreNotFinite) {
   gltf.primitive({{"POSITION", position}}, gltf.indices({0, 1, 2, 0, 1, 3, 0, 4, 2}));
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->triangles.size(), 1U);
-  EXPECT_TRUE(warns(scene, "2 triangles with positions that are no finite numbers were dropped"));
+  EXPECT_TRUE(warns(scene, "2 triangles with positions that are not finite or beyond 1e9 m were dropped"));
   EXPECT_EQ(scene::world_bounds(scene).max, Vec3(1, 1, 0)) << "unused vertices do not affect the bounds";
 }
 
@@ -102,7 +102,8 @@ TEST_F(Meshes, NormalsAreNormalisedOrReplaced) {
   gltf.primitive(attributes);
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->normals, std::vector<Vec3>(3, Vec3(0, 0, 1)));
-  EXPECT_TRUE(warns(scene, "2 normals without direction were made from the triangles around them"));
+  EXPECT_TRUE(
+      warns(scene, "2 normals that are zero or not finite were replaced by the mean of the adjacent triangles"));
 }
 
 TEST_F(Meshes, WithoutNormalsShadingIsFlat) {
@@ -160,7 +161,7 @@ TEST_F(NormalMaps, InvalidTangentsAreReplaced) {
   add_normal_map(gltf);
   const auto scene = opened(gltf);
   EXPECT_EQ(mesh_of(scene)->tangents, std::vector<Vec4>(4, Vec4(1, 0, 0, 1)));
-  EXPECT_TRUE(warns(scene, "TANGENT has vectors without direction; all are ignored"));
+  EXPECT_TRUE(warns(scene, "TANGENT contains vectors that are zero or not finite; all tangents are ignored"));
 }
 
 TEST_F(NormalMaps, TangentsFollowTheTextureTransform) {
@@ -186,7 +187,8 @@ TEST_F(NormalMaps, MissingTextureCoordinatesAreReported) {
   add_normal_map(gltf, {{"index", 0}, {"texCoord", 1}});
   const auto scene = opened(gltf);
   EXPECT_TRUE(mesh_of(scene)->tangents.empty());
-  EXPECT_TRUE(warns(scene, "meshes[0].primitives[0]: has no TEXCOORD_1, which its material needs to turn normals"));
+  EXPECT_TRUE(warns(
+      scene, "meshes[0].primitives[0]: has no TEXCOORD_1, which the normal map or anisotropy of its material needs"));
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ TEST_F(Nodes, RotationsAreNormalised) {
   gltf.root["scenes"][0]["nodes"] = {0, 1};
   const auto scene = opened(gltf);
   for (const auto& m : scene::world_matrices(scene)) expect_near(m, Mat4(1));
-  EXPECT_TRUE(warns(scene, "nodes[0].rotation: is no unit quaternion; it was normalised"));
-  EXPECT_TRUE(warns(scene, "nodes[1].rotation: is no quaternion"));
+  EXPECT_TRUE(warns(scene, "nodes[0].rotation: is not a unit quaternion; it was normalised"));
+  EXPECT_TRUE(warns(scene, "nodes[1].rotation: is not a quaternion"));
 }
 
 TEST_F(Nodes, SingularTransformsAreNotRendered) {
@@ -54,7 +54,7 @@ TEST_F(Nodes, SingularTransformsAreNotRendered) {
   gltf.root["nodes"] = {{{"mesh", 0}, {"scale", {1, 0, 1}}}, {{"mesh", 0}, {"scale", {1e-4, 1e-4, 1e-4}}}};
   gltf.root["scenes"][0]["nodes"] = {0, 1};
   const auto scene = opened(gltf);
-  EXPECT_TRUE(warns(scene, "nodes[0]: its transform is singular (a scale of 0?); its mesh is not shown"));
+  EXPECT_TRUE(warns(scene, "nodes[0]: the transform is singular, as with a scale of 0; the mesh is not rendered"));
   EXPECT_EQ(scene.warnings.size(), 1U);
   const auto world = scene::world_matrices(scene);
   const auto& primitive = scene.meshes[0].primitives[0];
@@ -81,7 +81,7 @@ TEST_F(Nodes, RootsAreShownOnce) {
   gltf.root["scenes"][0]["nodes"] = {0, 1, 0};
   const auto scene = opened(gltf);
   EXPECT_EQ(scene.roots, std::vector<int>{0});
-  EXPECT_TRUE(warns(scene, "nodes[1] is no root")) << all(scene.warnings);
+  EXPECT_TRUE(warns(scene, "nodes[1] is not a root")) << all(scene.warnings);
   EXPECT_TRUE(warns(scene, "nodes[0] is listed twice; it is shown once"));
 }
 
@@ -105,8 +105,8 @@ TEST_F(Nodes, PerspectiveCameras) {
   EXPECT_EQ(scene.cameras[1].far_clip, kInfinity) << "without zfar the projection is infinite";
   EXPECT_EQ(scene.cameras[1].aspect, 0);
   EXPECT_EQ(scene.cameras[2].yfov, 0.8f);
-  EXPECT_TRUE(warns(scene, "cameras[2]: its yfov is not between 0 and pi"));
-  EXPECT_TRUE(warns(scene, "cameras[2]: its zfar is not beyond its znear"));
+  EXPECT_TRUE(warns(scene, "cameras[2].perspective.yfov: has to be between 0 and pi"));
+  EXPECT_TRUE(warns(scene, "cameras[2]: zfar has to be greater than znear"));
 
   const auto placed = scene::placed_cameras(scene);
   ASSERT_EQ(placed.size(), 3U);
@@ -192,12 +192,12 @@ TEST_F(Nodes, Lights) {
   EXPECT_EQ(number(2, "outer-cone"), 0.5);
   EXPECT_NEAR(number(3, "outer-cone"), double{kPi} / 4, 1e-6);
   EXPECT_LE(number(4, "inner-cone"), number(4, "outer-cone"));
-  EXPECT_TRUE(warns(scene, "lights[4]: its cones"));
+  EXPECT_TRUE(warns(scene, "lights[4].spot: the cone angles"));
   gltf.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 9;
   EXPECT_EQ(error_of(gltf),
             "nodes[0].extensions.KHR_lights_punctual.light: refers to lights[9], which does not exist; the file has 5");
   gltf.root["extensions"]["KHR_lights_punctual"]["lights"][1].erase("type");
-  EXPECT_EQ(error_of(gltf), "extensions.KHR_lights_punctual.lights[1]: has no type");
+  EXPECT_EQ(error_of(gltf), "extensions.KHR_lights_punctual.lights[1]: has no type, which is required");
 }
 
 class Instances : public GltfTest {
@@ -236,7 +236,7 @@ TEST_F(Instances, AttributesHaveToAgree) {
   json& attributes = gltf.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
   attributes["SCALE"] = gltf.vec3({{1, 1, 1}});
   const std::string where = "nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE: ";
-  EXPECT_EQ(error_of(gltf), where + "has 1 elements, but there are 3 instances");
+  EXPECT_EQ(error_of(gltf), where + "has 1 elements, but other attributes have 3");
   attributes["SCALE"] = 99;
   EXPECT_EQ(error_of(gltf), where + "accessor 99 does not exist; the file has 5");
 }
@@ -244,7 +244,7 @@ TEST_F(Instances, AttributesHaveToAgree) {
 TEST_F(Instances, WithoutAMeshAreIgnored) {
   Gltf gltf = three();
   gltf.root["nodes"][0].erase("mesh");
-  EXPECT_TRUE(warns(opened(gltf), "nodes[0].extensions.EXT_mesh_gpu_instancing: only a node with a mesh"));
+  EXPECT_TRUE(warns(opened(gltf), "nodes[0].extensions.EXT_mesh_gpu_instancing: the node has to have a mesh"));
 }
 
 }  // namespace

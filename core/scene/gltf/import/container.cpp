@@ -28,7 +28,7 @@ Bytes checked_body(Bytes file, std::vector<std::string>& warnings) {
   if (length < kHeader + kChunkHeader)
     throw FileError{"the GLB header declares " + number(length) + " bytes; a header and one chunk need at least 20"};
   if (length < file.size())
-    warnings.push_back(number(file.size() - length) + " bytes behind the end of the GLB are ignored");
+    warnings.push_back(number(file.size() - length) + " bytes after the end of the GLB are ignored");
   return file.first(length);
 }
 
@@ -46,7 +46,7 @@ Container split_container(Bytes file, std::vector<std::string>& warnings) {
   for (int chunk = 0; offset < body.size(); ++chunk) {
     const std::string where = "chunk " + std::to_string(chunk);
     if (body.size() - offset < kChunkHeader) {
-      warnings.push_back(number(body.size() - offset) + " bytes behind the last chunk are ignored");
+      warnings.push_back(number(body.size() - offset) + " bytes after the last chunk are ignored");
       break;
     }
     const uint32_t length = word_at(body, offset), type = word_at(body, offset + 4);

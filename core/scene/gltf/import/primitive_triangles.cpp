@@ -59,15 +59,16 @@ std::vector<Triangle> read_triangles(const InputFile& input, const tinygltf::Pri
     return {};
   }
   const size_t corners = primitive.indices < 0 ? vertices : count_of(input, primitive.indices);
+  const char* const kind = primitive.indices < 0 ? " vertices" : " indices";
   const bool list = mode == TINYGLTF_MODE_TRIANGLES;
   const size_t count = list ? corners / 3 : std::max<size_t>(corners, 2) - 2;
   if (count == 0) {
-    warnings.push_back(where + ": has " + std::to_string(corners) + " indices; a triangle needs 3");
+    warnings.push_back(where + ": has " + std::to_string(corners) + kind + "; a triangle needs 3");
     return {};
   }
   if (list && corners % 3 != 0)
-    warnings.push_back(where + ": has " + std::to_string(corners) + " indices; the last " +
-                       std::to_string(corners % 3) + " do not form a triangle");
+    warnings.push_back(where + ": has " + std::to_string(corners) + kind + "; the last " + std::to_string(corners % 3) +
+                       " cannot form a triangle");
   check_memory(input, count * sizeof(Triangle), where);
   std::vector<Triangle> triangles(count);
   if (list) {
