@@ -193,7 +193,8 @@ TEST(Modules, PictureShowsTheDeclaredGraph) {
 
 // Units that are allowed to be part of a cycle, because a registry lists what in turn uses the registry's types.
 bool is_registry(const std::string& unit) {
-  return unit.ends_with("registry") || unit.ends_with("all_lobe_types") || unit.ends_with("all_lobes");
+  return unit.ends_with("registry") || unit.ends_with("builtin/builtin") || unit.ends_with("all_lobe_types") ||
+         unit.ends_with("all_lobes");
 }
 
 // A header and its .cpp count as one unit: the .cpp of A may not include B if B includes A.

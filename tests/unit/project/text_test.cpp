@@ -30,14 +30,20 @@ std::vector<SourceFile> pages() {
   return all;
 }
 
+// Without identifiers: words joined by hyphens, dots or underscores, and code spans of Markdown.
+std::string without_identifiers(const std::string& text) {
+  static const std::regex pattern(R"re(`[^`]*`|\w+([-._/]\w+)+)re");
+  return std::regex_replace(text, pattern, "");
+}
+
 // Comments and longer string literals of code, whole lines of pages.
 std::string prose_of(const std::string& line, bool page) {
-  if (page) return line;
+  if (page) return without_identifiers(line);
   static const std::regex pattern(R"re(//(.*)$|"((?:[^"\\]|\\.){12,})")re");
   std::string prose;
   for (std::sregex_iterator it(line.begin(), line.end(), pattern), end; it != end; ++it)
     prose += (*it)[1].str() + " " + (*it)[2].str() + " ";
-  return prose;
+  return without_identifiers(prose);
 }
 
 struct Term {
