@@ -14,7 +14,7 @@
 #include "metrics/convergence.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 #include "support/scenes.h"
 #include "transport/model.h"
 

@@ -2,10 +2,10 @@
 #include <cstdio>
 #include <memory>
 
-#include "advisor/report.h"
+#include "advisor/advice_report.h"
 #include "command.h"
 #include "interrupt.h"
-#include "progress.h"
+#include "progress_bar.h"
 #include "scene_options.h"
 
 namespace etendue::cli {

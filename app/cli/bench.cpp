@@ -11,7 +11,7 @@
 #include "bench/report.h"
 #include "command.h"
 #include "interrupt.h"
-#include "progress.h"
+#include "progress_bar.h"
 #include "scene_options.h"
 
 namespace etendue::cli {

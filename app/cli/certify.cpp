@@ -8,7 +8,7 @@
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
-#include "progress.h"
+#include "progress_bar.h"
 #include "scene_options.h"
 
 namespace etendue::cli {

@@ -14,7 +14,7 @@
 #include "base/number_text.h"
 #include "command.h"
 #include "interrupt.h"
-#include "progress.h"
+#include "progress_bar.h"
 #include "render/aov.h"
 #include "render/checkpoint.h"
 #include "render/image_output.h"

@@ -17,7 +17,7 @@
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/image_view.h"
 #include "viewer/viewport/stored_points.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "integrator/integrator.h"
 #include "scene/builtin/builtin.h"
-#include "scene/environment.h"
+#include "scene/environment_file.h"
 #include "transport/model.h"
 
 namespace etendue::render {

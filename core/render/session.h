@@ -18,7 +18,7 @@
 #include "film/film.h"
 #include "integrator/integrator_info.h"
 #include "render/document.h"
-#include "render/frame.h"
+#include "render/display_frame.h"
 #include "render/reliability.h"
 #include "render/resume_point.h"
 #include "render/time_estimate.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 #include "render/incompatibility.h"
 #include "scene/compiled_scene.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "advisor/light_kinds.h"
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 #include "advisor/reference_integrator.h"
 #include "base/hash.h"
 #include "render/image_output.h"

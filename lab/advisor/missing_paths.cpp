@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "advisor/light_kinds.h"
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
 #include "transport/path_expression/path_expression.h"

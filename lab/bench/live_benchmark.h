@@ -16,7 +16,7 @@
 
 #include "bench/method_spec.h"
 #include "bench/reference.h"
-#include "render/frame.h"
+#include "render/display_frame.h"
 #include "scene/forward.h"
 
 namespace etendue::bench {

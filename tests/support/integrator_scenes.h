@@ -1,7 +1,7 @@
 // Test scenes for light path integrators. They cover the kinds of lights, smooth and rough glass, absorption, shading
 // normals and the lens.
 #pragma once
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 namespace etendue::test {
 

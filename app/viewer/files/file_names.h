@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 

@@ -7,7 +7,7 @@
 
 #include "integrator/integrator.h"
 #include "viewer/actions/action.h"
-#include "viewer/panels/convergence_chart.h"
+#include "viewer/panels/convergence_plot.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
@@ -16,7 +16,7 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_field.h"
 #include "viewer/widgets/parameter_widgets.h"
 

@@ -12,10 +12,10 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
-#include "viewer/tools/light_meter.h"
+#include "viewer/tools/light_meter_tool.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 #include "render/document.h"
 #include "viewer/actions/action.h"
 #include "viewer/panels/panel.h"
@@ -15,7 +15,7 @@
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

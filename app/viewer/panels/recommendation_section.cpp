@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "advisor/number_text.h"
-#include "render/frame.h"
+#include "advisor/report_numbers.h"
+#include "render/display_frame.h"
 #include "viewer/actions/action.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {

@@ -18,7 +18,7 @@
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {

@@ -15,7 +15,7 @@
 #include "viewer/tasks/pixel_samples_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/plot.h"
 

@@ -13,7 +13,7 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/surface_checks.h"
 #include "viewer/widgets/thumbnails.h"

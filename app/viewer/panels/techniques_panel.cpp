@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 #include "integrator/bdpt/techniques.h"
 #include "integrator/integrator.h"
 #include "viewer/actions/action.h"
@@ -17,7 +17,7 @@
 #include "viewer/tasks/technique_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/thumbnails.h"
 

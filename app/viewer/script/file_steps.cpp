@@ -3,7 +3,7 @@
 
 #include "base/file.h"
 #include "image/image.h"
-#include "render/frame.h"
+#include "render/display_frame.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
 #include "viewer/platform/platform.h"

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
-#include "render/frame.h"
+#include "render/display_frame.h"
 #include "viewer/files/loader.h"
 #include "viewer/script/step.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

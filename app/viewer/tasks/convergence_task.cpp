@@ -11,7 +11,7 @@
 #include "viewer/tasks/convergence_export.h"
 #include "viewer/tasks/exclusive_task.h"
 #include "viewer/viewport/comparison.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

@@ -9,7 +9,7 @@
 #include "viewer/state/editor.h"
 #include "viewer/viewport/error_layer.h"
 #include "viewer/viewport/srgb.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

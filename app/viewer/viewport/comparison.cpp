@@ -4,7 +4,7 @@
 
 #include "image/image.h"
 #include "viewer/files/file_names.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

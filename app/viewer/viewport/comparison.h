@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "render/frame.h"
+#include "render/display_frame.h"
 #include "viewer/platform/input.h"
 #include "viewer/tasks/background_task.h"
 #include "viewer/viewport/difference_map.h"

@@ -10,7 +10,7 @@
 #include "viewer/state/app_state.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_view.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/scale_bar.h"
 
 namespace etendue::viewer {

@@ -18,7 +18,7 @@
 #include "viewer/viewport/picking.h"
 #include "viewer/viewport/reliability_overlay.h"
 #include "viewer/viewport/stored_points.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/scale_bar.h"
 
 namespace etendue::viewer {

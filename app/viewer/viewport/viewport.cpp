@@ -13,7 +13,7 @@
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/viewport/picking.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

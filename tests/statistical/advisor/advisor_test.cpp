@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "advisor/report.h"
+#include "advisor/advice_report.h"
 #include "statistical/advisor/test_scenes.h"
 
 namespace etendue::test {

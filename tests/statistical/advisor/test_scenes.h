@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 namespace etendue::test {
 

@@ -7,7 +7,7 @@
 
 #include "integrator/integrator.h"
 #include "render/session.h"
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 #include "transport/path_expression/path_expression.h"
 
 namespace etendue {

@@ -6,7 +6,7 @@
 
 #include "render/session.h"
 #include "sampling/sampler.h"
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 namespace etendue {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "stress/lit_wall.h"
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 namespace etendue {
 namespace {

@@ -10,8 +10,8 @@
 #include "integrator/integrator.h"
 #include "stress/test_context.h"
 #include "support/media_scenes.h"
-#include "support/motion.h"
-#include "support/replicates.h"
+#include "support/moving_scenes.h"
+#include "support/independent_estimates.h"
 #include "support/resume.h"
 
 namespace etendue {

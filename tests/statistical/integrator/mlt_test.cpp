@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/integrator_scenes.h"
-#include "support/motion.h"
+#include "support/moving_scenes.h"
 #include "support/resume.h"
 
 namespace etendue {

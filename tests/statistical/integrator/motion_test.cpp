@@ -5,8 +5,8 @@
 
 #include "base/hash.h"
 #include "scene/compiled_scene.h"
-#include "support/motion.h"
-#include "support/replicates.h"
+#include "support/moving_scenes.h"
+#include "support/independent_estimates.h"
 
 namespace etendue {
 namespace {

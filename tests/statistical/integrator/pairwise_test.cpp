@@ -9,7 +9,7 @@
 #include "integrator/integrator.h"
 #include "support/integrator_scenes.h"
 #include "support/media_scenes.h"
-#include "support/motion.h"
+#include "support/moving_scenes.h"
 
 namespace etendue {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 #include "support/resume.h"
 
 namespace etendue {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "integrator/integrator.h"
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 namespace etendue {
 namespace {

@@ -8,7 +8,7 @@
 #include "render/checkpoint.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 #include "support/scenes.h"
 
 namespace etendue {

@@ -5,7 +5,7 @@
 
 #include "scene/compiled_scene.h"
 #include "scene/pose.h"
-#include "support/motion.h"
+#include "support/moving_scenes.h"
 
 namespace etendue::scene {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "scene/coordinate_range.h"
-#include "scene/environment.h"
+#include "scene/environment_file.h"
 #include "scene/gltf/import/importers.h"
 #include "scene/gltf/import/uri.h"
 #include "scene/gltf/transport_extension.h"

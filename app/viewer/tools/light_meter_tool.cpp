@@ -1,4 +1,4 @@
-#include "viewer/tools/light_meter.h"
+#include "viewer/tools/light_meter_tool.h"
 
 #include <imgui.h>
 
@@ -8,7 +8,7 @@
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 
 namespace etendue::viewer {

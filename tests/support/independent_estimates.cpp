@@ -1,4 +1,4 @@
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 #include <gtest/gtest.h>
 

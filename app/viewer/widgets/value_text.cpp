@@ -1,4 +1,4 @@
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 
 #include <cctype>
 #include <cstdarg>

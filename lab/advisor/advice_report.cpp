@@ -1,10 +1,10 @@
-#include "advisor/report.h"
+#include "advisor/advice_report.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 
 namespace etendue::advisor {
 namespace {

@@ -1,4 +1,4 @@
-#include "advisor/number_text.h"
+#include "advisor/report_numbers.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "viewer/panels/convergence_chart.h"
+#include "viewer/panels/convergence_plot.h"
 
 #include <imgui.h>
 
@@ -8,7 +8,7 @@
 
 #include "viewer/tasks/convergence_task.h"
 #include "viewer/widgets/chart_painter.h"
-#include "viewer/widgets/format.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/ui_context.h"
 
 namespace etendue::viewer {

@@ -1,4 +1,4 @@
-#include "render/frame.h"
+#include "render/display_frame.h"
 
 #include <algorithm>
 #include <mutex>

@@ -1,8 +1,8 @@
-#include "support/motion.h"
+#include "support/moving_scenes.h"
 
 #include <utility>
 
-#include "support/replicates.h"
+#include "support/independent_estimates.h"
 
 namespace etendue::test {
 
