@@ -158,7 +158,7 @@ TEST_F(ComparisonView, ReferenceIsShownWhileShiftIsHeld) {
                             file_step("screenshot", path("after.png")),
                             file_step("state", path("after.json"))});
   ASSERT_EQ(run_small(steps, path("first.exr")), 0);
-  const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_is_shown"].get<bool>(); };
+  const auto on_screen = [&](const char* name) { return state(name)["comparison"]["reference_on_screen"].get<bool>(); };
   EXPECT_TRUE(on_screen("held.json"));
   EXPECT_FALSE(on_screen("after.json"));
   const auto a = encoded(saved_image("first.exr")), b = encoded(saved_image("second.exr"));

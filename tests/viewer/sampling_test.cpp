@@ -20,7 +20,7 @@ TEST_F(SamplingPanel, ClickedPixelHasTheMeanOfTheRendering) {
   ASSERT_EQ(run(steps), 0);
   const json pixel = state("a.json")["pixel"];
   ASSERT_EQ(pixel["samples"], 64);
-  EXPECT_EQ(state("a.json")["sheet"], "panel.sampling");
+  EXPECT_EQ(state("a.json")["bottom_panel"], "panel.sampling");
   EXPECT_EQ(state("a.json")["selection"]["node"], -1);
   const auto read = saved_image("a.exr");
   const size_t index = pixel["y"].get<size_t>() * 96 + pixel["x"].get<size_t>();

@@ -170,7 +170,7 @@ TEST_F(Cli, UsageErrorsReturnTwo) {
   expect_error("render cornell -o a.exr --set film.paths=EVL", 2, "not available yet");
   expect_error("render --resume a.checkpoint -o a.exr --paths EDL", 2, "its own settings");
   expect_error("list furniture", 2, "integrators");
-  expect_error("render cornell --frobnicate", 2, "etendue --help");
+  expect_error("render cornell --frobnicate", 2, "etendue render --help");
 }
 
 TEST_F(Cli, UnusableInputReturnsThree) {

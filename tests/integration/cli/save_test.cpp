@@ -37,7 +37,7 @@ TEST_F(Save, ParametersAreSaved) {
 
 TEST_F(Save, ErrorsAreReported) {
   expect_error("save cornell -o nowhere/box.glb", 4, "nowhere");
-  expect_error("save cornell -o box.obj", 2, "the name has to end in .glb or .gltf");
+  expect_error("save cornell -o box.obj", 2, "the file name has to end in .glb or .gltf");
   expect_error("save none.glb -o box.glb", 3, "none.glb");
   expect_error("save cornell -o box.glb --set material.0.rough=1", 2, "the nearest name is");
   expect_error("save cornell -o box.glb --variant autumn", 2, "there is no variant 'autumn'");

@@ -79,7 +79,7 @@ TEST_F(Page, BenchmarkReportIsCompleteAndSelfContained) {
   EXPECT_TRUE(evaluate("[...document.images].every(i => i.naturalWidth === 32 && i.naturalHeight === 32)"));
   // The reference, and an image, a difference and a FLIP map of each method.
   EXPECT_EQ(number("document.querySelectorAll('.gallery button').length"), 7);
-  EXPECT_NE(evaluate("document.getElementById('recipe').textContent").get<std::string>().find("--samples 16"),
+  EXPECT_NE(evaluate("document.getElementById('command').textContent").get<std::string>().find("--samples 16"),
             std::string::npos);
   for (const int width : {1280, 600}) expect_to_fit(width);
   // The content security policy blocks requests of scripts.
@@ -181,7 +181,7 @@ TEST_F(Page, StressMatrixLinksEachCaseToItsFindings) {
   expect_no_errors_or_requests();
   EXPECT_EQ(number("document.querySelectorAll('.overview a').length"), 2);
   EXPECT_EQ(evaluate("[...document.querySelectorAll('.overview a')].every(a => document.querySelector(a.hash))"), true);
-  EXPECT_EQ(number("document.querySelectorAll('.findings li').length"), 6);
+  EXPECT_EQ(number("document.querySelectorAll('.results li').length"), 6);
   EXPECT_EQ(evaluate("[...document.images].every(i => i.naturalWidth > 0)"), true);
   for (const int width : {1280, 600}) expect_to_fit(width);
 }
