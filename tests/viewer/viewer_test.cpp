@@ -205,7 +205,7 @@ TEST_F(Viewer, EscapeClosesPopupsAndThenClearsTheSelection) {
   steps.push_back(file_step("state", path("a.json")));
   steps.push_back(key("escape"));
   steps.push_back(file_step("state", path("b.json")));
-  ASSERT_EQ(run(steps), 0);
+  ASSERT_EQ(run(steps, "", 1280, 720), 0);
   EXPECT_GE(state("a.json")["selection"]["node"], 0);
   EXPECT_EQ(state("a.json")["tab"], "tab.light");
   EXPECT_EQ(state("b.json")["selection"]["node"], -1);
