@@ -43,7 +43,7 @@ Document looking_down(scene::Scene scene, float height) {
 
 // Whitted's integrator ends branches of small throughput, which biases its image: here at 1e-6 rather than 1e-3.
 Document without_cutoff(const Document& d) {
-  return d.method.integrator == "whitted" ? with(with(d, "whitted.threshold", "0.000001"), "whitted.max-depth", "0")
+  return d.method.integrator == "whitted" ? with(with(d, "whitted.threshold", "0.000001"), "whitted.max-depth", "1000")
                                           : d;
 }
 
