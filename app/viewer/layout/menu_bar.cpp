@@ -2,6 +2,9 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cfloat>
+
 #include "render/document.h"
 #include "viewer/files/file_names.h"
 #include "viewer/state/app_state.h"
@@ -35,7 +38,15 @@ void draw_recent_files(AppState& state) {
   ImGui::EndMenu();
 }
 
+// A menu that does not fit below the menu bar would cover it, and the click that opens the menu would choose an item.
+void limit_height_of_next_menu() {
+  constexpr float kMargin = 8;
+  const float height = ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() - kMargin;
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(height, 1.0f)});
+}
+
 void draw_menu(AppState& state, const char* menu) {
+  limit_height_of_next_menu();
   const bool open = ImGui::BeginMenu(menu);
   state.ui.items.add("menu." + lower_case(menu));
   if (!open) return;
