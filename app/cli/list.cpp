@@ -10,6 +10,7 @@
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
+#include "section_infos.h"
 #include "viewer/viewer.h"
 
 namespace etendue::cli {
@@ -56,26 +57,6 @@ json samplers_json() {
   json list = json::array();
   for (const auto& info : sampler_infos()) list.push_back(entry_json(info.name, info.label, info.doc, info.parameters));
   return list;
-}
-
-// A document with one material and one light, to enumerate the parameters of sections.
-render::Document sample_document(std::string_view light_type = "point") {
-  auto scene = std::make_shared<scene::Scene>();
-  scene->materials.emplace_back();
-  scene->lights.push_back(make_light(light_type));
-  render::Document d;
-  d.scene = scene;
-  return d;
-}
-
-// The parameters of a section, with unqualified names.
-std::vector<ParameterInfo> section_infos(const render::Document& document, const std::string& section) {
-  std::vector<ParameterInfo> infos;
-  for (const auto& parameter : render::section_parameters(document, section)) {
-    infos.push_back(parameter.info);
-    infos.back().name = parameter.info.name.substr(section.size() + 1);
-  }
-  return infos;
 }
 
 json presets_json(const std::vector<ModelPreset>& presets) {

@@ -1,9 +1,6 @@
 #include "manual_pages.h"
 
 #include <algorithm>
-#include <cstring>
-#include <memory>
-#include <optional>
 #include <sstream>
 
 #include "base/number_text.h"
@@ -14,6 +11,7 @@
 #include "render/document.h"
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
+#include "section_infos.h"
 #include "stress/case.h"
 
 namespace etendue::cli {
@@ -176,29 +174,11 @@ ManualPage surface_page(const SourceFiles& sources, const BsdfModelInfo& info) {
               parameter_table(info.parameters) + preset_table(info.presets) + source_line(sources, model.file)};
 }
 
-// The parameters of a section of a document, with unqualified names.
-std::vector<ParameterInfo> section_infos(const render::Document& document, const std::string& section) {
-  std::vector<ParameterInfo> infos;
-  for (const auto& parameter : render::section_parameters(document, section)) {
-    infos.push_back(parameter.info);
-    infos.back().name = parameter.info.name.substr(section.size() + 1);
-  }
-  return infos;
-}
-
-render::Document empty_document() {
-  auto scene = std::make_shared<scene::Scene>();
-  scene->materials.emplace_back();
-  render::Document d;
-  d.scene = scene;
-  return d;
-}
-
 ManualPage gltf_surface_page(const SourceFiles& sources) {
   return {"surfaces/gltf.md", title("glTF surface", "The metallic-roughness material of glTF 2.0 with its extensions") +
                                   image("surface", "gltf", "glTF surface") + "## Model\n\n" +
                                   sources.head_comment("gltf_surface.h").markdown +
-                                  parameter_table(section_infos(empty_document(), "material.0")) +
+                                  parameter_table(section_infos(sample_document(), "material.0")) +
                                   source_line(sources, "gltf_surface.h")};
 }
 
@@ -221,7 +201,7 @@ ManualPage light_page(const SourceFiles& sources, const LightTypeInfo& info) {
 }
 
 ManualPage camera_page(const SourceFiles& sources, const std::string& name, const std::string& label) {
-  const render::Document document = *render::with_text(empty_document(), "camera.projection", name);
+  const render::Document document = *render::with_text(sample_document(), "camera.projection", name);
   const std::string file = name + ".h";
   return {"cameras/" + name + ".md", title(label, label + " projection") + image("camera", name, label) +
                                          "## Model\n\n" + sources.head_comment(file).markdown +
@@ -230,7 +210,7 @@ ManualPage camera_page(const SourceFiles& sources, const std::string& name, cons
 }
 
 std::vector<ManualPage> camera_pages(const SourceFiles& sources) {
-  const std::vector<ParameterInfo> parameters = section_infos(empty_document(), "camera");
+  const std::vector<ParameterInfo> parameters = section_infos(sample_document(), "camera");
   const ParameterInfo& projection = *find_parameter(parameters, "projection");
   std::vector<ManualPage> pages;
   for (size_t i = 0; i < projection.options.size(); ++i)

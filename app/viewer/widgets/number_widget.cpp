@@ -97,11 +97,10 @@ void label_column(const std::string& label) {
   const float max_width = std::max(label_width(), ImGui::GetContentRegionAvail().x * 0.58f);
   const std::string text = shortened(label, max_width - gap);
   // A label that is wider than the column moves its widget to the right.
-  const float width = std::max(label_width(), std::ceil(ImGui::CalcTextSize(text.c_str()).x + gap));
-  const float left = ImGui::GetCursorPosX() - ImGui::GetStyle().WindowPadding.x;
+  const float label_end = std::ceil(ImGui::GetCursorPosX() + ImGui::CalcTextSize(text.c_str()).x + gap);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
-  ImGui::SameLine(std::max(label_width(), left + width));
+  ImGui::SameLine(std::max(label_width(), label_end));
   ImGui::SetNextItemWidth(-1);
 }
 
