@@ -60,7 +60,7 @@ std::vector<Criterion> criteria(const Reliability& r, uint64_t invalid, uint64_t
            format_percent(r.tail.brightest_share) + " of the light"},
       {invalid > 0, Verdict::doubtful,
        std::to_string(invalid) + " invalid samples (NaN, infinite or negative) were discarded"},
-      {true, Verdict::healthy, "the error estimate is reliable, no outliers detected"},
+      {true, Verdict::healthy, "no outliers detected"},
   };
 }
 

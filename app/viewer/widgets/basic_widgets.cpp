@@ -40,9 +40,7 @@ void warning(const UiContext& ui, const std::string& text) { wrapped_text(text, 
 void labelled_value(const UiContext& ui, const char* label, const std::string& value, const char* tooltip_text) {
   ImGui::TextDisabled("%s", label);
   bool hovered = ImGui::IsItemHovered();
-  // A long label moves the value to the right.
-  const float label_end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + ImGui::GetFontSize() * 0.4f;
-  ImGui::SameLine(std::max(label_width(), label_end));
+  continue_after_label(ImGui::GetItemRectSize().x);
   ImGui::PushFont(ui.fonts.monospace);
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopFont();

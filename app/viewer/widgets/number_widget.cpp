@@ -88,19 +88,25 @@ std::string shortened(std::string text, float max_width) {
   return text + "...";
 }
 
+// Between a label and its widget, in font sizes.
+constexpr float kLabelGap = 0.4f;
+
 }  // namespace
 
 float label_width() { return std::floor(ImGui::GetFontSize() * 8.9f); }
 
+void continue_after_label(float text_width) {
+  // SameLine counts from the left border of the window or of the table column.
+  const float label_end = ImGui::GetStyle().WindowPadding.x + text_width + kLabelGap * ImGui::GetFontSize();
+  ImGui::SameLine(std::max(label_width(), std::ceil(label_end)));
+}
+
 void label_column(const std::string& label) {
-  const float gap = ImGui::GetFontSize() * 0.4f;
   const float max_width = std::max(label_width(), ImGui::GetContentRegionAvail().x * 0.58f);
-  const std::string text = shortened(label, max_width - gap);
-  // A label that is wider than the column moves its widget to the right.
-  const float label_end = std::ceil(ImGui::GetCursorPosX() + ImGui::CalcTextSize(text.c_str()).x + gap);
+  const std::string text = shortened(label, max_width - kLabelGap * ImGui::GetFontSize());
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
-  ImGui::SameLine(std::max(label_width(), label_end));
+  continue_after_label(ImGui::GetItemRectSize().x);
   ImGui::SetNextItemWidth(-1);
 }
 

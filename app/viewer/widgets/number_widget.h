@@ -25,6 +25,8 @@ std::string range_text(const ParameterInfo& info);
 
 // The width of the column of labels. The widgets fill the rest of the line.
 float label_width();
+// Places the next item beside a label, at the end of the column of labels or, after a longer label, of its text.
+void continue_after_label(float text_width);
 // Draws a label, which is shortened if it is too long. The next item fills the rest of the line.
 void label_column(const std::string& label);
 

@@ -9,7 +9,7 @@ inline void caustic_of_a_small_light(TestContext& test) {
   scene::Scene scene = scene::find_builtin("glass-caustic")->make();
   const Camera camera = *scene::choose_camera(scene, "");
   auto with_glass = test.document(scene, camera);
-  std::erase_if(scene.roots, [&](int root) { return scene.nodes[static_cast<size_t>(root)].name == "glass ball"; });
+  std::erase_if(scene.roots, [&](int root) { return scene.nodes[static_cast<size_t>(root)].name == "glass sphere"; });
   auto without = test.document(std::move(scene), camera);
   for (auto* d : {&with_glass, &without}) d->width = d->height = 64;
   constexpr uint32_t kSamples = 256;

@@ -147,7 +147,7 @@ TEST(MissingPaths, NoneForACompleteIntegrator) {
       advisor::missing_paths(advisor::declared_paths(*integrator::find_integrator("path")), table);
   EXPECT_TRUE(none.none());
   EXPECT_EQ(none.share, 0);
-  EXPECT_EQ(advisor::missing_paths_text(none), "misses nothing that was found to carry light");
+  EXPECT_EQ(advisor::missing_paths_text(none), "misses no path class with measurable energy");
 }
 
 // The missing energy and error equal those of a rendering without these paths.
