@@ -30,7 +30,8 @@ Estimate replicated(const std::function<Blocks(uint64_t seed)>& image, uint64_t 
 Estimate replicated(render::Document document, uint32_t samples, uint64_t first_seed = 1000);
 
 // Expects every block and the mean of all blocks to agree. `comparisons` is the number of comparisons of the whole
-// test, which form the family.
+// test, which form the family. A block with less than a twentieth of the mean radiance is left out if the standard error
+// of an estimate exceeds a third of its mean: too few samples reach it for a normal distribution.
 void expect_agreement(const Estimate& a, const Estimate& b, const std::string& what, int comparisons = 1);
 
 // Rough metal, rough and smooth glass, a thin sheet and glazed clay under an area light and an environment. Every kind
