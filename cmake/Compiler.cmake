@@ -5,10 +5,16 @@ endif()
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  # What ccache needs to cache files with precompiled headers [ccache manual, "Precompiled headers"].
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
 endif()
 
 add_library(etendue_options INTERFACE)
+# For all targets, because precompiled headers depend on it.
+target_compile_options(etendue_options INTERFACE -pthread)
+if(CCACHE_PROGRAM AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(etendue_options INTERFACE -fpch-preprocess)
+endif()
 target_compile_options(etendue_options INTERFACE
   -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor
   -Wno-restrict  # GCC 12 sees overlaps in std::string + std::string that are not there (PR 105329)

@@ -13,6 +13,7 @@
   ENTRY(inspect)                \
   ENTRY(bsdf)                   \
   ENTRY(probe)                  \
+  ENTRY(trace)                  \
   ENTRY(save)                   \
   ENTRY(list)                   \
   ENTRY(manual)                 \

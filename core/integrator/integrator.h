@@ -24,6 +24,10 @@
 #include "scene/compiled_scene.h"
 #include "transport/model.h"
 
+namespace etendue::transport {
+class PathRecorder;
+}
+
 namespace etendue::integrator {
 
 // The constants of one rendering.
@@ -55,6 +59,8 @@ struct TaskContext {
   // Runs while a task does neither ray tracing nor shading: the bookkeeping of Markov chains, photon lookups. Null if
   // the time is not measured. Tasks that share a stopwatch run on one thread.
   Stopwatch* overhead_timer = nullptr;
+  // Follows the path of one pixel; null: none. Only integrators with Accumulation::per_pixel record their paths.
+  transport::PathRecorder* recorder = nullptr;
 };
 
 // Tasks that may run in parallel. The next phase starts after all of them.

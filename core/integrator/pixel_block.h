@@ -1,5 +1,6 @@
 // The rectangles of pixels that are sampled as one task.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -12,5 +13,15 @@ struct PixelBlock {
   int x, y, width, height;
   uint32_t sample;  // index among all samples of a pixel; even and odd ones belong to different half-buffers
 };
+
+// The block of an image of this size that contains a pixel.
+inline PixelBlock block_containing(int x, int y, int image_width, int image_height, uint32_t sample) {
+  const int left = x - x % PixelBlock::kWidth, top = y - y % PixelBlock::kHeight;
+  return {.x = left,
+          .y = top,
+          .width = std::min(PixelBlock::kWidth, image_width - left),
+          .height = std::min(PixelBlock::kHeight, image_height - top),
+          .sample = sample};
+}
 
 }  // namespace etendue::integrator

@@ -63,13 +63,8 @@ uint32_t Renderer::samples_of(const film::Film& film) const {
 integrator::PixelBlock Renderer::block_at(size_t tile) const {
   const int columns = tiles_across(width_, PixelBlock::kWidth);
   const int index = static_cast<int>(tile);
-  const int x = index % columns * PixelBlock::kWidth;
-  const int y = index / columns * PixelBlock::kHeight;
-  return {.x = x,
-          .y = y,
-          .width = std::min(PixelBlock::kWidth, width_ - x),
-          .height = std::min(PixelBlock::kHeight, height_ - y),
-          .sample = 0};
+  return integrator::block_containing(index % columns * PixelBlock::kWidth, index / columns * PixelBlock::kHeight,
+                                      width_, height_, 0);
 }
 
 bool Renderer::advance(ThreadPool& workers, const FilmTargets& targets, const std::function<bool()>& keep_going,

@@ -15,6 +15,7 @@
   PANEL(paths)         \
   PANEL(techniques)    \
   PANEL(sampling)      \
+  PANEL(trace)         \
   PANEL(surface)
 
 namespace etendue::viewer {

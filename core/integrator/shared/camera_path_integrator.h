@@ -43,6 +43,7 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
         const PixelOrder order(block);
         launch_camera_paths(context_, block, order, task_context, paths);
         integrator_.template estimate<M>(paths);
+        if (task_context.recorder) task_context.recorder->collect(paths.size());
         return collect(paths, order, radiance);
       });
     }

@@ -49,6 +49,7 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
   paths.begin(*context.scene, *context.sampler, block.sample / film::kHalfBuffers, task_context.keep_going,
               context.model->moving);
   paths.assume_coherent();
+  paths.record(task_context.recorder);
   if constexpr (M::kClasses) paths.filter_paths(context.model->paths->automaton());
   for (int i = 0; i < order.size(); ++i)
     paths.add(pixel_seed(context.seed, block.x + order.x(i), block.y + order.y(i), half_buffer));
@@ -78,6 +79,11 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
     const auto path = static_cast<size_t>(i);
     const float time = context.model->moving ? times[i] : 0;
     paths.launch(i, rays[path], medium_at_camera<M>(context, rays[path], time), time);
+    if (task_context.recorder && Vec2i(block.x + order.x(i), block.y + order.y(i)) == task_context.recorder->pixel()) {
+      std::optional<Vec2> lens;
+      if (context.camera->has_lens()) lens = Vec2(lens_u[path], lens_v[path]);
+      task_context.recorder->start(i, Vec2(x[path], y[path]), lens, time, rays[path]);
+    }
   }
 }
 

@@ -43,7 +43,8 @@ class BranchingPaths {
     const bool roulette = paths_->length() >= roulette_start;
     const DimensionSet numbers = roulette ? dimensions(vertex_dimension::kRoulette, 1) : 0;
     const auto survives = [&](PathState<Color>& path, int hit) {
-      return !roulette || survives_roulette(path, paths_->random(vertex_dimension::kRoulette, hit));
+      const float random = roulette ? paths_->random(vertex_dimension::kRoulette, hit) : 0;
+      return !roulette || survives_roulette(*paths_, paths_->path_at(hit), path, random);
     };
     for (int stream = 0; stream < count; ++stream) {
       paths_->select_rng_stream(static_cast<uint32_t>(stream));
@@ -121,13 +122,19 @@ class BranchingPaths {
     PathState<Color> path = paths_->state(from);
     path.throughput *= s.weight;
     path.eta_scale *= sqr(s.eta) * share;
-    if (!should_follow(path, hit)) return;
+    if (paths_->recorder()) record_sample(*paths_, hit, s, PathEnd::none);
+    if (!should_follow(path, hit)) return record_end(*paths_, hit, PathEnd::roulette);
     path.radiance = Color(0);
     path.seed = paths_->seed(hit);
     record_scattering(path, paths_->point(hit).position, s);
     if constexpr (M::kClasses) {
       paths_->shares().copy_to_branch(from);
-      if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s)) return;
+      if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s))
+        return record_end(*paths_, hit, PathEnd::excluded);
+    }
+    if (paths_->recorder()) {
+      paths_->recorder()->set_throughput(from, path.throughput);
+      paths_->recorder()->queue_branch(from, paths_->length());
     }
     Level& level = level_at(paths_->length());
     level.branches.push_back({path,
@@ -145,6 +152,7 @@ class BranchingPaths {
   }
 
   void collect() {
+    if (paths_->recorder()) paths_->recorder()->collect(paths_->size());
     for (int i = 0; i < paths_->size(); ++i)
       radiance_[root_of_path_[static_cast<size_t>(i)]] += paths_->state(i).radiance;
   }
@@ -161,6 +169,7 @@ class BranchingPaths {
       const int path = paths_->add_resumed(branch.path, branch.ray, branch.medium);
       if constexpr (M::kClasses) paths_->shares().restore_branch(branch.saved, level.shares, path);
       root_of_path_[static_cast<size_t>(path)] = branch.root;
+      if (paths_->recorder()) paths_->recorder()->resume_branch(path, static_cast<int>(length), branch.root);
       level.branches.pop_back();
     }
     return true;

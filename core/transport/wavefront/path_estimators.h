@@ -52,7 +52,11 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     if (point.material->description.unlit && !path.all_specular) continue;
     const Rgb emitted = scene.emitted(point, paths.wo(i));
     if (is_black(emitted)) continue;
-    path.radiance += terminal_throughput(paths, path.throughput, paths.path_at(i)) * emitted * weigh(i);
+    const float weight = weigh(i);
+    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) * emitted * weight;
+    path.radiance += contribution;
+    if (paths.recorder()) [[unlikely]]
+      paths.recorder()->add_emission(paths.path_at(i), {emitted, weight, contribution});
   }
 }
 
@@ -73,8 +77,12 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   for (int i = 0; i < paths.miss_count(); ++i) {
     auto& path = paths.missed_path(i);
     const Vec3& direction = paths.miss_direction(i);
-    path.radiance +=
-        terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) * map.radiance(direction) * weigh(i);
+    const Rgb radiance = map.radiance(direction);
+    const float weight = weigh(i);
+    const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) * radiance * weight;
+    path.radiance += contribution;
+    if (paths.recorder()) [[unlikely]]
+      paths.recorder()->add_emission(paths.path_of_miss(i), {radiance, weight, contribution});
   }
 }
 
@@ -117,7 +125,18 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     auto& path = paths.state_at(i);
     const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
     auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
-    contribution += path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
+    const Rgb radiance = scene.radiance_of(light);
+    const auto unoccluded = path.throughput * scattered.f_cos * radiance * weight;
+    contribution += unoccluded;
+    if (paths.recorder()) [[unlikely]]
+      paths.recorder()->add_light(paths.path_at(i),
+                                  {.sample = light,
+                                   .radiance = radiance,
+                                   .f_cos = scattered.f_cos,
+                                   .bsdf_pdf = scattered.pdf,
+                                   .mis_weight = weight * light.pdf,
+                                   .unoccluded = unoccluded},
+                                  can_be_shadowed ? paths.last_connection() : -1);
   }
 }
 
@@ -162,9 +181,16 @@ void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combinati
 // Russian roulette: a path survives with the probability of its throughput's largest component (corrected for the
 // change of radiance by refraction), and its throughput is divided by that probability. [Lang, eq. 9.10]
 template <class Color>
-bool survives_roulette(PathState<Color>& path, float random) {
+float survival_probability(const PathState<Color>& path) {
   const float weight = max_component(path.throughput) * path.eta_scale;
-  const float survival = std::min(weight, weight > 1 ? kMaxSurvivalAboveOne : kMaxSurvival);
+  return std::min(weight, weight > 1 ? kMaxSurvivalAboveOne : kMaxSurvival);
+}
+// `number` is the path's number in the wavefront, under which the result is recorded.
+template <class M>
+bool survives_roulette(PathWavefront<M>& paths, int number, PathState<typename M::Color>& path, float random) {
+  const float survival = survival_probability(path);
+  if (paths.recorder()) [[unlikely]]
+    paths.recorder()->play_roulette(number, {survival, random});
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;
@@ -176,6 +202,19 @@ void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSampl
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
   path.from = from;
   path.all_specular = path.all_specular && s.delta;
+}
+
+// Record a BSDF sample of a hit, and why its path ends. `record_sample` needs a recorder.
+template <class M>
+void record_sample(PathWavefront<M>& paths, int hit, const LobeSample<typename M::Color>& s, PathEnd end) {
+  const int path = paths.path_at(hit);
+  paths.recorder()->scatter(path, s);
+  paths.recorder()->end(path, end);
+}
+template <class M>
+void record_end(PathWavefront<M>& paths, int hit, PathEnd end) {
+  if (paths.recorder()) [[unlikely]]
+    paths.recorder()->end(paths.path_at(hit), end);
 }
 
 // The default filter of BSDF samples: accepts all of them, restricted to the selected path classes. Filters may change
@@ -201,12 +240,23 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
   for (int i = 0; i < paths.hit_count(); ++i) {
     if (!continues(i)) continue;
     LobeSample<typename M::Color> s;
-    if (!paths.bsdf(i).sample(paths.wo(i), paths.lobe_draw(i), mode, s)) continue;
-    if (!accept(paths, i, s)) continue;
+    const bool scattered = paths.bsdf(i).sample(paths.wo(i), paths.lobe_draw(i), mode, s);
+    if (paths.recorder()) [[unlikely]]
+      record_sample(paths, i, s, scattered ? PathEnd::none : PathEnd::absorbed);
+    if (!scattered) continue;
+    if (!accept(paths, i, s)) {
+      record_end(paths, i, PathEnd::excluded);
+      continue;
+    }
     auto& path = paths.state_at(i);
     path.throughput *= s.weight;
     if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
-    if (roulette && !survives_roulette(path, paths.random(vertex_dimension::kRoulette, i))) continue;
+    if (roulette && !survives_roulette(paths, paths.path_at(i), path, paths.random(vertex_dimension::kRoulette, i))) {
+      record_end(paths, i, PathEnd::roulette);
+      continue;
+    }
+    if (paths.recorder()) [[unlikely]]
+      paths.recorder()->set_throughput(paths.path_at(i), path.throughput);
     record_scattering(path, paths.point(i).position, s);
     record(i, s);
     paths.continue_path(i, s.wi);

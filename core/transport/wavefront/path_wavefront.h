@@ -14,6 +14,7 @@
 #include "transport/path_expression/class_shares.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/path_media.h"
+#include "transport/wavefront/path_recorder.h"
 
 namespace etendue::transport {
 
@@ -56,6 +57,7 @@ class PathWavefront {
   void begin(const scene::CompiledScene& scene, const Sampler& sampler, uint32_t sample,
              const std::function<bool()>* keep_going = nullptr, bool timed = false) {
     timed_ = timed;
+    recorder_ = nullptr;
     wanted_ = keep_going, given_up_ = false;
     scene_ = &scene, sampler_ = &sampler, sample_ = sample;
     size_ = travelling_ = reached_ = visited_ = hit_count_ = miss_count_ = connections_ = depth_ = 0;
@@ -66,6 +68,10 @@ class PathWavefront {
   }
   // The first segments of neighbouring paths are coherent: they may be traced as one packet.
   void assume_coherent() { coherent_ = true; }
+  // Records the paths that this recorder follows; to be called after `begin`, which ends recording.
+  void record(PathRecorder* recorder) { recorder_ = recorder; }
+  // Null if nothing is recorded.
+  PathRecorder* recorder() const { return recorder_; }
 
   // Adds a path for the pixel with this seed; paths are numbered consecutively.
   void add(uint32_t pixel_seed) { states_[static_cast<size_t>(size_++)].seed = pixel_seed; }
@@ -110,6 +116,8 @@ class PathWavefront {
     if (given_up_) return false;
     ++depth_;
     trace_rays();
+    if (recorder_) [[unlikely]]
+      record_misses();
     return true;
   }
 
@@ -121,6 +129,8 @@ class PathWavefront {
     if (hit_count_ == 0) return false;
     shade();
     drawn_ = 0;
+    if (recorder_) [[unlikely]]
+      record_hits();
     return true;
   }
 
@@ -240,6 +250,8 @@ class PathWavefront {
     connected_[slot] = static_cast<uint16_t>(path_at(hit));
     return contributions_[slot] = Color(0);
   }
+  // The number of the last connection.
+  int last_connection() const { return connections_ - 1; }
   // Traces the pending shadow rays now if there is no room for one more per current hit.
   void reserve_connections() {
     if (connections_ + hit_count_ > kCapacity) resolve_connections();
@@ -300,6 +312,8 @@ class PathWavefront {
   void resolve_connections();
   bool complete_segment(int ray, bool has_hit);
   void shade();
+  void record_hits();
+  void record_misses();
 
   static constexpr uint32_t kConnectionSalt = 0x5bd1e995U;
   uint32_t connection_seed(int path) const { return segment_seed(path) + kConnectionSalt; }
@@ -312,6 +326,7 @@ class PathWavefront {
   uint64_t rays_traced_ = 0;
   bool seeded_ = false, timed_ = false, coherent_ = false, given_up_ = false;
   const std::function<bool()>* wanted_ = nullptr;
+  PathRecorder* recorder_ = nullptr;
 
   // Per path.
   PerPath<PathState<Color>> states_;
@@ -416,12 +431,36 @@ void PathWavefront<M>::resolve_connections() {
     if constexpr (M::kMedia) {
       const uint32_t seed = connection_seed(connected_[slot]);
       const Color transmittance = media_.transmittance(slot, blocked, seed, path.time, rays_traced_);
-      if (!is_black(transmittance)) path.radiance += contributions_[slot] * transmittance;
-    } else if (!blocked) {
-      path.radiance += contributions_[slot];
+      const Color contribution = contributions_[slot] * transmittance;
+      if (!is_black(transmittance)) path.radiance += contribution;
+      if (recorder_) [[unlikely]]
+        recorder_->resolve(i, is_black(transmittance), contribution);
+    } else {
+      if (!blocked) path.radiance += contributions_[slot];
+      if (recorder_) [[unlikely]]
+        recorder_->resolve(i, blocked, blocked ? Color(0) : contributions_[slot]);
     }
   }
   connections_ = 0;
+}
+
+template <class M>
+void PathWavefront<M>::record_hits() {
+  for (int i = 0; i < hit_count_; ++i) {
+    const int path = path_at(i);
+    if (!recorder_->records(path)) continue;
+    recorder_->arrive(path, depth_, point(i), wo(i), state(path).throughput);
+    bool has_delta = false;
+    if constexpr (!M::kDiffuse) has_delta = bsdf(i).deltas(wo(i)).count > 0;
+    recorder_->set_lobes(path, bsdf(i).has_component(ScatterType::diffuse), bsdf(i).has_component(ScatterType::glossy),
+                         has_delta);
+  }
+}
+
+template <class M>
+void PathWavefront<M>::record_misses() {
+  for (int i = 0; i < miss_count_; ++i)
+    recorder_->escape(path_of_miss(i), depth_, miss_direction(i), missed_path(i).throughput);
 }
 
 template <class M>

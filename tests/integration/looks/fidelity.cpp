@@ -1,7 +1,6 @@
 #include "integration/looks/fidelity.h"
 
 #include <cstdio>
-#include <map>
 
 #include "integration/looks/assets.h"
 #include "integration/looks/sheet.h"
@@ -26,10 +25,6 @@ double brightness(const Picture& picture) {
   double sum = 0;
   for (const float x : linear_of(picture)) sum += x;
   return sum / static_cast<double>(picture.rgb.size());
-}
-
-double flip(const Picture& a, const Picture& b) {
-  return metrics::mean_of(metrics::flip_map(a.width, a.height, linear_of(a), linear_of(b)));
 }
 
 Picture shown(const film::Film& film, float exposure, image::ToneCurve curve) {
@@ -86,22 +81,30 @@ void print_row(const View& view, const Picture& ours, const std::map<std::string
 
 }  // namespace
 
+double flip(const Picture& a, const Picture& b) {
+  return metrics::mean_of(metrics::flip_map(a.width, a.height, linear_of(a), linear_of(b)));
+}
+
+std::optional<BesidePublished> beside_published(const View& view, int size, uint32_t samples) {
+  if (view.pictures.empty() || view.pictures[0].stem() != kFirst) return std::nullopt;
+  const render::Document document = *open(view, size, view.background);
+  const film::Film film = test::rendered(document, samples);
+  BesidePublished beside{{}, published(view, film.width(), film.height())};
+  beside.ours = with_equal_brightness(film, beside.cycles(), document.display.curve);
+  return beside;
+}
+
 int make_fidelity(const std::string& data, const std::string& out, int tile, int size, uint32_t samples) {
   constexpr int kColumns = 8;
   Sheet sheet(tile, kColumns);
   print_header();
   for (const View& view : gallery(data)) {
-    if (view.pictures.empty() || view.pictures[0].stem() != kFirst) continue;
-    const auto document = open(view, size, view.background);
-    if (!document) return std::printf("%s\n", document.error().message.c_str()), 3;
-    const film::Film film = test::rendered(*document, samples);
-    const auto pictures = published(view, film.width(), film.height());
-    const Picture& cycles = pictures.at(kFirst);
-    const Picture ours = with_equal_brightness(film, cycles, document->display.curve);
-    print_row(view, ours, pictures);
-    const Picture small = shrunk(ours, tile), beside = shrunk(cycles, tile);
+    const auto beside = beside_published(view, size, samples);
+    if (!beside) continue;
+    print_row(view, beside->ours, beside->pictures);
+    const Picture small = shrunk(beside->ours, tile), cycles = shrunk(beside->cycles(), tile);
     sheet.add(&small, view.file.stem().string());
-    sheet.add(&beside, "CYCLES");
+    sheet.add(&cycles, "CYCLES");
   }
   const Picture picture = sheet.picture();
   const auto written = image::write_png(out, picture.width, picture.height, picture.rgb);

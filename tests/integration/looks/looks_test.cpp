@@ -1,7 +1,10 @@
 // Every glTF file of the test data opens and renders without invalid samples, and the image is not constant.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "integration/looks/assets.h"
+#include "integration/looks/fidelity.h"
 #include "integration/looks/sheet.h"
 #include "support/scenes.h"
 
@@ -54,6 +57,30 @@ TEST(Looks, EveryFileRenders) {
     EXPECT_EQ(film.invalid_samples().total(), 0U);
     EXPECT_EQ(varies(film), shows_something(view.name, *document->scene));
   }
+}
+
+// Mean FLIP against the published images of Cycles. The bounds are the values measured with 96 pixels and 64 samples plus
+// 0.01, several times their change with another seed. The light of the published images is not known exactly
+// (docs/results/published-images.md), so the values compare versions of this program, not renderers.
+constexpr int kFlipSize = 96;
+constexpr uint32_t kFlipSamples = 64;
+const std::map<std::string, double> kFlipBounds{};
+
+TEST(Looks, FlipStaysWithinItsBound) {
+  const std::string data = test::data_folder();
+  if (data.empty()) GTEST_SKIP() << "ETENDUE_TEST_DATA is not a folder";
+  size_t compared = 0;
+  for (const View& view : gallery(data)) {
+    const auto beside = beside_published(view, kFlipSize, kFlipSamples);
+    if (!beside) continue;
+    ++compared;
+    const double value = flip(beside->ours, beside->cycles());
+    const std::string name = view.file.stem().string();
+    RecordProperty(name, std::to_string(value));
+    ASSERT_TRUE(kFlipBounds.contains(name)) << "{\"" << name << "\", " << value + 0.01 << "},";
+    EXPECT_LE(value, kFlipBounds.at(name)) << name;
+  }
+  EXPECT_EQ(compared, kFlipBounds.size());
 }
 
 TEST(Looks, PublishedImagesHaveACamera) {

@@ -27,6 +27,12 @@ std::vector<std::string> unbiased_integrators(const render::Document& document) 
   return names;
 }
 
+// Bound of the relative standard error of a mean in these tests, so that a noisier estimator does not pass more easily.
+double largest_error(const std::string& method) {
+  const bool per_pixel = integrator::find_integrator(method)->accumulation == integrator::Accumulation::per_pixel;
+  return per_pixel ? 2.5e-4 : 0.01;
+}
+
 // Closed, Lambertian, emission one: L = 1 / (1 - albedo). Russian roulette starts late and leaves almost no variance
 // for integrators that sample each pixel, so their mean is accurate to 0.1 %. Light paths choose their pixels and have
 // more variance.
@@ -45,6 +51,7 @@ void expect_a_furnace(float albedo, int size) {
       const double expected = 1 / (1 - albedo);
       EXPECT_NEAR(mean.value, expected, std::max(1e-3 * expected, 4 * mean.standard_error))
           << method << ' ' << sampler.name << " +- " << mean.standard_error;
+      EXPECT_LT(mean.standard_error, largest_error(method) * expected) << method << ' ' << sampler.name;
     }
 }
 TEST(Furnace, UnbiasedIntegratorsWithEverySampler) { expect_a_furnace(0.5f, 20); }
@@ -63,6 +70,7 @@ TEST(Furnace, RouletteIsUnbiased) {
       d = *render::with_text(d, "roulette-start", std::to_string(start));
       const Mean mean = test::mean_of(test::rendered(d, 64));
       EXPECT_LT(std::abs(mean.value - 1 / (1 - 0.7)), kZ * mean.standard_error) << method << ' ' << start;
+      EXPECT_LT(mean.standard_error, 0.01 / (1 - 0.7)) << method << ' ' << start;
     }
 }
 
@@ -111,6 +119,7 @@ TEST(WhiteFurnace, SmoothGlassIsInvisible) {
     d.method.integrator = method;
     const Mean mean = test::mean_of(test::rendered(d, 128));
     EXPECT_NEAR(mean.value, 1, std::max(2e-3, 4 * mean.standard_error)) << method;
+    EXPECT_LT(mean.standard_error, 0.01) << method;
   }
 }
 

@@ -67,7 +67,7 @@ void expect_mean(const Document& document, uint32_t samples, double expected) {
     standard_error = mean.standard_error;
   }
   EXPECT_NEAR(value, expected, 4.5 * standard_error + 2e-4 * expected) << d.method.integrator;
-  EXPECT_LT(standard_error, 0.1 * expected) << d.method.integrator;
+  EXPECT_LT(standard_error, 0.02 * expected) << d.method.integrator;
 }
 
 // ---- Attenuation.
@@ -172,6 +172,7 @@ TEST(Attenuation, UpToTheLens) {
   for (const char* name : {"light-pure", "bdpt", "light"}) {
     const test::Mean mean = test::mean_of(test::rendered(with(with_integrator(d, name), "film.paths", "EL"), 1024));
     EXPECT_NEAR(mean.value, path.value, 4.5 * (mean.standard_error + path.standard_error)) << name;
+    EXPECT_LT(mean.standard_error, 0.05 * path.value) << name;
   }
 }
 

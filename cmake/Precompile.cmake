@@ -1,0 +1,45 @@
+# What shortens the build: precompiled standard headers, and less optimisation where it does not matter.
+#
+# Most of the time to compile an ordinary source file is spent on standard headers. They are precompiled once, together
+# with glm; headers of the project are not, so that editing one recompiles only the files that include it. With
+# -DETENDUE_PRECOMPILE=OFF a build checks that every file includes what it uses.
+option(ETENDUE_PRECOMPILE "Precompile standard headers" ON)
+
+# In precompiled headers GCC 12 does not suppress its wrong warnings about std::string (PR 105329, PR 105651).
+if(ETENDUE_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(etendue_options INTERFACE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+endif()
+
+set(ETENDUE_STANDARD_HEADERS
+  <algorithm> <array> <atomic> <bit> <chrono> <cmath> <cstdint> <cstdio> <filesystem> <functional> <map> <memory> <mutex>
+  <numeric> <optional> <set> <span> <string> <string_view> <thread> <tuple> <unordered_map> <utility> <variant> <vector>
+  <glm/glm.hpp>)
+
+# etendue_precompiled(NAME [header...] LIBRARIES library...): a target whose precompiled headers other targets reuse.
+function(etendue_precompiled name)
+  cmake_parse_arguments(PRECOMPILED "" "" "LIBRARIES" ${ARGN})
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/${name}.cpp CONTENT "// The precompiled headers of this target are reused.\n")
+  add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE glm::glm etendue_options ${PRECOMPILED_LIBRARIES})
+  if(ETENDUE_PRECOMPILE)
+    target_precompile_headers(${name} PRIVATE ${ETENDUE_STANDARD_HEADERS} ${PRECOMPILED_UNPARSED_ARGUMENTS})
+  endif()
+endfunction()
+
+# etendue_use_precompiled(TARGET NAME)
+function(etendue_use_precompiled target name)
+  if(ETENDUE_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+    # CMake would compile programs with -fPIE, and precompiled headers require equal options.
+    get_target_property(type ${target} TYPE)
+    if(type STREQUAL EXECUTABLE)
+      set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+      target_compile_options(${target} PRIVATE -fPIC)
+    endif()
+  endif()
+endfunction()
+
+# The optimisation of code without inner loops: half the time to compile it.
+set(ETENDUE_FAST_TO_COMPILE $<$<CONFIG:Release>:-O1>)
+
+etendue_precompiled(etendue_precompiled_std)

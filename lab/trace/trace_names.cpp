@@ -1,0 +1,66 @@
+#include "trace/trace_names.h"
+
+#include "light/placed_light.h"
+
+namespace etendue::trace {
+namespace {
+
+std::string named(const std::string& name, const char* kind, size_t index) {
+  return name.empty() ? kind + (" " + std::to_string(index)) : name;
+}
+
+// The instance to which a primitive of an area light belongs.
+const scene::InstanceData* instance_of_light(const scene::CompiledScene& scene, uint32_t light) {
+  const scene::InstanceData* found = nullptr;
+  for (const scene::InstanceData& instance : scene.instances())
+    if (instance.first_light <= light && (!found || instance.first_light > found->first_light)) found = &instance;
+  return found;
+}
+
+}  // namespace
+
+std::string node_name(const scene::CompiledScene& scene, uint32_t node) {
+  return named(scene.description().nodes[node].name, "node", node);
+}
+
+std::string material_name(const scene::CompiledScene& scene, const scene::SurfacePoint& point) {
+  const uint32_t index = point.instance->material;
+  return named(scene.description().materials[index].name, "material", index);
+}
+
+std::string medium_name(const scene::CompiledScene& scene, const scene::Solid* solid) {
+  return solid ? node_name(scene, solid->node) : "vacuum";
+}
+
+std::string light_name(const scene::CompiledScene& scene, const LightSample& sample) {
+  if (sample.kind == LightKind::environment) return "environment";
+  if (sample.kind == LightKind::placed) {
+    const size_t index = sample.light - scene.lights().triangles().size();
+    return named(scene.lights().placed()[index].name, "light", index);
+  }
+  const scene::InstanceData* instance = instance_of_light(scene, sample.light);
+  return instance ? node_name(scene, instance->node) : "light " + std::to_string(sample.light);
+}
+
+std::string scattering_name(const LobeSample<Rgb>& sample) {
+  const char* type = sample.type == ScatterType::diffuse  ? "diffuse"
+                     : sample.type == ScatterType::glossy ? "glossy"
+                                                          : "specular";
+  return std::string(type) + (sample.transmitted ? " transmission" : " reflection");
+}
+
+std::string end_reason(const transport::RecordedScattering& scattering) {
+  switch (scattering.end) {
+    case transport::PathEnd::none:
+      return {};
+    case transport::PathEnd::absorbed:
+      return "absorbed";
+    case transport::PathEnd::excluded:
+      return "outside of the selected paths";
+    case transport::PathEnd::roulette:
+      break;
+  }
+  return scattering.roulette ? "ended by Russian roulette" : "below the contribution cutoff";
+}
+
+}  // namespace etendue::trace
