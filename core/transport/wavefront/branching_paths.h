@@ -123,17 +123,22 @@ class BranchingPaths {
     path.throughput *= s.weight;
     path.eta_scale *= sqr(s.eta) * share;
     if (paths_->recorder()) record_sample(*paths_, hit, s, PathEnd::none);
-    if (!should_follow(path, hit)) return record_end(*paths_, hit, PathEnd::roulette);
+    if (!should_follow(path, hit)) {
+      if (paths_->recorder()) record_end(*paths_, hit, PathEnd::roulette);
+      return;
+    }
     path.radiance = Color(0);
     path.seed = paths_->seed(hit);
     record_scattering(path, paths_->point(hit).position, s);
     if constexpr (M::kClasses) {
       paths_->shares().copy_to_branch(from);
-      if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s))
-        return record_end(*paths_, hit, PathEnd::excluded);
+      if (!paths_->shares().scatter(Shares::kBranch, paths_->bsdf(hit), paths_->wo(hit), s)) {
+        if (paths_->recorder()) record_end(*paths_, hit, PathEnd::excluded);
+        return;
+      }
     }
     if (paths_->recorder()) {
-      paths_->recorder()->set_throughput(from, path.throughput);
+      record_throughput(*paths_, hit, path.throughput);
       paths_->recorder()->queue_branch(from, paths_->length());
     }
     Level& level = level_at(paths_->length());

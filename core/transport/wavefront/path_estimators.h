@@ -15,6 +15,48 @@ namespace etendue::transport {
 // The heuristic that combines two techniques; empty: one technique alone.
 using Combination = std::optional<MisHeuristic>;
 
+// Records of a wavefront, which need a recorder. They are kept out of the loops, whose speed depends on
+// their size, and take values, because references would keep the loops from using registers.
+template <class M>
+[[gnu::cold, gnu::noinline]] void record_emission(PathWavefront<M>& paths, int path, Rgb radiance, float weight,
+                                                  typename M::Color contribution) {
+  paths.recorder()->add_emission(path, {radiance, weight, contribution});
+}
+// `weight` is the MIS weight over the density of the sample. A sample that can be shadowed is the last connection.
+template <class M>
+[[gnu::cold, gnu::noinline]] void record_light(PathWavefront<M>& paths, int hit, const LightSample& light, float weight,
+                                               typename Bsdf<M>::Value scattered, typename M::Color unoccluded,
+                                               bool can_be_shadowed) {
+  paths.recorder()->add_light(paths.path_at(hit),
+                              {.sample = light,
+                               .radiance = paths.scene().radiance_of(light),
+                               .f_cos = scattered.f_cos,
+                               .bsdf_pdf = scattered.pdf,
+                               .mis_weight = weight * light.pdf,
+                               .unoccluded = unoccluded},
+                              can_be_shadowed ? paths.last_connection() : -1);
+}
+template <class M>
+[[gnu::cold, gnu::noinline]] void record_sample(PathWavefront<M>& paths, int hit, LobeSample<typename M::Color> s,
+                                                PathEnd end) {
+  const int path = paths.path_at(hit);
+  paths.recorder()->scatter(path, s);
+  paths.recorder()->end(path, end);
+}
+// Why the last BSDF sample of a hit does not continue its path.
+template <class M>
+[[gnu::cold, gnu::noinline]] void record_end(PathWavefront<M>& paths, int hit, PathEnd end) {
+  paths.recorder()->end(paths.path_at(hit), end);
+}
+template <class M>
+[[gnu::cold, gnu::noinline]] void record_throughput(PathWavefront<M>& paths, int hit, typename M::Color throughput) {
+  paths.recorder()->set_throughput(paths.path_at(hit), throughput);
+}
+template <class M>
+[[gnu::cold, gnu::noinline]] void record_roulette(PathWavefront<M>& paths, int path, float survival, float random) {
+  paths.recorder()->play_roulette(path, {survival, random});
+}
+
 // Bounds of the survival probability of Russian roulette: below one, so that paths end in scenes without absorption.
 // With a throughput factor r and a survival probability q per vertex, the variance is finite only if r^2 < q. Paths
 // whose throughput has grown above one therefore survive with a higher probability.
@@ -56,7 +98,7 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) * emitted * weight;
     path.radiance += contribution;
     if (paths.recorder()) [[unlikely]]
-      paths.recorder()->add_emission(paths.path_at(i), {emitted, weight, contribution});
+      record_emission(paths, paths.path_at(i), emitted, weight, contribution);
   }
 }
 
@@ -82,7 +124,7 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) * radiance * weight;
     path.radiance += contribution;
     if (paths.recorder()) [[unlikely]]
-      paths.recorder()->add_emission(paths.path_of_miss(i), {radiance, weight, contribution});
+      record_emission(paths, paths.path_of_miss(i), radiance, weight, contribution);
   }
 }
 
@@ -125,18 +167,10 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     auto& path = paths.state_at(i);
     const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
     auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
-    const Rgb radiance = scene.radiance_of(light);
-    const auto unoccluded = path.throughput * scattered.f_cos * radiance * weight;
+    const auto unoccluded = path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
     contribution += unoccluded;
     if (paths.recorder()) [[unlikely]]
-      paths.recorder()->add_light(paths.path_at(i),
-                                  {.sample = light,
-                                   .radiance = radiance,
-                                   .f_cos = scattered.f_cos,
-                                   .bsdf_pdf = scattered.pdf,
-                                   .mis_weight = weight * light.pdf,
-                                   .unoccluded = unoccluded},
-                                  can_be_shadowed ? paths.last_connection() : -1);
+      record_light(paths, i, light, weight, scattered, unoccluded, can_be_shadowed);
   }
 }
 
@@ -190,7 +224,7 @@ template <class M>
 bool survives_roulette(PathWavefront<M>& paths, int number, PathState<typename M::Color>& path, float random) {
   const float survival = survival_probability(path);
   if (paths.recorder()) [[unlikely]]
-    paths.recorder()->play_roulette(number, {survival, random});
+    record_roulette(paths, number, survival, random);
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;
@@ -202,19 +236,6 @@ void record_scattering(PathState<Color>& path, const Vec3& from, const LobeSampl
   path.pdf = s.delta ? 0 : s.pdf_solid_angle;
   path.from = from;
   path.all_specular = path.all_specular && s.delta;
-}
-
-// Record a BSDF sample of a hit, and why its path ends. `record_sample` needs a recorder.
-template <class M>
-void record_sample(PathWavefront<M>& paths, int hit, const LobeSample<typename M::Color>& s, PathEnd end) {
-  const int path = paths.path_at(hit);
-  paths.recorder()->scatter(path, s);
-  paths.recorder()->end(path, end);
-}
-template <class M>
-void record_end(PathWavefront<M>& paths, int hit, PathEnd end) {
-  if (paths.recorder()) [[unlikely]]
-    paths.recorder()->end(paths.path_at(hit), end);
 }
 
 // The default filter of BSDF samples: accepts all of them, restricted to the selected path classes. Filters may change
@@ -245,18 +266,20 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
       record_sample(paths, i, s, scattered ? PathEnd::none : PathEnd::absorbed);
     if (!scattered) continue;
     if (!accept(paths, i, s)) {
-      record_end(paths, i, PathEnd::excluded);
+      if (paths.recorder()) [[unlikely]]
+        record_end(paths, i, PathEnd::excluded);
       continue;
     }
     auto& path = paths.state_at(i);
     path.throughput *= s.weight;
     if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
     if (roulette && !survives_roulette(paths, paths.path_at(i), path, paths.random(vertex_dimension::kRoulette, i))) {
-      record_end(paths, i, PathEnd::roulette);
+      if (paths.recorder()) [[unlikely]]
+        record_end(paths, i, PathEnd::roulette);
       continue;
     }
     if (paths.recorder()) [[unlikely]]
-      paths.recorder()->set_throughput(paths.path_at(i), path.throughput);
+      record_throughput(paths, i, path.throughput);
     record_scattering(path, paths.point(i).position, s);
     record(i, s);
     paths.continue_path(i, s.wi);

@@ -312,8 +312,8 @@ class PathWavefront {
   void resolve_connections();
   bool complete_segment(int ray, bool has_hit);
   void shade();
-  void record_hits();
-  void record_misses();
+  [[gnu::cold, gnu::noinline]] void record_hits();
+  [[gnu::cold, gnu::noinline]] void record_misses();
 
   static constexpr uint32_t kConnectionSalt = 0x5bd1e995U;
   uint32_t connection_seed(int path) const { return segment_seed(path) + kConnectionSalt; }
