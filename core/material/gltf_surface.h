@@ -13,7 +13,8 @@ Ggx gltf_microfacets(float roughness, float anisotropy);
 // Adds the lobes of the material to an empty set. Each overload serves the scenes that need no more than its set: the
 // material must have is_lambertian, uses_standard_lobes, or neither.
 template <class Color>
-void add_lobes(const SurfaceMaterial& material, const TexturePoint& point, DiffuseOnly<Color>& lobes) {
+[[gnu::always_inline]] inline void add_lobes(const SurfaceMaterial& material, const TexturePoint& point,
+                                             DiffuseOnly<Color>& lobes) {
   const Vec4 base =
       material.has_constant_base_color ? clamped(material.base_factor * point.color) : material.base_color_at(point);
   lobes.add(Lambert<Color>{Color(base.x, base.y, base.z)});

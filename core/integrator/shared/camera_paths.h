@@ -79,11 +79,15 @@ void launch_camera_paths(const RenderContext& context, const PixelBlock& block, 
     const auto path = static_cast<size_t>(i);
     const float time = context.model->moving ? times[i] : 0;
     paths.launch(i, rays[path], medium_at_camera<M>(context, rays[path], time), time);
-    if (task_context.recorder && Vec2i(block.x + order.x(i), block.y + order.y(i)) == task_context.recorder->pixel()) {
-      std::optional<Vec2> lens;
-      if (context.camera->has_lens()) lens = Vec2(lens_u[path], lens_v[path]);
-      task_context.recorder->start(i, Vec2(x[path], y[path]), lens, time, rays[path]);
-    }
+  }
+  if (!task_context.recorder) return;
+  const Vec2i pixel = task_context.recorder->pixel();
+  for (int i = 0; i < order.size(); ++i) {
+    if (block.x + order.x(i) != pixel.x || block.y + order.y(i) != pixel.y) continue;
+    const auto path = static_cast<size_t>(i);
+    std::optional<Vec2> lens;
+    if (context.camera->has_lens()) lens = Vec2(lens_u[path], lens_v[path]);
+    task_context.recorder->start(i, Vec2(x[path], y[path]), lens, paths.state(i).time, rays[path]);
   }
 }
 

@@ -87,6 +87,7 @@ typename M::Color terminal_throughput(PathWavefront<M>& paths, const typename M:
 template <class M, class Weigh>
 void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const scene::CompiledScene& scene = paths.scene();
+  const bool recording = paths.recorder() != nullptr;
   for (int i = 0; i < paths.hit_count(); ++i) {
     const scene::SurfacePoint& point = paths.point(i);
     if (!point.material->is_emissive) continue;
@@ -97,7 +98,7 @@ void add_emission_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const float weight = weigh(i);
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_at(i)) * emitted * weight;
     path.radiance += contribution;
-    if (paths.recorder()) [[unlikely]]
+    if (recording) [[unlikely]]
       record_emission(paths, paths.path_at(i), emitted, weight, contribution);
   }
 }
@@ -116,6 +117,7 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
   const LightTable& lights = paths.scene().lights();
   const EnvironmentMap& map = lights.environment();
   if (map.black() || (paths.length() == 1 && !map.visible())) return;
+  const bool recording = paths.recorder() != nullptr;
   for (int i = 0; i < paths.miss_count(); ++i) {
     auto& path = paths.missed_path(i);
     const Vec3& direction = paths.miss_direction(i);
@@ -123,7 +125,7 @@ void add_environment_weighted(PathWavefront<M>& paths, Weigh&& weigh) {
     const float weight = weigh(i);
     const auto contribution = terminal_throughput(paths, path.throughput, paths.path_of_miss(i)) * radiance * weight;
     path.radiance += contribution;
-    if (paths.recorder()) [[unlikely]]
+    if (recording) [[unlikely]]
       record_emission(paths, paths.path_of_miss(i), radiance, weight, contribution);
   }
 }
@@ -153,6 +155,7 @@ template <class M, class Weigh, class Selected = EveryHit>
 void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSample> samples, Shadows shadows,
                                 Weigh&& weigh, const Selected& selected = {}) {
   const scene::CompiledScene& scene = paths.scene();
+  const bool recording = paths.recorder() != nullptr;
   for (int i = 0; i < paths.hit_count(); ++i) {
     if (!selected(i)) continue;
     const LightSample& light = samples[static_cast<size_t>(i)];
@@ -169,7 +172,7 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
     const auto unoccluded = path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
     contribution += unoccluded;
-    if (paths.recorder()) [[unlikely]]
+    if (recording) [[unlikely]]
       record_light(paths, i, light, weight, scattered, unoccluded, can_be_shadowed);
   }
 }
@@ -258,15 +261,16 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
   const bool roulette = paths.length() >= roulette_start;
   paths.draw_lobes();
   if (roulette) paths.draw(dimensions(vertex_dimension::kRoulette, 1));
+  const bool recording = paths.recorder() != nullptr;
   for (int i = 0; i < paths.hit_count(); ++i) {
     if (!continues(i)) continue;
     LobeSample<typename M::Color> s;
     const bool scattered = paths.bsdf(i).sample(paths.wo(i), paths.lobe_draw(i), mode, s);
-    if (paths.recorder()) [[unlikely]]
+    if (recording) [[unlikely]]
       record_sample(paths, i, s, scattered ? PathEnd::none : PathEnd::absorbed);
     if (!scattered) continue;
     if (!accept(paths, i, s)) {
-      if (paths.recorder()) [[unlikely]]
+      if (recording) [[unlikely]]
         record_end(paths, i, PathEnd::excluded);
       continue;
     }
@@ -274,11 +278,11 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
     path.throughput *= s.weight;
     if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
     if (roulette && !survives_roulette(paths, paths.path_at(i), path, paths.random(vertex_dimension::kRoulette, i))) {
-      if (paths.recorder()) [[unlikely]]
+      if (recording) [[unlikely]]
         record_end(paths, i, PathEnd::roulette);
       continue;
     }
-    if (paths.recorder()) [[unlikely]]
+    if (recording) [[unlikely]]
       record_throughput(paths, i, path.throughput);
     record_scattering(path, paths.point(i).position, s);
     record(i, s);

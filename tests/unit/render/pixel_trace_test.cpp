@@ -160,7 +160,9 @@ TEST(PixelTrace, OtherIntegratorsSayWhyTheyHaveNoTrace) {
     d.method.integrator = info.name;
     const auto trace = render::trace_pixel(d, scene, {3, 3}, 0);
     EXPECT_EQ(bool{trace}, info.accumulation == Accumulation::per_pixel) << info.name;
-    if (!trace) EXPECT_NE(trace.error().message.find(info.name), std::string::npos) << trace.error().message;
+    if (!trace) {
+      EXPECT_NE(trace.error().message.find(info.name), std::string::npos) << trace.error().message;
+    }
   }
 }
 
