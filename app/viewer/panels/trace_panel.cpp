@@ -61,8 +61,21 @@ class TracePanel final : public Panel {
   }
 
   void draw(AppState& state) override {
-    with_controls(
-        state.ui, kControlWidth * ImGui::GetFontSize(), [&] { draw_content(state); }, [&] { draw_controls(state); });
+    const float em = ImGui::GetFontSize();
+    const ImVec2 available = ImGui::GetContentRegionAvail();
+    if (available.x >= 3 * kControlWidth * em)
+      return with_controls(
+          state.ui, kControlWidth * em, [&] { draw_content(state); },
+          [&] {
+            draw_buttons(state);
+            parameter_widgets(state, task_.parameters.all());
+          });
+    // In a narrow panel the table is between the buttons and the parameters.
+    draw_buttons(state);
+    ImGui::BeginChild("##table", {0, std::max(ImGui::GetContentRegionAvail().y, 8 * em)});
+    draw_content(state);
+    ImGui::EndChild();
+    parameter_widgets(state, task_.parameters.all());
   }
 
   std::vector<ParameterInfo> parameters() const override { return describe_all(TraceTask::Parameters{}.all()); }
@@ -170,16 +183,15 @@ class TracePanel final : public Panel {
     }
   }
 
-  void draw_controls(AppState& state) {
+  void draw_buttons(AppState& state) {
     action_button(state, kPickTool);
-    if (const auto& pixel = task_.pixel()) {
-      ImGui::SameLine();
-      ImGui::PushFont(state.ui.fonts.monospace);
-      ImGui::Text("%d, %d", pixel->x, pixel->y);
-      ImGui::PopFont();
-    }
-    parameter_widgets(state, task_.parameters.all());
+    ImGui::SameLine();
     action_button(state, "trace.export");
+    if (!task_.pixel()) return;
+    ImGui::SameLine();
+    ImGui::PushFont(state.ui.fonts.monospace);
+    ImGui::Text("%d, %d", task_.pixel()->x, task_.pixel()->y);
+    ImGui::PopFont();
   }
 
   void draw_content(AppState& state) {

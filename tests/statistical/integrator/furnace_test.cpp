@@ -30,7 +30,7 @@ std::vector<std::string> unbiased_integrators(const render::Document& document) 
 // Bound of the relative standard error of a mean in these tests, so that a noisier estimator does not pass more easily.
 double largest_error(const std::string& method) {
   const bool per_pixel = integrator::find_integrator(method)->accumulation == integrator::Accumulation::per_pixel;
-  return per_pixel ? 2.5e-4 : 0.01;
+  return per_pixel ? 1.5e-3 : 0.01;
 }
 
 // Closed, Lambertian, emission one: L = 1 / (1 - albedo). Russian roulette starts late and leaves almost no variance

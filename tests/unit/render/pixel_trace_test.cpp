@@ -65,8 +65,8 @@ size_t expect_samples_of_the_film(Document d) {
 
 // One scene for each transport model: diffuse, standard lobes, media, all lobes.
 TEST(PixelTrace, EqualsTheFilmBitForBit) {
-  EXPECT_GT(expect_samples_of_the_film(test::cornell(24)), 300u);
-  EXPECT_GT(expect_samples_of_the_film(test::glossy_scene()), 300u);
+  EXPECT_GT(expect_samples_of_the_film(test::cornell(24)), 100u);
+  EXPECT_GT(expect_samples_of_the_film(test::glossy_scene()), 100u);
   EXPECT_GT(expect_samples_of_the_film(test::ice_in_water_in_glass(true)), 100u);
   EXPECT_GT(expect_samples_of_the_film(test::bsdf_model_scene()), 100u);
 }
@@ -83,17 +83,19 @@ TEST(PixelTrace, EqualsTheFilmWithSelectedPaths) {
 }
 
 TEST(PixelTrace, EqualsTheFilmWithBranchesAtThreeVertices) {
-  Document d = test::with_integrator(test::glossy_scene(), "distribution");
+  Document d = test::with_integrator(test::cornell(24), "distribution");
   d = test::with(test::with(test::with(d, "branches-1", "5"), "branches-2", "3"), "branches-3", "2");
   d.width = kSize.x;
   d.height = kSize.y;
   const film::Film film = test::rendered(d, 2);
   const auto scene = compiled(d);
+  size_t vertices = 0;
   for (const Vec2i& pixel : kPixels) {
     const PixelTrace trace = traced(d, scene, pixel, 0);
     EXPECT_EQ(trace.record.radiance, film.half_buffer_mean(pixel.x, pixel.y, 0));
-    EXPECT_GT(trace.record.vertices.size(), 5u);
+    vertices += trace.record.vertices.size();
   }
+  EXPECT_GT(vertices, 60u);
 }
 
 // What each vertex of a path says agrees with the vertex before it, and its light samples with the estimator
@@ -103,16 +105,17 @@ TEST(PixelTrace, VerticesAreConsistent) {
   d.width = kSize.x;
   d.height = kSize.y;
   const auto scene = compiled(d);
-  int continued = 0, samples = 0, weighted = 0;
+  int continued = 0, unattenuated = 0, samples = 0, weighted = 0;
   for (const Vec2i& pixel : kPixels)
-    for (uint32_t sample = 0; sample < 8; ++sample) {
+    for (uint32_t sample = 0; sample < 32; ++sample) {
       const PixelTrace trace = traced(d, scene, pixel, sample);
       for (const RecordedVertex& v : trace.record.vertices) {
         if (v.parent >= 0) {
           const RecordedVertex& parent = trace.record.vertices[static_cast<size_t>(v.parent)];
           const auto& s = parent.scattering_samples[static_cast<size_t>(v.scattering)];
           EXPECT_EQ(s.end, PathEnd::none);
-          EXPECT_EQ(s.throughput, v.throughput);
+          for (int c = 0; c < 3; ++c) EXPECT_LE(v.throughput[c], s.throughput[c]);
+          unattenuated += v.throughput == s.throughput;
           EXPECT_EQ(v.length, parent.length + 1);
           EXPECT_NEAR(glm::dot(s.sample.wi, -v.wo), 1, 1e-5f);
           EXPECT_EQ(v.origin, parent.point.position);
@@ -133,6 +136,7 @@ TEST(PixelTrace, VerticesAreConsistent) {
       }
     }
   EXPECT_GT(continued, 100);
+  EXPECT_GT(unattenuated, continued / 2);
   EXPECT_GT(samples, 50);
   EXPECT_GT(weighted, 10);
 }
