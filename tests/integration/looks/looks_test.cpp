@@ -64,7 +64,24 @@ TEST(Looks, EveryFileRenders) {
 // (docs/results/published-images.md), so the values compare versions of this program, not renderers.
 constexpr int kFlipSize = 96;
 constexpr uint32_t kFlipSamples = 64;
-const std::map<std::string, double> kFlipBounds{};
+const std::map<std::string, double> kFlipBounds{
+    {"AlphaBlendModeTest", 0.120},   {"AnisotropyStrengthTest", 0.198},
+    {"AttenuationTest", 0.175},      {"Avocado", 0.083},
+    {"BoxTextured", 0.209},          {"BoxVertexColors", 0.349},
+    {"CesiumMilkTruck", 0.058},      {"ClearCoatCarPaint", 0.149},
+    {"ClearCoatTest", 0.129},        {"Duck", 0.136},
+    {"EmissiveStrengthTest", 0.194}, {"Fox", 0.118},
+    {"GlassVaseFlowers", 0.064},     {"IridescenceSuzanne", 0.509},
+    {"LightsPunctualLamp", 0.643},   {"MetalRoughSpheresNoTextures", 0.545},
+    {"MorphPrimitivesTest", 0.100},  {"MultiUVTest", 0.255},
+    {"NegativeScaleTest", 0.150},    {"NormalTangentTest", 0.112},
+    {"OrientationTest", 0.244},      {"SheenChair", 0.094},
+    {"SimpleSparseAccessor", 0.042}, {"SpecularTest", 0.149},
+    {"TextureEncodingTest", 0.206},  {"TextureSettingsTest", 0.142},
+    {"TextureTransformTest", 0.130}, {"ToyCar", 0.254},
+    {"TransmissionTest", 0.299},     {"UnlitTest", 0.061},
+    {"VertexColorTest", 0.068},
+};
 
 TEST(Looks, FlipStaysWithinItsBound) {
   const std::string data = test::data_folder();
