@@ -1,5 +1,6 @@
 #include "scene/pose.h"
 
+#include <algorithm>
 #include <set>
 
 #include "scene/animation.h"
@@ -140,7 +141,14 @@ bool is_singular(const Mat4& m) {
   const glm::dvec3 a(m[0]), b(m[1]), c(m[2]);
   const double volume = std::abs(glm::dot(glm::cross(a, b), c));
   // Relative to the lengths of the columns, so that a small scale is not mistaken for a flat one.
-  return !(volume > 1e-9 * glm::length(a) * glm::length(b) * glm::length(c)) || !(volume > 1e-36);
+  if (!(volume > 1e-9 * glm::length(a) * glm::length(b) * glm::length(c)) || !(volume > 1e-36)) return true;
+  // Embree transforms rays into the space of the mesh. Their coordinates must stay below 1e18.
+  constexpr double kMaxInverse = 1e8;
+  const glm::dmat3 inverse = glm::inverse(glm::dmat3(a, b, c));
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      if (!(std::abs(inverse[column][row]) <= kMaxInverse)) return true;
+  return false;
 }
 
 std::vector<size_t> playing_animations(const Scene& scene) {
@@ -290,8 +298,9 @@ Bounds world_bounds(const Scene& scene) {
 
 Camera framing_camera(const Bounds& bounds) {
   constexpr float kFov = 0.7f;
-  const float radius = std::max(bounds.radius(), 1e-6f);
   const Vec3 center = bounds.empty() ? Vec3(0) : bounds.center();
+  // At least so large that the rounded position of the camera differs from the centre, however far away that is.
+  const float radius = std::max({bounds.radius(), 1e-6f, 1e-5f * glm::length(center)});
   Camera camera = look_at(center + glm::normalize(Vec3(0.4f, 0.35f, 1)) * (1.05f * radius / std::sin(kFov / 2)), center,
                           Vec3(0, 1, 0), kFov);
   camera.name = "framing";

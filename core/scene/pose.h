@@ -7,8 +7,8 @@
 
 namespace etendue::scene {
 
-// Whether the linear part of the matrix is not invertible in single precision. Meshes with such a world matrix have no
-// surface and are not rendered.
+// Whether the linear part of the matrix is not invertible in single precision, or its inverse has elements above 1e8.
+// Meshes with such a world matrix are not rendered.
 bool is_singular(const Mat4& m);
 
 // The nodes, of those that a root reaches, whose world matrix at the scene's time is out of range

@@ -43,7 +43,9 @@ bool is_resolved(const Estimate& e, size_t block) { return std::sqrt(e.variance[
 
 // Whether a block has less than a twentieth of the mean radiance in both estimates.
 bool is_dark(const Estimate& x, const Estimate& y, size_t block) {
-  const auto dark = [&](const Estimate& e) { return e.mean[block] < 0.05 * total(e.mean) / kBlocks / kBlocks; };
+  const auto dark = [&](const Estimate& e) {
+    return e.mean[block] < 0.05 * total(e.mean) / static_cast<double>(e.mean.size());
+  };
   return dark(x) && dark(y);
 }
 
@@ -73,17 +75,18 @@ Estimate replicated(render::Document d, uint32_t samples, uint64_t first_seed) {
 }
 
 Estimate replicated(const std::function<Blocks(uint64_t seed)>& image, uint64_t first_seed) {
-  constexpr size_t n = kBlocks * kBlocks;
-  std::vector<double> sum(n, 0), squares(n, 0);
+  std::vector<double> sum, squares;
   for (int r = 0; r < kReplicates; ++r) {
     const Blocks means = image(first_seed + static_cast<uint64_t>(r));
-    for (size_t i = 0; i < n; ++i) {
+    sum.resize(means.size());
+    squares.resize(means.size());
+    for (size_t i = 0; i < means.size(); ++i) {
       sum[i] += means[i];
       squares[i] += means[i] * means[i];
     }
   }
   Estimate e;
-  for (size_t i = 0; i < n; ++i) {
+  for (size_t i = 0; i < sum.size(); ++i) {
     const double mean = sum[i] / kReplicates;
     e.mean.push_back(mean);
     e.variance.push_back(std::max(0.0, squares[i] / kReplicates - mean * mean) / (kReplicates - 1));

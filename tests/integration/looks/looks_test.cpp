@@ -59,8 +59,8 @@ TEST(Looks, EveryFileRenders) {
   }
 }
 
-// Mean FLIP against the published images of Cycles. The bounds are the values measured with 96 pixels and 64 samples plus
-// 0.01, several times their change with another seed. The light of the published images is not known exactly
+// Mean FLIP against the published images of Cycles. Renderings are deterministic; the bounds are the values measured with
+// 96 pixels and 64 samples plus 0.01. The light of the published images is not known exactly
 // (docs/results/published-images.md), so the values compare versions of this program, not renderers.
 constexpr int kFlipSize = 96;
 constexpr uint32_t kFlipSamples = 64;

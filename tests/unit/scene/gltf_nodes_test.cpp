@@ -1,6 +1,7 @@
 // Nodes, cameras and lights.
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/pose.h"
 #include "unit/scene/gltf_builder.h"
 
 namespace etendue::test {
@@ -162,6 +163,27 @@ TEST_F(Nodes, FramingShowsEverything) {
     }
   }
   EXPECT_TRUE(std::isfinite(scene::framing_camera(Bounds{}).to_world[3].x)) << "an empty scene has a framing camera";
+  // A small object far from the origin: the direction of the camera would be lost by rounding.
+  for (const float far : {1e3f, 1e6f, 1e9f}) {
+    Bounds bounds;
+    bounds.extend(Vec3(far, 0, -far));
+    bounds.extend(Vec3(far, 1e-5f, -far));
+    const Camera camera = scene::framing_camera(bounds);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(glm::length(Vec3(camera.to_world[c])), 1, 1e-5f) << far;
+  }
+}
+
+// The rays of Embree would overflow in the space of the mesh.
+TEST(Transforms, ExtremeScalesAreSingular) {
+  const auto scaled = [](const Vec3& scale) {
+    return scene::is_singular(scene::Transform{.scale = scale}.to_matrix());
+  };
+  EXPECT_FALSE(scaled({1, 1, 1}));
+  EXPECT_FALSE(scaled({1e-6f, 1e-6f, 1e-6f}));
+  EXPECT_FALSE(scaled({-2, 2, 1e-5f}));
+  EXPECT_TRUE(scaled({2, 2, 0}));
+  EXPECT_TRUE(scaled({-2, 2, 1e-19f}));
+  EXPECT_TRUE(scaled({1e-9f, 1e-9f, 1e-9f}));
 }
 
 TEST_F(Nodes, Lights) {
