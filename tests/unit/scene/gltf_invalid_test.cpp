@@ -192,6 +192,15 @@ TEST_F(InvalidValues, IndicesOutOfRange) {
             "glTF forbids, but the primitive has 3 vertices");
 }
 
+// 2^32 is 0 if it is cut to 32 bits.
+TEST_F(InvalidValues, AnIndexBeyond32BitsRefersToNoAccessor) {
+  Gltf gltf;
+  json& primitive = gltf.triangle();
+  primitive["indices"] = gltf.indices({0, 1, 2});
+  primitive["indices"] = uint64_t{1} << 32;
+  EXPECT_NE(error_of(gltf).find("does not exist"), std::string::npos) << error_of(gltf);
+}
+
 TEST_F(InvalidValues, SparseIndicesOutOfRange) {
   Gltf gltf;
   const int position = gltf.vec3({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});

@@ -263,7 +263,8 @@ void check_indices(const json& root, const json& primitive, const std::string& w
   if (!primitive.contains("indices")) return;
   const auto index = primitive["indices"].get<size_t>();
   const size_t accessors = size_of(root, "accessors"), views = size_of(root, "bufferViews");
-  checked_index(static_cast<int>(index), accessors, where, "accessors");
+  checked_index(static_cast<int>(std::min<size_t>(index, std::numeric_limits<int>::max())), accessors, where,
+                "accessors");
   const json& accessor = root["accessors"][index];
   const std::string name = "accessor " + std::to_string(index);
   if (!accessor.contains("bufferView")) fail(where, name + " has no bufferView");
