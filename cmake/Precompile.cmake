@@ -39,7 +39,7 @@ function(etendue_use_precompiled target name)
   endif()
 endfunction()
 
-# The optimisation of code without inner loops: half the time to compile it.
+# The optimisation of code without inner loops, which takes less time to compile.
 set(ETENDUE_FAST_TO_COMPILE $<$<CONFIG:Release>:-O1>)
 
 etendue_precompiled(etendue_precompiled_std)

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "film/film.h"
-#include "render/prepared_document.h"
+#include "render/pixel_samples.h"
 
 namespace etendue::render {
 namespace {
@@ -20,8 +20,8 @@ std::string per_pixel_integrators() {
 }  // namespace
 
 std::string why_untraceable(const Document& document) {
+  if (PixelSamples::supports(document)) return {};
   const auto& info = *integrator::find_integrator(document.method.integrator);
-  if (info.accumulation == Accumulation::per_pixel) return {};
   const std::string reason = info.accumulation == Accumulation::per_image
                                  ? "its samples use photons or virtual lights of the whole image"
                                  : "its paths contribute to any pixel";

@@ -1,6 +1,7 @@
 #include "trace/trace_drawing.h"
 
 #include "base/base64.h"
+#include "camera/segment_projection.h"
 #include "trace/trace_text.h"
 
 namespace etendue::trace {
@@ -11,13 +12,6 @@ using transport::RecordedLight;
 using transport::RecordedVertex;
 
 metrics::Point point(const Vec2& p) { return {double{p.x}, double{p.y}}; }
-
-// The point of a position in camera space, in pixels.
-Vec2 raster(const Camera& camera, Vec2 size, const Vec3& p) {
-  const float half_height =
-      camera.projection == Projection::perspective ? std::tan(0.5f * camera.yfov) * -p.z : camera.ymag;
-  return (Vec2(p.x * size.y / size.x, -p.y) / half_height * 0.5f + 0.5f) * size;
-}
 
 }  // namespace
 
@@ -58,41 +52,24 @@ metrics::Color color_of(Kind kind) {
   return {204, 121, 167};
 }
 
-bool project_segment(const Camera& camera, Vec2 image_size, const Vec3& from, const Vec3& to,
-                     std::array<Vec2, 2>& projected) {
-  const Mat4 to_camera = glm::inverse(camera.to_world);
-  Vec3 a(to_camera * Vec4(from, 1)), b(to_camera * Vec4(to, 1));
-  if (camera.projection == Projection::perspective) {
-    const float nearest = -1e-3f * std::max({1e-3f, glm::length(a), glm::length(b)});
-    if (a.z > nearest && b.z > nearest) return false;
-    const auto clip = [&](const Vec3& behind, const Vec3& visible) {
-      return visible + (behind - visible) * ((nearest - visible.z) / (behind.z - visible.z));
-    };
-    if (a.z > nearest) a = clip(a, b);
-    if (b.z > nearest) b = clip(b, a);
-  }
-  projected = {raster(camera, image_size, a), raster(camera, image_size, b)};
-  return true;
-}
-
 metrics::Drawing path_drawing(const render::PixelTrace& trace, const Camera& camera, Vec2i image_size) {
   metrics::Drawing drawing{.width = image_size.x, .height = image_size.y, .title = {}, .shapes = {}};
   drawing.title = "Paths of pixel " + std::to_string(trace.pixel.x) + "," + std::to_string(trace.pixel.y) +
                   ", sample " + std::to_string(trace.sample) + ", " + trace.integrator;
-  const Vec2 size(image_size);
   const double width = std::max(1.0, 0.002 * std::max(image_size.x, image_size.y));
-  std::array<Vec2, 2> ends;
   for (const PathSegment& s : path_segments(trace.record, far_length(*trace.scene)))
-    if (project_segment(camera, size, s.from, s.to, ends))
-      drawing.shapes.push_back(metrics::Polyline{.points = {point(ends[0]), point(ends[1])},
+    if (const auto ends = project_segment(camera, image_size, s.from, s.to))
+      drawing.shapes.push_back(metrics::Polyline{.points = {point((*ends)[0]), point((*ends)[1])},
                                                  .color = color_of(s.kind),
                                                  .width = s.kind == Kind::path ? 1.5 * width : width,
                                                  .dashed = is_dashed(s.kind)});
   for (const TraceRow& row : trace_rows(trace)) {
     if (!row.event.starts_with("vertex")) continue;
     const RecordedVertex& v = trace.record.vertices[static_cast<size_t>(row.vertex)];
-    if (v.escaped || !project_segment(camera, size, v.point.position, v.point.position, ends)) continue;
-    drawing.shapes.push_back(metrics::Dot{.at = point(ends[0]),
+    if (v.escaped) continue;
+    const auto ends = project_segment(camera, image_size, v.point.position, v.point.position);
+    if (!ends) continue;
+    drawing.shapes.push_back(metrics::Dot{.at = point((*ends)[0]),
                                           .radius = 2 * width,
                                           .color = color_of(Kind::path),
                                           .tooltip = row.event + ": " + row.details});

@@ -2,7 +2,6 @@
 //
 // As an overlay of the picture, and as a vector graphic like the path figures of [Lang, ch. 1, 5, 8, 9].
 #pragma once
-#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -28,10 +27,6 @@ float far_length(const scene::CompiledScene& scene);
 
 metrics::Color color_of(PathSegment::Kind kind);
 inline bool is_dashed(PathSegment::Kind kind) { return kind == PathSegment::Kind::occluded; }
-
-// The part of a segment in front of the camera, in pixels of an image of this size; false if there is none.
-bool project_segment(const Camera& camera, Vec2 image_size, const Vec3& from, const Vec3& to,
-                     std::array<Vec2, 2>& projected);
 
 // The segments, with dots at the vertices whose tooltips describe them.
 metrics::Drawing path_drawing(const render::PixelTrace& trace, const Camera& camera, Vec2i image_size);

@@ -59,14 +59,6 @@ json scattering_json(const RecordedScattering& s) {
   return j;
 }
 
-json lobes_json(const RecordedVertex& v) {
-  json list = json::array();
-  if (v.diffuse) list.push_back("diffuse");
-  if (v.glossy) list.push_back("glossy");
-  if (v.specular) list.push_back("specular");
-  return list;
-}
-
 void add_surface(const scene::CompiledScene& scene, const RecordedVertex& v, json& j) {
   const scene::SurfacePoint& p = v.point;
   j["node"] = node_name(scene, p.instance->node);
@@ -77,7 +69,7 @@ void add_surface(const scene::CompiledScene& scene, const RecordedVertex& v, jso
   j["normal"] = vector(p.ng);
   j["shading_normal"] = vector(p.shading.z);
   j["front"] = p.front;
-  j["lobes"] = lobes_json(v);
+  j["lobes"] = lobe_names(v);
   if (p.inside || p.outside)
     j["media"] = {{"inside", medium_name(scene, p.inside)}, {"outside", medium_name(scene, p.outside)}};
 }

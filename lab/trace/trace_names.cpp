@@ -42,6 +42,14 @@ std::string light_name(const scene::CompiledScene& scene, const LightSample& sam
   return instance ? node_name(scene, instance->node) : "light " + std::to_string(sample.light);
 }
 
+std::vector<std::string> lobe_names(const transport::RecordedVertex& vertex) {
+  std::vector<std::string> names;
+  if (vertex.diffuse) names.push_back("diffuse");
+  if (vertex.glossy) names.push_back("glossy");
+  if (vertex.specular) names.push_back("specular");
+  return names;
+}
+
 std::string scattering_name(const LobeSample<Rgb>& sample) {
   const char* type = sample.type == ScatterType::diffuse  ? "diffuse"
                      : sample.type == ScatterType::glossy ? "glossy"

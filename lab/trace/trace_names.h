@@ -1,6 +1,7 @@
 // Names of what the vertices of a traced path lie on, and of the values of a trace.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "render/pixel_trace.h"
 
@@ -13,6 +14,8 @@ std::string material_name(const scene::CompiledScene& scene, const scene::Surfac
 std::string medium_name(const scene::CompiledScene& scene, const scene::Solid* solid);
 std::string light_name(const scene::CompiledScene& scene, const LightSample& sample);
 
+// The types of the lobes at a vertex: "diffuse", "glossy", "specular".
+std::vector<std::string> lobe_names(const transport::RecordedVertex& vertex);
 // "diffuse reflection", "specular transmission"
 std::string scattering_name(const LobeSample<Rgb>& sample);
 // Why a path ends at this BSDF sample; empty if it continues.

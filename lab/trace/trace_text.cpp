@@ -19,20 +19,15 @@ std::string vector(const Vec3& v) { return "(" + number(v.x) + ", " + number(v.y
 std::string color(const Rgb& c) { return number(c.r) + " " + number(c.g) + " " + number(c.b); }
 std::string density(float pdf) { return number(pdf) + "/sr"; }
 
-std::string lobe_names(const RecordedVertex& v) {
-  std::string names;
-  const auto add = [&](bool has, const char* name) {
-    if (has) names += (names.empty() ? "" : ", ") + std::string(name);
-  };
-  add(v.diffuse, "diffuse");
-  add(v.glossy, "glossy");
-  add(v.specular, "specular");
-  return names.empty() ? "no lobes" : names;
+std::string lobes(const RecordedVertex& v) {
+  std::string text;
+  for (const std::string& name : lobe_names(v)) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "no lobes" : text;
 }
 
 std::string surface_details(const scene::CompiledScene& scene, const RecordedVertex& v) {
   const scene::SurfacePoint& p = v.point;
-  std::string text = node_name(scene, p.instance->node) + ", " + material_name(scene, p) + " (" + lobe_names(v) +
+  std::string text = node_name(scene, p.instance->node) + ", " + material_name(scene, p) + " (" + lobes(v) +
                      "), position " + vector(p.position) + ", normal " + vector(p.shading.z) + ", distance " +
                      number(glm::distance(v.origin, p.position)) + " m, throughput " + color(v.throughput);
   if (!p.front) text += ", back side";

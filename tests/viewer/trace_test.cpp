@@ -28,6 +28,7 @@ TEST_F(TracePanel, ShowsTheSampleOfTheClickedPixel) {
   EXPECT_EQ(b["pixel"], a["pixel"]);
   EXPECT_NE(b["raster"], a["raster"]);
   EXPECT_EQ(state("a.json")["bottom_panel"], "panel.trace");
+  EXPECT_GE(c["vertices"].size(), 1u);
   for (const json& vertex : c["vertices"]) EXPECT_LE(vertex["length"], 2);
 }
 

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number_text.h"
+#include "camera/segment_projection.h"
 #include "trace/trace_drawing.h"
 #include "trace/trace_json.h"
-#include "trace/trace_text.h"
 #include "viewer/actions/action.h"
 #include "viewer/files/file_names.h"
 #include "viewer/panels/panel.h"
@@ -114,7 +114,7 @@ class TracePanel final : public Panel {
   }
 
   void report(AppState&, nlohmann::json& json) override {
-    if (const render::PixelTrace* trace = task_.result()) json["trace"] = trace::to_json(*trace);
+    if (const ShownTrace* shown = task_.result()) json["trace"] = trace::to_json(shown->trace);
   }
 
   void update(AppState& state) override {
@@ -131,20 +131,20 @@ class TracePanel final : public Panel {
   }
 
   void draw_overlay(AppState& state, ImDrawList& draw) override {
-    const render::PixelTrace* trace = task_.result();
-    if (!trace || !state.is_visible(*this)) return;
+    const ShownTrace* shown = task_.result();
+    if (!shown || !state.is_visible(*this)) return;
     const Placement& image = state.viewport.image;
-    std::array<Vec2, 2> ends;
-    for (const auto& s : trace::path_segments(trace->record, trace::far_length(*trace->scene))) {
+    for (const trace::PathSegment& s : shown->segments) {
       using Kind = trace::PathSegment::Kind;
       if (!task_.parameters.shadow_rays && (s.kind == Kind::shadow_ray || s.kind == Kind::occluded)) continue;
-      if (!trace::project_segment(state.document().camera, image.size, s.from, s.to, ends)) continue;
-      const Vec2 from = image.corner + ends[0], to = image.corner + ends[1];
+      const auto ends = project_segment(state.document().camera, Vec2i(image.size), s.from, s.to);
+      if (!ends) continue;
+      const Vec2 from = image.corner + (*ends)[0], to = image.corner + (*ends)[1];
       const float width = state.ui.scale * (s.kind == Kind::path ? 2.0f : 1.3f);
       (trace::is_dashed(s.kind) ? draw_dashed_line : draw_line)(draw, from, to, color_of(trace::color_of(s.kind)),
                                                                 width);
     }
-    draw_vertices(state, *trace, draw);
+    draw_vertices(state, shown->trace, draw);
   }
 
  private:
@@ -167,13 +167,13 @@ class TracePanel final : public Panel {
   static void draw_vertices(const AppState& state, const render::PixelTrace& trace, ImDrawList& draw) {
     const Placement& image = state.viewport.image;
     const float radius = 3 * state.ui.scale;
-    std::array<Vec2, 2> ends;
     for (size_t i = 0; i < trace.record.vertices.size(); ++i) {
       const auto& v = trace.record.vertices[i];
       if (v.escaped) continue;
       const Vec3& at = v.point.position;
-      if (!trace::project_segment(state.document().camera, image.size, at, at, ends)) continue;
-      const Vec2 p = image.corner + ends[0];
+      const auto ends = project_segment(state.document().camera, Vec2i(image.size), at, at);
+      if (!ends) continue;
+      const Vec2 p = image.corner + (*ends)[0];
       draw.AddCircleFilled({p.x, p.y}, radius + 1, IM_COL32(0, 0, 0, 200));
       draw.AddCircleFilled({p.x, p.y}, radius, color_of(trace::color_of(trace::PathSegment::Kind::path)));
       const ImVec2 label{p.x + 1.5f * radius, p.y - ImGui::GetFontSize()};
@@ -200,21 +200,22 @@ class TracePanel final : public Panel {
       return warning(ui, "There is nothing to trace: " + reason + ".");
     if (!task_.pixel())
       return note(ui, "Select a pixel with Trace pixel and a click in the image, or with Ctrl+click.");
-    const render::PixelTrace* trace = task_.result();
-    if (!trace) return note(ui, "Tracing the sample.");
-    draw_table(ui, *trace);
+    const ShownTrace* shown = task_.result();
+    if (!shown) return note(ui, "Tracing the sample.");
+    draw_table(ui, *shown);
   }
 
-  static void draw_table(const UiContext& ui, const render::PixelTrace& trace) {
+  static void draw_table(const UiContext& ui, const ShownTrace& shown) {
     const auto flags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersInnerH;
     if (!ImGui::BeginTable("##trace", static_cast<int>(std::size(kColumns)), flags)) return;
     draw_header(ui);
-    for (const trace::TraceRow& row : trace::trace_rows(trace)) draw_row(ui, row);
-    const Rgb& sum = trace.record.radiance;
-    draw_row(ui, {.event = "sum",
-                  .details = sum == trace.radiance ? "equal to the sample of the film" : "not equal to the sample",
-                  .contribution = format_number(double{sum.r}, 4) + " " + format_number(double{sum.g}, 4) + " " +
-                                  format_number(double{sum.b}, 4)});
+    for (const trace::TraceRow& row : shown.rows) draw_row(ui, row);
+    const Rgb& sum = shown.trace.record.radiance;
+    draw_row(ui,
+             {.event = "sum",
+              .details = sum == shown.trace.radiance ? "equal to the sample of the film" : "not equal to the sample",
+              .contribution = format_number(double{sum.r}, 4) + " " + format_number(double{sum.g}, 4) + " " +
+                              format_number(double{sum.b}, 4)});
     ImGui::EndTable();
   }
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
-#include "film/film.h"
+#include "film/film_image.h"
 #include "image/display.h"
 #include "image/image.h"
 #include "render/session.h"
@@ -16,20 +16,14 @@
 namespace etendue::viewer {
 namespace {
 
-using TracePointer = std::shared_ptr<const render::PixelTrace>;
+using ShownPointer = std::shared_ptr<const ShownTrace>;
 
 // The picture as displayed, as a PNG file in memory. Empty if the film has another size.
 std::vector<std::byte> picture_of(const film::Film& film, const render::Document& document) {
   if (film.width() != document.width || film.height() != document.height) return {};
-  std::vector<float> rgb;
-  for (int y = 0; y < film.height(); ++y)
-    for (int x = 0; x < film.width(); ++x) {
-      const Rgb mean = film.mean(x, y);
-      rgb.insert(rgb.end(), {mean.r, mean.g, mean.b});
-    }
   const auto& display = document.display;
-  auto png =
-      image::encode_png(film.width(), film.height(), image::display_pixels(rgb, display.exposure, display.curve));
+  auto png = image::encode_png(film.width(), film.height(),
+                               image::display_pixels(film::radiance_of(film), display.exposure, display.curve));
   return png ? std::move(*png) : std::vector<std::byte>();
 }
 
@@ -80,17 +74,21 @@ void TraceTask::update(const TaskContext& context) {
   const auto scene = context.session.scene();
   if (wanted == requested_ || !scene || context.session.status().version != wanted->version) return;
   requested_ = wanted;
-  const auto work = [document = context.editor.document(), scene, input = *wanted]() -> TracePointer {
+  const auto work = [document = context.editor.document(), scene, input = *wanted]() -> ShownPointer {
     auto trace = render::trace_pixel(document, scene, input.pixel, static_cast<uint32_t>(input.sample));
-    return trace ? std::make_shared<const render::PixelTrace>(std::move(*trace)) : nullptr;
+    if (!trace) return nullptr;
+    ShownTrace shown{.trace = std::move(*trace), .rows = {}, .segments = {}};
+    shown.rows = trace::trace_rows(shown.trace);
+    shown.segments = trace::path_segments(shown.trace.record, trace::far_length(*scene));
+    return std::make_shared<const ShownTrace>(std::move(shown));
   };
   task_.start(work, context.wake);
 }
 
 void TraceTask::save(const TaskContext& context, const std::string& file) {
   if (!result_) return;
-  const auto work = [file, trace = result_, film = context.session.film_copy(), document = context.editor.document()] {
-    return write(file, *trace, film, document);
+  const auto work = [file, shown = result_, &session = context.session, document = context.editor.document()] {
+    return write(file, shown->trace, session.film_copy(), document);
   };
   export_.start(work, context.wake);
 }

@@ -3,13 +3,23 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/parameter.h"
 #include "render/pixel_trace.h"
+#include "trace/trace_drawing.h"
+#include "trace/trace_text.h"
 #include "viewer/tasks/background_task.h"
 #include "viewer/tasks/task.h"
 
 namespace etendue::viewer {
+
+// A trace with the rows of its table and the segments of its paths.
+struct ShownTrace {
+  render::PixelTrace trace;
+  std::vector<trace::TraceRow> rows;
+  std::vector<trace::PathSegment> segments;
+};
 
 class TraceTask final : public Task {
  public:
@@ -34,7 +44,7 @@ class TraceTask final : public Task {
   bool is_current(const TaskContext& context) const;
 
   // Null if there is none yet.
-  const render::PixelTrace* result() const { return result_.get(); }
+  const ShownTrace* result() const { return result_.get(); }
 
   // Writes the paths over the current image as .svg, or the trace as .json, in the background.
   void save(const TaskContext& context, const std::string& file);
@@ -51,8 +61,8 @@ class TraceTask final : public Task {
 
   std::optional<Vec2i> pixel_;
   std::optional<Input> requested_;
-  std::shared_ptr<const render::PixelTrace> result_;
-  BackgroundTask<std::shared_ptr<const render::PixelTrace>> task_;
+  std::shared_ptr<const ShownTrace> result_;
+  BackgroundTask<std::shared_ptr<const ShownTrace>> task_;
   BackgroundTask<Result<std::string>> export_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/segment_projection.h"
 #include "render/session.h"
 #include "scene/compiled_scene.h"
 #include "spectrum/colormap.h"
@@ -18,8 +19,8 @@
 #include "viewer/viewport/picking.h"
 #include "viewer/viewport/reliability_overlay.h"
 #include "viewer/viewport/stored_points.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/scale_bar.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -40,9 +41,10 @@ void draw_selection(const AppState& state, ImDrawList* draw) {
     for (int i = 0; i < 8; ++i)
       for (const int bit : {1, 2, 4}) {
         if (i & bit) continue;
-        const auto from = project(camera, image, corner(i));
-        const auto to = project(camera, image, corner(i | bit));
-        if (from && to) draw->AddLine({from->x, from->y}, {to->x, to->y}, color, width);
+        const auto ends = project_segment(camera, Vec2i(image.size), corner(i), corner(i | bit));
+        if (!ends) continue;
+        const Vec2 from = image.corner + (*ends)[0], to = image.corner + (*ends)[1];
+        draw->AddLine({from.x, from.y}, {to.x, to.y}, color, width);
       }
   };
   draw_edges(IM_COL32(0, 0, 0, 140), 3.5f);

@@ -32,14 +32,4 @@ Bounds bounds_of_node(const scene::CompiledScene& scene, int node) {
   return bounds;
 }
 
-std::optional<Vec2> project(const Camera& camera, const Placement& image, const Vec3& point) {
-  const Vec3 p = Vec3(glm::inverse(camera.to_world) * Vec4(point, 1));
-  const bool perspective = camera.projection == Projection::perspective;
-  if (perspective && p.z > -1e-4f * std::max(1e-3f, glm::length(p))) return std::nullopt;
-  const float half_height = perspective ? std::tan(0.5f * camera.yfov) * -p.z : camera.ymag;
-  const float aspect = image.size.x / image.size.y;
-  const Vec2 normalised(p.x / (half_height * aspect), -p.y / half_height);
-  return image.corner + (normalised * 0.5f + 0.5f) * image.size;
-}
-
 }  // namespace etendue::viewer

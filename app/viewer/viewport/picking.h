@@ -7,9 +7,6 @@
 #include "scene/forward.h"
 #include "viewer/viewport/placement.h"
 
-namespace etendue {
-struct Camera;
-}
 namespace etendue::render {
 struct Document;
 }
@@ -30,8 +27,5 @@ std::optional<PickedSurface> pick(const render::Document& document, const scene:
 
 // The bounds of a node in world space; empty if it shows nothing.
 Bounds bounds_of_node(const scene::CompiledScene& scene, int node);
-
-// The position of a point in the window; nothing if the point is behind the camera.
-std::optional<Vec2> project(const Camera& camera, const Placement& image, const Vec3& point);
 
 }  // namespace etendue::viewer
