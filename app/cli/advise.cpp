@@ -11,14 +11,14 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct AdviseArguments {
   SceneArguments scene;
   advisor::AdviceRequest question;
   int threads = 0;
   bool json = false;
 };
 
-int run(const Arguments& a) {
+int run_advise(const AdviseArguments& a) {
   const auto document = open_document(a.scene);
   if (!document) return fail(document.error());
   print_warnings(*document);
@@ -39,7 +39,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command advise_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<AdviseArguments>();
   return {.name = "advise",
           .summary = "Rank the methods for a scene by the predicted time to a target error",
           .options = {scene_option(a->scene.scene),
@@ -60,7 +60,7 @@ Command advise_command() {
                       set_option(a->scene.settings),
                       paths_option(a->scene.paths),
                       environment_option(a->scene.environment)},
-          .run = [a] { return run(*a); }};
+          .run = [a] { return run_advise(*a); }};
 }
 
 }  // namespace etendue::cli

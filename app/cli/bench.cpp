@@ -17,7 +17,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct BenchArguments {
   SceneArguments scene;
   std::string methods, out, reference;
   double budget = 0, reference_time = 0;
@@ -28,7 +28,7 @@ struct Arguments {
 };
 
 // Effort for computing the reference. The default is that of all methods together.
-bench::ReferenceBudget reference_effort(const Arguments& a, size_t methods) {
+bench::ReferenceBudget reference_effort(const BenchArguments& a, size_t methods) {
   if (a.reference_time > 0 || a.reference_samples > 0) return {a.reference_time, a.reference_samples};
   const double renderings = static_cast<double>(methods) * a.repeats;
   if (a.budget > 0) return {a.budget * renderings, 0};
@@ -78,7 +78,7 @@ struct Job {
   std::optional<bench::Reference> given_reference;
 };
 
-Result<Job> prepare(const Arguments& a) {
+Result<Job> prepare(const BenchArguments& a) {
   if (a.budget <= 0 && a.samples == 0) return usage_error("bench: no budget; give --budget SECONDS or --samples N");
   std::optional<bench::Reference> given;
   if (!a.reference.empty()) {
@@ -104,7 +104,7 @@ Result<Job> prepare(const Arguments& a) {
 }
 
 // A computed reference is written beside the report.
-Result<void> write_results(const Arguments& a, const Job& job, bench::Reference& reference,
+Result<void> write_results(const BenchArguments& a, const Job& job, bench::Reference& reference,
                            const bench::Outcome& outcome) {
   if (!job.given_reference) {
     reference.file = (std::filesystem::path(a.out) / "reference.exr").string();
@@ -114,7 +114,7 @@ Result<void> write_results(const Arguments& a, const Job& job, bench::Reference&
   return bench::write_report(a.out, {job.document, job.plan, reference, outcome, threads});
 }
 
-int run(const Arguments& a) {
+int run_bench(const BenchArguments& a) {
   const auto job = prepare(a);
   if (!job) return fail(job.error());
   print_warnings(job->document);
@@ -140,7 +140,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command bench_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BenchArguments>();
   return {
       .name = "bench",
       .summary = "Compare methods: error over time against a reference",
@@ -185,7 +185,7 @@ Command bench_command() {
            threads_option(a->threads),
            set_option(a->scene.settings),
            environment_option(a->scene.environment)},
-      .run = [a] { return run(*a); }};
+      .run = [a] { return run_bench(*a); }};
 }
 
 }  // namespace etendue::cli

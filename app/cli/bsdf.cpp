@@ -16,7 +16,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct BsdfArguments {
   std::string model, against, scene, material, out, table;
   std::vector<std::string> settings, settings_against;
   std::vector<int> steps{24, 72};  // of a table: polar and azimuthal
@@ -34,7 +34,7 @@ struct Subject {
 };
 
 // A document with one material: the chosen one of a scene, or the default.
-Result<render::Document> document_with_material(const Arguments& a) {
+Result<render::Document> document_with_material(const BsdfArguments& a) {
   render::Document d;
   auto scene = std::make_shared<scene::Scene>();
   scene->materials.emplace_back();
@@ -65,7 +65,8 @@ Result<render::Document> with_setting(const render::Document& d, const std::stri
   return render::with_text(d, "material.0." + name, value);
 }
 
-Result<Subject> make_subject(const Arguments& a, const std::string& model, const std::vector<std::string>& settings) {
+Result<Subject> make_subject(const BsdfArguments& a, const std::string& model,
+                             const std::vector<std::string>& settings) {
   auto d = document_with_material(a);
   if (!d) return d.error();
   if (!model.empty()) d = render::with_text(*d, "material.0.model", model);
@@ -130,7 +131,7 @@ void print(const Subject& s) {
                 100 * q.absorbed);
 }
 
-Result<void> write_drawings(const std::vector<Subject>& subjects, const Arguments& a) {
+Result<void> write_drawings(const std::vector<Subject>& subjects, const BsdfArguments& a) {
   std::error_code error;
   std::filesystem::create_directories(a.out, error);
   if (error) return output_error(a.out + ": the folder cannot be created: " + error.message());
@@ -159,7 +160,7 @@ Result<void> write_drawings(const std::vector<Subject>& subjects, const Argument
 }
 
 // Samples the reflection into a table, as a gonioreflectometer does. The model `tabulated` reads the file.
-Result<void> write_table(const Subject& s, const Arguments& a) {
+Result<void> write_table(const Subject& s, const BsdfArguments& a) {
   const auto f = [&](const Vec3& wo, const Vec3& wi) { return s.lobes.eval(wo, wi, TransportMode::radiance); };
   const bool isotropic = !SurfaceMaterial(s.material, {}).is_anisotropic;
   return BrdfTable::measured(f, a.steps[0], a.steps[1], isotropic).write(a.table);
@@ -186,7 +187,7 @@ void print_all_models() {
   }
 }
 
-int run(const Arguments& a) {
+int run_bsdf(const BsdfArguments& a) {
   if (a.all) {
     print_all_models();
     return 0;
@@ -224,7 +225,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command bsdf_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<BsdfArguments>();
   return {
       .name = "bsdf",
       .summary = "Analyse a reflection model: energy, reciprocity, sampling",
@@ -257,7 +258,7 @@ Command bsdf_command() {
             .count = 2},
            {.names = "--all", .target = &a->all, .doc = "Print all models with default parameters as a Markdown table"},
            json_flag(a->json)},
-      .run = [a] { return run(*a); }};
+      .run = [a] { return run_bsdf(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -14,7 +14,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct CertifyArguments {
   std::string image;
   advisor::CertifyOptions certify;
   int threads = 0;
@@ -57,7 +57,7 @@ void print(const advisor::CertificationResult& f, const advisor::CertifiedImage&
     std::printf("checked with %s, %u spp in %s\n", f.method.c_str(), f.samples, format_duration(f.seconds).c_str());
 }
 
-int run(const Arguments& a) {
+int run_certify(const CertifyArguments& a) {
   const auto claim = advisor::read_certified_image(a.image);
   if (!claim) return fail(claim.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
@@ -79,7 +79,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command certify_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<CertifyArguments>();
   return {.name = "certify",
           .summary = "Check the error that an image states by rendering it again independently",
           .options = {{.names = "image",
@@ -93,7 +93,7 @@ Command certify_command() {
                       seed_option(a->certify.seed),
                       threads_option(a->threads),
                       json_flag(a->json)},
-          .run = [a] { return run(*a); }};
+          .run = [a] { return run_certify(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -3,11 +3,11 @@
 // A subcommand is one .cpp file with a function that describes it:
 //
 //   Command compare_command() {
-//     const auto a = std::make_shared<Arguments>();
+//     const auto a = std::make_shared<CompareArguments>();
 //     return {.name = "compare",
 //             .summary = "Compare an image with a reference",
 //             .options = {{.names = "image", .target = &a->image, .doc = "The image", .required = true}},
-//             .run = [a] { return run(*a); }};
+//             .run = [a] { return run_compare(*a); }};
 //   }
 //
 // The second place is one line in commands.cpp. Only parser.cpp includes the library that parses the command line.

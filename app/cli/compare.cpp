@@ -15,7 +15,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string image, reference, heat_map, heat_map_metric = "absolute";
   bool json = false;
   double max_rmse = INFINITY, pixels_per_degree = metrics::kPixelsPerDegree;
@@ -50,7 +50,7 @@ void print(const std::vector<std::pair<const char*, double>>& rows, bool as_json
   if (as_json) std::printf("%s\n", j.dump(2).c_str());
 }
 
-int run(const Arguments& a) {
+int run_compare(const CompareArguments& a) {
   const auto image = image::read_linear(a.image);
   if (!image) return fail(image.error());
   const auto reference = image::read_linear(a.reference);
@@ -80,7 +80,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command compare_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<CompareArguments>();
   return {.name = "compare",
           .summary = "Compute error metrics of an image against a reference",
           .options = {{.names = "image", .target = &a->image, .doc = "The image", .required = true},
@@ -98,7 +98,7 @@ Command compare_command() {
                       {.names = "--max-rmse",
                        .target = &a->max_rmse,
                        .doc = "Exit with code 1 if the RMSE exceeds this value"}},
-          .run = [a] { return run(*a); }};
+          .run = [a] { return run_compare(*a); }};
 }
 
 }  // namespace etendue::cli

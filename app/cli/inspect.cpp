@@ -83,11 +83,11 @@ void print(const json& j) {
 }  // namespace
 
 Command inspect_command() {
-  struct Arguments {
+  struct InspectArguments {
     std::string scene;
     bool json = false;
   };
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<InspectArguments>();
   return {.name = "inspect",
           .summary = "Describe a scene and the transport model that it needs",
           .options = {scene_option(a->scene), json_flag(a->json)},

@@ -5,10 +5,10 @@
 namespace etendue::cli {
 namespace {
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> interrupt_requested{false};
 
 void on_interrupt(int signal) {
-  interrupted = true;
+  interrupt_requested = true;
   std::signal(signal, SIG_DFL);
 }
 
@@ -17,7 +17,7 @@ void on_interrupt(int signal) {
 const std::atomic<bool>& watch_interrupts() {
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
-  return interrupted;
+  return interrupt_requested;
 }
 
 }  // namespace etendue::cli

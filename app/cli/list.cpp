@@ -169,11 +169,11 @@ void print(const json& list) {
 }  // namespace
 
 Command list_command() {
-  struct Arguments {
+  struct ListArguments {
     std::string kind;
     bool json = false;
   };
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ListArguments>();
   return {.name = "list",
           .summary = "List integrators, samplers and other registries with their parameters",
           .options = {{.names = "kind", .target = &a->kind, .doc = "One of " + registry_names(), .required = true},

@@ -12,7 +12,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct ManualArguments {
   std::string out, source = ".";
   bool images = false;
   int threads = 0;
@@ -25,7 +25,7 @@ Result<void> write_page(const std::filesystem::path& folder, const ManualPage& p
   return write_file(file, page.text.data(), page.text.size());
 }
 
-int run(const Arguments& a) {
+int run_manual(const ManualArguments& a) {
   const auto sources = SourceFiles::open(a.source);
   if (!sources) return fail(sources.error());
   if (a.images)
@@ -38,7 +38,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command manual_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ManualArguments>();
   return {.name = "manual",
           .summary = "Write the reference manual as Markdown",
           .options = {{.names = "folder", .target = &a->out, .doc = "Folder for the pages", .required = true},
@@ -48,7 +48,7 @@ Command manual_command() {
                               "folder"},
                       {.names = "--images", .target = &a->images, .doc = "Also render the images, which takes minutes"},
                       threads_option(a->threads)},
-          .run = [a] { return run(*a); }};
+          .run = [a] { return run_manual(*a); }};
 }
 
 }  // namespace etendue::cli

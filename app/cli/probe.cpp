@@ -13,7 +13,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct ProbeArguments {
   SceneArguments scene;
   std::string efficacy = "equal-energy";
   std::vector<float> at;
@@ -57,7 +57,7 @@ void print(const char* label, const render::MeterReading& r, const char* unit, c
               photometric(r.value, efficacy), photometric_unit);
 }
 
-int run(const Arguments& a) {
+int run_probe(const ProbeArguments& a) {
   const auto efficacy = efficacy_of(a.efficacy);
   if (!efficacy) return fail(efficacy.error());
   const auto document = open_document(a.scene);
@@ -89,7 +89,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command probe_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ProbeArguments>();
   return {.name = "probe",
           .summary = "Measure radiance, irradiance and flux at a point of the image",
           .options = {scene_option(a->scene.scene),
@@ -113,7 +113,7 @@ Command probe_command() {
                               "daylight or maximal"},
                       threads_option(a->threads),
                       json_flag(a->json)},
-          .run = [a] { return run(*a); }};
+          .run = [a] { return run_probe(*a); }};
 }
 
 }  // namespace etendue::cli

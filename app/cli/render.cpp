@@ -33,7 +33,7 @@ constexpr uint32_t kAovSamples = 16;      // per pixel
 // seconds.
 constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
 
-struct Arguments {
+struct RenderArguments {
   SceneArguments scene;
   std::string out, png, integrator, sampler, aovs, json, resume, like;
   uint32_t samples = 0;
@@ -72,7 +72,7 @@ Result<Start> start_like_snapshot(const std::string& file) {
   return Start{.document = std::move(*document)};
 }
 
-Result<Start> find_start(const Arguments& a) {
+Result<Start> find_start(const RenderArguments& a) {
   if (!a.resume.empty()) return start_from_checkpoint(a.resume);
   if (!a.like.empty()) return start_like_snapshot(a.like);
   if (a.scene.scene.empty())
@@ -83,13 +83,13 @@ Result<Start> find_start(const Arguments& a) {
 }
 
 // Whether the arguments change what the samples are. A resumed rendering does not permit this.
-bool changes_samples(const Arguments& a) {
+bool changes_samples(const RenderArguments& a) {
   return !a.scene.size.empty() || !a.integrator.empty() || !a.sampler.empty() || !a.scene.environment.empty() ||
          !a.scene.settings.empty() || !a.scene.paths.empty() || a.max_depth >= 0 || a.seed >= 0 ||
          !a.scene.camera.empty();
 }
 
-Result<void> apply(const Arguments& a, render::Document& d) {
+Result<void> apply(const RenderArguments& a, render::Document& d) {
   const auto set = [&](const std::string& name, const std::string& value) {
     return value.empty() ? Result<void>() : set_parameter(d, name, value);
   };
@@ -149,7 +149,7 @@ std::string certificate_of(render::Session& session, const render::Document& d, 
 // One rendering: runs the session with progress and checkpoints, then writes the results.
 class RenderJob {
  public:
-  RenderJob(const Arguments& a, std::vector<std::string> aovs, Start start)
+  RenderJob(const RenderArguments& a, std::vector<std::string> aovs, Start start)
       : a_(a),
         aovs_(std::move(aovs)),
         document_(std::move(start.document)),
@@ -250,7 +250,7 @@ class RenderJob {
     return {};
   }
 
-  const Arguments& a_;
+  const RenderArguments& a_;
   std::vector<std::string> aovs_;
   render::Document document_;
   double earlier_seconds_;
@@ -261,7 +261,7 @@ class RenderJob {
 };
 
 // Wrong arguments fail before anything is rendered.
-int run(const Arguments& a) {
+int run_render(const RenderArguments& a) {
   if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
   if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
   if (!a.png.empty())
@@ -282,7 +282,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command render_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<RenderArguments>();
   return {
       .name = "render",
       .summary = "Render a scene to an image file",
@@ -326,7 +326,7 @@ Command render_command() {
                    .bounds = kPositive},
                   {.names = "--resume", .target = &a->resume, .doc = "Continue from this checkpoint"},
                   {.names = "--like", .target = &a->like, .doc = "Use all settings of this .exr that etendue wrote"}},
-      .run = [a] { return run(*a); }};
+      .run = [a] { return run_render(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -12,7 +12,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct SaveArguments {
   SceneArguments scene;
   std::string output, variant;
 };
@@ -29,7 +29,7 @@ Result<void> keep_only_variant(scene::Scene& scene, const std::string& name) {
   return usage_error("--variant: there is no variant '" + name + "'; give one of " + list);
 }
 
-Result<void> save(const Arguments& a) {
+Result<void> save(const SaveArguments& a) {
   const auto document = open_document(a.scene);
   if (!document) return document.error();
   scene::Scene scene = render::scene_to_save(*document);
@@ -44,7 +44,7 @@ Result<void> save(const Arguments& a) {
 }  // namespace
 
 Command save_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<SaveArguments>();
   return {.name = "save",
           .summary = "Write a scene as glTF, with changed parameters",
           .options = {scene_option(a->scene.scene),

@@ -12,7 +12,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct StressArguments {
   std::vector<std::string> names;
   std::string out;
   stress::TestOptions test;
@@ -64,7 +64,7 @@ Result<void> write_matrix(const std::filesystem::path& folder, const std::vector
   return {};
 }
 
-int run(const Arguments& a) {
+int run_stress(const StressArguments& a) {
   if (a.list) {
     print_list();
     return 0;
@@ -91,7 +91,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command stress_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<StressArguments>();
   return {.name = "stress",
           .summary = "Run the cases in which methods are known to fail and check the expectations",
           .options = {{.names = "case", .target = &a->names, .doc = "Names of cases; default: all"},
@@ -106,7 +106,7 @@ Command stress_command() {
                        .target = &a->test.size,
                        .doc = "Width and height of the rendered images in pixels (32)",
                        .bounds = between(8, 512)}},
-          .run = [a] { return run(*a); }};
+          .run = [a] { return run_stress(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -18,7 +18,7 @@
 namespace etendue::cli {
 namespace {
 
-struct Arguments {
+struct TraceArguments {
   SceneArguments scene;
   std::string pixel, svg, background;
   uint32_t sample = 0;
@@ -40,7 +40,7 @@ Result<Vec2i> parse_pixel(const std::string& text, const render::Document& docum
 }
 
 // Writes the paths over the background, if there is one.
-Result<void> write_figure(const Arguments& a, const render::PixelTrace& trace, const render::Document& document) {
+Result<void> write_figure(const TraceArguments& a, const render::PixelTrace& trace, const render::Document& document) {
   const Vec2i size(document.width, document.height);
   std::vector<std::byte> png;
   if (!a.background.empty()) {
@@ -60,7 +60,7 @@ Result<void> write_figure(const Arguments& a, const render::PixelTrace& trace, c
   return write_file(a.svg, svg.data(), svg.size());
 }
 
-int run(const Arguments& a) {
+int run_trace(const TraceArguments& a) {
   auto document = open_document(a.scene);
   if (!document) return fail(document.error());
   if (a.seed >= 0) document->seed = static_cast<uint64_t>(a.seed);
@@ -81,7 +81,7 @@ int run(const Arguments& a) {
 }  // namespace
 
 Command trace_command() {
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<TraceArguments>();
   return {
       .name = "trace",
       .summary = "Show one sample of a pixel: vertices, densities, weights and contributions",
@@ -100,7 +100,7 @@ Command trace_command() {
                    .doc = "Image of the same size to draw the paths over",
                    .needs = "--svg"},
                   json_flag(a->json)},
-      .run = [a] { return run(*a); }};
+      .run = [a] { return run_trace(*a); }};
 }
 
 }  // namespace etendue::cli

@@ -9,11 +9,11 @@
 namespace etendue::cli {
 
 Command view_command() {
-  struct Arguments {
+  struct ViewArguments {
     viewer::ViewOptions view;
     std::string size;
   };
-  const auto a = std::make_shared<Arguments>();
+  const auto a = std::make_shared<ViewArguments>();
   return {.name = "view",
           .summary = "Open the viewer; the default without a subcommand",
           .options = {{.names = "scene",

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "render/clock.h"
 #include "render/session.h"
 #include "viewer/actions/all_actions.h"
 #include "viewer/frame_update.h"
@@ -24,16 +25,12 @@
 namespace etendue::viewer {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = render::Clock;
 
 // Dear ImGui needs some frames until the layout has adapted to an event.
 constexpr int kFramesPerEvent = 3;
 // The share of the time that the interface takes is measured over this many seconds.
 constexpr double kShareInterval = 2;
-
-double seconds_between(Clock::time_point a, Clock::time_point b) {
-  return std::chrono::duration<double>(b - a).count();
-}
 
 int report(const Error& error) {
   std::fprintf(stderr, "etendue: %s\n", error.message.c_str());
@@ -112,7 +109,7 @@ class Application {
       last_event_ = now;
     }
     // One more frame is drawn when tooltips appear.
-    const double rest = seconds_between(last_event_, now);
+    const double rest = render::seconds_between(last_event_, now);
     if (state_.ui.pointer_rest < kTooltipDelay && rest >= kTooltipDelay) request_frames(1);
     state_.ui.pointer_rest = rest;
     if (const Vec2i size = platform_.size(); size != size_) {
@@ -126,7 +123,7 @@ class Application {
   // Whether a new image, a result of a task, or the status bar should be drawn now. The interval depends on the time
   // that drawing takes.
   bool new_content_is_due(Clock::time_point now) {
-    const double since_draw = seconds_between(last_draw_, now);
+    const double since_draw = render::seconds_between(last_draw_, now);
     const auto& shown = state_.viewport.frame;
     const auto latest = state_.session->frame();
     const bool is_new = latest && latest != shown;
@@ -142,7 +139,7 @@ class Application {
 
   void draw() {
     const auto start = Clock::now();
-    const auto seconds = static_cast<float>(seconds_between(last_draw_, start));
+    const auto seconds = static_cast<float>(render::seconds_between(last_draw_, start));
     last_draw_ = start;
     update_state(state_, live_image_);
     notices_fade_ = state_.notices.advance(static_cast<double>(seconds));
@@ -153,7 +150,7 @@ class Application {
       state_.timing.first_image_seconds = process_age();
     if (frames_left_ > 0) --frames_left_;
     clear_frame_input();
-    const double took = seconds_between(start, Clock::now());
+    const double took = render::seconds_between(start, Clock::now());
     pacing_.add_redraw(took);
     interface_seconds_ += took;
   }
@@ -183,7 +180,7 @@ class Application {
   }
 
   void update_interface_share(Clock::time_point now) {
-    const double elapsed = seconds_between(share_start_, now);
+    const double elapsed = render::seconds_between(share_start_, now);
     if (elapsed < kShareInterval) return;
     state_.timing.interface_share = interface_seconds_ / elapsed;
     interface_seconds_ = 0;

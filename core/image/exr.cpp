@@ -223,10 +223,10 @@ Imf::FrameBuffer make_source(const LayeredImage& image) {
   return source;
 }
 
-bool recognises(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
+bool is_exr(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
 
 Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
-  if (!recognises(bytes)) return input_error(name + ": this is not an OpenEXR file");
+  if (!is_exr(bytes)) return input_error(name + ": this is not an OpenEXR file");
   try {
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream, 0, false);
@@ -263,7 +263,7 @@ extern const ImageFormat kExrFormat{
     .label = "OpenEXR",
     .extensions = {".exr"},
     .doc = "Read and written: layers of linear values with text attributes.",
-    .recognises = recognises,
+    .recognises = is_exr,
     .decode_layers = decode_bytes,
     .write_layers = write_exr,
 };

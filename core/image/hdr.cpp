@@ -174,9 +174,9 @@ void append_row(Row row, std::string& out) {
   for (size_t c = 0; c < 4; ++c) append_component(row, c, out);
 }
 
-bool recognises(Bytes bytes) { return starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE"); }
+bool is_hdr(Bytes bytes) { return starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE"); }
 
-Result<Image> decode(Bytes bytes, const std::string& name) {
+Result<Image> decode_hdr(Bytes bytes, const std::string& name) {
   Input input(bytes);
   uint64_t width = 0, height = 0;
   if (auto header = read_header(input, name, width, height); !header) return header.error();
@@ -216,8 +216,8 @@ extern const ImageFormat kHdrFormat{
     .label = "Radiance HDR",
     .extensions = {".hdr"},
     .doc = "Read and written: linear RGB with 8-bit mantissas and a shared exponent.",
-    .recognises = recognises,
-    .decode = decode,
+    .recognises = is_hdr,
+    .decode = decode_hdr,
     .write_linear = write_hdr,
 };
 

@@ -22,9 +22,9 @@ bool is_harmless(tjhandle decoder) {
          std::string_view(tjGetErrorStr2(decoder)).find("extraneous bytes") != std::string_view::npos;
 }
 
-bool recognises(Bytes bytes) { return starts_with(bytes, "\xff\xd8\xff"); }
+bool is_jpeg(Bytes bytes) { return starts_with(bytes, "\xff\xd8\xff"); }
 
-Result<Image> decode(Bytes bytes, const std::string& name) {
+Result<Image> decode_jpeg(Bytes bytes, const std::string& name) {
   const Decoder decoder(tjInitDecompress(), tjDestroy);
   const auto failed = [&] { return input_error(name + ": damaged JPEG: " + tjGetErrorStr2(decoder.get())); };
   const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
@@ -56,8 +56,8 @@ extern const ImageFormat kJpegFormat{
     .label = "JPEG",
     .extensions = {".jpg", ".jpeg"},
     .doc = "Read: baseline and progressive, grey and RGB.",
-    .recognises = recognises,
-    .decode = decode,
+    .recognises = is_jpeg,
+    .decode = decode_jpeg,
 };
 
 }  // namespace etendue::image

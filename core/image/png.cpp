@@ -89,9 +89,9 @@ bool read_pixels(Reader& reader, png_bytepp rows) {
   return true;
 }
 
-bool recognises(Bytes bytes) { return starts_with(bytes, "\x89PNG\r\n\x1a\n"); }
+bool is_png(Bytes bytes) { return starts_with(bytes, "\x89PNG\r\n\x1a\n"); }
 
-Result<Image> decode(Bytes bytes, const std::string& name) {
+Result<Image> decode_png(Bytes bytes, const std::string& name) {
   Reader reader(bytes);
   const auto failed = [&] { return input_error(name + ": damaged PNG: " + reader.message); };
   if (!read_header(reader)) return failed();
@@ -248,8 +248,8 @@ extern const ImageFormat kPngFormat{
     .label = "PNG",
     .extensions = {".png"},
     .doc = "Read: 8 and 16 bits, grey, colour and alpha. Written: display-encoded 8-bit RGB with text attributes.",
-    .recognises = recognises,
-    .decode = decode,
+    .recognises = is_png,
+    .decode = decode_png,
     .write_display = write_png,
 };
 

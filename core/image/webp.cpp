@@ -9,11 +9,11 @@
 namespace etendue::image {
 namespace {
 
-bool recognises(Bytes bytes) {
+bool is_webp(Bytes bytes) {
   return starts_with(bytes, "RIFF") && bytes.size() >= 12 && starts_with(bytes.subspan(8), "WEBP");
 }
 
-Result<Image> decode(Bytes bytes, const std::string& name) {
+Result<Image> decode_webp(Bytes bytes, const std::string& name) {
   const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
   WebPBitstreamFeatures features;
   if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK)
@@ -41,8 +41,8 @@ extern const ImageFormat kWebpFormat{
     .label = "WebP",
     .extensions = {".webp"},
     .doc = "Read: still images, lossy and lossless, with alpha.",
-    .recognises = recognises,
-    .decode = decode,
+    .recognises = is_webp,
+    .decode = decode_webp,
 };
 
 }  // namespace etendue::image

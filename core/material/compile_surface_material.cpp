@@ -18,8 +18,6 @@ SurfaceMaterial::Map resolve(const TextureUse& use, const std::vector<Texture>& 
   return map;
 }
 
-float unit(float x) { return std::clamp(x, 0.0f, 1.0f); }
-
 // The normal that a normal map encodes; `scale` multiplies its tangential part.
 Vec3 mapped_normal(const SurfaceMaterial::Map& map, float scale, const TexturePoint& point) {
   if (!map) return Vec3(0, 0, 1);
@@ -27,7 +25,10 @@ Vec3 mapped_normal(const SurfaceMaterial::Map& map, float scale, const TexturePo
   return normalize_or(Vec3((2 * t.x - 1) * scale, (2 * t.y - 1) * scale, 2 * t.z - 1), Vec3(0, 0, 1));
 }
 
-Rgb reflectance(const Vec4& c) { return {unit(c.x), unit(c.y), unit(c.z)}; }
+Rgb reflectance(const Vec4& c) {
+  const Vec4 clamped = glm::clamp(c, 0.0f, 1.0f);
+  return {clamped.x, clamped.y, clamped.z};
+}
 
 }  // namespace
 
@@ -116,7 +117,7 @@ float SurfaceMaterial::opacity_at(const TexturePoint& point) const {
   float alpha = m.alpha * point.color.w;
   if (base_color) alpha *= base_color.at(point, Encoding::srgb).w;
   if (m.alpha_mode == AlphaMode::mask) return alpha >= m.alpha_cutoff ? 1.0f : 0.0f;
-  return unit(alpha);
+  return std::clamp(alpha, 0.0f, 1.0f);
 }
 
 Rgb SurfaceMaterial::emission_at(const TexturePoint& point) const {

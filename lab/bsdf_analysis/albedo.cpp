@@ -8,8 +8,8 @@
 namespace etendue::bsdf_analysis {
 namespace {
 
-constexpr double kAngles[] = {0,  10, 20, 30, 40, 45, 50, 55, 60,   65, 70,  75,
-                              78, 80, 82, 84, 85, 86, 87, 88, 88.5, 89, 89.5};
+constexpr double kTabulatedAngles[] = {0,  10, 20, 30, 40, 45, 50, 55, 60,   65, 70,  75,
+                                       78, 80, 82, 84, 85, 86, 87, 88, 88.5, 89, 89.5};
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Albedo albedo_at(const Lobes& lobes, double degrees, const AlbedoOptions& option
       const Rgb part = s.weight * share;
       Rgb& kind = s.type == ScatterType::diffuse  ? albedo.diffuse
                   : s.type == ScatterType::glossy ? albedo.glossy
-                                                 : albedo.specular;
+                                                  : albedo.specular;
       kind += part;
       albedo.value += part;
       sum += s.weight;
@@ -44,7 +44,7 @@ Albedo albedo_at(const Lobes& lobes, double degrees, const AlbedoOptions& option
 std::vector<Albedo> albedo_curve(const Lobes& lobes, bool inside, const AlbedoOptions& options,
                                  const KeepGoing& keep_going) {
   std::vector<Albedo> curve;
-  for (const double degrees : kAngles) {
+  for (const double degrees : kTabulatedAngles) {
     if (!should_continue(keep_going)) break;
     curve.push_back(albedo_at(lobes, inside ? 180 - degrees : degrees, options));
   }

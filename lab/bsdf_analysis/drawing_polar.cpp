@@ -11,7 +11,7 @@ using metrics::Anchor;
 using metrics::Drawing;
 using metrics::Point;
 
-constexpr double kTextSize = 13, kMargin = 26;
+constexpr double kLabelSize = 13, kMargin = 26;
 
 double scaled_length(double value, LengthScale scale) {
   return scale == LengthScale::root ? std::pow(value, 0.25) : value;
@@ -65,9 +65,9 @@ class Polar {
       add_line({at(a, 0), at(a, 1)}, options_.palette.minor_grid);
       if (std::abs(a) > 90 || a == -90 || a == 90) continue;
       const Point s = at(a, 1.05);
-      drawing_.shapes.emplace_back(metrics::Text{{s.x, s.y + 0.3 * kTextSize},
+      drawing_.shapes.emplace_back(metrics::Text{{s.x, s.y + 0.3 * kLabelSize},
                                                  std::to_string(std::abs(a)) + "\u00b0",
-                                                 kTextSize,
+                                                 kLabelSize,
                                                  options_.palette.secondary_text,
                                                  Anchor::middle});
     }
@@ -75,7 +75,7 @@ class Polar {
     if (largest_ > 0)
       drawing_.shapes.emplace_back(metrics::Text{{options_.width - 6.0, 16},
                                                  "rim " + metrics::short_number(largest_) + " /sr",
-                                                 kTextSize,
+                                                 kLabelSize,
                                                  options_.palette.secondary_text,
                                                  Anchor::right});
   }
@@ -93,7 +93,7 @@ class Polar {
     add_line(points, color, 2);
     if (index < names_.size() && options_.width >= kMinWidthForLegend)
       drawing_.shapes.emplace_back(
-          metrics::Text{{6, 16 + 17.0 * static_cast<double>(index)}, names_[index], kTextSize, color, Anchor::left});
+          metrics::Text{{6, 16 + 17.0 * static_cast<double>(index)}, names_[index], kLabelSize, color, Anchor::left});
   }
 
   void draw_view_direction(double degrees) {

@@ -10,7 +10,7 @@
 namespace etendue::bsdf_analysis {
 namespace {
 
-constexpr double kAngles[] = {0, 15, 30, 45, 60, 70, 75, 80, 85, 88};
+constexpr double kTestedAngles[] = {0, 15, 30, 45, 60, 70, 75, 80, 85, 88};
 
 // True for directions that both samplings find often enough for a comparison; narrow peaks are left out.
 bool is_common(float pdf, const Vec3& wi) { return pdf < 4 * cosine_hemisphere_pdf(std::abs(wi.z)); }
@@ -105,7 +105,7 @@ SamplingQuality sampling_quality_at(const SampledSurface& surface, double degree
 std::vector<SamplingQuality> sampling_curve(const Lobes& lobes, const SamplingOptions& options,
                                             const KeepGoing& keep_going) {
   std::vector<SamplingQuality> curve;
-  for (const double degrees : kAngles) {
+  for (const double degrees : kTestedAngles) {
     if (!should_continue(keep_going)) break;
     curve.push_back(sampling_quality_at(lobes, degrees, options));
   }

@@ -9,20 +9,10 @@ namespace {
 
 constexpr double kDash = 6, kGap = 4;  // pixels; equal to stroke-dasharray below
 
-Point interpolate(const Point& a, const Point& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
-
 std::string number(double v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f", v);
   return text;
-}
-
-bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-bool is_finite(const std::vector<Point>& points) {
-  for (const Point& p : points)
-    if (!is_finite(p)) return false;
-  return !points.empty();
 }
 
 std::string points_attribute(const std::vector<Point>& points) {
@@ -61,6 +51,14 @@ std::string element(const Text& t) {
 }
 
 }  // namespace
+
+Point interpolate(const Point& a, const Point& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
+
+bool is_finite(const Point& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
+
+bool is_finite(const std::vector<Point>& points) {
+  return !points.empty() && std::ranges::all_of(points, [](const Point& p) { return is_finite(p); });
+}
 
 std::string css_color(const Color& color) {
   char text[16];

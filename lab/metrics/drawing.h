@@ -23,6 +23,11 @@ struct Point {
   double x, y;
 };
 
+Point interpolate(const Point& a, const Point& b, double t);
+bool is_finite(const Point& point);
+// Whether there are points, and all are finite.
+bool is_finite(const std::vector<Point>& points);
+
 struct Polyline {
   std::vector<Point> points;
   Color color;

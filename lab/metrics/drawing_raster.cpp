@@ -46,12 +46,6 @@ class Canvas {
   std::vector<double> rgb_;
 };
 
-bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-bool is_finite(const std::vector<Point>& points) {
-  return std::ranges::all_of(points, [](auto& p) { return is_finite(p); });
-}
-
-Point interpolate(const Point& a, const Point& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; }
 double distance(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double distance_to_segment(const Point& p, const Point& a, const Point& b) {

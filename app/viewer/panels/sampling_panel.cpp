@@ -15,14 +15,14 @@
 #include "viewer/tasks/pixel_samples_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/plot.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
-constexpr const char* kPickTool = "sampling.pick";
+constexpr const char* kPickSampledPixel = "sampling.pick";
 constexpr uint32_t kVertices = 4;  // path vertices whose random numbers can be shown
 
 const std::vector<render::Dimension>& sampler_dimensions() {
@@ -260,17 +260,17 @@ class SamplingPanel final : public Panel {
       select_pixel(state, position);
       return true;
     };
-    actions.add({.name = kPickTool,
+    actions.add({.name = kPickSampledPixel,
                  .menu = "View",
                  .label = "Pick pixel",
                  .tooltip = "Shows the samples of the pixel where you click next",
                  .run =
                      [this, use](AppState& state) {
-                       state.toggle_tool({.name = kPickTool, .use = use});
+                       state.toggle_tool({.name = kPickSampledPixel, .use = use});
                        state.panels.open(*this);
                      },
                  .enabled = [](const AppState& state) { return state.has_document(); },
-                 .checked = [](const AppState& state) { return state.is_active_tool(kPickTool); }});
+                 .checked = [](const AppState& state) { return state.is_active_tool(kPickSampledPixel); }});
   }
 
   std::vector<WaitCondition> wait_conditions() override {
@@ -355,7 +355,7 @@ class SamplingPanel final : public Panel {
   }
 
   void draw_controls(AppState& state) {
-    action_button(state, kPickTool);
+    action_button(state, kPickSampledPixel);
     if (const auto& pixel = task_.pixel()) {
       ImGui::SameLine();
       ImGui::PushFont(state.ui.fonts.monospace);

@@ -13,17 +13,15 @@
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/chart_painter.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/surface_checks.h"
 #include "viewer/widgets/thumbnails.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
 using Measurements = std::vector<const SurfaceMeasurement*>;
-
-constexpr float kControlWidth = 20;  // times the font size
 
 metrics::ChartPalette chart_palette(const Theme& theme) {
   metrics::ChartPalette palette;
@@ -70,7 +68,7 @@ class SurfacePanel final : public Panel {
       if (const auto* measurement = state.tasks.surface_analysis->result(side)) measurements.push_back(measurement);
     if (measurements.empty()) return note(state.ui, "Measuring the material.");
     with_controls(
-        state.ui, kControlWidth * ImGui::GetFontSize(), [&] { draw_charts(state, measurements); },
+        state.ui, kControlColumnWidth * ImGui::GetFontSize(), [&] { draw_charts(state, measurements); },
         [&] { draw_controls(state); });
   }
 

@@ -17,16 +17,15 @@
 #include "viewer/tasks/technique_task.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/thumbnails.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
 constexpr float kMaxImageWidth = 96;  // units of the interface
 constexpr float kMinImageWidth = 48;
-constexpr float kControlWidth = 20;  // times the font size
 
 std::string bidirectional_integrators() {
   std::string labels;
@@ -73,7 +72,7 @@ class TechniquesPanel final : public Panel {
       else
         note(state.ui, "Rendering the first images.");
     };
-    with_controls(state.ui, kControlWidth * ImGui::GetFontSize(), draw_content, [&] { draw_controls(state); });
+    with_controls(state.ui, kControlColumnWidth * ImGui::GetFontSize(), draw_content, [&] { draw_controls(state); });
   }
 
   std::vector<ParameterInfo> parameters() const override { return describe_all(TechniqueTask::Parameters{}.all()); }

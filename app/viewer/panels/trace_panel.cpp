@@ -21,8 +21,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr const char* kPickTool = "trace.pick";
-constexpr float kControlWidth = 20;  // times the font size
+constexpr const char* kPickTracedPixel = "trace.pick";
 
 ImU32 color_of(const metrics::Color& c) { return IM_COL32(c.r, c.g, c.b, 255); }
 
@@ -63,9 +62,9 @@ class TracePanel final : public Panel {
   void draw(AppState& state) override {
     const float em = ImGui::GetFontSize();
     const ImVec2 available = ImGui::GetContentRegionAvail();
-    if (available.x >= 3 * kControlWidth * em)
+    if (available.x >= 3 * kControlColumnWidth * em)
       return with_controls(
-          state.ui, kControlWidth * em, [&] { draw_content(state); },
+          state.ui, kControlColumnWidth * em, [&] { draw_content(state); },
           [&] {
             draw_buttons(state);
             parameter_widgets(state, task_.parameters.all());
@@ -85,17 +84,17 @@ class TracePanel final : public Panel {
       select_pixel(state, position);
       return true;
     };
-    actions.add({.name = kPickTool,
+    actions.add({.name = kPickTracedPixel,
                  .menu = "View",
                  .label = "Trace pixel",
                  .tooltip = "Shows the paths of one sample of the pixel where you click next",
                  .run =
                      [this, use](AppState& state) {
-                       state.toggle_tool({.name = kPickTool, .use = use});
+                       state.toggle_tool({.name = kPickTracedPixel, .use = use});
                        state.panels.open(*this);
                      },
                  .enabled = [](const AppState& state) { return state.has_document(); },
-                 .checked = [](const AppState& state) { return state.is_active_tool(kPickTool); }});
+                 .checked = [](const AppState& state) { return state.is_active_tool(kPickTracedPixel); }});
     actions.add({.name = "trace.export",
                  .menu = "View",
                  .label = "Export trace...",
@@ -184,7 +183,7 @@ class TracePanel final : public Panel {
   }
 
   void draw_buttons(AppState& state) {
-    action_button(state, kPickTool);
+    action_button(state, kPickTracedPixel);
     ImGui::SameLine();
     action_button(state, "trace.export");
     if (!task_.pixel()) return;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "render/session.h"
+#include "viewer/script/value_json.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/viewport/comparison.h"
@@ -13,10 +14,6 @@ namespace etendue::viewer {
 namespace {
 
 using nlohmann::json;
-
-json to_json(const Value& value) {
-  return std::visit([](const auto& v) { return json(v); }, value);
-}
 
 // Percentiles of durations in milliseconds; only the count if there are none.
 json percentiles(std::vector<double> values) {

@@ -6,6 +6,7 @@
 #include "viewer/actions/all_actions.h"
 #include "viewer/panels/panel_set.h"
 #include "viewer/panels/registry.h"
+#include "viewer/script/value_json.h"
 #include "viewer/viewer.h"
 #include "viewer/widgets/vector_widgets.h"
 
@@ -13,10 +14,6 @@ namespace etendue::viewer {
 namespace {
 
 using nlohmann::json;
-
-json to_json(const Value& value) {
-  return std::visit([](const auto& v) { return json(v); }, value);
-}
 
 json describe_parameter(const ParameterInfo& p) {
   json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)},           {"unit", p.unit},

@@ -12,7 +12,7 @@ namespace {
 // Seconds after an edit in which the main rendering has the processor to itself.
 constexpr double kDelay = 0.8;
 // Time limit of the measurement after its coarsest classes, seconds.
-constexpr double kSeconds = 0.5;
+constexpr double kDetectionSeconds = 0.5;
 constexpr uint32_t kSamples = 4;
 constexpr size_t kMaxResults = 64;
 
@@ -47,7 +47,7 @@ void MissingPathsTask::update(const TaskContext& context, bool allowed) {
     render::Session session({.threads = 1, .scene = scene});
     advisor::TableOptions options;
     options.samples = kSamples;
-    options.seconds = kSeconds;
+    options.seconds = kDetectionSeconds;
     publish(advisor::measure_missing_paths(session, document, options, progress));
   };
   task_.start(work, context.wake);

@@ -10,7 +10,7 @@ namespace etendue::viewer {
 namespace {
 
 // Time limit of the measurement after its coarsest classes, seconds.
-constexpr double kSeconds = 3;
+constexpr double kMeasurementSeconds = 3;
 
 IntegratorCoverage::Found found_part(const advisor::DeclaredPaths& declared, const advisor::ClassTable& table,
                                      const advisor::ClassRow& row) {
@@ -37,7 +37,7 @@ void PathClassTask::start(const TaskContext& context) {
                         const auto& publish, const bench::Progress& progress) {
     render::Session session({.threads = threads, .scene = scene});
     advisor::TableOptions options;
-    options.seconds = kSeconds;
+    options.seconds = kMeasurementSeconds;
     advisor::class_table(session, document, options, progress, [&](const advisor::ClassTable& table) {
       publish({table, advisor::beyond_all_methods(*session.scene())});
     });

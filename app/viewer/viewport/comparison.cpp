@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "image/image.h"
+#include "render/clock.h"
 #include "viewer/files/file_names.h"
 #include "viewer/widgets/value_text.h"
 
@@ -10,10 +11,6 @@ namespace etendue::viewer {
 namespace {
 
 constexpr double kShiftDelay = 0.2;  // seconds
-
-double seconds_between(Comparison::Clock::time_point start, Comparison::Clock::time_point end) {
-  return std::chrono::duration<double>(end - start).count();
-}
 
 Result<Side> read_side(const std::string& file) {
   const auto image = image::read_linear(file);
@@ -93,7 +90,7 @@ void Comparison::update(float exposure, image::ToneCurve curve) {
   }
   map_is_current_ = map_ && map_->input == input;
   // While the image changes all the time, maps take at most half of the time of one core.
-  const bool too_early = map() && seconds_between(map_time_, Clock::now()) < map_->seconds;
+  const bool too_early = map() && render::seconds_between(map_time_, Clock::now()) < map_->seconds;
   if (map_is_current_ || too_early) return;
   computing_mode_ = mode;
   const auto work = [input, width = left().frame->width, height = left().frame->height] {
@@ -119,7 +116,7 @@ bool Comparison::update_shift(const Input& input, bool typing, Clock::time_point
   } else if (shift_ == Shift::up) {
     shift_ = Shift::held;
     shift_time_ = now;
-  } else if (shift_ == Shift::held && seconds_between(shift_time_, now) >= kShiftDelay) {
+  } else if (shift_ == Shift::held && render::seconds_between(shift_time_, now) >= kShiftDelay) {
     shift_ = Shift::shows_reference;
   }
   return (before == Shift::shows_reference) != (shift_ == Shift::shows_reference);

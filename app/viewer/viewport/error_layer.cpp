@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRadius = 2;  // of the averaging window, pixels
 constexpr double kStops = 5;
-constexpr double kScaleQuantile = 0.99;
+constexpr double kBrightestQuantile = 0.99;
 
 // The squared standard error of each pixel, averaged over the channels.
 std::vector<double> pixel_variances(const film::Film& film) {
@@ -52,7 +52,7 @@ ErrorLayer error_layer(const film::Film& film) {
   layer.pixels.assign(errors.size(), Rgb(0));
   if (errors.empty()) return layer;
   auto sorted = errors;
-  const auto rank = static_cast<std::ptrdiff_t>(kScaleQuantile * static_cast<double>(sorted.size() - 1));
+  const auto rank = static_cast<std::ptrdiff_t>(kBrightestQuantile * static_cast<double>(sorted.size() - 1));
   std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
   layer.high = sorted[static_cast<size_t>(rank)];
   layer.low = layer.high * std::exp2(-kStops);

@@ -26,6 +26,9 @@ bool group(const UiContext& ui, const char* label, const std::string& prefix, bo
 // A line of `width` at the current position, filled to this share.
 void progress_line(float share, float width, float height, const ImVec4& color);
 
+// The usual width of `controls` below, times the font size.
+constexpr float kControlColumnWidth = 20;
+
 // Places `controls` of this width to the right of `content`, or below it in windows of less than three times the width.
 void with_controls(const UiContext& ui, float width, const std::function<void()>& content,
                    const std::function<void()>& controls);

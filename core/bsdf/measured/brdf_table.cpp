@@ -8,7 +8,7 @@
 namespace etendue {
 namespace {
 
-Vec3 direction_at(float theta, float phi) {
+Vec3 spherical_direction(float theta, float phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
@@ -81,7 +81,7 @@ BrdfTable BrdfTable::measured(const std::function<Rgb(const Vec3&, const Vec3&)>
     for (int azimuth_o = 0; azimuth_o < (isotropic ? 1 : azimuths); ++azimuth_o)
       for (int i = 0; i < polar; ++i)
         for (int k = 0; k < azimuths; ++k)
-          table.values_[at++] = f(direction_at(theta(o), phi(azimuth_o)), direction_at(theta(i), phi(k)));
+          table.values_[at++] = f(spherical_direction(theta(o), phi(azimuth_o)), spherical_direction(theta(i), phi(k)));
   return table;
 }
 

@@ -11,9 +11,6 @@ const tinygltf::Accessor& accessor_of(const InputFile& input, int index) {
   return input.model.accessors[static_cast<size_t>(index)];
 }
 
-size_t component_size(int type) {
-  return static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(type)));
-}
 size_t components_of(const tinygltf::Accessor& a) {
   return static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(a.type)));
 }
@@ -162,6 +159,10 @@ std::vector<V> read_vectors(const InputFile& input, int index, AccessorUse use, 
 }
 
 }  // namespace
+
+size_t component_size(int type) {
+  return static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(type)));
+}
 
 size_t count_of(const InputFile& input, int accessor) { return accessor_of(input, accessor).count; }
 

@@ -37,6 +37,9 @@ void check_accessor(InputFile& input, int accessor, AccessorUse use, const std::
 // What is wrong with an accessor independent of its use; empty if nothing is.
 std::string accessor_problem(const InputFile& input, int accessor);
 
+// The bytes of a component of a glTF component type.
+size_t component_size(int type);
+
 size_t count_of(const InputFile& input, int accessor);
 
 // Indices of the elements to read, in this order; null reads all.

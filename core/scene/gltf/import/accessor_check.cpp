@@ -89,10 +89,6 @@ std::string kind_of(const tinygltf::Accessor& a) {
   return name + " of " + (a.normalized ? "normalized " : "") + kComponents[std::countr_zero(component)];
 }
 
-uint64_t component_size(int type) {
-  return static_cast<uint64_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(type)));
-}
-
 // What is wrong if `count` elements of `size` bytes, `stride` bytes apart, do not end inside the view; empty if they
 // do.
 std::string range_problem(const InputFile& input, const std::string& name, int view, uint64_t offset, uint64_t count,
