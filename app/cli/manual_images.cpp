@@ -8,6 +8,7 @@
 #include "image/display.h"
 #include "image/image.h"
 #include "integrator/integrator.h"
+#include "light/environments/builtin_environment.h"
 #include "light/light.h"
 #include "render/document.h"
 #include "render/incompatibility.h"
@@ -38,14 +39,23 @@ class ImageWriter {
 
   Result<void> write(const std::string& kind, const std::string& name, int width, int height,
                      const std::vector<uint8_t>& pixels) const {
-    const std::string file = kind + "-" + name + ".png";
-    std::fprintf(stderr, "%s\n", file.c_str());
-    return image::write_png(folder_ / file, width, height, pixels);
+    const std::filesystem::path file = path_of(kind, name);
+    std::fprintf(stderr, "%s\n", file.filename().c_str());
+    return image::write_png(file, width, height, pixels);
+  }
+
+  bool has(const std::string& kind, const std::string& name) const {
+    std::error_code error;
+    return std::filesystem::exists(path_of(kind, name), error);
   }
 
   int threads() const { return threads_; }
 
  private:
+  std::filesystem::path path_of(const std::string& kind, const std::string& name) const {
+    return folder_ / (kind + "-" + name + ".png");
+  }
+
   std::filesystem::path folder_;
   int threads_;
 };
@@ -129,6 +139,29 @@ Result<void> write_lights(const ImageWriter& out) {
   return {};
 }
 
+// A white and a metal sphere.
+Result<void> write_environments(const ImageWriter& out) {
+  for (const auto& environment : builtin_environments()) {
+    scene::Scene scene;
+    scene.environment = make_environment(environment);
+    Material metal;
+    metal.base_color = Rgb(0.9f);
+    metal.metallic = 1;
+    metal.roughness = 0.15f;
+    Material white = scene::diffuse(Rgb(0.8f));
+    for (const auto& [material, x] : {std::pair{white, -1.15f}, std::pair{metal, 1.15f}}) {
+      Mat4 place(1);
+      place[3] = Vec4(x, 1, 0, 1);
+      scene::add(scene, scene::sphere(1, 64, false), material, place);
+    }
+    render::Document d;
+    d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+    d.camera = look_at({0, 1.6f, 6.2f}, {0, 0.95f, 0}, {0, 1, 0}, 0.5f);
+    if (auto ok = out.render("environment", environment.name, d, 128); !ok) return ok;
+  }
+  return {};
+}
+
 Result<void> write_scenes_and_cameras(const ImageWriter& out) {
   for (const auto& builtin : scene::builtins())
     if (auto ok = out.render("scene", builtin.name, *render::new_document(builtin.name), 64); !ok) return ok;
@@ -147,8 +180,9 @@ bool is_uniform(const std::vector<uint8_t>& pixels) {
   return high - low < 4;
 }
 
-// The first image of a case that shows something.
+// The first image of a case that shows something. Cases take long: an image that exists is kept.
 Result<void> write_stress_case(const ImageWriter& out, const stress::Case& c) {
+  if (out.has("stress", c.name)) return {};
   stress::TestContext test({.seed = 0, .threads = out.threads(), .size = kStressSize});
   c.run(test);
   for (const auto& result : test.take_results()) {
@@ -164,7 +198,8 @@ Result<void> write_manual_images(const std::filesystem::path& folder, int thread
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   const ImageWriter out(folder, threads);
-  for (const auto write : {write_integrators, write_samplers, write_surfaces, write_lights, write_scenes_and_cameras})
+  for (const auto write :
+       {write_integrators, write_samplers, write_surfaces, write_lights, write_environments, write_scenes_and_cameras})
     if (auto ok = write(out); !ok) return ok;
   for (const auto& c : stress::cases())
     if (auto ok = write_stress_case(out, c); !ok) return ok;

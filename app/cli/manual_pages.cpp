@@ -7,6 +7,7 @@
 #include "bsdf/bsdf_model.h"
 #include "command.h"
 #include "integrator/integrator.h"
+#include "light/environments/builtin_environment.h"
 #include "light/light.h"
 #include "render/document.h"
 #include "sampling/sampler.h"
@@ -200,6 +201,15 @@ ManualPage light_page(const SourceFiles& sources, const LightTypeInfo& info) {
               source_line(sources, type.file)};
 }
 
+ManualPage environment_page(const SourceFiles& sources, const BuiltinEnvironment& environment) {
+  const std::string file = std::string(environment.name) + ".h";
+  return {std::string("environments/") + environment.name + ".md",
+          title(environment.label, environment.doc) + image("environment", environment.name, environment.label) +
+              "## Model\n\n" + sources.head_comment(file).markdown + "Select it with " +
+              code(std::string("--env ") + environment.name) + ", or in the *Lights* panel.\n\n" +
+              source_line(sources, file)};
+}
+
 ManualPage camera_page(const SourceFiles& sources, const std::string& name, const std::string& label) {
   const render::Document document = *render::with_text(sample_document(), "camera.projection", name);
   const std::string file = name + ".h";
@@ -282,9 +292,10 @@ struct Chapter {
   const char* folder;
   const char* label;
 };
-constexpr Chapter kChapters[] = {
-    {"integrators", "Integrators"}, {"samplers", "Samplers"},      {"surfaces", "Surfaces"},     {"lights", "Lights"},
-    {"cameras", "Cameras"},         {"scenes", "Built-in scenes"}, {"stress", "Stability cases"}};
+constexpr Chapter kChapters[] = {{"integrators", "Integrators"},   {"samplers", "Samplers"},
+                                 {"surfaces", "Surfaces"},         {"lights", "Lights"},
+                                 {"environments", "Environments"}, {"cameras", "Cameras"},
+                                 {"scenes", "Built-in scenes"},    {"stress", "Stability cases"}};
 
 // The title of a page and the paragraph below it.
 std::string index_line(const ManualPage& page) {
@@ -319,6 +330,7 @@ std::vector<ManualPage> manual_pages(const SourceFiles& sources) {
   pages.push_back(gltf_surface_page(sources));
   for (const auto& info : bsdf_model_infos()) pages.push_back(surface_page(sources, info));
   for (const auto& info : light_type_infos()) pages.push_back(light_page(sources, info));
+  for (const auto& environment : builtin_environments()) pages.push_back(environment_page(sources, environment));
   std::ranges::move(camera_pages(sources), std::back_inserter(pages));
   for (const auto& builtin : scene::builtins()) pages.push_back(scene_page(builtin));
   for (const auto& c : stress::cases()) pages.push_back(stress_page(sources, c));

@@ -22,7 +22,9 @@ CommandOption size_option(std::string& target) {
 }
 
 CommandOption environment_option(std::string& target) {
-  return {.names = "--env", .target = &target, .doc = "Environment map, an .hdr or .exr file"};
+  return {.names = "--env",
+          .target = &target,
+          .doc = "Environment map: an .hdr or .exr file, or studio, overcast, sunset or uniform"};
 }
 
 CommandOption paths_option(std::string& target) {

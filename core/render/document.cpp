@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "integrator/integrator.h"
+#include "light/environments/builtin_environment.h"
 #include "scene/builtin/builtin.h"
 #include "scene/environment_file.h"
 #include "transport/model.h"
@@ -113,8 +114,9 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
   Document document;
   if (!is_lit(s)) {
     document.lit_by_default = true;
-    s.environment.tint = Rgb(1);
-    s.warnings.push_back("the scene has no lights; a neutral environment of radiance 1 was added");
+    document.display.curve = image::ToneCurve::neutral;
+    s.environment = make_environment(builtin_environments().front());
+    s.warnings.push_back("no lights in the file: the studio environment was added");
   }
   document.scene_name = scene_file_or_name;
   document.camera_name = camera;
@@ -127,13 +129,14 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
 }
 
 Result<Document> with_environment(const Document& document, const std::string& file) {
-  auto map = scene::load_environment_map(file);
-  if (!map) return map.error();
+  auto environment = scene::load_environment(file);
+  if (!environment) return environment.error();
+  const Environment& old = document.scene->environment;
+  environment->rotation = old.rotation;
+  environment->visible = old.visible;
   Document changed = document;
   auto scene = std::make_shared<scene::Scene>(*document.scene);
-  const Environment& old = document.scene->environment;
-  scene->environment =
-      Environment{.map = *map, .file = file, .tint = Rgb(1), .rotation = old.rotation, .visible = old.visible};
+  scene->environment = std::move(*environment);
   changed.scene = std::move(scene);
   return changed;
 }

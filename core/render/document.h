@@ -66,7 +66,7 @@ struct Document {
   uint64_t seed = 0;
   Limits limits;
   Display display;
-  bool lit_by_default = false;             // the scene has no light, so new_document added a neutral environment
+  bool lit_by_default = false;             // the scene has no light, so new_document added the studio environment
   std::shared_ptr<const Document> origin;  // the document as it was opened; states record the differences from it
 };
 
@@ -104,7 +104,7 @@ Result<Document> document_from_state(const std::string& json, const std::string&
 // The display settings of a state, without opening its scene. Missing settings have their default values.
 Display display_from_state(const std::string& json);
 
-// The document with an environment map from an .hdr or .exr file.
+// The document with an environment map from an .hdr or .exr file, or with a built-in environment by its name.
 Result<Document> with_environment(const Document& document, const std::string& file);
 
 }  // namespace etendue::render

@@ -103,14 +103,15 @@ class MaterialParameterList {
   }
 
   void add_color(const char* const (&names)[3], const char* label, Rgb Material::*member, float largest,
-                 const char* doc) {
+                 const char* doc, const char* unit = "") {
     const Rgb& color = material_.*member;
     add_triple(list_, section_,
                {.names = {names[0], names[1], names[2]},
                 .label = label,
                 .value = Vec3(color.r, color.g, color.b),
                 .range = {0, largest},
-                .doc = doc},
+                .doc = doc,
+                .unit = unit},
                [index = index_, member](Document& d, int c, float v) {
                  edit_scene(d, [&](scene::Scene& s) { (s.materials[index].*member)[c] = v; });
                });
@@ -185,7 +186,7 @@ void add_layers(MaterialParameterList& parameters) {
 
 void add_emission_and_opacity(MaterialParameterList& parameters, const Material& m) {
   parameters.add_color({"emission.r", "emission.g", "emission.b"}, "Emission", &Material::emission, 1e6f,
-                       "Emitted radiance in W/(m² sr)");
+                       "Emitted radiance in W/(m\u00b2 sr)", "W/(m\u00b2 sr)");
   parameters.add_number("alpha", "Opacity", &Material::alpha, {0, 1}, "Used by the alpha modes Mask and Blend");
   parameters.add(Choice<AlphaMode>{"alpha-mode", "Alpha mode", m.alpha_mode,
                                    "Opaque; Mask: cut out below the cutoff; Blend: partly transparent"},

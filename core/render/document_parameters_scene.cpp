@@ -1,6 +1,8 @@
 // Sections "scene" and "environment".
 #include <algorithm>
+#include <filesystem>
 
+#include "light/environments/uniform.h"
 #include "render/document_parameters.h"
 #include "scene/pose.h"
 #include "scene/variants.h"
@@ -35,6 +37,49 @@ DocumentParameter variant_choice(const scene::Scene& scene) {
   return parameter;
 }
 
+constexpr const char* kNone = "none";
+constexpr const char* kFile = "file";
+
+std::string environment_name(const Environment& e) {
+  if (e.map) return find_builtin_environment(e.file) ? e.file : kFile;
+  return e.black() ? kNone : kUniform.name;
+}
+
+void select_environment(Environment& environment, const std::string& name) {
+  const BuiltinEnvironment* builtin = find_builtin_environment(name);
+  if (!builtin && name != kNone) return;
+  Environment selected = builtin ? make_environment(*builtin) : Environment{};
+  selected.rotation = environment.rotation;
+  selected.visible = environment.visible;
+  environment = std::move(selected);
+}
+
+DocumentParameter environment_choice(const Environment& environment) {
+  DocumentParameter parameter;
+  parameter.section = "environment";
+  ParameterInfo& info = parameter.info;
+  info.name = "environment.preset";
+  info.label = "Environment";
+  info.type = ParameterType::choice;
+  info.options = {kNone};
+  info.option_labels = {"None"};
+  info.doc = "Light from infinity. None: black.";
+  for (const BuiltinEnvironment& e : builtin_environments()) {
+    info.options.emplace_back(e.name);
+    info.option_labels.emplace_back(e.label);
+    info.doc += std::string(" ") + e.label + ": " + e.doc + ".";
+  }
+  info.default_value = environment_name(environment);
+  if (environment_name(environment) == kFile) {
+    info.options.emplace_back(kFile);
+    info.option_labels.push_back(std::filesystem::path(environment.file).filename().string());
+  }
+  parameter.assign = [](Document& d, const Value& v) {
+    edit_scene(d, [&](scene::Scene& s) { select_environment(s.environment, std::get<std::string>(v)); });
+  };
+  return parameter;
+}
+
 }  // namespace
 
 DocumentParameters scene_parameters(const Document& document) {
@@ -56,13 +101,14 @@ DocumentParameters environment_parameters(const Document& document) {
   const auto store = [](auto Environment::*member) {
     return [member](Document& d, auto v) { edit_scene(d, [&](scene::Scene& s) { s.environment.*member = v; }); };
   };
-  DocumentParameters list;
+  DocumentParameters list{environment_choice(e)};
   add_triple(list, section,
              {.names = {"tint.r", "tint.g", "tint.b"},
               .label = "Radiance",
               .value = Vec3(e.tint.r, e.tint.g, e.tint.b),
               .range = {0, 1e6f},
-              .doc = "Constant radiance of the environment, or a factor on its map"},
+              .doc = "Constant radiance of the environment, or a factor on its map",
+              .unit = "W/(m\u00b2 sr)"},
              [](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.environment.tint[c] = v; }); });
   list.push_back(make_parameter(section,
                                 Number<float>{"rotation",

@@ -2,12 +2,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "light/environments/uniform.h"
 #include "render/document.h"
 
 namespace etendue::render {
 namespace {
 
 using nlohmann::json;
+
+constexpr int kVersion = 2;
+// Recorded completely, because images are displayed without opening their scene.
+constexpr const char* kDisplaySection = "display";
 
 json to_json(const Value& value) {
   return std::visit([](const auto& v) { return json(v); }, value);
@@ -30,6 +35,15 @@ Error invalid_state(const std::string& source) {
   return input_error(source + ": the settings it carries are damaged; give an image that etendue wrote");
 }
 
+// In version 1 a scene without lights had a uniform environment, and no tone curve unless the state names one.
+void restore_version_1(Document& document) {
+  if (!document.lit_by_default) return;
+  document.display = Display{};
+  auto scene = std::make_shared<scene::Scene>(*document.scene);
+  scene->environment = make_environment(kUniform);
+  document.scene = std::move(scene);
+}
+
 }  // namespace
 
 std::string state_json(const Document& document, uint32_t samples) {
@@ -39,11 +53,12 @@ std::string state_json(const Document& document, uint32_t samples) {
     const auto original =
         document.origin ? section_parameters(*document.origin, section) : std::vector<DocumentParameter>{};
     for (size_t i = 0; i < current.size(); ++i)
-      if (i >= original.size() || original[i].info.default_value != current[i].info.default_value)
+      if (i >= original.size() || original[i].info.default_value != current[i].info.default_value ||
+          section == kDisplaySection)
         settings[current[i].info.name] = to_json(current[i].info.default_value);
   }
-  json state{{"program", "etendue"},           {"version", 1},       {"scene", document.scene_name},
-             {"camera", document.camera_name}, {"samples", samples}, {"settings", settings}};
+  json state{{"program", "etendue"},           {"version", kVersion}, {"scene", document.scene_name},
+             {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};
   // The environment map of the scene's own file is loaded with the scene.
   const std::string& file = document.scene->environment.file;
   if (!file.empty() && !(document.origin && document.origin->scene->environment.file == file))
@@ -58,6 +73,7 @@ Result<Document> document_from_state(const std::string& text, const std::string&
     return invalid_state(source);
   auto document = new_document(state["scene"].get<std::string>(), text_member(state, "camera"));
   if (!document) return document;
+  if (!state.contains("version") || state["version"] == 1) restore_version_1(*document);
   if (state.contains("environment") && state["environment"].is_string()) {
     document = with_environment(*document, state["environment"].get<std::string>());
     if (!document) return document;

@@ -183,6 +183,11 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.time_left = time_to_limit(document_.limits, state);
   status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + renderer_->memory();
   write_phase(status, *renderer_);
+  // An image without light has no variance, which says nothing about its error.
+  if (!status.incompatibility.empty()) {
+    status.error = {};
+    status.reliability = {};
+  }
   status.finished = finished;
   if (finished) {
     status.phase = "done";

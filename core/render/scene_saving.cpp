@@ -1,5 +1,6 @@
 #include "render/scene_saving.h"
 
+#include "light/environments/builtin_environment.h"
 #include "scene/pose.h"
 
 namespace etendue::render {
@@ -8,10 +9,8 @@ namespace {
 constexpr const char* kViewName = "view";
 
 // Whether it is the environment that new_document adds to unlit scenes.
-bool is_neutral(const Environment& environment) {
-  Environment neutral;
-  neutral.tint = Rgb(1);
-  return environment == neutral;
+bool is_default(const Environment& environment) {
+  return environment == make_environment(builtin_environments().front());
 }
 
 // The node of the camera "view" of an earlier save, or a new one before all other roots.
@@ -39,7 +38,7 @@ void replace_camera(scene::Scene& scene, const scene::Node& node, const Camera& 
 
 scene::Scene scene_to_save(const Document& document) {
   scene::Scene scene = *document.scene;
-  if (document.lit_by_default && is_neutral(scene.environment)) scene.environment = Environment{};
+  if (document.lit_by_default && is_default(scene.environment)) scene.environment = Environment{};
   const int node = scene::node_of_camera(scene, document.camera);
   if (node >= 0) {
     replace_camera(scene, scene.nodes[static_cast<size_t>(node)], document.camera);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "light/environments/builtin_environment.h"
+
 namespace etendue::scene {
 
 Result<std::shared_ptr<const image::Image>> load_environment_map(const std::filesystem::path& file) {
@@ -25,6 +27,13 @@ Result<std::shared_ptr<const image::Image>> load_environment_map(const std::file
       map->floats.push_back(std::isfinite(v) && v > 0 ? v : 0.0f);
     }
   return std::shared_ptr<const image::Image>(std::move(map));
+}
+
+Result<Environment> load_environment(const std::string& file_or_name) {
+  if (const BuiltinEnvironment* builtin = find_builtin_environment(file_or_name)) return make_environment(*builtin);
+  auto map = load_environment_map(file_or_name);
+  if (!map) return map.error();
+  return Environment{.map = *map, .file = file_or_name, .tint = Rgb(1)};
 }
 
 }  // namespace etendue::scene

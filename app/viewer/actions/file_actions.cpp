@@ -90,6 +90,12 @@ void add_open_actions(ActionList& actions) {
                      request_open(state, "Load an environment map (.hdr, .exr)", {".hdr", ".exr"});
                    },
                .enabled = has_document});
+  actions.add({.name = "environment.studio",
+               .menu = "File",
+               .label = "Add studio light",
+               .tooltip = "Lights the scene with the studio environment, in place of its own environment",
+               .run = [](AppState& state) { state.set_parameter("environment.preset", std::string("studio")); },
+               .enabled = has_document});
 }
 
 }  // namespace

@@ -9,21 +9,21 @@
 #include "viewer/state/app_state.h"
 #include "viewer/tasks/exclusive_task.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/status_icon.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
 
 constexpr double kMaxPrediction = 100 * 3600;  // seconds
 
-// "0:48 ± 0:06 left": the larger of the two distances to the ends of the prediction interval.
+// "0:42 to 0:54 left": the prediction interval, or the prediction if the interval is shorter than a second.
 std::string remaining_time(const render::Prediction& prediction) {
   if (prediction.seconds > kMaxPrediction) return "days left";
-  const double uncertainty =
-      std::max(prediction.interval.high - prediction.seconds, prediction.seconds - prediction.interval.low);
-  const std::string range = uncertainty >= 1 ? " \u00b1 " + clock_text(uncertainty) : "";
-  return clock_text(prediction.seconds) + range + " left";
+  const std::string low = clock_text(std::max(prediction.interval.low, 0.0));
+  const std::string high =
+      prediction.interval.high > kMaxPrediction ? std::string("days") : clock_text(prediction.interval.high);
+  return low == high ? clock_text(prediction.seconds) + " left" : low + " to " + high + " left";
 }
 
 // Parts from left to right, as long as there is space.
@@ -51,15 +51,16 @@ class StatusLine {
 
   // An icon that opens the Reliability panel.
   void add_reliability(const render::Reliability& reliability) {
-    const char* label = reliability_label(reliability.verdict);
-    if (!next(ImGui::GetTextLineHeight() + 4 + ImGui::CalcTextSize(label).x)) return;
+    const std::string label = std::string("error estimate ") + reliability_label(reliability.verdict);
+    if (!next(ImGui::GetTextLineHeight() + 4 + ImGui::CalcTextSize(label.c_str()).x)) return;
     ImGui::BeginGroup();
     status_icon(state_.ui, status_of(reliability.verdict));
     ImGui::SameLine(0, 4);
-    ImGui::TextUnformatted(label);
+    ImGui::TextUnformatted(label.c_str());
     ImGui::EndGroup();
     state_.ui.items.add("status.reliability");
-    if (ImGui::IsItemHovered()) tooltip(state_.ui, std::string("Error estimate ") + label + ": " + reliability.reason);
+    if (ImGui::IsItemHovered())
+      tooltip(state_.ui, "Whether the stated RMSE can be trusted, not how small it is: " + reliability.reason);
     const Action* action = state_.actions.find("view.panel.reliability");
     if (ImGui::IsItemClicked() && action) action->run(state_);
   }
@@ -78,6 +79,11 @@ std::string phase_text(const AppState& state, const render::Status& status) {
   return text;
 }
 
+std::string rmse_text(const render::Status& status) {
+  if (!status.incompatibility.empty()) return "RMSE n/a";
+  return status.error.known ? formatted("RMSE %.2g", status.error.rmse) : "RMSE ?";
+}
+
 void draw_parts(AppState& state, StatusLine& line) {
   const render::Status status = state.session->status();
   const uint32_t limit = state.document().limits.samples;
@@ -92,9 +98,9 @@ void draw_parts(AppState& state, StatusLine& line) {
   line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
   line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
   line.add(
-      status.error.known ? formatted("RMSE %.2g", status.error.rmse) : "RMSE ?",
+      rmse_text(status),
       "Root mean square error, estimated from the two half-buffers of the film. Known when all pixels have samples "
-      "in both");
+      "in both; not available (n/a) for images that the integrator cannot render");
   if (status.reliability) line.add_reliability(*status.reliability);
   if (status.rejected.total() > 0)
     line.add(formatted("%llu invalid", static_cast<unsigned long long>(status.rejected.total())),

@@ -33,6 +33,7 @@ namespace etendue::viewer {
 
 class AovLayer;
 class Comparison;
+class DarkImage;
 class Editor;
 class ExclusiveTask;
 class ImageExport;
@@ -69,6 +70,7 @@ struct ViewportState {
   std::string aov_name;  // the AOV that is shown instead of the image; empty for the image
   std::unique_ptr<AovLayer> aov;
   std::unique_ptr<Comparison> comparison;
+  std::unique_ptr<DarkImage> dark_image;
   std::unique_ptr<StoredPoints> stored_points;
 
   bool aov_is_uploaded = false;  // the texture of the live image has an AOV

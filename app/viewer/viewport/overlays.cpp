@@ -12,13 +12,16 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_overlay.h"
+#include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/image_view.h"
 #include "viewer/viewport/picking.h"
 #include "viewer/viewport/reliability_overlay.h"
 #include "viewer/viewport/stored_points.h"
+#include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/scale_bar.h"
 #include "viewer/widgets/value_text.h"
 
@@ -92,6 +95,31 @@ void draw_stored_points(const AppState& state, ImDrawList* draw) {
   draw_label(draw, Vec2(image.corner.x + em * 0.6f, bottom - label_size(text).y), text);
 }
 
+// Says at the lower edge of the image that it is dark, and offers remedies.
+void draw_darkness(AppState& state) {
+  const ViewportState& viewport = state.viewport;
+  const auto scene = state.session->scene();
+  if (!scene || !viewport.frame || viewport.frame->version != state.editor->version() || state.shows_aov()) return;
+  if (viewport.comparison->mode != CompareMode::off || !state.incompatibility().empty()) return;
+  const Darkness darkness = viewport.dark_image->of(state.document(), *scene, viewport.frame);
+  if (darkness == Darkness::none) return;
+  const Placement& region = viewport.region;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - em}, ImGuiCond_Always,
+                          {0.5f, 1});
+  ImGui::Begin("##dark image", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
+  const bool has_surfaces = darkness == Darkness::surfaces_are_black;
+  ImGui::TextUnformatted(has_surfaces ? "Most of the visible surfaces are black." : "The camera sees no surface.");
+  if (has_surfaces) {
+    action_button(state, "environment.studio");
+    ImGui::SameLine();
+  }
+  action_button(state, "view.frame-all");
+  ImGui::End();
+}
+
 // Says in the middle of the image why it stays black.
 void draw_incompatibility(const AppState& state, ImDrawList* draw) {
   const std::string text = state.incompatibility();
@@ -131,7 +159,10 @@ void draw_viewport_overlays(AppState& state) {
   if (viewport.false_color && viewport.aov_name.empty() && !shows_map) draw_false_color_scale(state, draw);
   draw_comparison_overlay(state, draw);
   for (const auto& panel : state.panels.all()) panel->draw_overlay(state, *draw);
-  if (state.interface.visible) draw_incompatibility(state, draw);
+  if (state.interface.visible) {
+    draw_incompatibility(state, draw);
+    draw_darkness(state);
+  }
   if (!viewport.aov_name.empty())
     draw_label(draw, viewport.image.corner + Vec2(ImGui::GetFontSize() * 0.5f), aov_title(state));
   draw->PopClipRect();

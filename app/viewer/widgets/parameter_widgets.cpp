@@ -10,6 +10,7 @@
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/color_widget.h"
 #include "viewer/widgets/parameter_field.h"
 #include "viewer/widgets/vector_widgets.h"
 
@@ -121,56 +122,6 @@ void document_widget(AppState& state, const render::DocumentParameter& parameter
 
 // The name of a parameter without its last two characters, such as ".r".
 std::string stem_of(const std::string& name) { return name.substr(0, name.size() - 2); }
-
-// Three parameters in one widget: a colour button and three numbers.
-void color_widget(AppState& state, std::span<const render::DocumentParameter> rgb) {
-  UiContext& ui = state.ui;
-  const std::string stem = stem_of(rgb[0].info.name);
-  float color[3];
-  for (size_t c = 0; c < 3; ++c) color[c] = static_cast<float>(std::get<double>(rgb[c].info.default_value));
-  ImGui::PushID(stem.c_str());
-  label_column(rgb[0].info.label);
-  ImGui::PushFont(ui.fonts.monospace);
-  ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip;
-  if (rgb[0].info.max > 1) flags |= ImGuiColorEditFlags_HDR;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
-  const bool hovered = ImGui::IsMouseHoveringRect(corner, {corner.x + size.x, corner.y + size.y});
-  const bool reset = hovered && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0);
-  bool edited = false;
-  // ColorEdit3 would open text input on Ctrl+click.
-  if (reset)
-    ImGui::ColorButton("##", {color[0], color[1], color[2], 1}, flags, size);
-  else
-    edited = ImGui::ColorEdit3("##", color, flags);
-  const bool ended = ImGui::IsItemDeactivatedAfterEdit();
-  ImGui::PopFont();
-  ParameterInfo info = rgb[0].info;
-  info.name = stem;
-  describe_item(ui, info);
-  bool scripted = false;
-  for (size_t c = 0; c < 3; ++c) {
-    ui.items.add(rgb[c].info.name);
-    if (const auto value = take_requested_value(ui, rgb[c].info)) {
-      color[c] = static_cast<float>(std::get<double>(*value));
-      scripted = true;
-    }
-    const auto original = reset ? original_value(state, rgb[c].info.name) : std::nullopt;
-    if (original) color[c] = static_cast<float>(std::get<double>(*original));
-  }
-  if (scripted) state.editor->end_gesture();
-  if (edited || scripted || reset) {
-    Value values[3];
-    bool differs = false;
-    for (size_t c = 0; c < 3; ++c) {
-      values[c] = std::clamp(static_cast<double>(color[c]), rgb[c].info.min, rgb[c].info.max);
-      differs = differs || values[c] != rgb[c].info.default_value;
-    }
-    if (differs) state.edit(rgb, values, stem);
-  }
-  if (ended || scripted || reset) state.editor->end_gesture();
-  ImGui::PopID();
-}
 
 // The number of parameters from index i on whose names differ only in the endings, if all endings of a known set are
 // there: 3 for a colour or a vector, 4 for a quaternion, otherwise 0.

@@ -30,9 +30,13 @@ float metres_per_pixel(const AppState& state) {
 
 // A label and three fields, which `draw_field(axis)` draws.
 template <class Field>
-void three_fields(const std::string& label, Field draw_field) {
+void three_fields(const std::string& label, Field draw_field, const std::function<void()>& draw_first = {}) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x * 0.75f;
   label_column(label);
+  if (draw_first) {
+    draw_first();
+    ImGui::SameLine(0, gap);
+  }
   const float width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
   for (int axis = 0; axis < 3; ++axis) {
     if (axis > 0) ImGui::SameLine(0, gap);
@@ -85,18 +89,20 @@ void angle_field(AppState& state, Quaternion parameters, const std::string& gest
 
 }  // namespace
 
-void vector_widget(AppState& state, std::span<const render::DocumentParameter> xyz) {
+void vector_widget(AppState& state, std::span<const render::DocumentParameter> xyz,
+                   const std::function<void()>& draw_first) {
   constexpr float kUnitsPerPixel = 0.005f;
   const ParameterInfo& first = xyz[0].info;
   const bool is_length = first.unit == "m";
   const float speed = is_length ? metres_per_pixel(state) : kUnitsPerPixel;
   ImGui::PushID(first.name.c_str());
-  three_fields(is_length ? first.label + " (m)" : first.label, [&](int axis) {
+  const auto draw_field = [&](int axis) {
     const render::DocumentParameter& parameter = xyz[static_cast<size_t>(axis)];
     ParameterInfo info = parameter.info;
-    info.unit.clear();  // the label has the unit
+    info.unit.clear();  // the label or the tooltip has the unit
     apply_edit(state, parameter, number_field(state.ui, info, speed));
-  });
+  };
+  three_fields(is_length ? first.label + " (m)" : first.label, draw_field, draw_first);
   ImGui::PopID();
 }
 

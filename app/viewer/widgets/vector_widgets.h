@@ -1,5 +1,6 @@
 // Vectors and rotations: three number fields in one line.
 #pragma once
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,8 +15,9 @@ namespace etendue::viewer {
 
 struct AppState;
 
-// The parameters NAME.x, NAME.y and NAME.z.
-void vector_widget(AppState& state, std::span<const render::DocumentParameter> xyz);
+// The parameters NAME.x, NAME.y and NAME.z. `draw_first` draws a square item before the fields.
+void vector_widget(AppState& state, std::span<const render::DocumentParameter> xyz,
+                   const std::function<void()>& draw_first = {});
 
 // The quaternion NAME.x, .y, .z, .w as three angles in degrees. Scripts use them as SECTION.euler.x, .y and .z.
 void rotation_widget(AppState& state, std::span<const render::DocumentParameter> xyzw);

@@ -7,6 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
+#include "light/environments/builtin_environment.h"
+#include "render/scene_saving.h"
+#include "scene/builtin/scene_builder.h"
+#include "scene/builtin/shapes.h"
+#include "scene/gltf/save_gltf.h"
+
 namespace etendue::render {
 namespace {
 
@@ -27,7 +33,7 @@ TEST(NewDocument, AWeakEmitterIsNoLightSource) {
     ASSERT_TRUE(document) << document.error().message;
     EXPECT_FALSE(document->scene->environment.black()) << material;
     ASSERT_FALSE(document->scene->warnings.empty());
-    EXPECT_NE(document->scene->warnings.back().find("neutral environment"), std::string::npos);
+    EXPECT_NE(document->scene->warnings.back().find("studio environment"), std::string::npos);
   }
 }
 
@@ -37,6 +43,77 @@ TEST(NewDocument, AStrongEmitterIsALightSource) {
   ASSERT_TRUE(document) << document.error().message;
   EXPECT_TRUE(document->scene->environment.black());
   EXPECT_TRUE(new_document("cornell")->scene->environment.black());
+}
+
+// A file with a triangle and no light. Removed at the end of the test.
+class UnlitScene : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto saved = scene::save_gltf(
+        [] {
+          scene::Scene s;
+          scene::add(s, scene::quad(1), scene::diffuse(Rgb(0.5f)));
+          return s;
+        }(),
+        file_);
+    ASSERT_TRUE(saved) << saved.error().message;
+    auto document = new_document(file_.string());
+    ASSERT_TRUE(document) << document.error().message;
+    document_ = *document;
+  }
+  void TearDown() override { std::filesystem::remove(file_); }
+
+  std::string preset(const Document& d) const { return std::get<std::string>(*get(d, "environment.preset")); }
+
+  const std::filesystem::path file_ =
+      std::filesystem::temp_directory_path() / ("etendue-unlit-" + std::to_string(::getpid()) + ".glb");
+  Document document_;
+};
+
+TEST_F(UnlitScene, IsLitByTheStudioAndToneMapped) {
+  EXPECT_EQ(preset(document_), "studio");
+  EXPECT_TRUE(document_.lit_by_default);
+  EXPECT_EQ(document_.display.curve, image::ToneCurve::neutral);
+  EXPECT_TRUE(scene_to_save(document_).environment.black());
+}
+
+TEST_F(UnlitScene, EnvironmentsAreSelectedByName) {
+  const auto sunset = with_text(document_, "environment.preset", "sunset");
+  ASSERT_TRUE(sunset);
+  EXPECT_EQ(sunset->scene->environment, make_environment(*find_builtin_environment("sunset")));
+  const auto none = with_text(*sunset, "environment.preset", "none");
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->scene->environment.black());
+  EXPECT_EQ(preset(*none), "none");
+  EXPECT_FALSE(with_text(document_, "environment.preset", "cellar"));
+}
+
+TEST_F(UnlitScene, StateKeepsTheEnvironment) {
+  auto edited = *with_text(document_, "environment.preset", "overcast");
+  edited = *with_text(edited, "environment.tint.r", "0.5");
+  const auto reopened = document_from_state(state_json(edited, 1), "test");
+  ASSERT_TRUE(reopened) << reopened.error().message;
+  EXPECT_EQ(reopened->scene->environment, edited.scene->environment);
+  EXPECT_EQ(display_from_state(state_json(document_, 1)), document_.display);
+}
+
+// Images of version 1 show unlit scenes in uniform light without a tone curve, and do so when they are opened again.
+TEST_F(UnlitScene, StateOfVersion1KeepsTheUniformEnvironment) {
+  const std::string state = R"({"program":"etendue","version":1,"scene":")" + file_.string() +
+                            R"(","camera":"","samples":4,"settings":{"camera.exposure":1.0}})";
+  const auto reopened = document_from_state(state, "test");
+  ASSERT_TRUE(reopened) << reopened.error().message;
+  EXPECT_EQ(preset(*reopened), "uniform");
+  EXPECT_EQ(reopened->display, (Display{.exposure = 1, .curve = image::ToneCurve::none}));
+}
+
+TEST_F(UnlitScene, SavedSceneNamesItsEnvironment) {
+  const auto sunset = *with_text(document_, "environment.preset", "sunset");
+  ASSERT_TRUE(scene::save_gltf(scene_to_save(sunset), file_));
+  const auto reopened = new_document(file_.string());
+  ASSERT_TRUE(reopened) << reopened.error().message;
+  EXPECT_FALSE(reopened->lit_by_default);
+  EXPECT_EQ(preset(*reopened), "sunset");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Exports ETENDUE_transport. Members with default values are omitted.
 #include <algorithm>
 
+#include "light/environments/builtin_environment.h"
 #include "scene/gltf/export/output_file.h"
 #include "scene/gltf/transport_extension.h"
 
@@ -17,7 +18,9 @@ std::string uri_of(const std::filesystem::path& file, const std::filesystem::pat
 Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
   const Environment& e = out.scene.environment;
   Json to = Json::object();
-  if (e.map && !e.file.empty())
+  if (e.map && find_builtin_environment(e.file))
+    to["preset"] = e.file;
+  else if (e.map && !e.file.empty())
     to["file"] = uri_of(e.file, folder);
   else if (e.map)
     out.warnings.emplace_back("the environment map has no file; only its tint was saved");

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <limits>
 
+#include "light/environments/builtin_environment.h"
 #include "scene/coordinate_range.h"
 #include "scene/environment_file.h"
 #include "scene/gltf/import/importers.h"
@@ -60,6 +61,16 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
   environment.tint = reader.color("tint", Rgb(1));
   environment.rotation = reader.number("rotation", 0, kLowest);
   environment.visible = reader.flag("visible", true);
+  if (const std::string preset = reader.text("preset"); !preset.empty()) {
+    if (const BuiltinEnvironment* builtin = find_builtin_environment(preset)) {
+      const Environment made = make_environment(*builtin);
+      environment.map = made.map;
+      environment.file = made.file;
+    } else {
+      reader.warn("preset: there is no environment '" + preset + "'; the tint alone lights the scene");
+    }
+    return environment;
+  }
   const std::string uri = reader.text("file");
   if (uri.empty()) return environment;
   const auto file = file_of_uri(input.folder, uri);
@@ -143,7 +154,7 @@ std::string member_name(std::string_view parameter) {
 }
 
 void import_light_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
-                  std::vector<std::string>& warnings) {
+                            std::vector<std::string>& warnings) {
   const auto* extension = find_extension(extensions, kTransport);
   if (!extension) return;
   TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);

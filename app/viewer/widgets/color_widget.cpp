@@ -1,0 +1,131 @@
+#include "viewer/widgets/color_widget.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "render/document.h"
+#include "spectrum/rgb.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/viewport/srgb.h"
+#include "viewer/widgets/parameter_field.h"
+#include "viewer/widgets/vector_widgets.h"
+
+namespace etendue::viewer {
+namespace {
+
+using ColorParameters = std::span<const render::DocumentParameter>;
+
+// The name without ".r".
+std::string name_of(ColorParameters rgb) { return rgb[0].info.name.substr(0, rgb[0].info.name.size() - 2); }
+
+Rgb value_of(ColorParameters rgb) {
+  Rgb color;
+  for (int c = 0; c < 3; ++c)
+    color[c] = static_cast<float>(std::get<double>(rgb[static_cast<size_t>(c)].info.default_value));
+  return color;
+}
+
+Rgb srgb_from_linear(const Rgb& c) { return {linear_to_srgb(c.r), linear_to_srgb(c.g), linear_to_srgb(c.b)}; }
+
+void set_color(AppState& state, ColorParameters rgb, const Rgb& color) {
+  Value values[3];
+  bool differs = false;
+  for (size_t c = 0; c < 3; ++c) {
+    values[c] = std::clamp(static_cast<double>(color[static_cast<int>(c)]), rgb[c].info.min, rgb[c].info.max);
+    differs = differs || values[c] != rgb[c].info.default_value;
+  }
+  if (differs) state.edit(rgb, values, name_of(rgb));
+}
+
+// The tooltip and the item of the whole colour.
+void describe_color(AppState& state, ColorParameters rgb) {
+  ParameterInfo info = rgb[0].info;
+  info.name = name_of(rgb);
+  describe_item(state.ui, info);
+}
+
+// The colour with the components that a script requests, if it does.
+std::optional<Rgb> requested_color(AppState& state, ColorParameters rgb) {
+  Rgb color = value_of(rgb);
+  bool requested = false;
+  for (size_t c = 0; c < 3; ++c) {
+    state.ui.items.add(rgb[c].info.name);
+    if (const auto value = take_requested_value(state.ui, rgb[c].info)) {
+      color[static_cast<int>(c)] = static_cast<float>(std::get<double>(*value));
+      requested = true;
+    }
+  }
+  return requested ? std::optional(color) : std::nullopt;
+}
+
+// The colour of the opened file.
+Rgb original_color(const AppState& state, ColorParameters rgb) {
+  Rgb color = value_of(rgb);
+  for (size_t c = 0; c < 3; ++c)
+    if (const auto original = original_value(state, rgb[c].info.name))
+      color[static_cast<int>(c)] = static_cast<float>(std::get<double>(*original));
+  return color;
+}
+
+void factor_widget(AppState& state, ColorParameters rgb) {
+  constexpr ImGuiColorEditFlags kFlags =
+      ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip;
+  Rgb shown = srgb_from_linear(value_of(rgb));
+  ImGui::PushID(name_of(rgb).c_str());
+  label_column(rgb[0].info.label);
+  ImGui::PushFont(state.ui.fonts.monospace);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ImGui::CalcItemWidth(), ImGui::GetFrameHeight()};
+  const bool hovered = ImGui::IsMouseHoveringRect(corner, {corner.x + size.x, corner.y + size.y});
+  const bool reset = hovered && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0);
+  bool edited = false;
+  // ColorEdit3 would open text input on Ctrl+click.
+  if (reset)
+    ImGui::ColorButton("##", {shown.r, shown.g, shown.b, 1}, kFlags, size);
+  else
+    edited = ImGui::ColorEdit3("##", &shown.r, kFlags);
+  const bool ended = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::PopFont();
+  describe_color(state, rgb);
+  const std::optional<Rgb> requested = requested_color(state, rgb);
+  if (requested) state.editor->end_gesture();
+  if (reset)
+    set_color(state, rgb, original_color(state, rgb));
+  else if (requested)
+    set_color(state, rgb, *requested);
+  else if (edited)
+    set_color(state, rgb, linear_from_srgb(shown));
+  if (ended || requested || reset) state.editor->end_gesture();
+  ImGui::PopID();
+}
+
+// A swatch of the colour, relative to its largest component if that is above one; a click opens a picker, which keeps
+// this component.
+void radiance_swatch(AppState& state, ColorParameters rgb) {
+  const Rgb color = value_of(rgb);
+  const float scale = std::max(max_component(color), 1.0f);
+  Rgb shown = srgb_from_linear(color / scale);
+  const float size = ImGui::GetFrameHeight();
+  if (ImGui::ColorButton("##swatch", {shown.r, shown.g, shown.b, 1}, ImGuiColorEditFlags_NoTooltip, {size, size}))
+    ImGui::OpenPopup("##picker");
+  describe_color(state, rgb);
+  if (!ImGui::BeginPopup("##picker")) return;
+  if (ImGui::ColorPicker3("##color", &shown.r, ImGuiColorEditFlags_DisplayHex))
+    set_color(state, rgb, linear_from_srgb(shown) * scale);
+  if (ImGui::IsItemDeactivatedAfterEdit()) state.editor->end_gesture();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void color_widget(AppState& state, ColorParameters rgb) {
+  if (rgb[0].info.max <= 1) return factor_widget(state, rgb);
+  if (rgb[0].info.unit.empty()) return vector_widget(state, rgb);
+  vector_widget(state, rgb, [&] { radiance_swatch(state, rgb); });
+}
+
+}  // namespace etendue::viewer
