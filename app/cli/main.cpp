@@ -1,8 +1,10 @@
 // The program etendue. `etendue [SCENE]` opens the viewer; all other work is done by subcommands.
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/similar_name.h"
 #include "parser.h"
 
 namespace etendue::cli {
@@ -15,12 +17,29 @@ bool omits_view(const std::vector<std::string>& arguments) {
   return !first.starts_with("-") && std::ranges::none_of(commands(), [&](const Command& c) { return first == c.name; });
 }
 
+// The subcommand that an unknown first argument resembles, unless there is such a file; empty if there is none.
+std::string similar_command(const std::string& first) {
+  constexpr size_t kMostTypos = 2;
+  std::error_code error;
+  if (std::filesystem::exists(first, error)) return "";
+  std::vector<std::string> names;
+  for (const Command& command : commands()) names.push_back(command.name);
+  const std::string similar = similar_name(first, names);
+  return edit_distance(first, similar) <= std::min(kMostTypos, first.size() / 2) ? similar : "";
+}
+
 }  // namespace
 }  // namespace etendue::cli
 
 int main(int argc, char** argv) {
   using namespace etendue::cli;
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (omits_view(arguments)) arguments.insert(arguments.begin(), "view");
+  if (omits_view(arguments)) {
+    const std::string similar = arguments.empty() ? "" : similar_command(arguments.front());
+    if (!similar.empty())
+      return fail(etendue::usage_error("there is no command '" + arguments.front() + "'; did you mean '" + similar +
+                                       "'? See etendue --help"));
+    arguments.insert(arguments.begin(), "view");
+  }
   return parse_and_run(commands(), std::move(arguments));
 }

@@ -206,7 +206,7 @@ ManualPage environment_page(const SourceFiles& sources, const BuiltinEnvironment
   return {std::string("environments/") + environment.name + ".md",
           title(environment.label, environment.doc) + image("environment", environment.name, environment.label) +
               "## Model\n\n" + sources.head_comment(file).markdown + "Select it with " +
-              code(std::string("--env ") + environment.name) + ", or in the *Lights* panel.\n\n" +
+              code(std::string("--env ") + environment.name) + ", or in the *Light* panel.\n\n" +
               source_line(sources, file)};
 }
 

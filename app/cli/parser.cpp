@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "base/similar_name.h"
+
 namespace etendue::cli {
 namespace {
 
@@ -59,11 +61,29 @@ void add_option(CLI::App& parser, const CommandOption& option) {
       option.target);
 }
 
+// What the arguments that no option takes may have meant: the most similar option of the command.
+std::string unknown_arguments(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* parser : app.get_subcommands()) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : parser->get_options())
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& argument : parser->remaining()) {
+      if (!argument.starts_with("-")) continue;
+      const std::string name = argument.substr(0, argument.find('='));
+      return "there is no option '" + name + "'; the nearest is '" + similar_name(name, names) + "'";
+    }
+    for (const std::string& argument : parser->remaining()) text = "'" + argument + "' belongs to no option";
+  }
+  return text;
+}
+
 }  // namespace
 
 int parse_and_run(const std::vector<Command>& commands, std::vector<std::string> arguments) {
   CLI::App app{"Étendue: a workbench for light transport", "etendue"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("etendue ") + ETENDUE_VERSION, "Print the version");
   app.footer("etendue [SCENE] opens the viewer.");
   int code = 0;
   for (const Command& command : commands) {
@@ -81,6 +101,11 @@ int parse_and_run(const std::vector<Command>& commands, std::vector<std::string>
     return app.exit(request);
   } catch (const CLI::CallForAllHelp& request) {
     return app.exit(request);
+  } catch (const CLI::CallForVersion& request) {
+    return app.exit(request);
+  } catch (const CLI::ExtrasError& error) {
+    const std::string unknown = unknown_arguments(app);
+    return fail(usage_error((unknown.empty() ? error.what() : unknown) + "; see " + help));
   } catch (const CLI::ParseError& error) {
     return fail(usage_error(std::string(error.what()) + "; see " + help));
   }

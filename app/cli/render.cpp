@@ -82,11 +82,36 @@ Result<Start> find_start(const RenderArguments& a) {
   return Start{.document = std::move(*document)};
 }
 
-// Whether the arguments change what the samples are. A resumed rendering does not permit this.
-bool changes_samples(const RenderArguments& a) {
-  return !a.scene.size.empty() || !a.integrator.empty() || !a.sampler.empty() || !a.scene.environment.empty() ||
-         !a.scene.settings.empty() || !a.scene.paths.empty() || a.max_depth >= 0 || a.seed >= 0 ||
-         !a.scene.camera.empty();
+// The first setting in which two documents of one scene differ and that changes what the samples are, as
+// "render.seed is 1, not 2"; empty if there is none.
+std::string sample_difference(const render::Document& a, const render::Document& b) {
+  const auto values_differ = [](const std::string& name, const std::string& x, const std::string& y) {
+    return x == y ? "" : name + " is " + x + ", not " + y;
+  };
+  for (const std::string& section : render::sections(a)) {
+    if (section == "display") continue;
+    const auto of_a = render::section_parameters(a, section), of_b = render::section_parameters(b, section);
+    for (size_t i = 0; i < std::min(of_a.size(), of_b.size()); ++i) {
+      const ParameterInfo& info = of_a[i].info;
+      if (info.name == "camera.exposure") continue;
+      const std::string text =
+          values_differ(info.name, to_string(info.default_value), to_string(of_b[i].info.default_value));
+      if (!text.empty()) return text;
+    }
+  }
+  return values_differ("the environment map", a.scene->environment.file, b.scene->environment.file);
+}
+
+// The arguments of a resumed rendering may repeat the settings of its checkpoint, but not change them.
+Result<void> check_resumed(const RenderArguments& a, const render::Document& checkpoint, render::Document changed) {
+  changed.limits = checkpoint.limits;
+  std::string difference = sample_difference(checkpoint, changed);
+  if (!a.scene.scene.empty() && a.scene.scene != checkpoint.scene_name)
+    difference = "the scene is " + checkpoint.scene_name + ", not " + a.scene.scene;
+  else if (!a.scene.camera.empty() && a.scene.camera != checkpoint.camera_name)
+    difference = "the camera is " + checkpoint.camera_name + ", not " + a.scene.camera;
+  if (difference.empty()) return {};
+  return usage_error("--resume: a checkpoint continues with its own settings: " + difference);
 }
 
 Result<void> apply(const RenderArguments& a, render::Document& d) {
@@ -266,15 +291,14 @@ int run_render(const RenderArguments& a) {
   if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
   if (!a.png.empty())
     if (auto ok = render::check_output_name(a.png); !ok) return fail(ok.error());
-  if (!a.resume.empty() && changes_samples(a))
-    return fail(
-        usage_error("--resume: a checkpoint continues with its own settings; leave out the options that "
-                    "change the image"));
   auto aovs = parse_aovs(a.aovs);
   if (!aovs) return fail(aovs.error());
   auto start = find_start(a);
   if (!start) return fail(start.error());
+  const render::Document resumed = start->document;
   if (auto ok = apply(a, start->document); !ok) return fail(ok.error());
+  if (!a.resume.empty())
+    if (auto ok = check_resumed(a, resumed, start->document); !ok) return fail(ok.error());
   print_warnings(start->document);
   return RenderJob(a, std::move(*aovs), std::move(*start)).run();
 }
@@ -324,7 +348,9 @@ Command render_command() {
                    .target = &a->checkpoint_interval,
                    .doc = "Time between checkpoints in seconds; they are written to OUT.checkpoint",
                    .bounds = kPositive},
-                  {.names = "--resume", .target = &a->resume, .doc = "Continue from this checkpoint"},
+                  {.names = "--resume",
+                   .target = &a->resume,
+                   .doc = "Continue from this checkpoint; other options may repeat its settings"},
                   {.names = "--like", .target = &a->like, .doc = "Use all settings of this .exr that etendue wrote"}},
       .run = [a] { return run_render(*a); }};
 }

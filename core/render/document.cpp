@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/similar_name.h"
 #include "integrator/integrator.h"
 #include "light/environments/builtin_environment.h"
 #include "scene/builtin/builtin.h"
@@ -11,31 +12,12 @@
 namespace etendue::render {
 namespace {
 
-// The Levenshtein distance of two words.
-size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<size_t> row(b.size() + 1);
-  for (size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (size_t i = 1; i <= a.size(); ++i) {
-    size_t diagonal = std::exchange(row[0], i);
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t substitution = diagonal + (a[i - 1] != b[j - 1] ? 1 : 0);
-      diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, substitution}));
-    }
-  }
-  return row.back();
-}
-
 // The known parameter name that is most similar to `name`.
 std::string nearest_name(const Document& document, std::string_view name) {
-  std::string nearest;
-  size_t least = SIZE_MAX;
+  std::vector<std::string> names;
   for (const auto& section : sections(document))
-    for (const auto& parameter : section_parameters(document, section))
-      if (const size_t d = edit_distance(name, parameter.info.name); d < least) {
-        least = d;
-        nearest = parameter.info.name;
-      }
-  return nearest;
+    for (const auto& parameter : section_parameters(document, section)) names.push_back(parameter.info.name);
+  return similar_name(name, names);
 }
 
 // "material.3.roughness" -> "material.3", "film.width" -> "film"; empty for an unqualified name.

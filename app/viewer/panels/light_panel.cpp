@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "light/area_light.h"
+#include "light/environments/builtin_environment.h"
 #include "light/light_presets.h"
 #include "render/document.h"
 #include "viewer/actions/action.h"
@@ -15,8 +16,8 @@
 #include "viewer/tools/light_meter_tool.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -174,7 +175,8 @@ class LightPanel final : public Panel {
   void draw_lights(AppState& state, const scene::Scene& scene) {
     const bool has_emissive = std::ranges::any_of(scene.materials, [](const Material& m) { return m.is_emissive(); });
     if (scene.lights.empty() && !has_emissive)
-      note(state.ui, "The scene has no light sources. It is lit by the environment only.");
+      note(state.ui, scene.environment.black() ? "The scene has no light sources."
+                                               : "The scene has no light sources. It is lit by the environment only.");
     if (scene.lights.empty() && has_emissive && scene.environment.black())
       note(state.ui,
            "Lit by emissive surfaces only. If the image is too dark, load an environment map or raise the radiance of "
@@ -192,10 +194,7 @@ class LightPanel final : public Panel {
   }
 
   static void draw_environment(AppState& state, const Environment& environment) {
-    if (environment.map)
-      note(state.ui, environment.file);
-    else
-      note(state.ui, environment.black() ? "No environment" : "Uniform environment");
+    if (environment.map && !find_builtin_environment(environment.file)) note(state.ui, environment.file);
     section_widgets(state, "environment");
     action_button(state, "environment.load");
   }

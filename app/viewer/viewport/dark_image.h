@@ -20,6 +20,8 @@ Darkness find_darkness(const render::Document& document, const scene::CompiledSc
 // The darkness of the image on screen; computed once per frame.
 class DarkImage {
  public:
+  // Of the last frame.
+  Darkness darkness() const { return darkness_; }
   Darkness of(const render::Document& document, const scene::CompiledScene& scene,
               const std::shared_ptr<const render::Frame>& frame);
 

@@ -168,9 +168,10 @@ TEST_F(Cli, UsageErrorsReturnTwo) {
   expect_error("render cornell -o a.exr --paths 'E(DL'", 2, "column 2");
   expect_error("render cornell -o a.exr --paths DL", 2, "begins with E");
   expect_error("render cornell -o a.exr --set film.paths=EVL", 2, "not available yet");
-  expect_error("render --resume a.checkpoint -o a.exr --paths EDL", 2, "its own settings");
   expect_error("list furniture", 2, "integrators");
   expect_error("render cornell --frobnicate", 2, "etendue render --help");
+  expect_error("render cornell --ssp 4", 2, "the nearest is '--spp'");
+  expect_error("rendr cornell", 2, "did you mean 'render'?");
 }
 
 TEST_F(Cli, UnusableInputReturnsThree) {
@@ -226,6 +227,30 @@ TEST_F(Cli, AKilledRenderingResumesToTheSameImage) {
   }
   EXPECT_EQ(nlohmann::json::parse(run("compare cut.exr whole.exr --json").out)["mse"], 0);
   EXPECT_FALSE(fs::exists(folder_ / "cut.exr.checkpoint"));
+}
+
+TEST_F(Cli, VersionIsPrinted) {
+  const Outcome version = run("--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out.find("etendue "), 0u);
+}
+
+// The same command with --resume continues; other settings are refused.
+TEST_F(Cli, ResumeAcceptsTheSettingsOfTheCheckpoint) {
+  const std::string command =
+      "render cornell --size 32x32 --integrator bdpt --seed 3 --env sunset --set path.max-depth=7 ";
+  run(command + "--spp 1000000 --checkpoint 0.1 -o cut.exr & sleep 1; kill -9 $!; wait $!");
+  ASSERT_TRUE(fs::exists(folder_ / "cut.exr.checkpoint"));
+  expect_error("render --resume cut.exr.checkpoint --seed 4 -o cut.exr", 2, "render.seed is 3, not 4");
+  expect_error("render --resume cut.exr.checkpoint --integrator path -o cut.exr", 2,
+               "render.integrator is bdpt, not path");
+  expect_error("render glossy-plates --resume cut.exr.checkpoint -o cut.exr", 2, "the scene is cornell");
+  expect_error("render --resume cut.exr.checkpoint --env studio -o cut.exr", 2,
+               "environment.preset is sunset, not studio");
+  ASSERT_TRUE(fs::exists(folder_ / "cut.exr.checkpoint"));
+  const Outcome resumed = run(command + "--resume cut.exr.checkpoint --spp 1 -o cut.exr");
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_TRUE(fs::exists(folder_ / "cut.exr"));
 }
 
 TEST_F(Cli, StressListsRunsAndWritesCases) {
