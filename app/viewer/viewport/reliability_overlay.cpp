@@ -11,13 +11,13 @@
 namespace etendue::viewer {
 namespace {
 
-// Orange, which is visible on most images. The opacity grows with the tail index from 0.5 to 1.
+// Orange, which is visible on most images, for unreliable tiles. The opacity grows with the tail index from 0.5 to 1.
 ImU32 tile_color(const render::TileReliability& tile) {
   constexpr double kLow = 0.5;
   constexpr double kHigh = 1;
   const double tail_index = tile.tail.khat.value_or(0);
   const double severity = std::clamp((tail_index - kLow) / (kHigh - kLow), 0.0, 1.0);
-  const double opacity = tile.heavy ? 0.35 + 0.35 * severity : 0.25 * severity;
+  const double opacity = tile.heavy ? 0.35 + 0.35 * severity : 0;
   return IM_COL32(230, 159, 0, static_cast<int>(255 * opacity));
 }
 
