@@ -1,6 +1,7 @@
 #include "viewer/frame_update.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/session.h"
 #include "viewer/files/file_names.h"
@@ -41,13 +42,17 @@ void use_environment(AppState& state, const OpenedFile& opened) {
   state.notices.add_message("Environment map: " + base_name(opened.file));
 }
 
+// Gives the image the size at which the viewport shows it, with the aspect ratio of the camera if that has one.
+void fit_image(render::Document& document, Vec2 region) {
+  const float aspect = document.camera.aspect;
+  if (aspect > 0) region = {std::min(region.x, region.y * aspect), std::min(region.y, region.x / aspect)};
+  document.width = std::max(kMinImageSize, static_cast<int>(std::lround(region.x)));
+  document.height = std::max(kMinImageSize, static_cast<int>(std::lround(region.y)));
+}
+
 void open_document(AppState& state, OpenedFile opened) {
   render::Document& document = opened.document;
-  // A scene whose camera has no aspect ratio gets an image of the size of the viewport.
-  if (opened.kind == OpenedFile::Kind::scene && document.camera.aspect <= 0) {
-    document.width = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.x));
-    document.height = std::max(kMinImageSize, static_cast<int>(state.viewport.region.size.y));
-  }
+  if (opened.kind == OpenedFile::Kind::scene) fit_image(document, state.viewport.region.size);
   state.selection = {};
   state.previous_integrator.clear();
   for (Task* task : all_tasks(state)) task->reset(state.task_context);
@@ -59,6 +64,8 @@ void open_document(AppState& state, OpenedFile opened) {
 }
 
 void take_opened_file(AppState& state) {
+  // The size of the viewport is known after the first frame.
+  if (state.viewport.region.size.x < 1) return;
   auto opened = state.files.loader->take_result();
   if (!opened) return;
   if (!*opened) return state.notices.add_error(opened->error().message);
