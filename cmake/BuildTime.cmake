@@ -4,8 +4,8 @@
 # Most of the time to compile an ordinary source file is spent on headers. Standard headers are precompiled once, together
 # with glm; headers of the project are not, so that editing one recompiles only the files that include it. The source
 # files of a module are compiled in groups, so that their headers are read once per group: a first build takes half the
-# time, and recompiling one file takes as long as its group. Who edits more than builds turns the groups off. The preset
-# `separate` turns off both; it checks that every file includes what it uses.
+# time, and recompiling one file takes as long as its group. Turn the groups off if you edit more than you build. The
+# preset `separate` turns off both means, and so checks that every file includes what it uses.
 option(ETENDUE_PRECOMPILE "Precompile standard headers" ON)
 option(ETENDUE_UNITY "Compile the source files of a module in groups" ON)
 

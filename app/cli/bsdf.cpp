@@ -98,7 +98,7 @@ json albedo_json(const std::vector<bsdf_analysis::Albedo>& curve) {
 
 json subject_json(const Subject& s) {
   json parameters = json::object(), checks = json::object(), sampling = json::array();
-  for (const auto& p : s.parameters) parameters[p.name] = value_json(p.default_value);
+  for (const auto& p : s.parameters) parameters[p.name] = to_json_value<json>(p.default_value);
   for (const auto& check : s.analysis.checks) checks[check.name] = {{"holds", check.holds}, {"reason", check.reason}};
   for (const auto& q : s.analysis.sampling)
     sampling.push_back({{"degrees", q.degrees},

@@ -17,8 +17,4 @@ inline json number_json(const std::optional<double>& value) { return value ? num
 
 inline json color_json(const Rgb& color) { return {color.r, color.g, color.b}; }
 
-inline json value_json(const Value& value) {
-  return std::visit([](const auto& v) { return json(v); }, value);
-}
-
 }  // namespace etendue::cli

@@ -24,7 +24,7 @@ json parameter_json(const ParameterInfo& p) {
          {"unit", p.unit},
          {"min", is_number ? json(p.min) : json()},
          {"max", is_number ? json(p.max) : json()},
-         {"default", value_json(p.default_value)},
+         {"default", to_json_value<json>(p.default_value)},
          {"doc", p.doc}};
   if (p.type == ParameterType::choice) j["options"] = p.options;
   return j;
@@ -63,7 +63,7 @@ json presets_json(const std::vector<ModelPreset>& presets) {
   json list = json::array();
   for (const auto& p : presets) {
     json values = json::object();
-    for (const auto& [name, value] : p.values) values[name] = value_json(value);
+    for (const auto& [name, value] : p.values) values[name] = to_json_value<json>(value);
     list.push_back({{"name", p.name}, {"label", p.label}, {"source", p.source}, {"values", values}});
   }
   return list;

@@ -99,6 +99,14 @@ void take_loaded_image(AppState& state) {
     state.notices.add_error(loaded->error().message);
 }
 
+// None while the frame shows an earlier document.
+Darkness darkness_of_frame(const AppState& state) {
+  const auto scene = state.session->scene();
+  const auto& frame = state.viewport.frame;
+  if (!scene || frame->version != state.editor->version()) return Darkness::none;
+  return find_darkness(state.document(), *scene, *frame);
+}
+
 // Uploads the newest frame, or the AOV if one is shown.
 void update_image(AppState& state, ImageView& live_image) {
   ViewportState& viewport = state.viewport;
@@ -114,6 +122,7 @@ void update_image(AppState& state, ImageView& live_image) {
     // After an edit that does not change the light, frames share their pixels.
     const bool is_uploaded = viewport.frame && viewport.frame->pixels == latest->pixels && !switched;
     viewport.frame = latest;
+    viewport.darkness = darkness_of_frame(state);
     if (!shows_aov && !is_uploaded) live_image.upload(latest->width, latest->height, *latest->pixels);
   }
   viewport.aov_is_uploaded = shows_aov;

@@ -52,6 +52,12 @@ namespace etendue {
 // The value of any parameter. The value of a choice is the name of the option.
 using Value = std::variant<bool, int64_t, double, std::string>;
 
+// The value as JSON of any library whose values can be made from bool, int64_t, double and std::string.
+template <class Json>
+Json to_json_value(const Value& value) {
+  return std::visit([](const auto& v) { return Json(v); }, value);
+}
+
 // A value for the parameter of this name.
 struct Setting {
   std::string name;

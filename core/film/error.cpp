@@ -37,14 +37,16 @@ void RowSum::add(double squared_error) {
 ErrorEstimate error_of(std::span<const RowError> rows, double values) {
   RowError::Sum absolute;
   double relative = 0;
+  bool has_light = false;
   for (const RowError& row : rows) {
     if (!row.known) return {};
     absolute.squares += row.absolute.squares;
     absolute.variance += row.absolute.variance;
     absolute.fourth += row.absolute.fourth;
     relative += row.relative;
+    has_light = has_light || row.has_light;
   }
-  if (!(values > 0)) return {};
+  if (!(values > 0) || !has_light) return {};
   const Estimate mse = estimate(absolute, values);
   // The square of a normal variable of variance v has the variance 2 v^2 and the second moment 3 v^2. The relative
   // deviation of a root is half that of its square.

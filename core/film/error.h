@@ -28,7 +28,8 @@ struct ErrorEstimate {
   // The standard deviation of the RMSE over images made in the same way with other random numbers, divided by the RMSE.
   // About 1/2 if few pixels dominate the error.
   double rmse_variation = 0;
-  bool known = false;  // false until every pixel has a sample in both half-buffers
+  // False until every pixel has a sample in both half-buffers, and for a black image, whose lack of noise says nothing.
+  bool known = false;
 };
 
 // Sums over one row of pixels. Rows can be computed in parallel and are added in order.
@@ -41,6 +42,7 @@ struct RowError {
   Sum absolute;
   double relative = 0;  // squared errors divided by the squared pixel values
   bool known = true;
+  bool has_light = false;  // a pixel is not black
 };
 
 // `values` is the number of pixels times the number of channels.

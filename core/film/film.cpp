@@ -53,11 +53,12 @@ RowError Film::error_of_row(int y) const {
   RowSum absolute(row.absolute);
   for (int x = 0; x < width_; ++x) {
     const Pixel& p = at(x, y);
-    if (p.count[0] == 0 || p.count[1] == 0) return {{}, 0, false};
+    if (p.count[0] == 0 || p.count[1] == 0) return {.absolute = {}, .known = false};
     const Rgb v = variance_of_mean(x, y), m = mean(x, y);
     double squares = 0;
     for (int c = 0; c < 3; ++c) squares += v[c], row.relative += v[c] / (sqr(double{m[c]}) + 0.01);
     absolute.add(squares);
+    row.has_light = row.has_light || !is_black(m);
   }
   return row;
 }

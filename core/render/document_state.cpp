@@ -14,10 +14,6 @@ constexpr int kVersion = 2;
 // Recorded completely, because images are displayed without opening their scene.
 constexpr const char* kDisplaySection = "display";
 
-json to_json(const Value& value) {
-  return std::visit([](const auto& v) { return json(v); }, value);
-}
-
 std::optional<Value> from_json(const json& j) {
   if (j.is_boolean()) return Value(j.get<bool>());
   if (j.is_number_integer()) return Value(j.get<int64_t>());
@@ -55,7 +51,7 @@ std::string state_json(const Document& document, uint32_t samples) {
     for (size_t i = 0; i < current.size(); ++i)
       if (i >= original.size() || original[i].info.default_value != current[i].info.default_value ||
           section == kDisplaySection)
-        settings[current[i].info.name] = to_json(current[i].info.default_value);
+        settings[current[i].info.name] = to_json_value<json>(current[i].info.default_value);
   }
   json state{{"program", "etendue"},           {"version", kVersion}, {"scene", document.scene_name},
              {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};

@@ -178,16 +178,11 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.error = error_monitor_.error();
   status.rejected = film_.film().invalid_samples();
   status.statistics = renderer_->statistics();
-  status.reliability = error_monitor_.reliability();
+  status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;
   status.progress = progress_to_limit(document_.limits, state);
   status.time_left = time_to_limit(document_.limits, state);
   status.memory = scene_->memory() + embree_memory() + SessionFilm::memory(document_) + renderer_->memory();
   write_phase(status, *renderer_);
-  // An image without light has no variance, which says nothing about its error.
-  if (!status.incompatibility.empty()) {
-    status.error = {};
-    status.reliability = {};
-  }
   status.finished = finished;
   if (finished) {
     status.phase = "done";

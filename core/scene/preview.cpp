@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "light/environments/studio.h"
 #include "scene/builtin/scene_builder.h"
 #include "scene/builtin/shapes.h"
 
@@ -34,40 +35,11 @@ std::shared_ptr<const Mesh> sphere_with_tangents() {
   return mesh;
 }
 
-// A rectangular light in the environment map with soft edges; 1 inside, 0 outside.
-float soft_box(float u, float v, float u0, float v0, float width, float height) {
-  const auto inside = [](float x, float half) { return std::clamp((half - std::abs(x)) / (0.15f * half), 0.0f, 1.0f); };
-  const float du = u - u0 - std::floor(u - u0 + 0.5f);
-  return inside(du, 0.5f * width) * inside(v - v0, 0.5f * height);
-}
-
-// A grey environment with a large soft box on the left, a narrow one on the right and one behind.
-std::shared_ptr<const image::Image> studio() {
-  constexpr int kWidth = 256, kHeight = 128;
-  auto map = std::make_shared<image::Image>();
-  map->width = kWidth;
-  map->height = kHeight;
-  map->channels = 3;
-  map->type = image::PixelType::float32;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const float u = (static_cast<float>(x) + 0.5f) / kWidth, v = (static_cast<float>(y) + 0.5f) / kHeight;
-      const float wall = v < 0.5f ? 0.28f + 0.1f * (0.5f - v) : 0.16f - 0.12f * (v - 0.5f);
-      const Rgb light = Rgb(wall) + Rgb(6.5f, 6.2f, 5.8f) * soft_box(u, v, 0.62f, 0.32f, 0.12f, 0.26f) +
-                        Rgb(4, 4.4f, 5) * soft_box(u, v, 0.88f, 0.38f, 0.035f, 0.34f) +
-                        Rgb(3) * soft_box(u, v, 0.2f, 0.25f, 0.2f, 0.12f);
-      map->floats.insert(map->floats.end(), {light.r, light.g, light.b});
-    }
-  return map;
-}
-
 Environment environment_of(const Scene& from, PreviewLight light) {
-  static const auto kStudio = studio();
   Environment environment;
   switch (light) {
     case PreviewLight::studio:
-      environment.map = kStudio;
-      environment.tint = Rgb(1);
+      environment = make_environment(kStudio);
       break;
     case PreviewLight::furnace:
       environment.tint = Rgb(1);

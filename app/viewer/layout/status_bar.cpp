@@ -8,7 +8,6 @@
 #include "viewer/files/loader.h"
 #include "viewer/state/app_state.h"
 #include "viewer/tasks/exclusive_task.h"
-#include "viewer/viewport/dark_image.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/status_icon.h"
 #include "viewer/widgets/value_text.h"
@@ -80,14 +79,8 @@ std::string phase_text(const AppState& state, const render::Status& status) {
   return text;
 }
 
-// Whether the image has no light, so that its variance says nothing about its error.
-bool is_without_light(const AppState& state, const render::Status& status) {
-  if (!status.incompatibility.empty()) return true;
-  return status.error.rmse == 0 && state.viewport.dark_image->darkness() != Darkness::none;
-}
-
-std::string rmse_text(const AppState& state, const render::Status& status) {
-  if (is_without_light(state, status)) return "RMSE n/a";
+std::string rmse_text(const render::Status& status) {
+  if (!status.incompatibility.empty()) return "RMSE n/a";
   return status.error.known ? formatted("RMSE %.2g", status.error.rmse) : "RMSE ?";
 }
 
@@ -105,10 +98,10 @@ void draw_parts(AppState& state, StatusLine& line) {
   line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
   line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
   line.add(
-      rmse_text(state, status),
+      rmse_text(status),
       "Root mean square error, estimated from the two half-buffers of the film. Known when all pixels have samples "
-      "in both; not available (n/a) for images without light");
-  if (status.reliability && !is_without_light(state, status)) line.add_reliability(*status.reliability);
+      "in both and the image is not black; n/a if the integrator cannot render the scene");
+  if (status.reliability) line.add_reliability(*status.reliability);
   if (status.rejected.total() > 0)
     line.add(formatted("%llu invalid", static_cast<unsigned long long>(status.rejected.total())),
              "Samples that were not finite or negative; they are left out", true);

@@ -8,8 +8,8 @@
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/status_icon.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -17,7 +17,9 @@ namespace {
 using Count = unsigned long long;
 
 void verdict_line(const UiContext& ui, const render::Reliability* reliability) {
-  if (!reliability) return note(ui, "Not known yet: the first assessment needs about ten samples per pixel.");
+  if (!reliability)
+    return note(
+        ui, "Not known yet: the first assessment needs about ten samples per pixel and an image that is not black.");
   status_icon(ui, status_of(reliability->verdict));
   ImGui::SameLine();
   const std::string text =

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "render/session.h"
-#include "viewer/script/value_json.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/viewport/comparison.h"
@@ -36,7 +35,7 @@ json document_parameters(const AppState& state) {
   const auto& d = state.document();
   for (const auto& section : render::sections(d))
     for (const auto& parameter : render::section_parameters(d, section))
-      parameters[parameter.info.name] = to_json(parameter.info.default_value);
+      parameters[parameter.info.name] = to_json_value<json>(parameter.info.default_value);
   return parameters;
 }
 

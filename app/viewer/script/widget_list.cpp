@@ -6,7 +6,6 @@
 #include "viewer/actions/all_actions.h"
 #include "viewer/panels/panel_set.h"
 #include "viewer/panels/registry.h"
-#include "viewer/script/value_json.h"
 #include "viewer/viewer.h"
 #include "viewer/widgets/vector_widgets.h"
 
@@ -16,8 +15,14 @@ namespace {
 using nlohmann::json;
 
 json describe_parameter(const ParameterInfo& p) {
-  json j{{"name", p.name}, {"label", p.label}, {"type", type_name(p.type)},           {"unit", p.unit},
-         {"min", nullptr}, {"max", nullptr},   {"default", to_json(p.default_value)}, {"doc", p.doc}};
+  json j{{"name", p.name},
+         {"label", p.label},
+         {"type", type_name(p.type)},
+         {"unit", p.unit},
+         {"min", nullptr},
+         {"max", nullptr},
+         {"default", to_json_value<json>(p.default_value)},
+         {"doc", p.doc}};
   if (p.type == ParameterType::integer || p.type == ParameterType::number) {
     j["min"] = p.min;
     j["max"] = p.max;

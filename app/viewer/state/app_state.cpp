@@ -12,7 +12,6 @@
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
-#include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/stored_points.h"
 
 namespace etendue::viewer {
@@ -60,7 +59,6 @@ AppState::AppState(Platform& p, const ViewOptions& o)
   files.scene_export = std::make_unique<SceneExport>(wake);
   viewport.aov = std::make_unique<AovLayer>(*session, *editor, wake);
   viewport.comparison = std::make_unique<Comparison>(wake);
-  viewport.dark_image = std::make_unique<DarkImage>();
   viewport.stored_points = std::make_unique<StoredPoints>(*session, *editor, wake);
   ui.scale = platform.scale();
 }

@@ -19,6 +19,7 @@
 #include "viewer/tasks/task.h"
 #include "viewer/tools/camera_controller.h"
 #include "viewer/viewer.h"
+#include "viewer/viewport/dark_image.h"
 #include "viewer/viewport/placement.h"
 #include "viewer/widgets/ui_context.h"
 
@@ -33,7 +34,6 @@ namespace etendue::viewer {
 
 class AovLayer;
 class Comparison;
-class DarkImage;
 class Editor;
 class ExclusiveTask;
 class ImageExport;
@@ -63,6 +63,7 @@ struct ViewportState {
   Placement region;                            // of the window that is left for the image
   Placement image;                             // within the region
   std::shared_ptr<const render::Frame> frame;  // on screen; null before the first one
+  Darkness darkness = Darkness::none;          // of the frame
 
   bool false_color = false;
   bool show_reliability = false;
@@ -70,7 +71,6 @@ struct ViewportState {
   std::string aov_name;  // the AOV that is shown instead of the image; empty for the image
   std::unique_ptr<AovLayer> aov;
   std::unique_ptr<Comparison> comparison;
-  std::unique_ptr<DarkImage> dark_image;
   std::unique_ptr<StoredPoints> stored_points;
 
   bool aov_is_uploaded = false;  // the texture of the live image has an AOV

@@ -55,12 +55,4 @@ Darkness find_darkness(const render::Document& document, const scene::CompiledSc
   return dark ? Darkness::surfaces_are_black : Darkness::none;
 }
 
-Darkness DarkImage::of(const render::Document& document, const scene::CompiledScene& scene,
-                       const std::shared_ptr<const render::Frame>& frame) {
-  if (frame == frame_) return darkness_;
-  frame_ = frame;
-  darkness_ = frame ? find_darkness(document, scene, *frame) : Darkness::none;
-  return darkness_;
-}
-
 }  // namespace etendue::viewer

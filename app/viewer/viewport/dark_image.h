@@ -1,7 +1,6 @@
 // Notices when there is next to nothing to see: surfaces that no light reaches, or no surfaces.
 #pragma once
 #include <cstdint>
-#include <memory>
 
 #include "scene/forward.h"
 
@@ -16,18 +15,5 @@ enum class Darkness : uint8_t { none, surfaces_are_black, no_surfaces };
 
 // Looks at a grid of pixels through a pinhole. Unknown, and therefore none, for previews and images of a few samples.
 Darkness find_darkness(const render::Document& document, const scene::CompiledScene& scene, const render::Frame& frame);
-
-// The darkness of the image on screen; computed once per frame.
-class DarkImage {
- public:
-  // Of the last frame.
-  Darkness darkness() const { return darkness_; }
-  Darkness of(const render::Document& document, const scene::CompiledScene& scene,
-              const std::shared_ptr<const render::Frame>& frame);
-
- private:
-  std::shared_ptr<const render::Frame> frame_;
-  Darkness darkness_ = Darkness::none;
-};
 
 }  // namespace etendue::viewer

@@ -12,7 +12,6 @@
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
-#include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_overlay.h"
@@ -98,11 +97,8 @@ void draw_stored_points(const AppState& state, ImDrawList* draw) {
 // Says at the lower edge of the image that it is dark, and offers remedies.
 void draw_darkness(AppState& state) {
   const ViewportState& viewport = state.viewport;
-  const auto scene = state.session->scene();
-  if (!scene || !viewport.frame || viewport.frame->version != state.editor->version() || state.shows_aov()) return;
+  if (viewport.darkness == Darkness::none || state.shows_aov()) return;
   if (viewport.comparison->mode != CompareMode::off || !state.incompatibility().empty()) return;
-  const Darkness darkness = viewport.dark_image->of(state.document(), *scene, viewport.frame);
-  if (darkness == Darkness::none) return;
   const Placement& region = viewport.region;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - em}, ImGuiCond_Always,
@@ -110,7 +106,7 @@ void draw_darkness(AppState& state) {
   ImGui::Begin("##dark image", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);
-  const bool has_surfaces = darkness == Darkness::surfaces_are_black;
+  const bool has_surfaces = viewport.darkness == Darkness::surfaces_are_black;
   ImGui::TextUnformatted(has_surfaces ? "Most of the visible surfaces are black." : "The camera sees no surface.");
   if (has_surfaces) {
     action_button(state, "environment.studio");

@@ -14,7 +14,7 @@ struct BuiltinEnvironment {
   const char* name;
   const char* label;
   const char* doc;
-  // W/(m^2 sr), from a unit direction; +y is up and +z is the front of an object.
+  // W/(m^2 sr), from a unit direction; +y is up and +z is the front of an object. Null: 1 from all directions.
   Rgb (*radiance)(const Vec3& direction);
 };
 
@@ -24,7 +24,7 @@ std::span<const BuiltinEnvironment> builtin_environments();
 // Null if there is none of this name.
 const BuiltinEnvironment* find_builtin_environment(std::string_view name);
 
-// The environment with this map. Its file is the name. The map is computed once.
+// The environment with its map, whose file is the name; a uniform one has no map. Maps are computed once.
 Environment make_environment(const BuiltinEnvironment& builtin);
 
 }  // namespace etendue

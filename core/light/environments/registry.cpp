@@ -35,12 +35,6 @@ std::shared_ptr<const image::Image> make_map(const BuiltinEnvironment& builtin) 
   return map;
 }
 
-bool is_constant(const image::Image& map) {
-  for (size_t i = 3; i < map.floats.size(); ++i)
-    if (map.floats[i] != map.floats[i % 3]) return false;
-  return true;
-}
-
 }  // namespace
 
 std::span<const BuiltinEnvironment> builtin_environments() { return kEnvironments; }
@@ -51,13 +45,11 @@ const BuiltinEnvironment* find_builtin_environment(std::string_view name) {
 }
 
 Environment make_environment(const BuiltinEnvironment& builtin) {
+  if (!builtin.radiance) return {.map = nullptr, .file = "", .tint = Rgb(1)};
   static std::array<std::shared_ptr<const image::Image>, std::size(kEnvironments)> maps;
   static std::array<std::once_flag, std::size(kEnvironments)> made;
   const auto index = static_cast<size_t>(find_builtin_environment(builtin.name) - std::begin(kEnvironments));
   std::call_once(made[index], [&] { maps[index] = make_map(builtin); });
-  const auto& floats = maps[index]->floats;
-  // A constant needs no map.
-  if (is_constant(*maps[index])) return {.map = nullptr, .file = "", .tint = Rgb(floats[0], floats[1], floats[2])};
   return {.map = maps[index], .file = builtin.name, .tint = Rgb(1)};
 }
 

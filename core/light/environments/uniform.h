@@ -8,6 +8,6 @@ constexpr BuiltinEnvironment kUniform{
     .name = "uniform",
     .label = "Uniform",
     .doc = "Radiance 1 from all directions: an energy-conserving white object is invisible",
-    .radiance = [](const Vec3&) { return Rgb(1); }};
+    .radiance = nullptr};
 
 }  // namespace etendue

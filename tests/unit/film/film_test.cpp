@@ -84,6 +84,18 @@ TEST(Film, IntervalContainsTheErrorOfLongTails) {
   EXPECT_NEAR(coverage(16, std::exp(0.5), [&](auto& engine, int) { return lognormal(engine); }), 0.95, 0.03);
 }
 
+// A black image has no noise, but the next sample may find the light.
+TEST(Film, ErrorOfABlackImageIsUnknown) {
+  Film film(4, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      for (uint32_t s = 0; s < 4; ++s) film.add(x, y, s % 2, Rgb(0));
+  EXPECT_FALSE(film.error().known);
+  film.add(2, 1, 0, Rgb(0.5f));
+  EXPECT_TRUE(film.error().known);
+  EXPECT_GT(film.error().rmse, 0);
+}
+
 TEST(Film, ErrorIsUnknownWhileAHalfBufferIsEmpty) {
   Film film(2, 1);
   film.add(0, 0, 0, Rgb(1));

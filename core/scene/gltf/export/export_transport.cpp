@@ -34,7 +34,7 @@ Json environment_of(OutputFile& out, const std::filesystem::path& folder) {
 // The value of a description whose default is the current value.
 Json current_value(const ParameterInfo& p) {
   if (p.type == ParameterType::number) return number(static_cast<float>(std::get<double>(p.default_value)));
-  return std::visit([](const auto& value) { return Json(value); }, p.default_value);
+  return to_json_value<Json>(p.default_value);
 }
 
 }  // namespace
