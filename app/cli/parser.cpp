@@ -61,21 +61,20 @@ void add_option(CLI::App& parser, const CommandOption& option) {
       option.target);
 }
 
-// What the arguments that no option takes may have meant: the most similar option of the command.
-std::string unknown_arguments(const CLI::App& app) {
-  std::string text;
+// Names the first argument that no option takes, and the most similar option of the command.
+std::string unknown_argument(const CLI::App& app) {
   for (const CLI::App* parser : app.get_subcommands()) {
+    const std::vector<std::string> rest = parser->remaining();
+    if (rest.empty()) continue;
+    const auto option = std::ranges::find_if(rest, [](const std::string& text) { return text.starts_with("-"); });
+    if (option == rest.end()) return "'" + rest.front() + "' belongs to no option";
     std::vector<std::string> names;
-    for (const CLI::Option* option : parser->get_options())
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& argument : parser->remaining()) {
-      if (!argument.starts_with("-")) continue;
-      const std::string name = argument.substr(0, argument.find('='));
-      return "there is no option '" + name + "'; the nearest is '" + similar_name(name, names) + "'";
-    }
-    for (const std::string& argument : parser->remaining()) text = "'" + argument + "' belongs to no option";
+    for (const CLI::Option* known : parser->get_options())
+      for (const std::string& name : known->get_lnames()) names.push_back("--" + name);
+    const std::string name = option->substr(0, option->find('='));
+    return "there is no option '" + name + "'; the nearest is '" + similar_name(name, names) + "'";
   }
-  return text;
+  return "";
 }
 
 }  // namespace
@@ -104,7 +103,7 @@ int parse_and_run(const std::vector<Command>& commands, std::vector<std::string>
   } catch (const CLI::CallForVersion& request) {
     return app.exit(request);
   } catch (const CLI::ExtrasError& error) {
-    const std::string unknown = unknown_arguments(app);
+    const std::string unknown = unknown_argument(app);
     return fail(usage_error((unknown.empty() ? error.what() : unknown) + "; see " + help));
   } catch (const CLI::ParseError& error) {
     return fail(usage_error(std::string(error.what()) + "; see " + help));
