@@ -156,7 +156,7 @@ Result<void> write_environments(const ImageWriter& out) {
     }
     render::Document d;
     d.scene = std::make_shared<const scene::Scene>(std::move(scene));
-    d.camera = look_at({0, 1.6f, 6.2f}, {0, 0.95f, 0}, {0, 1, 0}, 0.5f);
+    d.camera = look_at({0, 1.6f, 6.2f}, {0, 0.95f, 0}, {0, 1, 0}, 0.62f);
     if (auto ok = out.render("environment", environment.name, d, 128); !ok) return ok;
   }
   return {};
