@@ -77,7 +77,7 @@ TEST(GltfSelection, LayerAndBaseAreEstimatedByTheirAlbedos) {
             ASSERT_TRUE(found.base > 0 || exact.diffuse == 0);
           }
   RecordProperty("largest", std::to_string(largest));
-  EXPECT_LT(largest, 0.08);
+  EXPECT_LT(largest, 0.02);
   EXPECT_GT(largest_without_microfacets, 0.5) << "the test distinguishes a poor estimate";
 }
 
@@ -111,7 +111,7 @@ TEST(GltfSelection, LobesBelowALayerAreSelectedByTheLightThatReachesThem) {
       largest = std::max(largest, std::abs(static_cast<double>(lobe_set(lobes).selection_probabilities(wo)[0]) - base));
     }
   RecordProperty("largest", std::to_string(largest));
-  EXPECT_LT(largest, 0.15);
+  EXPECT_LT(largest, 0.04);
 }
 
 // Rough metals reflect few samples below the surface.
