@@ -11,6 +11,7 @@
 #include "viewer/files/loader.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -134,6 +135,7 @@ void draw_notices(AppState& state) {
   const Theme& theme = state.ui.theme;
   float bottom = region.corner.y + region.size.y - 10;
   std::optional<size_t> closed;
+  bool opens_log = false;
   const auto& notices = state.notices.all();
   // The newest notice is at the bottom.
   for (size_t i = notices.size(); i-- > 0;) {
@@ -144,18 +146,23 @@ void draw_notices(AppState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::Begin(("##notice" + std::to_string(i)).c_str(), nullptr, kPopup);
     ImGui::PushTextWrapPos(std::min(region.size.x - 90, ImGui::GetFontSize() * 40));
-    ImGui::TextColored(notice.is_error ? theme.warning : theme.text, "%s", notice.text.c_str());
+    const std::string text =
+        notice.count > 1 ? formatted("%s (%d times)", notice.text.c_str(), notice.count) : notice.text;
+    ImGui::TextColored(notice.is_error ? theme.warning : theme.text, "%s", text.c_str());
     ImGui::PopTextWrapPos();
-    if (notice.is_error) {
-      ImGui::SameLine();
-      if (ImGui::SmallButton("Close")) closed = i;
-      state.ui.items.add("notice.close");
+    if (notice.has_more) {
+      if (ImGui::SmallButton("Show all")) opens_log = true;
+      state.ui.items.add("notice.show-all");
     }
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Close")) closed = i;
+    state.ui.items.add("notice.close");
     bottom = ImGui::GetWindowPos().y - 6;
     ImGui::End();
     ImGui::PopStyleVar();
   }
   if (closed) state.notices.close(*closed);
+  if (opens_log) state.panels.open(*state.panels.find("panel.messages"));
 }
 
 }  // namespace etendue::viewer

@@ -30,6 +30,8 @@ class OpenStep final : public Step {
     const Loader& loader = *state.files.loader;
     if (!dropped_) {
       state.notices.take_error();
+      // A script discards unsaved edits without a question.
+      if (state.has_document()) state.editor->mark_scene_saved(state.document().scene);
       state.platform.events().push({.type = Event::Type::drop, .file = file_});
       dropped_ = true;
       return {};

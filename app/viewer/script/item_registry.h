@@ -30,6 +30,8 @@ class ItemRegistry {
   void add(const std::string& name, const Placement& placement) { placements_[name] = placement; }
   // The placement of an item in this frame, or null if it was not drawn or is not visible.
   const Placement* find(const std::string& name) const;
+  // All items that were drawn in this frame.
+  const std::map<std::string, Placement, std::less<>>& placements() const { return placements_; }
 
   // --- for scripts
   // Requests a value for an item; replaces the previous request.
@@ -40,6 +42,13 @@ class ItemRegistry {
   std::optional<std::string> take_answer();
   // Scrolls this item into view in the next frames. An empty name ends that.
   void scroll_to(const std::string& name) { scroll_target_ = name; }
+
+  // Scrolls this item into view and marks it for a moment.
+  void point_out(const std::string& name);
+  // The item that is marked; empty if there is none.
+  const std::string& pointed_out() const { return pointed_out_; }
+  // Ends the mark after its time.
+  void advance(float seconds);
 
   // --- for widgets
   bool is_requested(std::string_view name) const { return request_ && request_->name == name; }
@@ -57,6 +66,8 @@ class ItemRegistry {
   std::optional<Request> request_;
   std::optional<std::string> answer_;
   std::string scroll_target_;
+  std::string pointed_out_;
+  float mark_seconds_ = 0;
 };
 
 }  // namespace etendue::viewer
