@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "bsdf_analysis/checks.h"
-#include "render/document.h"
 #include "scene/builtin/builtin.h"
+#include "support/scenes.h"
 
 namespace etendue {
 namespace {
@@ -136,20 +136,15 @@ std::vector<std::filesystem::path> files_in(const std::vector<std::string>& path
 
 // The scene with these parameters of all materials; ends the program if one is not valid.
 std::shared_ptr<const scene::Scene> with_settings(scene::Scene scene, const std::vector<std::string>& settings) {
-  render::Document document;
-  document.scene = std::make_shared<const scene::Scene>(std::move(scene));
-  for (size_t m = 0; m < document.scene->materials.size(); ++m)
-    for (const std::string& setting : settings) {
-      const size_t equals = setting.find('=');
-      const auto set = render::with_text(document, "material." + std::to_string(m) + "." + setting.substr(0, equals),
-                                         setting.substr(equals + 1));
-      if (!set) {
-        std::fprintf(stderr, "gltf_surface_bench: %s\n", set.error().message.c_str());
-        std::exit(2);
-      }
-      document = *set;
-    }
-  return document.scene;
+  Result<render::Document> document = render::Document{};
+  document->scene = std::make_shared<const scene::Scene>(std::move(scene));
+  for (const std::string& setting : settings) {
+    document = test::with_materials_set(*document, setting);
+    if (document) continue;
+    std::fprintf(stderr, "gltf_surface_bench: %s\n", document.error().message.c_str());
+    std::exit(2);
+  }
+  return document->scene;
 }
 
 int run(const std::vector<std::string>& arguments) {

@@ -6,8 +6,8 @@
 // F_d is the Fresnel term of the dielectric layer; each lobe chooses its angle. E is the directional albedo of the
 // layer, <E> its cosine-weighted mean. With the first form a white base and the layer together reflect up to 1.9 times
 // the light. With the second they reflect all light but for what the table overestimates (ggx_albedo.h). Anisotropic
-// microfacets are represented by their smaller roughness, which overestimates E. For a thin film, E is estimated from
-// the Fresnel term at one angle: the albedo reaches 1.01, and 1.14 for a film of index 1.
+// microfacets are represented by their smaller roughness: the albedo reaches 1.04 at 89 degrees. For a thin film, E is
+// estimated from the Fresnel term at one angle: the albedo reaches 1.01, and 1.14 for a film of index 1.
 #pragma once
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 // A and B are the integrals of D G2 cos_i / (4 cos_o cos_i) times 1 - s and s, with s = (1 - <o, h>)^5. Light that
 // microfacets scatter more than once is not included. The interpolated values are upper bounds, so that a surface of
 // which 1 - E reaches the base reflects at most all light. They exceed A and B by at most 0.005 for a roughness of at
-// least 0.25, 0.06 for at least 0.07, and 0.1 below. Anisotropic microfacets have the roughness along the direction.
+// least 0.25, 0.06 for at least 0.07, and 0.11 below. Anisotropic microfacets have the roughness along the direction.
 #pragma once
 #include "bsdf/microfacet/ggx.h"
 #include "bsdf/microfacet/ggx_albedo_table.h"

@@ -26,7 +26,7 @@ TEST(GgxAlbedo, InterpolationIsACloseUpperBound) {
   };
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (const Range& range : {Range{0, 0.07, 0.1}, Range{0.07, 0.25, 0.06}, Range{0.25, 1, 0.005}})
+  for (const Range& range : {Range{0, 0.07, 0.11}, Range{0.07, 0.25, 0.06}, Range{0.25, 1, 0.005}})
     for (int k = 0; k < 300; ++k) {
       const double alpha = std::max(1e-4, sqr(range.from + (range.to - range.from) * uniform(random)));
       const double cosine = std::max(1e-4, sqr(uniform(random)));
