@@ -5,6 +5,8 @@
 // window (overscan) are dropped. The channels "albedo.R", "albedo.G", ... form the layer "albedo"; a channel without a
 // dot belongs to the layer "". All channels are read as float, so integers above 2^24 are rounded.
 //
+// Limits of what is read: exr_limits.h.
+//
 // Written: float channels, ZIP compression, text attributes.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -13,7 +15,6 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
-#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
@@ -23,12 +24,11 @@
 #include <stdexcept>
 
 #include "base/file.h"
+#include "image/exr_limits.h"
 #include "image/format.h"
 
 namespace etendue::image {
 namespace {
-
-constexpr uint64_t kMaxValues = uint64_t{1} << 30;  // of all channels together: 4 GiB
 
 std::string full_name(const Layer& layer, const std::string& channel) {
   return layer.name.empty() ? channel : layer.name + "." + channel;
@@ -55,10 +55,6 @@ class MemoryStream : public Imf::IStream {
   Bytes bytes_;
   uint64_t position_ = 0;
 };
-
-uint64_t extent(int min, int max) { return max < min ? 0 : static_cast<uint64_t>(int64_t{max} - min + 1); }
-uint64_t width_of(const Imath::Box2i& box) { return extent(box.min.x, box.max.x); }
-uint64_t height_of(const Imath::Box2i& box) { return extent(box.min.y, box.max.y); }
 
 // Sort key of a channel: R, G, B, A, X, Y, Z come first in this order, then all others in the order of their names.
 size_t channel_rank(const std::string& channel) {
@@ -147,19 +143,6 @@ std::map<std::string, std::string> text_attributes(const Imf::Header& header) {
   return texts;
 }
 
-Result<void> check_part(const Imf::Header& header, const std::string& name, uint64_t& values) {
-  if (header.hasType() && !Imf::isImage(header.type()))
-    return input_error(name + ": deep OpenEXR images are not supported; flatten the image");
-  for (const Imath::Box2i& window : {header.dataWindow(), header.displayWindow()}) {
-    if (auto size = check_image_size(width_of(window), height_of(window), name); !size) return size;
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
-      values += width_of(window) * height_of(window);
-  }
-  if (values <= 2 * kMaxValues) return {};
-  return input_error(name +
-                     ": the OpenEXR file has more than 2^30 values in all channels; reduce the number of layers");
-}
-
 // A layer of a later part whose name is taken is prefixed with the name of the part.
 void add_layers(std::vector<Layer> layers, const Imf::Header& header, LayeredImage& image) {
   for (Layer& layer : layers) {
@@ -171,10 +154,8 @@ void add_layers(std::vector<Layer> layers, const Imf::Header& header, LayeredIma
   }
 }
 
-Result<LayeredImage> decode(Imf::MultiPartInputFile& file, const std::string& name) {
-  uint64_t values = 0;
-  for (int i = 0; i < file.parts(); ++i)
-    if (auto checked = check_part(file.header(i), name, values); !checked) return checked.error();
+Result<LayeredImage> decode(Imf::MultiPartInputFile& file, Bytes bytes, const std::string& name) {
+  if (auto checked = check_exr_parts(file, bytes, name); !checked) return checked.error();
   LayeredImage image;
   const Imath::Box2i display = file.header(0).displayWindow();
   image.width = static_cast<int>(width_of(display));
@@ -230,7 +211,7 @@ Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
   try {
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream, 0, false);
-    return decode(file, name);
+    return decode(file, bytes, name);
   } catch (const std::exception& e) {
     return input_error(name + ": damaged or unsupported OpenEXR: " + e.what());
   }

@@ -5,6 +5,7 @@
 
 #include "bsdf/measured/measured_data.h"
 #include "integration/fuzz/memory_file.h"
+#include "support/rgl_bytes.h"
 
 namespace etendue::fuzz {
 namespace {
@@ -53,33 +54,9 @@ Bytes merl() {
   return file;
 }
 
-struct Field {
-  std::string name;
-  std::vector<uint64_t> shape;
-};
-
-// An isotropic measurement at two polar angles, all grids of 2 x 2 nodes.
 Bytes rgl() {
-  const std::vector<Field> fields{{"phi_i", {1}},          {"theta_i", {2}},       {"ndf", {2, 2}},
-                                  {"sigma", {2, 2}},       {"vndf", {1, 2, 2, 2}}, {"luminance", {1, 2, 2, 2}},
-                                  {"rgb", {1, 2, 3, 2, 2}}};
-  Bytes values, file = bytes_of(std::string("tensor_file\0\x01\0", 14));
-  uint64_t offset = 14 + sizeof(uint32_t);
-  for (const Field& field : fields) offset += 2 + field.name.size() + 2 + 1 + 8 + 8 * field.shape.size();
-  append(file, static_cast<uint32_t>(fields.size()));
-  for (const Field& field : fields) {
-    append(file, static_cast<uint16_t>(field.name.size()));
-    const Bytes name = bytes_of(field.name);
-    file.insert(file.end(), name.begin(), name.end());
-    append(file, static_cast<uint16_t>(field.shape.size()));
-    append(file, uint8_t{10});  // float
-    append(file, offset + values.size());
-    uint64_t count = 1;
-    for (const uint64_t size : field.shape) append(file, size), count *= size;
-    for (uint64_t k = 0; k < count; ++k) append(values, static_cast<float>(k) * 0.3f);
-  }
-  file.insert(file.end(), values.begin(), values.end());
-  return file;
+  const auto bytes = test::rgl_bytes(0.3f, 0.7f);
+  return bytes_of({bytes.data(), bytes.size()});
 }
 
 std::vector<Bytes> tables() {

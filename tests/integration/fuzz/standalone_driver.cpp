@@ -5,6 +5,7 @@
 //
 // The same seed gives the same inputs. The input of a finding remains in the file that the first line of output names.
 // Exit code 77 means that a FILE does not exist: CTest reports the test as skipped.
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -30,6 +31,34 @@ Bytes mutated(Bytes input, Mutator& mutator) {
   return input;
 }
 
+// A file that holds the input that is being run, also after a crash.
+class CurrentInput {
+ public:
+  CurrentInput()
+      : path_(fs::temp_directory_path() / ("etendue-fuzz-" + std::to_string(::getpid()))),
+        descriptor_(::open(path_.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600)) {
+    require(descriptor_ >= 0, "a file in the temporary folder cannot be written");
+    std::printf("the current input is in %s\n", path_.c_str());
+    std::fflush(stdout);
+  }
+  CurrentInput(const CurrentInput&) = delete;
+  CurrentInput& operator=(const CurrentInput&) = delete;
+  ~CurrentInput() {
+    ::close(descriptor_);
+    fs::remove(path_);
+  }
+
+  void set(const Bytes& input) const {
+    const auto size = static_cast<ssize_t>(input.size());
+    require(::pwrite(descriptor_, input.data(), input.size(), 0) == size && ::ftruncate(descriptor_, size) == 0,
+            "the current input cannot be written");
+  }
+
+ private:
+  fs::path path_;
+  int descriptor_;
+};
+
 void run_bounded(const Bytes& input) {
   alarm(kSecondsPerInput);
   kTarget.run(input);
@@ -39,18 +68,15 @@ void run_bounded(const Bytes& input) {
 int fuzz(uint32_t seed, int inputs, const std::vector<fs::path>& files) {
   for (const fs::path& file : files)
     if (!fs::exists(file)) return std::printf("skipped: %s does not exist\n", file.c_str()), kSkipped;
-  const fs::path current = fs::temp_directory_path() / ("etendue-fuzz-" + std::to_string(::getpid()));
-  std::printf("the current input is in %s\n", current.c_str());
-  std::fflush(stdout);
+  const CurrentInput current;
   const std::vector<Bytes> originals = corpus(kTarget, files, kMostBytes);
   for (const Bytes& original : originals) run_bounded(original);
   for (int i = 0; i < inputs; ++i) {
     Mutator mutator(seed + static_cast<uint32_t>(i));
     const Bytes input = mutated(originals[static_cast<size_t>(i) % originals.size()], mutator);
-    (void)write_file(current, input.data(), input.size());
+    current.set(input);
     run_bounded(input);
   }
-  fs::remove(current);
   std::printf("%d mutations of %zu inputs: no finding\n", inputs, originals.size());
   return 0;
 }
