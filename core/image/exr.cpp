@@ -18,8 +18,10 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -204,6 +206,39 @@ Imf::FrameBuffer make_source(const LayeredImage& image) {
   return source;
 }
 
+// A file whose errors are recorded, because the destructor of Imf::OutputFile, which writes the last bytes, ignores them.
+class FileStream : public Imf::OStream {
+ public:
+  explicit FileStream(const std::filesystem::path& path)
+      : Imf::OStream(path.c_str()), file_(std::fopen(path.c_str(), "wb"), std::fclose) {}
+
+  void write(const char bytes[], int size) override {
+    const auto count = static_cast<size_t>(size);
+    complete_ = complete_ && file_ && std::fwrite(bytes, 1, count, file_.get()) == count;
+    if (!complete_) throw std::runtime_error("the file is incomplete");
+  }
+  uint64_t tellp() override { return file_ ? static_cast<uint64_t>(std::ftell(file_.get())) : 0; }
+  void seekp(uint64_t position) override {
+    complete_ = complete_ && file_ && std::fseek(file_.get(), static_cast<long>(position), SEEK_SET) == 0;
+  }
+
+  // Returns whether all bytes were written, also now.
+  bool close() {
+    complete_ = file_ && std::fclose(file_.release()) == 0 && complete_;
+    return complete_;
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  bool complete_ = true;
+};
+
+void write_pixels(FileStream& stream, const LayeredImage& image) {
+  Imf::OutputFile file(stream, make_header(image));
+  file.setFrameBuffer(make_source(image));
+  file.writePixels(image.height);
+}
+
 bool is_exr(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
 
 Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
@@ -228,14 +263,16 @@ Result<LayeredImage> read_exr(const std::filesystem::path& path) {
 Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {
   if (auto checked = check_layers(path.string(), image); !checked) return checked;
   return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
+    FileStream stream(temporary);
+    std::string problem;
     try {
-      Imf::OutputFile file(temporary.c_str(), make_header(image));
-      file.setFrameBuffer(make_source(image));
-      file.writePixels(image.height);
-      return {};
+      write_pixels(stream, image);
     } catch (const std::exception& e) {
-      return output_error(path.string() + ": cannot be written as OpenEXR: " + e.what());
+      problem = e.what();
     }
+    if (!stream.close()) return incomplete_write(path);
+    if (!problem.empty()) return output_error(path.string() + ": cannot be written as OpenEXR: " + problem);
+    return {};
   });
 }
 

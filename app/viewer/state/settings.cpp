@@ -19,7 +19,7 @@ fs::path settings_file() {
   const char* home = std::getenv("HOME");
   // The XDG specification requires relative paths to be ignored.
   if (config && fs::path(config).is_absolute()) return fs::path(config) / "etendue" / "viewer.json";
-  return home ? fs::path(home) / ".config" / "etendue" / "viewer.json" : fs::path();
+  return home && *home ? fs::path(home) / ".config" / "etendue" / "viewer.json" : fs::path();
 }
 
 Settings from_json(const json& j) {
