@@ -2,6 +2,7 @@
 // folder. The tests also hold for the superuser, who may write everywhere except to /proc.
 #include <sys/mount.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ namespace etendue::test {
 namespace {
 
 constexpr const char* kSmall = "render cornell --size 8x8 --spp 1 ";
-constexpr const char* kLarge = "render cornell --size 128x128 --spp 2 ";
+constexpr const char* kLarge = "render cornell --size 192x192 --spp 2 ";
 
 // A disk of 64 KiB. Mounting needs the rights of the superuser; without them the tests are skipped.
 class SmallDisk : public Cli {
@@ -53,8 +54,7 @@ TEST_F(SmallDisk, KeepsTheEarlierImageWhenItIsFull) {
     ASSERT_EQ(run(kSmall + ("-o " + file)).code, 0);
     const std::string earlier = slurp(disk_ / name);
     ASSERT_FALSE(earlier.empty());
-    expect_error(kLarge + ("--sampler independent -o " + file), 4,
-                 file + ": could not be written completely; is the disk full?");
+    expect_error(kLarge + ("-o " + file), 4, file + ": could not be written completely; is the disk full?");
     EXPECT_EQ(slurp(disk_ / name), earlier) << extension;
     EXPECT_EQ(names(), std::vector<std::string>{name});
     fs::remove(disk_ / name);
@@ -80,8 +80,6 @@ TEST_F(SmallDisk, KeepsTheEarlierCheckpointWhenItIsFull) {
   for (const auto& name : names())
     if (name.starts_with(".")) fs::remove(disk_ / name);
   fill();
-  expect_error("render cornell --resume disk/a.png.checkpoint --spp 100000000 --checkpoint 0.1 -o disk/a.png", 2,
-               "spp");
   expect_error("render cornell --resume disk/a.png.checkpoint --time 1000 --checkpoint 0.1 -o disk/a.png", 4,
                "a.png.checkpoint: could not be written completely");
   EXPECT_EQ(slurp(checkpoint), earlier);
