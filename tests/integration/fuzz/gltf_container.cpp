@@ -12,6 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr size_t kHeader = 12, kChunkHeader = 8;
+constexpr size_t kMostEmbedded = size_t{1} << 18;  // bytes of a file
 
 std::string word(size_t value) {
   const auto small = static_cast<uint32_t>(value);
@@ -20,11 +21,14 @@ std::string word(size_t value) {
   return bytes;
 }
 
-// Replaces the URI of a buffer or image by a data URI. Returns false if its file cannot be read.
+// Replaces the URI of a buffer or image by a data URI. Returns false if its file is missing or large.
 bool embed(json& object, const std::filesystem::path& folder) {
   if (!object.is_object() || !object.contains("uri") || !object["uri"].is_string()) return true;
   const std::string uri = object["uri"].get<std::string>();
   if (uri.starts_with("data:")) return true;
+  std::error_code code;
+  const auto size = std::filesystem::file_size(folder / uri, code);
+  if (code || size > kMostEmbedded) return false;
   const auto bytes = read_file(folder / uri);
   if (bytes) object["uri"] = "data:application/octet-stream;base64," + base64(*bytes);
   return static_cast<bool>(bytes);

@@ -20,7 +20,7 @@ std::optional<Container> split_gltf(const Bytes& file);
 Bytes join_gltf(const Container& container);
 
 // The content of a .gltf or .glb file, with the buffers and images next to it as data URIs. Empty if the file or one of
-// these cannot be read.
+// these cannot be read, or if one of these has more than 256 KiB.
 Bytes self_contained(const std::filesystem::path& file);
 
 }  // namespace etendue::fuzz
