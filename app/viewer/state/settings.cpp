@@ -98,11 +98,12 @@ bool save_settings(const fs::path& file, const Settings& settings) {
 
 void remember_recent(Settings& settings, const std::string& file) {
   std::error_code code;
-  const std::string path = fs::absolute(file, code).string();
+  const bool is_file = fs::exists(file, code);
+  const std::string path = is_file ? fs::absolute(file, code).string() : file;
   std::erase(settings.recent, path);
   settings.recent.insert(settings.recent.begin(), path);
   if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
-  settings.folder = fs::path(path).parent_path().string();
+  if (is_file) settings.folder = fs::path(path).parent_path().string();
 }
 
 }  // namespace etendue::viewer

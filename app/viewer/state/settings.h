@@ -41,7 +41,7 @@ Settings load_settings(const std::filesystem::path& file, std::string& note);
 // Returns false if the file cannot be written.
 bool save_settings(const std::filesystem::path& file, const Settings& settings);
 
-// Adds a file to the list of recent files and makes its folder the current one.
+// Adds a file or a built-in scene to the list of recent files, and makes the folder of the file the current one.
 void remember_recent(Settings& settings, const std::string& file);
 
 }  // namespace etendue::viewer
