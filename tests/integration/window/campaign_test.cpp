@@ -172,20 +172,28 @@ TEST_F(Window, EveryActionByShortcut) {
 
 TEST_F(Window, EveryActionByMenu) {
   const std::set<std::string> left_out{"app.quit"};
+  const json actions = all_actions();
   int clicked = 0;
+  std::string last = "the start";
   for (const char* menu :
        {"menu.edit", "menu.view", "menu.compare", "menu.integrator", "menu.render", "menu.help", "menu.file"}) {
     user_->click(menu);
     std::vector<std::string> entries;
     const json items = user_->report()["items"];
-    for (const auto& action : all_actions())
+    for (const auto& action : actions)
       if (items.contains(action["name"].get<std::string>())) entries.push_back(action["name"]);
     close_popups(*user_);
     for (const auto& entry : entries) {
       if (left_out.contains(entry)) continue;
+      ASSERT_TRUE(user_->wait_until([&](const json& report) { return report["items"].contains(menu); }))
+          << menu << " is not on screen after " << last;
+      last = entry;
       user_->click(menu);
       // Buttons of panels may have the same name; the entry of the open menu is drawn last and covers them.
-      if (!user_->has_item(entry)) continue;
+      if (!user_->has_item(entry)) {
+        close_popups(*user_);
+        continue;
+      }
       user_->click(entry);
       ++clicked;
       ASSERT_TRUE(user_->is_running()) << "after " << entry;
