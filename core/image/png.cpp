@@ -236,8 +236,9 @@ Result<void> write_png(const std::filesystem::path& path, int width, int height,
     File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
     if (!file) return output_error(path.string() + ": cannot be written: " + std::strerror(errno));
     Writer writer(file.get());
-    if (!write_rgb(writer, width, height, rgb, texts))
-      return output_error(path.string() + ": cannot be written as PNG: " + writer.message);
+    const bool encoded = write_rgb(writer, width, height, rgb, texts);
+    if (std::ferror(file.get())) return incomplete_write(path);
+    if (!encoded) return output_error(path.string() + ": cannot be written as PNG: " + writer.message);
     if (std::fclose(file.release()) != 0) return incomplete_write(path);
     return {};
   });

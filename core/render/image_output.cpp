@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "base/file.h"
 #include "film/film_image.h"
 #include "image/display.h"
 
@@ -27,11 +28,7 @@ Result<void> check_output_name(const std::string& path) {
   const std::string extension = extension_of(path);
   if (extension != ".exr" && extension != ".hdr" && extension != ".png")
     return usage_error(path + ": '" + extension + "' is not a supported output format; use .exr, .hdr or .png");
-  const auto folder = std::filesystem::path(path).parent_path();
-  std::error_code code;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, code))
-    return output_error(path + ": the folder " + folder.string() + " does not exist; create it first");
-  return {};
+  return check_writable(path);
 }
 
 Result<void> write_image(const std::string& path, const Rendering& r) {

@@ -13,7 +13,7 @@ namespace etendue::render {
 // Attributes of image files: the state of the document (state_json), and the certificate of the image's error.
 inline constexpr const char *kStateAttribute = "etendue:state", *kCertificateAttribute = "etendue:certificate";
 
-// Whether a file of this name can be written: its extension must be known and its folder must exist.
+// Whether a file of this name can be written: its extension must be known, and files can be created in its folder.
 Result<void> check_output_name(const std::string& path);
 
 // The contents of an image file.

@@ -20,7 +20,7 @@ fs::path user_folder(const char* variable, const char* default_folder) {
   const char* home = std::getenv("HOME");
   // The XDG specification requires relative paths to be ignored.
   if (chosen && fs::path(chosen).is_absolute()) return fs::path(chosen) / "etendue";
-  return home ? fs::path(home) / default_folder / "etendue" : fs::path();
+  return home && *home ? fs::path(home) / default_folder / "etendue" : fs::path();
 }
 
 Settings from_json(const json& j) {
