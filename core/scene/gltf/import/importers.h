@@ -34,6 +34,8 @@ void import_transport(const InputFile& input, Scene& scene);
 // ETENDUE_transport of a material: its reflection model; null if it has none or the name is unknown.
 BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const std::string& where,
                                std::vector<std::string>& warnings);
+Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                         std::vector<std::string>& warnings);
 // ETENDUE_transport of a light: properties that KHR_lights_punctual does not have.
 void import_light_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
                             std::vector<std::string>& warnings);
