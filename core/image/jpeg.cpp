@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "image/format.h"
+#include "image/plugin.h"
 
 namespace etendue::image {
 namespace {
@@ -55,9 +56,11 @@ extern const ImageFormat kJpegFormat{
     .name = "jpeg",
     .label = "JPEG",
     .extensions = {".jpg", ".jpeg"},
-    .doc = "Read: baseline and progressive, grey and RGB.",
+    .doc = "Read: baseline and progressive, grey and RGB. Written: display-encoded, through OpenImageIO.",
     .recognises = is_jpeg,
     .decode = decode_jpeg,
+    .write_display = write_display_by_plugin,
+    .writes_by_plugin = true,
 };
 
 }  // namespace etendue::image

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "image/format.h"
+#include "image/plugin.h"
 
 namespace etendue::image {
 namespace {
@@ -40,9 +41,11 @@ extern const ImageFormat kWebpFormat{
     .name = "webp",
     .label = "WebP",
     .extensions = {".webp"},
-    .doc = "Read: still images, lossy and lossless, with alpha.",
+    .doc = "Read: still images, lossy and lossless, with alpha. Written: display-encoded, through OpenImageIO.",
     .recognises = is_webp,
     .decode = decode_webp,
+    .write_display = write_display_by_plugin,
+    .writes_by_plugin = true,
 };
 
 }  // namespace etendue::image
