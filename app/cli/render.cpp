@@ -287,7 +287,7 @@ class RenderJob {
 
 // Wrong arguments fail before anything is rendered.
 int run_render(const RenderArguments& a) {
-  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
+  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr, .png or .tif"));
   if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
   if (!a.png.empty())
     if (auto ok = render::check_output_name(a.png); !ok) return fail(ok.error());

@@ -34,6 +34,8 @@ struct ImageFormat {
   // Readers; `name` is used in messages. A format has one of the two.
   Result<Image> (*decode)(Bytes bytes, const std::string& name) = nullptr;
   Result<LayeredImage> (*decode_layers)(Bytes bytes, const std::string& name) = nullptr;
+  // The memory of the decoded pixels according to the header, in bytes; 0 if it is damaged. Null if only decoding tells.
+  uint64_t (*decoded_size)(Bytes bytes) = nullptr;
   // Reads a file as linear floats with Rec. 709 primaries, for formats that declare their colour space or have more
   // than 8 bits; null for others.
   Result<Image> (*read_linear)(const std::filesystem::path& path, const ImageFormat& format) = nullptr;

@@ -5,16 +5,18 @@
 // built together; kPluginVersion detects a plugin of another build.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
 #include "base/result.h"
 #include "image/image.h"
+#include "image/tiled_image.h"
 
 namespace etendue::image {
 
-// Increase it with every change of this file or of Image.
-inline constexpr int kPluginVersion = 1;
+// Increase it with every change of this file, of Image or of TiledImage.
+inline constexpr int kPluginVersion = 2;
 
 // The values of a decoded image.
 enum class PluginValues : uint8_t {
@@ -46,9 +48,16 @@ struct PluginWrite {
 
 class ImagePlugin {
  public:
-  // Both catch all exceptions. Errors are messages for users.
+  // All functions catch all exceptions. Errors are messages for users.
   virtual Result<Image> read(const PluginRead& request) const = 0;
   virtual Result<void> write(const PluginWrite& request) const = 0;
+
+  // Writes a tiled, mip-mapped file. Colours of 8-bit images are averaged as linear values if `srgb`.
+  virtual Result<void> write_tiles(const Image& image, bool srgb, const std::string& file) const = 0;
+  // Opens such a file. `hash` becomes TiledImage::hash.
+  virtual Result<std::shared_ptr<const TiledImage>> open_tiles(const std::string& file, uint64_t hash) const = 0;
+  // The memory of the cache for the tiles of all files, in bytes.
+  virtual void set_tile_memory(uint64_t bytes) const = 0;
 
  protected:
   ~ImagePlugin() = default;

@@ -1,7 +1,6 @@
 // The plugin for OpenImageIO: its exported function.
-#include <cstdlib>
-
 #include "read.h"
+#include "tiles.h"
 #include "write.h"
 
 namespace etendue::openimageio {
@@ -11,6 +10,13 @@ class Plugin final : public image::ImagePlugin {
  public:
   Result<image::Image> read(const image::PluginRead& request) const override { return read_image(request); }
   Result<void> write(const image::PluginWrite& request) const override { return write_image(request); }
+  Result<void> write_tiles(const image::Image& image, bool srgb, const std::string& file) const override {
+    return openimageio::write_tiles(image, srgb, file);
+  }
+  Result<std::shared_ptr<const image::TiledImage>> open_tiles(const std::string& file, uint64_t hash) const override {
+    return openimageio::open_tiles(file, hash);
+  }
+  void set_tile_memory(uint64_t bytes) const override { openimageio::set_tile_memory(bytes); }
 };
 
 }  // namespace
