@@ -313,7 +313,8 @@ Command render_command() {
       .options = {scene_option(a->scene.scene, false),
                   {.names = "-o,--out",
                    .target = &a->out,
-                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear) or .png (as displayed)"},
+                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear), .png (as displayed), "
+                          "or of another format"},
                   {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
                   {.names = "--spp",
                    .target = &a->samples,

@@ -132,7 +132,7 @@ class LiveBenchmark::Impl {
 
   void prepare() {
     const auto& d = plan_.methods.front().document;
-    scene_ = scene::compile(d.scene, d.camera, plan_.compiled, d.film.height);
+    scene_ = scene::compile(d.scene, d.camera, plan_.compiled, d.height);
     if (plan_.reference) return set_reference(std::move(*plan_.reference));
     store_.emplace(d, plan_.cache);
     auto cached = store_->load();
