@@ -96,8 +96,16 @@ void ImguiHost::begin_frame(const Input& input, float seconds) {
   io.KeyAlt = input.alt();
   for (const unsigned c : input.text) io.AddInputCharacter(c);
   ImGui_ImplOpenGL3_NewFrame();
+  upload_changed_fonts();
   set_font_filter();
   ImGui::NewFrame();
+}
+
+void ImguiHost::upload_changed_fonts() {
+  if (ImGui::GetIO().Fonts->IsBuilt()) return;
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  filtered_ = 0;
 }
 
 // Glyphs are aligned to whole pixels, so linear filtering has no effect but takes a quarter of the time in software

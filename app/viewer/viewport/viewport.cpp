@@ -104,6 +104,7 @@ void ViewportController::continue_drag(AppState& state) {
 void ViewportController::fly(AppState& state, float seconds) {
   const Vec3 direction = fly_direction(state.ui.input);
   if (direction == Vec3(0)) return;
+  moved_ = true;
   const CameraController& controller = state.viewport.camera_controller;
   state.edit_camera(controller.fly(state.document().camera, direction, std::min(seconds, kMaxFlySeconds)), "Fly",
                     "camera.fly");
@@ -115,6 +116,7 @@ void ViewportController::end_drag(AppState& state) {
   const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
   if (held) return;
   if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
+  if (drag_ == Drag::fly && !moved_) state.interface.menu_position = drag_start_;
   if (drag_ == Drag::fly && moved_) {
     // After a flight, the camera orbits the point at the image centre. The speed stays.
     CameraController& controller = state.viewport.camera_controller;
@@ -147,6 +149,18 @@ void ViewportController::scroll(AppState& state) {
   state.edit_camera(controller.dolly(state.document().camera, target, notches), "Dolly", "camera.dolly");
 }
 
+namespace {
+
+// Opens the panel of the selected object, unless the Scene panel is open, which shows all objects.
+void show_panel_of_selection(AppState& state) {
+  const Panel* open = state.panels.open_tab();
+  if (open && std::string_view(open->info().name) == "tab.scene") return;
+  const auto& node = state.document().scene->nodes[static_cast<size_t>(state.selection.node)];
+  if (Panel* panel = state.panels.find(node.light >= 0 ? "tab.light" : "tab.material")) state.panels.open(*panel);
+}
+
+}  // namespace
+
 bool focus_at(AppState& state, Vec2 position) {
   const auto picked = pick_at(state, position);
   if (!picked) return false;
@@ -161,10 +175,12 @@ bool focus_at(AppState& state, Vec2 position) {
 
 void select_at(AppState& state, Vec2 position) {
   const auto picked = pick_at(state, position);
-  if (picked)
-    state.select(picked->node, picked->material);
-  else
+  if (!picked) {
     state.selection.node = -1;
+    return;
+  }
+  state.select(picked->node, picked->material);
+  show_panel_of_selection(state);
 }
 
 void frame_scene(AppState& state) {
