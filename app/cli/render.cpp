@@ -20,6 +20,7 @@
 #include "render/image_output.h"
 #include "render/incompatibility.h"
 #include "render/session.h"
+#include "render/session_file.h"
 #include "render_statistics.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
@@ -61,7 +62,12 @@ Result<Start> start_from_checkpoint(const std::string& file) {
       .seconds = checkpoint->seconds};
 }
 
-Result<Start> start_like_snapshot(const std::string& file) {
+Result<Start> start_like(const std::string& file) {
+  if (std::filesystem::path(file).extension() == render::kSessionExtension) {
+    auto document = render::read_session_file(file);
+    if (!document) return document.error();
+    return Start{.document = std::move(*document)};
+  }
   const auto snapshot = image::read_exr(file);
   if (!snapshot) return snapshot.error();
   const auto state = snapshot->attributes.find(render::kStateAttribute);
@@ -74,7 +80,7 @@ Result<Start> start_like_snapshot(const std::string& file) {
 
 Result<Start> find_start(const RenderArguments& a) {
   if (!a.resume.empty()) return start_from_checkpoint(a.resume);
-  if (!a.like.empty()) return start_like_snapshot(a.like);
+  if (!a.like.empty()) return start_like(a.like);
   if (a.scene.scene.empty())
     return usage_error("render: no scene; give a .gltf or .glb file, or one of " + scene::builtin_names());
   auto document = render::new_document(a.scene.scene, a.scene.camera);
@@ -287,7 +293,7 @@ class RenderJob {
 
 // Wrong arguments fail before anything is rendered.
 int run_render(const RenderArguments& a) {
-  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
+  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr, .png or .tif"));
   if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
   if (!a.png.empty())
     if (auto ok = render::check_output_name(a.png); !ok) return fail(ok.error());
@@ -313,7 +319,8 @@ Command render_command() {
       .options = {scene_option(a->scene.scene, false),
                   {.names = "-o,--out",
                    .target = &a->out,
-                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear) or .png (as displayed)"},
+                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear), .png (as displayed), "
+                          "or of another format"},
                   {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
                   {.names = "--spp",
                    .target = &a->samples,
@@ -351,7 +358,7 @@ Command render_command() {
                   {.names = "--resume",
                    .target = &a->resume,
                    .doc = "Continue from this checkpoint; other options may repeat its settings"},
-                  {.names = "--like", .target = &a->like, .doc = "Use all settings of this .exr that etendue wrote"}},
+                  {.names = "--like", .target = &a->like, .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"}},
       .run = [a] { return run_render(*a); }};
 }
 

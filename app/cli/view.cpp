@@ -18,7 +18,7 @@ Command view_command() {
           .summary = "Open the viewer; the default without a subcommand",
           .options = {{.names = "scene",
                        .target = &a->view.scene,
-                       .doc = "A glTF file (.gltf or .glb), a snapshot (.exr), or a built-in scene: " +
+                       .doc = "A glTF file (.gltf or .glb), a session (.etendue), a snapshot (.exr), or a built-in scene: " +
                               scene::builtin_names() + "; default: cornell"},
                       {.names = "--offscreen", .target = &a->view.offscreen, .doc = "Run without a display"},
                       {.names = "--script",
@@ -30,7 +30,11 @@ Command view_command() {
                       threads_option(a->view.threads),
                       {.names = "--safe",
                        .target = &a->view.safe,
-                       .doc = "Use default settings; neither read nor write the remembered ones"}},
+                       .doc = "Use default settings; neither read nor write the remembered ones"},
+                      {.names = "--settings",
+                       .target = &a->view.settings,
+                       .doc = "Folder for settings and unsaved edits; default: the folders of the user, and none with "
+                              "--script or --offscreen"}},
           .run = [a] {
             if (!a->size.empty()) {
               const auto size = parse_size(a->size);

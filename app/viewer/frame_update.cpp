@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/session.h"
 #include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/scene_export.h"
+#include "viewer/files/session_export.h"
 #include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
@@ -17,6 +19,7 @@
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/image_view.h"
+#include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 #include "viewer/widgets/value_text.h"
 
@@ -50,6 +53,12 @@ void fit_image(render::Document& document, Vec2 region) {
   document.height = std::max(kMinImageSize, static_cast<int>(std::lround(region.y)));
 }
 
+// The name of the window: that of the session file if there is one, otherwise of the scene.
+void set_title(AppState& state) {
+  const std::string& session = state.files.session_file;
+  state.platform.set_title(base_name(session.empty() ? state.document().scene_name : session) + " - \u00c9tendue");
+}
+
 void open_document(AppState& state, OpenedFile opened) {
   render::Document& document = opened.document;
   if (opened.kind == OpenedFile::Kind::scene) fit_image(document, state.viewport.region.size);
@@ -57,10 +66,13 @@ void open_document(AppState& state, OpenedFile opened) {
   state.previous_integrator.clear();
   for (Task* task : all_tasks(state)) task->reset(state.task_context);
   state.session->pause(false);
-  state.editor->open(std::move(document));
+  state.editor->open(std::move(document), opened.kind == OpenedFile::Kind::recovered);
   state.viewport.pivot_is_outdated = true;
-  state.platform.set_title(base_name(state.document().scene_name) + " - \u00c9tendue");
-  for (const auto& warning : state.document().scene->warnings) state.notices.add_message(warning);
+  if (opened.kind == OpenedFile::Kind::recovered) state.files.journal->adopt(opened.file);
+  state.files.session_file = opened.kind == OpenedFile::Kind::session ? opened.file : "";
+  set_title(state);
+  state.notices.close_all();
+  state.notices.add_warnings(base_name(state.document().scene_name), state.document().scene->warnings);
 }
 
 void take_opened_file(AppState& state) {
@@ -69,24 +81,42 @@ void take_opened_file(AppState& state) {
   auto opened = state.files.loader->take_result();
   if (!opened) return;
   if (!*opened) return state.notices.add_error(opened->error().message);
-  remember_recent(state.settings, (*opened)->file);
-  if ((*opened)->kind == OpenedFile::Kind::environment)
-    use_environment(state, **opened);
-  else
-    open_document(state, std::move(**opened));
+  OpenedFile& file = **opened;
+  if (file.kind != OpenedFile::Kind::recovered) {
+    remember_recent(state.settings, file.file);
+    state.store_settings();
+  }
+  if (file.kind == OpenedFile::Kind::environment) return use_environment(state, file);
+  state.after_unsaved_edits([file = std::move(file)](AppState& s) { open_document(s, file); });
+}
+
+void take_saved_session(AppState& state) {
+  auto saved = state.files.session_export->take_result();
+  if (!saved) return;
+  if (!*saved) return state.notices.add_error(saved->error().message);
+  const SavedSession& session = **saved;
+  state.editor->mark_saved(session.document, session.revision);
+  state.notices.add_message("Saved " + session.file);
+  remember_recent(state.settings, session.file);
+  state.store_settings();
+  set_title(state);
+  const auto proceed = std::exchange(state.files.after_unsaved_edits, nullptr);
+  if (proceed) proceed(state);
 }
 
 void take_saved_files(AppState& state) {
   if (const auto saved = state.files.image_export->update()) {
     if (*saved)
-      state.notices.add_message("Saved " + **saved);
+      state.notices.add_message("Saved " + (*saved)->file);
     else
       state.notices.add_error(saved->error().message);
+    if (*saved && (*saved)->has_state) state.editor->mark_saved((*saved)->document, (*saved)->revision);
   }
   if (const auto saved = state.files.scene_export->take_result()) {
     if (!*saved) return state.notices.add_error(saved->error().message);
+    state.editor->mark_scene_saved((*saved)->scene);
     state.notices.add_message("Saved " + (*saved)->file);
-    for (const auto& warning : (*saved)->warnings) state.notices.add_message(warning);
+    state.notices.add_warnings(base_name((*saved)->file), (*saved)->warnings);
   }
 }
 
@@ -151,12 +181,14 @@ void update_pivot(AppState& state) {
 void update_state(AppState& state, ImageView& live_image) {
   take_opened_file(state);
   take_saved_files(state);
+  take_saved_session(state);
   take_loaded_image(state);
   if (!state.has_document()) return;
   update_image(state, live_image);
   update_comparison_source(state);
   for (const auto& panel : state.panels.all()) panel->update(state);
   state.tasks.surface_analysis->update(state.task_context, state.selection.material);
+  state.viewport.selection_outline->update(state.interface.visible ? state.selection.node : -1);
   state.viewport.stored_points->update(state.viewport.show_stored_points);
   const auto& display = state.document().display;
   state.viewport.comparison->update(display.exposure, display.curve);
@@ -169,7 +201,8 @@ bool has_task_update(const AppState& state) {
 
 bool is_file_active(const AppState& state) {
   const FileState& files = state.files;
-  const bool any_file = files.loader->is_busy() || files.image_export->is_busy() || files.scene_export->is_busy();
+  const bool any_file = files.loader->is_busy() || files.image_export->is_busy() || files.scene_export->is_busy() ||
+                        files.session_export->is_busy();
   return any_file || std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->is_saving(); });
 }
 

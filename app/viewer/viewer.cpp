@@ -2,6 +2,7 @@
 #include "viewer/viewer.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -37,6 +38,11 @@ int report(const Error& error) {
   return static_cast<int>(error.fault);
 }
 
+// Scripts and off-screen runs do not depend on earlier runs, unless a folder for settings is given.
+bool keeps_settings(const ViewOptions& options) {
+  return !options.settings.empty() || (!options.safe && !options.offscreen && options.script.empty());
+}
+
 class Application {
  public:
   Application(Platform& platform, const ViewOptions& options)
@@ -46,11 +52,16 @@ class Application {
     if (auto started = host_.start(); !started) return started;
     if (auto started = live_image_.start(); !started) return started;
     state_.settings = settings;
-    state_.ui.theme = apply_theme(settings.dark, platform_.scale());
-    state_.ui.fonts = load_fonts(platform_.scale());
+    update_style();
     state_.panels = PanelSet(make_panels());
     add_all_actions(state_.actions, state_.panels);
+    for (const auto& [action, shortcut] : settings.shortcuts) state_.actions.set_shortcut(action, shortcut);
     if (!note.empty()) state_.notices.add_message(note);
+    if (keeps_settings(state_.options)) {
+      state_.files.settings = settings_file(state_.options.settings);
+      state_.files.journal = std::make_unique<EditJournal>(recovery_folder(state_.options.settings));
+      state_.files.lost_sessions = state_.files.journal->lost_sessions();
+    }
     return {};
   }
 
@@ -60,20 +71,33 @@ class Application {
     state_.open_file(state_.options.scene.empty() ? "cornell" : state_.options.scene);
     last_draw_ = Clock::now();
     share_start_ = last_draw_;
-    while (!state_.quit && !platform_.closing()) {
+    while (!state_.quit) {
       platform_.wait(max_wait(script));
       step(script);
+      if (platform_.take_close_request()) quit_after_unsaved_edits();
       if (script && script->ended()) break;
     }
     return script ? script->exit_code() : 0;
   }
 
-  const Settings& settings() {
-    if (platform_.has_display()) state_.settings.window = platform_.geometry();
-    return state_.settings;
-  }
+  void store_settings() { state_.store_settings(); }
 
  private:
+  void quit_after_unsaved_edits() {
+    state_.after_unsaved_edits([](AppState& state) { state.quit = true; });
+    request_frames(kFramesPerEvent);
+  }
+
+  void update_style() {
+    const Settings& settings = state_.settings;
+    UiContext& ui = state_.ui;
+    ui.scale = settings.ui_scale > 0 ? settings.ui_scale : platform_.scale();
+    ui.theme = apply_theme(settings.dark, ui.scale);
+    ui.fonts = load_fonts(std::round(settings.font_size * ui.scale));
+    state_.interface.style_is_outdated = false;
+    request_frames(kFramesPerEvent);
+  }
+
   bool is_flying() const { return state_.ui.input.buttons[static_cast<size_t>(Button::right)]; }
 
   // Seconds to wait for an event.
@@ -83,7 +107,7 @@ class Application {
     if (is_flying()) return 0.01;
     if (state_.ui.pointer_rest < kTooltipDelay || state_.viewport.comparison->waits_for_shift()) return 0.05;
     if (is_file_active(state_)) return 0.05;
-    if (script || notices_fade_ || image_waits_) return 0.02;
+    if (script || notices_fade_ || image_waits_ || !state_.ui.items.pointed_out().empty()) return 0.02;
     if (!state_.has_document()) return 0.5;
     const auto phase = state_.session->status().phase;
     return phase == "done" || phase == "paused" ? 1.0 : 0.1;
@@ -99,6 +123,7 @@ class Application {
     const bool drawing_is_due = frames_left_ > 0 || new_content_is_due(now) || is_file_active(state_) || is_flying() ||
                                 (script && script->needs_frame());
     if (drawing_is_due) draw();
+    if (state_.files.journal) state_.files.journal->update(*state_.editor);
     update_interface_share(now);
   }
 
@@ -141,6 +166,7 @@ class Application {
     const auto start = Clock::now();
     const auto seconds = static_cast<float>(render::seconds_between(last_draw_, start));
     last_draw_ = start;
+    if (state_.interface.style_is_outdated) update_style();
     update_state(state_, live_image_);
     notices_fade_ = state_.notices.advance(static_cast<double>(seconds));
     host_.begin_frame(state_.ui.input, seconds);
@@ -213,18 +239,18 @@ int run_viewer(const ViewOptions& options) {
     if (!read) return report(read.error());
     script = std::move(*read);
   }
-  // Scripts and off-screen runs do not depend on earlier sessions.
-  const bool uses_settings = !options.safe && !options.offscreen && !script;
   std::string note;
-  Settings settings = uses_settings ? load_settings(note) : Settings{};
-  if (!uses_settings || settings.recent.empty())
+  Settings settings = keeps_settings(options) ? load_settings(settings_file(options.settings), note) : Settings{};
+  if (!keeps_settings(options) || settings.recent.empty())
     settings.window = {.width = options.width, .height = options.height, .maximised = false};
   auto platform = options.offscreen ? make_offscreen(options.width, options.height) : make_window(settings.window);
   if (!platform) return report(platform.error());
-  Application application(**platform, options);
+  ViewOptions used = options;
+  if (used.threads == 0) used.threads = settings.threads;
+  Application application(**platform, used);
   if (auto started = application.start(settings, note); !started) return report(started.error());
   const int code = application.run(script ? &*script : nullptr);
-  if (uses_settings) save_settings(application.settings());
+  application.store_settings();
   return code;
 }
 

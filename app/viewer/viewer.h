@@ -10,8 +10,9 @@ struct ViewOptions {
   std::string script;      // a JSON file of user actions; the viewer ends when the script ends
   int width = 1280;        // of the window, pixels
   int height = 720;
-  int threads = 0;    // 0: one per hardware thread
-  bool safe = false;  // the settings file is neither read nor written
+  int threads = 0;       // 0: one per hardware thread
+  bool safe = false;     // settings and unsaved edits of earlier runs are neither read nor written
+  std::string settings;  // folder for them; empty: the folders of the user, except for scripts and off-screen runs
 };
 
 // Runs until the window is closed or the script ends. Returns the exit code. Errors are written to standard error.

@@ -3,8 +3,8 @@
 //   f = sum of T_k f_k
 //
 // f_k is lobe k. T_k is the part of its light that the coating layers above it transmit, 1 without layers. Sampling
-// selects one lobe with probability p_k, in proportion to its sampling_weight, and draws a direction from it. The
-// density of a direction that is not a delta is the mixture sum of p_k pdf_k, whichever lobe generated it.
+// selects one lobe with probability p_k, in proportion to its sampling_weight behind the layers above it, and draws a
+// direction from it. The density of a direction that is not a delta is the mixture sum of p_k pdf_k, whichever lobe generated it.
 #pragma once
 #include <array>
 #include <variant>
@@ -65,6 +65,7 @@ class LobeSet {
 
  public:
   using Color = ColorType;
+  using Probabilities = std::array<float, max_lobes>;  // by lobe
 
   // The set must hold fewer than `max_lobes` lobes.
   void add(const Lobe& lobe) { lobes_[static_cast<size_t>(count_++)] = lobe; }
@@ -160,6 +161,27 @@ class LobeSet {
     return true;
   }
 
+  // The probabilities with which `sample` selects the lobes. They sum to 1; equal for all lobes if every sampling weight
+  // is 0.
+  Probabilities selection_probabilities(const Vec3& wo) const {
+    Probabilities selection{1};
+    if (count_ < 2) return selection;
+    float total = 0;
+    for (int i = 0; i < count_; ++i) {
+      float weight = visit(i, [&](const auto& l) { return l.sampling_weight(wo); });
+      if constexpr (CoatingLayers::kAny) weight *= coatings_.max_transmittance(i, wo);
+      total += selection[static_cast<size_t>(i)] = weight;
+    }
+    float rest = 1;
+    for (int i = 0; i + 1 < count_; ++i) {
+      float& probability = selection[static_cast<size_t>(i)];
+      probability = total > 0 ? probability / total : 1 / static_cast<float>(count_);
+      rest -= probability;
+    }
+    selection[static_cast<size_t>(count_ - 1)] = std::max(rest, 0.0f);
+    return selection;
+  }
+
   // Appends the deltas of all lobes.
   void add_deltas(const Vec3& wo, TransportMode mode, DeltaSet<Color>& deltas) const {
     const Probabilities selection = selection_probabilities(wo);
@@ -174,8 +196,6 @@ class LobeSet {
   }
 
  private:
-  using Probabilities = std::array<float, max_lobes>;
-
   template <class F>
   auto visit(int i, F&& f) const {
     return visit_lobe(f, lobes_[static_cast<size_t>(i)]);
@@ -191,23 +211,6 @@ class LobeSet {
         f += visit(i, of_lobe);
     }
     return f;
-  }
-
-  // They sum to 1; equal for all lobes if every sampling weight is 0.
-  Probabilities selection_probabilities(const Vec3& wo) const {
-    Probabilities selection{1};
-    if (count_ < 2) return selection;
-    float total = 0;
-    for (int i = 0; i < count_; ++i)
-      total += selection[static_cast<size_t>(i)] = visit(i, [&](const auto& l) { return l.sampling_weight(wo); });
-    float rest = 1;
-    for (int i = 0; i + 1 < count_; ++i) {
-      float& probability = selection[static_cast<size_t>(i)];
-      probability = total > 0 ? probability / total : 1 / static_cast<float>(count_);
-      rest -= probability;
-    }
-    selection[static_cast<size_t>(count_ - 1)] = std::max(rest, 0.0f);
-    return selection;
   }
 
   std::array<Lobe, max_lobes> lobes_;

@@ -53,6 +53,7 @@ struct CoreParameters {
   Rgb specular_color{1};
   Rgb f0{0};  // reflectance of the dielectric at normal incidence, including `specular`
   Ggx facets;
+  bool conserves_energy = false;  // Material::layering
 
   // The parts of the mixture that are a transmitting and an opaque dielectric; the rest is metal.
   float transmitting_part() const { return (1 - metallic) * transmission; }
@@ -63,6 +64,7 @@ struct CoreParameters {
                                                                    const TexturePoint& point) {
   const Material& m = material.description;
   CoreParameters p;
+  p.conserves_energy = m.layering == Layering::energy_conserving;
   p.base = unit(rgb_of(material.base_color_at(point)));
   float metallic = m.metallic;
   p.roughness = m.roughness;
@@ -85,6 +87,7 @@ struct CoreParameters {
 CoreParameters specular_glossiness_at(const SurfaceMaterial& material, const TexturePoint& point) {
   const Material& m = material.description;
   CoreParameters p;
+  p.conserves_energy = m.layering == Layering::energy_conserving;
   p.f0 = unit(textured(m.specular_color, material.specular_color, point));
   p.base = unit(rgb_of(material.base_color_at(point))) * (1 - max_component(p.f0));
   p.roughness = 1 - textured(1 - m.roughness, material.metallic_roughness, point, 3);
@@ -127,6 +130,7 @@ void add_metallic_roughness(const CoreParameters& p, float diffuse_part, Lobes& 
   set_mixed_fresnel(p, lobe);
   lobe.base = p.base * diffuse_part;
   lobe.facets = p.facets;
+  if (p.conserves_energy) lobe.conserve_energy();
   lobes.add(lobe);
 }
 
@@ -179,6 +183,7 @@ void add_metallic_roughness_with_film(const CoreParameters& p, const FilmFresnel
   static_cast<FilmFresnel<Rgb>&>(lobe) = fresnel;
   lobe.base = p.base * diffuse_part;
   lobe.facets = p.facets;
+  if (p.conserves_energy) lobe.conserve_energy();
   lobes.add(lobe);
 }
 
@@ -201,6 +206,7 @@ void add_extended_base(const SurfaceMaterial& material, const TexturePoint& poin
     lobe.color = unit(textured(m.diffuse_transmission_color, material.diffuse_transmission_color, point)) *
                  (p.opaque_dielectric_part() * diffuse_transmission);
     lobe.layer = fresnel;
+    if (p.conserves_energy) lobe.conserve_energy(p.facets);
     lobes.add(lobe);
   }
   if (transmitting > 0 && m.thickness > 0) {
@@ -236,7 +242,9 @@ void add_clearcoat(const SurfaceMaterial& material, const TexturePoint& point, c
   if (coat.strength == 0) return;
   coat.frame = Frame(normal);
   coat.facets = gltf_microfacets(textured(m.clearcoat_roughness, material.clearcoat_roughness, point, 1), 0);
-  lobes.add_coating(DielectricCoating{.normal = normal, .strength = coat.strength, .f0 = kCoatF0, .f90 = 1});
+  DielectricCoating coating{.normal = normal, .strength = coat.strength, .f0 = kCoatF0, .f90 = 1};
+  if (m.layering == Layering::energy_conserving) coating.alpha = std::max(coat.facets.alpha_x, kSmoothAlpha);
+  lobes.add_coating(coating);
   lobes.add(coat);
 }
 

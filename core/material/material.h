@@ -10,6 +10,7 @@
 
 #include "base/vec.h"
 #include "bsdf/bsdf_model.h"
+#include "bsdf/lobes/layered_base.h"
 #include "material/texture.h"
 #include "spectrum/rgb.h"
 
@@ -38,6 +39,8 @@ struct Material {
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
+  // How the layers attenuate what lies below them.
+  Layering layering = Layering::gltf;
   bool unlit = false;  // KHR_materials_unlit: shows the base colour independent of the light
 
   float ior = 1.5f;    // KHR_materials_ior; 0 means a Fresnel term of 1

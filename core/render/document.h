@@ -97,9 +97,11 @@ Result<Document> with_text(const Document& document, std::string_view name, std:
 Result<Document> new_document(const std::string& scene_file_or_name, const std::string& camera = "");
 
 // The state of a document as JSON text, for snapshots and checkpoints: the scene's name and all parameters that differ
-// from the document's origin.
-std::string state_json(const Document& document, uint32_t samples);
-// Opens the document of a state again. `source` is the file name for error messages.
+// from the document's origin. If a folder is given, files in it or below are named relative to it, others absolutely;
+// otherwise they are named as they were opened.
+std::string state_json(const Document& document, uint32_t samples, const std::string& folder = "");
+// Opens the document of a state again. `source` is the file that contains the state, for error messages and relative
+// paths.
 Result<Document> document_from_state(const std::string& json, const std::string& source, uint32_t* samples = nullptr);
 // The display settings of a state, without opening its scene. Missing settings have their default values.
 Display display_from_state(const std::string& json);

@@ -8,6 +8,11 @@ struct etendue::Options<etendue::AlphaMode> {
   static constexpr std::array<etendue::Option, 3> kOptions{
       {{"opaque", "Opaque"}, {"mask", "Mask"}, {"blend", "Blend"}}};
 };
+template <>
+struct etendue::Options<etendue::Layering> {
+  static constexpr std::array<etendue::Option, 2> kOptions{
+      {{"gltf", "As in glTF"}, {"energy-conserving", "Energy conserving"}}};
+};
 
 namespace etendue::render {
 namespace {
@@ -153,7 +158,11 @@ void add_transmission(MaterialParameterList& parameters) {
                         Scale::logarithmic);
 }
 
-void add_layers(MaterialParameterList& parameters) {
+void add_layers(MaterialParameterList& parameters, const Material& m) {
+  parameters.add(Choice<Layering>{"layering", "Layering", m.layering,
+                                  "Light that a layer leaves to the base below. As in glTF: gains energy at grazing "
+                                  "angles. Energy conserving: reflects at most all light, at a higher cost"},
+                 &Material::layering);
   parameters.add_number("anisotropy", "Anisotropy", &Material::anisotropy, {0, 1},
                         "Stretches highlights along the tangent");
   parameters.add_number("anisotropy-rotation", "Anisotropy rotation", &Material::anisotropy_rotation,
@@ -211,7 +220,7 @@ DocumentParameters material_parameters(const Document& document, size_t index, c
   MaterialParameterList parameters(list, m, section, index);
   add_base(parameters);
   add_transmission(parameters);
-  add_layers(parameters);
+  add_layers(parameters, m);
   add_emission_and_opacity(parameters, m);
   for (size_t i = first_of_surface; m.model && i < list.size(); ++i)
     if (!applies_to_all_models(std::string_view(list[i].info.name).substr(section.size() + 1)))

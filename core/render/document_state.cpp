@@ -1,4 +1,6 @@
 // The state of a document as JSON text: the scene that it was opened from and all parameters that differ from it.
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -9,6 +11,7 @@ namespace etendue::render {
 namespace {
 
 using nlohmann::json;
+namespace fs = std::filesystem;
 
 constexpr int kVersion = 2;
 // Recorded completely, because images are displayed without opening their scene.
@@ -28,7 +31,49 @@ std::string text_member(const json& state, const char* name) {
 }
 
 Error invalid_state(const std::string& source) {
-  return input_error(source + ": the settings it carries are damaged; give an image that etendue wrote");
+  return input_error(source + ": its settings are damaged; give an image or a session that etendue wrote");
+}
+
+// The file that a state in the file `source` refers to. A relative path may start at the folder of that file.
+std::string resolved(const std::string& file, const std::string& source) {
+  const fs::path beside = fs::path(source).parent_path() / file;
+  std::error_code code;
+  return !fs::exists(file, code) && fs::exists(beside, code) ? beside.string() : file;
+}
+
+// How a state in `folder` refers to a file: by a path relative to the folder if the file is in it or below, otherwise
+// by an absolute path. Names that are not files, and all names if `folder` is empty, stay as they are.
+std::string reference_from(const std::string& folder, const std::string& file) {
+  std::error_code code;
+  if (folder.empty() || !fs::is_regular_file(file, code)) return file;
+  const fs::path path = fs::absolute(file, code).lexically_normal();
+  const fs::path relative = path.lexically_relative(fs::absolute(folder, code).lexically_normal());
+  const bool is_below = !relative.empty() && *relative.begin() != "..";
+  return (is_below ? relative : path).string();
+}
+
+// The current values of a section by name.
+std::map<std::string, Value> values_of(const Document& document, const std::string& section) {
+  std::map<std::string, Value> values;
+  for (const auto& parameter : section_parameters(document, section))
+    values[parameter.info.name] = parameter.info.default_value;
+  return values;
+}
+
+// Whether a parameter decides which other parameters its section has.
+bool selects_parameters(const std::string& name) { return name.ends_with(".model") || name.ends_with(".preset"); }
+
+// Applies those settings that select parameters, or the others.
+Result<Document> with_settings(Document document, const json& settings, bool selecting, const std::string& source) {
+  for (const auto& [name, j] : settings.items()) {
+    if (selects_parameters(name) != selecting) continue;
+    const auto value = from_json(j);
+    if (!value) return invalid_state(source);
+    auto changed = with(document, name, *value);
+    if (!changed) return input_error(source + ": " + changed.error().message);
+    document = std::move(*changed);
+  }
+  return document;
 }
 
 // In version 1 a scene without lights had a uniform environment, and no tone curve unless the state names one.
@@ -42,23 +87,23 @@ void restore_version_1(Document& document) {
 
 }  // namespace
 
-std::string state_json(const Document& document, uint32_t samples) {
+std::string state_json(const Document& document, uint32_t samples, const std::string& folder) {
   json settings = json::object();
   for (const auto& section : sections(document)) {
-    const auto current = section_parameters(document, section);
-    const auto original =
-        document.origin ? section_parameters(*document.origin, section) : std::vector<DocumentParameter>{};
-    for (size_t i = 0; i < current.size(); ++i)
-      if (i >= original.size() || original[i].info.default_value != current[i].info.default_value ||
-          section == kDisplaySection)
-        settings[current[i].info.name] = to_json_value<json>(current[i].info.default_value);
+    const auto original = document.origin ? values_of(*document.origin, section) : std::map<std::string, Value>();
+    for (const auto& [name, value] : values_of(document, section)) {
+      const auto found = original.find(name);
+      const bool is_changed = found == original.end() || found->second != value;
+      if (is_changed || section == kDisplaySection) settings[name] = to_json_value<json>(value);
+    }
   }
-  json state{{"program", "etendue"},           {"version", kVersion}, {"scene", document.scene_name},
-             {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};
+  json state{
+      {"program", "etendue"},           {"version", kVersion}, {"scene", reference_from(folder, document.scene_name)},
+      {"camera", document.camera_name}, {"samples", samples},  {"settings", settings}};
   // The environment map of the scene's own file is loaded with the scene.
   const std::string& file = document.scene->environment.file;
   if (!file.empty() && !(document.origin && document.origin->scene->environment.file == file))
-    state["environment"] = file;
+    state["environment"] = reference_from(folder, file);
   return state.dump();
 }
 
@@ -67,19 +112,16 @@ Result<Document> document_from_state(const std::string& text, const std::string&
   if (!state.is_object() || text_member(state, "program") != "etendue" || !state.contains("scene") ||
       !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
     return invalid_state(source);
-  auto document = new_document(state["scene"].get<std::string>(), text_member(state, "camera"));
+  auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));
   if (!document) return document;
   if (!state.contains("version") || state["version"] == 1) restore_version_1(*document);
   if (state.contains("environment") && state["environment"].is_string()) {
-    document = with_environment(*document, state["environment"].get<std::string>());
+    document = with_environment(*document, resolved(state["environment"].get<std::string>(), source));
     if (!document) return document;
   }
-  for (const auto& [name, j] : state["settings"].items()) {
-    const auto value = from_json(j);
-    if (!value) return invalid_state(source);
-    auto changed = with(*document, name, *value);
-    if (!changed) return input_error(source + ": " + changed.error().message);
-    document = std::move(changed);
+  for (const bool selecting : {true, false}) {
+    document = with_settings(std::move(*document), state["settings"], selecting, source);
+    if (!document) return document;
   }
   if (samples && state.contains("samples") && state["samples"].is_number_unsigned())
     *samples = state["samples"].get<uint32_t>();

@@ -51,6 +51,11 @@ Material tinted(Material m, float specular) {
   return m;
 }
 
+Material energy_conserving(Material m) {
+  m.layering = Layering::energy_conserving;
+  return m;
+}
+
 Material glossy(float roughness) {
   Material m = base(0, roughness);
   m.specular_glossiness = true;
@@ -105,6 +110,9 @@ std::vector<GltfCase> rough_gltf_cases() {
       {"weak glass", tinted(glass(1, 0.4f), 0.5f)},
       {"coloured glass of index 2.5", tinted(glass(1, 0.6f, 2.5f), 1)},
       {"specular and glossiness", glossy(0.4f)},
+      {"energy-conserving plastic", energy_conserving(base(0, 0.4f))},
+      {"energy-conserving paper under a coat", energy_conserving(coated(translucent(base(0, 0.3f), 0.5f), 1, 0.5f))},
+      {"energy-conserving film", energy_conserving(with_film(base(0.2f, 0.4f), 1, 1.6f, 300))},
   };
 }
 

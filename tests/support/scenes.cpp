@@ -37,6 +37,18 @@ render::Document cornell(int size) {
   return d;
 }
 
+Result<render::Document> with_materials_set(render::Document document, const std::string& setting) {
+  const size_t equals = setting.find('=');
+  if (equals == std::string::npos) return usage_error("'" + setting + "' has no '='; give NAME=VALUE");
+  const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
+  for (size_t m = 0; m < document.scene->materials.size(); ++m) {
+    auto changed = render::with_text(document, "material." + std::to_string(m) + "." + name, value);
+    if (!changed) return changed.error();
+    document = std::move(*changed);
+  }
+  return document;
+}
+
 Rgb mean_color(const film::Film& film) {
   double sum[3] = {0, 0, 0};
   for (int y = 0; y < film.height(); ++y)

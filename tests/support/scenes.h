@@ -34,6 +34,9 @@ using film::Mean;
 using film::mean_of;
 using render::rendered;
 
+// The document with "NAME=VALUE" set for every material, e.g. "layering=energy-conserving".
+Result<render::Document> with_materials_set(render::Document document, const std::string& setting);
+
 Rgb mean_color(const film::Film& film);
 
 // True if the sums of all pixels are bit-identical.

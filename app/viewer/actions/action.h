@@ -21,8 +21,10 @@ struct Action {
   std::function<void(AppState&)> run;
   std::function<bool(const AppState&)> enabled{};  // null: always enabled
   std::function<bool(const AppState&)> checked{};  // null: not a switch
-  std::string group{};                             // heading above the action in its menu
+  std::string group{};  // heading above the action in its menu; actions of the same group follow each other
   std::string group_tooltip{};
+  std::string submenu{};           // of the menu that contains the action
+  std::string default_shortcut{};  // set by ActionList::add
 
   std::vector<Chord> chords() const;
   bool is_enabled(const AppState& state) const { return !enabled || enabled(state); }
@@ -31,10 +33,14 @@ struct Action {
 
 class ActionList {
  public:
-  void add(Action action) { actions_.push_back(std::move(action)); }
+  void add(Action action);
   const std::vector<Action>& all() const { return actions_; }
   // Null if there is no action of this name.
   const Action* find(std::string_view name) const;
+  // Replaces the shortcut of an action. Unknown names and unreadable shortcuts are ignored.
+  void set_shortcut(std::string_view name, const std::string& shortcut);
+  // The action, other than `name`, that already has this chord; null if there is none.
+  const Action* find_conflict(std::string_view name, const Chord& chord) const;
   // Runs the enabled actions whose shortcuts were pressed in this frame.
   void run_pressed(AppState& state, const Input& input) const;
 

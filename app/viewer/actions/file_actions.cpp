@@ -1,6 +1,7 @@
 // Opening and saving files.
 #include <ctime>
 
+#include "light/environments/builtin_environment.h"
 #include "render/document.h"
 #include "scene/builtin/builtin.h"
 #include "viewer/actions/all_actions.h"
@@ -13,6 +14,12 @@
 namespace etendue::viewer {
 namespace {
 
+// Groups of the menu that are separated by lines.
+constexpr const char* kOpenGroup = "-open";
+constexpr const char* kSaveGroup = "-save";
+constexpr const char* kExportGroup = "-export";
+constexpr const char* kQuitGroup = "-quit";
+
 // "SCENE-20240131-235959".
 std::string snapshot_name(const AppState& state) {
   char stamp[32] = "";
@@ -24,7 +31,8 @@ std::string snapshot_name(const AppState& state) {
 }
 
 void save_snapshot(AppState& state) {
-  const std::filesystem::path folder = state.settings.folder;
+  const auto& settings = state.settings;
+  const std::filesystem::path folder = settings.snapshot_folder.empty() ? settings.folder : settings.snapshot_folder;
   state.files.image_export->request((folder / (snapshot_name(state) + ".exr")).string());
 }
 
@@ -36,7 +44,7 @@ void request_open(AppState& state, std::string title, std::vector<std::string> e
 
 void request_image_export(AppState& state) {
   state.files.request =
-      FileRequest{.title = "Export image (.exr, .hdr, .png)",
+      FileRequest{.title = "Export image (.exr, .hdr, .png, .tif, ...)",
                   .extensions = {".exr", ".hdr", ".png"},
                   .saves = true,
                   .name = snapshot_name(state) + ".png",
@@ -56,26 +64,33 @@ void add_open_actions(ActionList& actions) {
   actions.add({.name = "file.open",
                .menu = "File",
                .label = "Open...",
-               .tooltip = "Opens a scene, a snapshot or an environment map",
+               .tooltip = "Opens a scene, a session, a snapshot or an environment map",
                .shortcut = "ctrl+o",
-               .run = [](AppState& state) {
-                 request_open(state, "Open a scene (.gltf, .glb), a snapshot (.exr) or an environment map (.exr, .hdr)",
-                              {".gltf", ".glb", ".exr", ".hdr"});
-               }});
+               .run =
+                   [](AppState& state) {
+                     request_open(
+                         state,
+                         "Open a scene (.gltf, .glb), a session (.etendue), a snapshot (.exr) or an environment map "
+                         "(.exr, .hdr)",
+                         {".gltf", ".glb", ".etendue", ".exr", ".hdr"});
+                   },
+               .group = kOpenGroup});
   actions.add({.name = "file.reload",
                .menu = "File",
                .label = "Reload",
                .tooltip = "Reads the scene file again and discards all edits",
                .shortcut = "f5",
                .run = [](AppState& state) { state.open_file(state.document().scene_name); },
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = kOpenGroup});
   for (const scene::Builtin& builtin : scene::builtins())
     actions.add({.name = std::string("file.") + builtin.name,
                  .menu = "File",
-                 .label = std::string("Open: ") + builtin.label,
+                 .label = builtin.label,
                  .tooltip = builtin.doc,
                  .run = [name = builtin.name](AppState& state) { state.open_file(name); },
-                 .group = "Built-in scenes"});
+                 .group = kOpenGroup,
+                 .submenu = "Built-in scenes"});
   actions.add({.name = "file.cancel",
                .label = "Cancel opening",
                .tooltip = "Cancels the file that is being read",
@@ -89,35 +104,61 @@ void add_open_actions(ActionList& actions) {
                    [](AppState& state) {
                      request_open(state, "Load an environment map (.hdr, .exr)", {".hdr", ".exr"});
                    },
-               .enabled = has_document});
-  actions.add({.name = "environment.studio",
-               .menu = "File",
-               .label = "Add studio light",
-               .tooltip = "Lights the scene with the studio environment, in place of its own environment",
-               .run = [](AppState& state) { state.set_parameter("environment.preset", std::string("studio")); },
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = kOpenGroup,
+               .submenu = "Environment"});
+  for (const BuiltinEnvironment& builtin : builtin_environments()) {
+    const bool is_studio = std::string_view(builtin.name) == "studio";
+    actions.add({.name = std::string("environment.") + builtin.name,
+                 .menu = "File",
+                 .label = is_studio ? "Add studio light" : std::string("Use environment: ") + builtin.label,
+                 .tooltip = builtin.doc,
+                 .run = [name = std::string(builtin.name)](
+                            AppState& state) { state.set_parameter("environment.preset", name); },
+                 .enabled = has_document,
+                 .group = kOpenGroup,
+                 .submenu = "Environment"});
+  }
 }
 
 }  // namespace
 
 void add_file_actions(ActionList& actions) {
   add_open_actions(actions);
-  actions.add({.name = "snapshot.save",
+  actions.add({.name = "session.save",
                .menu = "File",
-               .label = "Save snapshot",
-               .tooltip =
-                   "Saves image, scene reference and all parameters as .exr in the current folder. Drop the file on "
-                   "the window to restore everything",
+               .label = "Save",
+               .tooltip = "Saves the session: the scene's file name and all parameters, without an image",
                .shortcut = "ctrl+s",
-               .run = save_snapshot,
-               .enabled = has_document});
+               .run = [](AppState& state) { state.save_session(); },
+               .enabled = has_document,
+               .group = kSaveGroup});
+  actions.add({.name = "session.save-as",
+               .menu = "File",
+               .label = "Save as...",
+               .tooltip = "Saves the session under another name (.etendue)",
+               .shortcut = "ctrl+shift+s",
+               .run = [](AppState& state) { state.save_session_as(); },
+               .enabled = has_document,
+               .group = kSaveGroup});
+  actions.add(
+      {.name = "snapshot.save",
+       .menu = "File",
+       .label = "Save snapshot",
+       .tooltip =
+           "Saves image, scene reference and all parameters as .exr. Drop the file on the window to restore everything",
+       .shortcut = "f12",
+       .run = save_snapshot,
+       .enabled = has_document,
+       .group = kSaveGroup});
   actions.add({.name = "snapshot.save-as",
                .menu = "File",
                .label = "Export image...",
                .tooltip = "Saves the image: .exr with all parameters, .hdr with radiance, .png as displayed",
-               .shortcut = "ctrl+shift+s",
+               .shortcut = "ctrl+e",
                .run = request_image_export,
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = kExportGroup});
   actions.add(
       {.name = "scene.save",
        .menu = "File",
@@ -125,13 +166,22 @@ void add_file_actions(ActionList& actions) {
        .tooltip = "Saves the edited scene, the camera and the environment as .glb, or as .gltf with separate files",
        .shortcut = "ctrl+shift+e",
        .run = request_scene_export,
-       .enabled = [](const AppState& state) { return state.has_document() && !state.files.scene_export->is_busy(); }});
+       .enabled = [](const AppState& state) { return state.has_document() && !state.files.scene_export->is_busy(); },
+       .group = kExportGroup});
+  actions.add({.name = "app.preferences",
+               .menu = "File",
+               .label = "Preferences...",
+               .tooltip = "Scale and theme of the interface, threads, folders and keyboard shortcuts",
+               .shortcut = "ctrl+,",
+               .run = [](AppState& state) { state.interface.preferences_open = true; },
+               .group = kQuitGroup});
   actions.add({.name = "app.quit",
                .menu = "File",
                .label = "Quit",
-               .tooltip = "Saves the settings and closes the window",
+               .tooltip = "Closes the window; asks first if there are unsaved edits",
                .shortcut = "ctrl+q",
-               .run = [](AppState& state) { state.quit = true; }});
+               .run = [](AppState& state) { state.after_unsaved_edits([](AppState& s) { s.quit = true; }); },
+               .group = kQuitGroup});
 }
 
 }  // namespace etendue::viewer

@@ -42,7 +42,8 @@ void fit_image_to_viewport(AppState& state) {
 
 void toggle_theme(AppState& state) {
   state.settings.dark = !state.settings.dark;
-  state.ui.theme = apply_theme(state.settings.dark, state.ui.scale);
+  state.interface.style_is_outdated = true;
+  state.store_settings();
 }
 
 void add_framing_actions(ActionList& actions) {
@@ -52,20 +53,23 @@ void add_framing_actions(ActionList& actions) {
                .tooltip = "Moves the camera so that it shows the whole scene",
                .shortcut = "home",
                .run = frame_scene,
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = "-framing"});
   actions.add({.name = "view.frame-selection",
                .menu = "View",
                .label = "Frame selection",
                .tooltip = "Moves the camera so that the selected object fills the image",
                .shortcut = "f",
                .run = frame_selection,
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = "-framing"});
   actions.add({.name = "view.fit",
                .menu = "View",
                .label = "Fit image to viewport",
                .tooltip = "Sets the resolution of the image to that of the viewport. Restarts the rendering",
                .run = fit_image_to_viewport,
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = "-framing"});
 }
 
 void add_display_actions(ActionList& actions) {
@@ -75,35 +79,40 @@ void add_display_actions(ActionList& actions) {
                .tooltip = "Decreases the exposure by half a stop",
                .shortcut = "[",
                .run = [](AppState& state) { change_exposure(state, -kExposureStep); },
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = "-display"});
   actions.add({.name = "display.brighter",
                .menu = "View",
                .label = "Exposure up",
                .tooltip = "Increases the exposure by half a stop",
                .shortcut = "]",
                .run = [](AppState& state) { change_exposure(state, kExposureStep); },
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = "-display"});
   actions.add({.name = "display.next-aov",
                .menu = "View",
                .label = "Next AOV",
                .tooltip = "Shows the next AOV: albedo, normals, depth, position, ids, error; then the image again",
                .shortcut = "v",
                .run = show_next_aov,
-               .enabled = has_document});
+               .enabled = has_document,
+               .group = "-display"});
   actions.add({.name = "display.toggle-false-color",
                .menu = "View",
                .label = "False colour",
                .tooltip = "Shows the luminance on a logarithmic scale",
                .shortcut = "l",
                .run = [](AppState& state) { state.viewport.false_color = !state.viewport.false_color; },
-               .checked = [](const AppState& state) { return state.viewport.false_color; }});
+               .checked = [](const AppState& state) { return state.viewport.false_color; },
+               .group = "-display"});
   actions.add({.name = "view.reliability-map",
                .menu = "View",
                .label = "Show unreliable regions",
                .tooltip = "Marks tiles with heavy-tailed noise, where the error estimate cannot be trusted",
                .run = [](AppState& state) { state.viewport.show_reliability = !state.viewport.show_reliability; },
                .enabled = has_document,
-               .checked = [](const AppState& state) { return state.viewport.show_reliability; }});
+               .checked = [](const AppState& state) { return state.viewport.show_reliability; },
+               .group = "-overlays"});
   actions.add(
       {.name = "view.points",
        .menu = "View",
@@ -111,7 +120,8 @@ void add_display_actions(ActionList& actions) {
        .tooltip = "Draws the photons or virtual point lights that the integrator stores, coloured by their power",
        .run = [](AppState& state) { state.viewport.show_stored_points = !state.viewport.show_stored_points; },
        .enabled = has_document,
-       .checked = [](const AppState& state) { return state.viewport.show_stored_points; }});
+       .checked = [](const AppState& state) { return state.viewport.show_stored_points; },
+       .group = "-overlays"});
 }
 
 void add_interface_actions(ActionList& actions) {
@@ -121,13 +131,15 @@ void add_interface_actions(ActionList& actions) {
                .tooltip = "Shows or hides everything except the image",
                .shortcut = "h",
                .run = [](AppState& state) { state.interface.visible = !state.interface.visible; },
-               .checked = [](const AppState& state) { return state.interface.visible; }});
+               .checked = [](const AppState& state) { return state.interface.visible; },
+               .group = "-interface"});
   actions.add({.name = "view.dark",
                .menu = "View",
                .label = "Dark theme",
                .tooltip = "Switches between the dark and the light theme",
                .run = toggle_theme,
-               .checked = [](const AppState& state) { return state.settings.dark; }});
+               .checked = [](const AppState& state) { return state.settings.dark; },
+               .group = "-interface"});
   actions.add({.name = "app.palette",
                .menu = "Help",
                .label = "Find a command...",

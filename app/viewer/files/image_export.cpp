@@ -5,6 +5,7 @@
 #include "advisor/certificate.h"
 #include "render/image_output.h"
 #include "render/session.h"
+#include "viewer/files/file_names.h"
 #include "viewer/state/editor.h"
 
 namespace etendue::viewer {
@@ -55,7 +56,7 @@ void ImageExport::finish_pass() {
   stage_ = Stage::finishing_pass;
 }
 
-std::optional<Result<std::string>> ImageExport::update() {
+std::optional<Result<SavedImage>> ImageExport::update() {
   if (files_.empty() || editor_.empty()) return std::nullopt;
   if (stage_ == Stage::idle) {
     was_paused_ = session_.paused();
@@ -67,6 +68,10 @@ std::optional<Result<std::string>> ImageExport::update() {
     const render::Status status = session_.status();
     if (status.version != version_ || !status.finished) return std::nullopt;
     stage_ = Stage::writing;
+    saved_ = {.file = files_.front(),
+              .has_state = lower_extension(files_.front()) == ".exr",
+              .document = editor_.document(),
+              .revision = editor_.revision()};
     const auto work = [file = files_.front(), document = editor_.document(), version = version_, &session = session_] {
       return write(file, session, document, version);
     };
@@ -82,7 +87,8 @@ std::optional<Result<std::string>> ImageExport::update() {
   files_.pop_front();
   if (was_paused_) session_.pause(true);
   editor_.submit();
-  return result;
+  if (!*result) return result->error();
+  return std::move(saved_);
 }
 
 }  // namespace etendue::viewer

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "render/document.h"
 #include "viewer/tasks/background_task.h"
 
 namespace etendue::render {
@@ -18,6 +19,13 @@ class Session;
 namespace etendue::viewer {
 
 class Editor;
+
+struct SavedImage {
+  std::string file;
+  bool has_state = false;     // the file contains the document (.exr)
+  render::Document document;  // as it was when the image was saved
+  uint64_t revision = 0;      // of the document (Editor::revision)
+};
 
 class ImageExport {
  public:
@@ -29,8 +37,8 @@ class ImageExport {
   void request(const std::string& file) { files_.push_back(file); }
   bool is_busy() const { return !files_.empty(); }
 
-  // Called once per frame. Returns the name of a file that was written, or an error.
-  std::optional<Result<std::string>> update();
+  // Called once per frame. Returns a file that was written, or an error.
+  std::optional<Result<SavedImage>> update();
 
  private:
   enum class Stage { idle, finishing_pass, writing };
@@ -43,6 +51,7 @@ class ImageExport {
   std::deque<std::string> files_;
   Stage stage_ = Stage::idle;
   uint64_t version_ = 0;  // of the document that is exported
+  SavedImage saved_;      // what is being written
   bool was_paused_ = false;
 };
 

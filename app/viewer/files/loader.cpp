@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "render/image_output.h"
+#include "render/session_file.h"
 #include "viewer/files/file_names.h"
 
 namespace etendue::viewer {
@@ -17,7 +18,7 @@ Result<OpenedFile> read_environment(const std::string& file, const render::Docum
   return OpenedFile{.kind = Kind::environment, .file = file, .document = std::move(*document)};
 }
 
-Result<OpenedFile> read(const std::string& file, const render::Document& current) {
+Result<OpenedFile> read(const std::string& file, const render::Document& current, const std::string& environment) {
   const std::string extension = lower_extension(file);
   if (extension == ".hdr") return read_environment(file, current);
   if (extension == ".exr") {
@@ -29,17 +30,35 @@ Result<OpenedFile> read(const std::string& file, const render::Document& current
     if (!document) return document.error();
     return OpenedFile{.kind = Kind::snapshot, .file = file, .document = std::move(*document)};
   }
+  if (extension == render::kSessionExtension) {
+    auto document = render::read_session_file(file);
+    if (!document) return document.error();
+    return OpenedFile{.kind = Kind::session, .file = file, .document = std::move(*document)};
+  }
   auto document = render::new_document(file);
+  if (!document) return document.error();
+  if (document->lit_by_default && !environment.empty()) document = render::with_environment(*document, environment);
   if (!document) return document.error();
   return OpenedFile{.kind = Kind::scene, .file = file, .document = std::move(*document)};
 }
 
 }  // namespace
 
-void Loader::open(const std::string& file, const render::Document& current) {
+void Loader::open(const std::string& file, const render::Document& current, const std::string& environment) {
   file_ = file;
   start_ = std::chrono::steady_clock::now();
-  task_.start([file, current] { return read(file, current); }, wake_);
+  task_.start([file, current, environment] { return read(file, current, environment); }, wake_);
+}
+
+void Loader::recover(const std::string& journal) {
+  file_ = journal;
+  start_ = std::chrono::steady_clock::now();
+  const auto work = [journal]() -> Result<OpenedFile> {
+    auto document = render::read_session_file(journal);
+    if (!document) return document.error();
+    return OpenedFile{.kind = Kind::recovered, .file = journal, .document = std::move(*document)};
+  };
+  task_.start(work, wake_);
 }
 
 double Loader::seconds() const {

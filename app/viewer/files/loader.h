@@ -1,7 +1,7 @@
 // Opens files in the background.
 //
-// The content of a file decides what it is: a scene, a snapshot (an .exr with a stored document), or an environment map
-// (any other .exr, or .hdr).
+// The content of a file decides what it is: a scene, a session (.etendue), a snapshot (an .exr with a stored document),
+// or an environment map (any other .exr, or .hdr).
 #pragma once
 #include <chrono>
 #include <functional>
@@ -14,7 +14,7 @@
 namespace etendue::viewer {
 
 struct OpenedFile {
-  enum class Kind { scene, snapshot, environment };
+  enum class Kind { scene, session, recovered, snapshot, environment };
   Kind kind = Kind::scene;
   std::string file;
   render::Document document;
@@ -25,8 +25,10 @@ class Loader {
   explicit Loader(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   // Starts to read a file; a file that is still being read is abandoned. If it is an environment map, it is added to a
-  // copy of `current`.
-  void open(const std::string& file, const render::Document& current);
+  // copy of `current`. Scenes without lights get the built-in environment of this name (empty: the default).
+  void open(const std::string& file, const render::Document& current, const std::string& environment);
+  // Starts to read the journal of a session that ended unexpectedly.
+  void recover(const std::string& journal);
   void cancel() { task_.abandon(); }
   bool is_busy() const { return task_.running(); }
   // The file that was opened last.

@@ -8,7 +8,7 @@ namespace etendue::viewer {
 
 void SceneExport::write(const std::string& file, const render::Document& document) {
   const auto work = [file, document]() -> Result<SavedScene> {
-    SavedScene saved{.file = file, .warnings = {}};
+    SavedScene saved{.file = file, .scene = document.scene, .warnings = {}};
     const auto written = scene::save_gltf(render::scene_to_save(document), file, &saved.warnings);
     if (!written) return written.error();
     return saved;

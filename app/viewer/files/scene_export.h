@@ -1,6 +1,7 @@
 // Saves the scene as a glTF file in the background.
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,12 +12,16 @@
 namespace etendue::render {
 struct Document;
 }
+namespace etendue::scene {
+struct Scene;
+}
 
 namespace etendue::viewer {
 
 struct SavedScene {
   std::string file;
-  std::vector<std::string> warnings;  // what glTF cannot represent
+  std::shared_ptr<const scene::Scene> scene;  // as it was when it was saved
+  std::vector<std::string> warnings;          // what glTF cannot represent
 };
 
 class SceneExport {

@@ -4,8 +4,9 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <vector>
+#include <sstream>
 
+#include "viewer/layout/palette_entries.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/value_text.h"
@@ -13,24 +14,41 @@
 namespace etendue::viewer {
 namespace {
 
-bool matches(const Action& action, const std::string& text) {
-  const std::string searched = action.label + " " + action.name + " " + action.menu + " " + action.tooltip;
-  return lower_case(searched).find(lower_case(text)) != std::string::npos;
+constexpr size_t kMaxShown = 200;
+
+// Whether the text contains all words.
+bool matches(const std::string& searched, const std::vector<std::string>& words) {
+  return std::ranges::all_of(words, [&](const auto& word) { return searched.find(word) != std::string::npos; });
 }
 
-// One line of the list: label, menu and shortcut. Returns true if it was clicked.
-bool draw_action(AppState& state, const Action& action, bool is_selected) {
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(lower_case(text));
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+// One line of the list: label, menu or section, and shortcut or value. Returns true if it was clicked.
+bool draw_entry(AppState& state, const PaletteEntry& entry, bool is_selected) {
   const float em = ImGui::GetFontSize();
-  ImGui::PushID(action.name.c_str());
-  const bool clicked = ImGui::Selectable("##action", is_selected);
-  state.ui.items.add("palette." + action.name);
-  if (ImGui::IsItemHovered()) tooltip(state.ui, action.tooltip + "\n" + action.name);
-  ImGui::SameLine(0, 0);
-  ImGui::TextUnformatted(action.label.c_str());
-  ImGui::SameLine(em * 18);
-  ImGui::TextDisabled("%s", action.menu.c_str());
-  ImGui::SameLine(em * 24);
-  ImGui::TextDisabled("%s", label(action.chords()).c_str());
+  ImGui::PushID(entry.name.c_str());
+  const float left = ImGui::GetCursorPosX();
+  const bool clicked = ImGui::Selectable("##entry", is_selected);
+  state.ui.items.add("palette." + entry.name);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, entry.tooltip + "\n" + entry.name);
+  const auto column = [&](float start, float end, const std::string& text, bool is_secondary) {
+    ImGui::SameLine(left + em * start);
+    ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(corner, {corner.x + em * (end - start - 0.5f), corner.y + ImGui::GetTextLineHeight()}, true);
+    if (is_secondary)
+      ImGui::TextDisabled("%s", text.c_str());
+    else
+      ImGui::TextUnformatted(text.c_str());
+    ImGui::PopClipRect();
+  };
+  column(0, 18, entry.label, false);
+  column(18, 25, entry.place, true);
+  column(25, 34, entry.keys, true);
   ImGui::PopID();
   return clicked;
 }
@@ -39,43 +57,53 @@ bool key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(k
 
 }  // namespace
 
+void CommandPalette::open(AppState& state) {
+  ImGui::OpenPopup("##palette");
+  text_.clear();
+  selected_ = 0;
+  entries_ = palette_entries(state);
+  searched_.clear();
+  for (const PaletteEntry& entry : entries_)
+    searched_.push_back(lower_case(entry.label + " " + entry.name + " " + entry.place + " " + entry.tooltip));
+}
+
 void CommandPalette::draw(AppState& state) {
-  bool& open = state.interface.palette_open;
-  if (open && !ImGui::IsPopupOpen("##palette")) {
-    ImGui::OpenPopup("##palette");
-    text_.clear();
-    selected_ = 0;
-  }
+  bool& is_open = state.interface.palette_open;
+  if (is_open && !ImGui::IsPopupOpen("##palette")) open(state);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
   ImGui::SetNextWindowPos({screen.x / 2, screen.y * 0.12f}, ImGuiCond_Always, {0.5f, 0});
-  ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.7f, em * 24)});
+  ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, em * 36), std::min(screen.y * 0.7f, em * 24)});
   if (!ImGui::BeginPopup("##palette")) {
-    open = false;
+    is_open = false;
+    entries_.clear();
     return;
   }
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  const bool entered =
-      ImGui::InputTextWithHint("##text", "Find a command", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##text", "Find a command, a parameter or a value", &text_,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) selected_ = 0;
-  std::vector<const Action*> found;
-  for (const auto& action : state.actions.all())
-    if (action.is_enabled(state) && matches(action, text_)) found.push_back(&action);
+  const auto words = words_of(text_);
+  std::vector<const PaletteEntry*> found;
+  for (size_t i = 0; i < entries_.size() && found.size() < kMaxShown; ++i)
+    if (matches(searched_[i], words)) found.push_back(&entries_[i]);
   if (key_pressed(ImGuiKey_DownArrow) && selected_ + 1 < found.size()) ++selected_;
   if (key_pressed(ImGuiKey_UpArrow) && selected_ > 0) --selected_;
-  const Action* chosen = entered && selected_ < found.size() ? found[selected_] : nullptr;
+  const PaletteEntry* chosen = entered && selected_ < found.size() ? found[selected_] : nullptr;
   ImGui::BeginChild("##found");
   for (size_t i = 0; i < found.size(); ++i)
-    if (draw_action(state, *found[i], i == selected_)) chosen = found[i];
+    if (draw_entry(state, *found[i], i == selected_)) chosen = found[i];
   if (found.empty()) ImGui::TextDisabled("No matching command");
   ImGui::EndChild();
   if (chosen || key_pressed(ImGuiKey_Escape)) {
-    open = false;
+    is_open = false;
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
-  if (chosen) chosen->run(state);
+  if (!chosen) return;
+  const auto run = chosen->run;
+  run(state);
 }
 
 }  // namespace etendue::viewer

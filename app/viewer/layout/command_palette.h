@@ -1,18 +1,34 @@
-// The command palette: finds an action by a part of its name, label or tooltip.
+// The command palette: finds an action, a parameter or a value of a parameter by a part of its name, label or tooltip.
 #pragma once
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace etendue::viewer {
 
 struct AppState;
+
+// A line of the list.
+struct PaletteEntry {
+  std::string name;  // of the item, for scripts
+  std::string label;
+  std::string place;   // menu or section
+  std::string keys{};  // shortcut or current value
+  std::string tooltip;
+  std::function<void(AppState&)> run;
+};
 
 class CommandPalette {
  public:
   void draw(AppState& state);
 
  private:
+  void open(AppState& state);
+
   std::string text_;
-  size_t selected_ = 0;  // index into the matching actions
+  size_t selected_ = 0;                // index into the matching entries
+  std::vector<PaletteEntry> entries_;  // made when the palette opens
+  std::vector<std::string> searched_;  // lower-case text of each entry
 };
 
 }  // namespace etendue::viewer

@@ -11,7 +11,9 @@
 #include "viewer/layout/menu_bar.h"
 #include "viewer/layout/popups.h"
 #include "viewer/layout/right_column.h"
+#include "viewer/layout/session_dialogs.h"
 #include "viewer/layout/status_bar.h"
+#include "viewer/layout/viewport_menu.h"
 #include "viewer/state/app_state.h"
 #include "viewer/viewport/overlays.h"
 
@@ -40,22 +42,29 @@ void Interface::draw(AppState& state, float seconds) {
   InterfaceState& interface = state.interface;
   ViewportState& viewport = state.viewport;
   state.ui.items.begin_frame();
+  state.ui.items.advance(seconds);
   interface.typing = ImGui::GetIO().WantTextInput;
   // Escape closes a popup; it is then not a shortcut.
   const bool closes_popup = interface.popup_open && input.keys_pressed[kEscape];
   const bool flying = input.buttons[static_cast<size_t>(Button::right)];  // W, A, S, D, Q and E move the camera
-  if (!interface.typing && !closes_popup && !state.files.request && !flying) state.actions.run_pressed(state, input);
+  const bool has_dialog = state.files.request || state.files.after_unsaved_edits ||
+                          !state.files.lost_sessions.empty() || interface.preferences_open;
+  if (!interface.typing && !closes_popup && !has_dialog && !flying) state.actions.run_pressed(state, input);
 
   viewport.region = draw_frame(state);
   if (state.has_document())
     viewport.image = fit_inside(viewport.region, {state.document().width, state.document().height});
   viewport_.handle_input(state, seconds);
   draw_viewport_overlays(state);
+  draw_viewport_menu(state);
   draw_loading(state);
   draw_notices(state);
   draw_help(state);
   palette_.draw(state);
+  preferences_.draw(state);
   file_dialog_.draw(state);
+  draw_unsaved_edits_dialog(state);
+  draw_recovery_dialog(state);
   // Dear ImGui closes popups on Escape only with keyboard navigation, which is off.
   const bool any_popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
   if (closes_popup && any_popup) ImGui::ClosePopupToLevel(0, true);

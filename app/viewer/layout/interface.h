@@ -2,6 +2,7 @@
 #pragma once
 #include "viewer/layout/command_palette.h"
 #include "viewer/layout/file_dialog.h"
+#include "viewer/layout/preferences_dialog.h"
 #include "viewer/viewport/viewport.h"
 
 namespace etendue::viewer {
@@ -16,6 +17,7 @@ class Interface {
  private:
   ViewportController viewport_;
   CommandPalette palette_;
+  PreferencesDialog preferences_;
   FileDialog file_dialog_;
 };
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <span>
+#include <vector>
 
 #include "render/document.h"
 #include "viewer/files/file_names.h"
@@ -18,9 +20,10 @@ namespace {
 
 constexpr const char* kMenus[] = {"File", "Edit", "View", "Compare", "Integrator", "Render", "Help"};
 
+// A line, and the heading if the name of the group is to be shown: names that begin with a hyphen only separate.
 void draw_group_heading(const UiContext& ui, const Action& action) {
   ImGui::Separator();
-  if (action.group.empty()) return;
+  if (action.group.empty() || action.group.starts_with('-')) return;
   ImGui::PushFont(ui.fonts.small);
   ImGui::TextColored(ui.theme.secondary_text, "%s", action.group.c_str());
   ImGui::PopFont();
@@ -45,26 +48,45 @@ void limit_height_of_next_menu() {
   ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(height, 1.0f)});
 }
 
+// An action, or the submenu of several actions.
+void draw_entries(AppState& state, std::span<const Action* const> entries) {
+  const Action& first = *entries.front();
+  if (first.submenu.empty()) {
+    action_menu_item(state, first);
+    if (first.name == "file.open") draw_recent_files(state);
+    return;
+  }
+  if (!ImGui::BeginMenu(first.submenu.c_str())) return;
+  for (const Action* action : entries) action_menu_item(state, *action);
+  ImGui::EndMenu();
+}
+
 void draw_menu(AppState& state, const char* menu) {
   limit_height_of_next_menu();
   const bool open = ImGui::BeginMenu(menu);
   state.ui.items.add("menu." + lower_case(menu));
   if (!open) return;
+  std::vector<const Action*> entries;
+  for (const auto& action : state.actions.all())
+    if (action.menu == menu) entries.push_back(&action);
   std::string group;
-  for (const auto& action : state.actions.all()) {
-    if (action.menu != menu) continue;
-    if (action.group != group) draw_group_heading(state.ui, action);
+  for (size_t i = 0; i < entries.size();) {
+    const Action& action = *entries[i];
+    if (action.group != group && (i > 0 || !action.group.starts_with('-'))) draw_group_heading(state.ui, action);
     group = action.group;
-    action_menu_item(state, action);
-    if (action.name == "file.open") draw_recent_files(state);
+    const auto same_submenu = [&](const Action* other) { return other->submenu == action.submenu; };
+    const size_t count = action.submenu.empty() ? 1 : static_cast<size_t>(std::ranges::count_if(entries, same_submenu));
+    draw_entries(state, std::span(entries).subspan(i, count));
+    i += count;
   }
   ImGui::EndMenu();
 }
 
 // The name of the scene in the middle, and the command palette on the right, as far as there is space.
 void draw_title(AppState& state) {
-  std::string title = base_name(state.document().scene_name);
-  if (state.editor->undo_depth() > 0) title += " (edited)";
+  const std::string& session = state.files.session_file;
+  std::string title = base_name(session.empty() ? state.document().scene_name : session);
+  if (state.editor->has_unsaved_scene_edits()) title += " (edited)";
   const char* hint = "Ctrl+K  Find a command";
   const ImGuiStyle& style = ImGui::GetStyle();
   const float window_width = ImGui::GetWindowWidth();

@@ -1,6 +1,7 @@
 #include "viewer/layout/right_column.h"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "viewer/layout/window_flags.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -32,14 +34,35 @@ void push_tab_style(float scale) {
 }
 void pop_tab_style() { ImGui::PopStyleVar(2); }
 
+// The text that selects parameters of the open panel.
+void draw_filter(AppState& state) {
+  std::string& filter = state.interface.panel_filter;
+  const bool has_text = !filter.empty();
+  const float button_width = ImGui::CalcTextSize("Clear").x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(has_text ? -button_width - ImGui::GetStyle().ItemSpacing.x : -1);
+  ImGui::InputTextWithHint("##filter", "Filter parameters", &filter);
+  state.ui.items.add("layout.filter");
+  if (const auto text = state.ui.items.take_request("layout.filter")) {
+    filter = *text;
+    state.ui.items.answer("");
+  }
+  if (!has_text) return;
+  ImGui::SameLine();
+  if (ImGui::Button("Clear")) filter.clear();
+  state.ui.items.add("layout.filter.clear");
+}
+
 void draw_panel(AppState& state, Panel& panel) {
+  draw_filter(state);
   ImGui::BeginChild("##panel");
+  state.ui.filter = lower_case(state.interface.panel_filter);
   if (state.has_document())
     panel.draw(state);
   else if (state.files.loader->is_busy())
     note(state.ui, "Opening the scene.");
   else
     note(state.ui, "Open a scene with Ctrl+O, or drop a file on the window.");
+  state.ui.filter.clear();
   ImGui::EndChild();
 }
 

@@ -16,7 +16,8 @@
   PANEL(techniques)    \
   PANEL(sampling)      \
   PANEL(trace)         \
-  PANEL(surface)
+  PANEL(surface)       \
+  PANEL(messages)
 
 namespace etendue::viewer {
 

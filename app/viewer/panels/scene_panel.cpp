@@ -7,6 +7,7 @@
 #include "scene/rotation.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
+#include "viewer/platform/platform.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
@@ -65,6 +66,19 @@ void visibility_checkbox(AppState& state, const scene::Node& node, const std::st
   if (toggled) state.set_parameter(section + ".visible", visible);
 }
 
+// The context menu of a node.
+void draw_node_menu(AppState& state, const scene::Node& node, int index) {
+  if (!ImGui::BeginPopupContextItem("##menu")) return;
+  if (state.selection.node != index) state.select(index, -1);
+  action_menu_item(state, *state.actions.find("view.frame-selection"));
+  const std::string parameter = "node." + std::to_string(index) + ".visible";
+  if (ImGui::MenuItem(node.visible ? "Hide" : "Show")) state.set_parameter(parameter, !node.visible);
+  if (node.mesh >= 0 && ImGui::MenuItem("Material")) state.panels.open(*state.panels.find("tab.material"));
+  if (node.light >= 0 && ImGui::MenuItem("Light")) state.panels.open(*state.panels.find("tab.light"));
+  if (ImGui::MenuItem("Copy name")) state.platform.set_clipboard(node.name);
+  ImGui::EndPopup();
+}
+
 // A node and its children.
 void draw_node(AppState& state, const scene::Scene& scene, int index) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
@@ -83,6 +97,7 @@ void draw_node(AppState& state, const scene::Scene& scene, int index) {
   if (!node.visible) ImGui::PopStyleColor();
   if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) state.select(index, -1);
   state.ui.items.add("scene." + section);
+  draw_node_menu(state, node, index);
   if (ImGui::IsItemHovered() && *kind_of(node)) tooltip(state.ui, std::string(kind_of(node)) + ", " + section);
   if (open && !node.children.empty()) {
     for (const int child : node.children) draw_node(state, scene, child);

@@ -16,6 +16,7 @@ class ImguiHost {
   void end_frame();  // draws into the framebuffer of the platform
 
  private:
+  void upload_changed_fonts();
   void set_font_filter();
 
   Platform& platform_;

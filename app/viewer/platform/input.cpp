@@ -29,7 +29,16 @@ constexpr KeyName kNames[] = {
     {"up", "Up", GLFW_KEY_UP},
     {"down", "Down", GLFW_KEY_DOWN},
     {"f1", "F1", GLFW_KEY_F1},
+    {"f2", "F2", GLFW_KEY_F2},
+    {"f3", "F3", GLFW_KEY_F3},
+    {"f4", "F4", GLFW_KEY_F4},
     {"f5", "F5", GLFW_KEY_F5},
+    {"f6", "F6", GLFW_KEY_F6},
+    {"f7", "F7", GLFW_KEY_F7},
+    {"f8", "F8", GLFW_KEY_F8},
+    {"f9", "F9", GLFW_KEY_F9},
+    {"f10", "F10", GLFW_KEY_F10},
+    {"f12", "F12", GLFW_KEY_F12},
     {"shift", "Shift", GLFW_KEY_LEFT_SHIFT},
     {"ctrl", "Ctrl", GLFW_KEY_LEFT_CONTROL},
     {"alt", "Alt", GLFW_KEY_LEFT_ALT},
@@ -154,6 +163,23 @@ Result<Chord> parse_chord(const std::string& text) {
       return usage_error("'" + text + "': '" + word + "' is not a modifier; use ctrl, shift or alt");
     at = plus + 1;
   }
+}
+
+std::string shortcut_text(const Chord& chord) {
+  std::string key;
+  for (const auto& name : kNames)
+    if (chord.key == name.key) key = name.name;
+  const bool is_printable = chord.key > GLFW_KEY_SPACE && chord.key < 127;
+  if (key.empty() && is_printable) key = static_cast<char>(std::tolower(chord.key));
+  if (key.empty()) return "";
+  return std::string(chord.control ? "ctrl+" : "") + (chord.shift ? "shift+" : "") + (chord.alt ? "alt+" : "") + key;
+}
+
+std::optional<Chord> pressed_chord(const Input& input) {
+  for (int key = 0; key < kKeys; ++key)
+    if (input.keys_pressed[static_cast<size_t>(key)] && !is_modifier(key))
+      return Chord{.key = key, .control = input.control(), .shift = input.shift(), .alt = input.alt()};
+  return std::nullopt;
 }
 
 std::string label(const Chord& chord) {

@@ -8,6 +8,7 @@
 #include <bitset>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,10 @@ struct Chord {
 };
 // An unknown key or modifier is a usage error.
 Result<Chord> parse_chord(const std::string& text);
+// The chord as parse_chord reads it; empty if it cannot.
+std::string shortcut_text(const Chord& chord);
+// The key that went down in this frame with its modifiers; nothing if none or only a modifier did.
+std::optional<Chord> pressed_chord(const Input& input);
 // The chord as menus show it: "Ctrl+Shift+Z".
 std::string label(const Chord& chord);
 // Several chords, separated by commas.

@@ -51,7 +51,7 @@ class Offscreen final : public Platform {
     changed_.notify_all();
   }
   void present() override { gl_.Finish(); }
-  bool closing() const override { return false; }
+  bool take_close_request() override { return false; }
 
   WindowGeometry geometry() const override { return {.width = size_.x, .height = size_.y, .maximised = false}; }
   void set_title(const std::string&) override {}

@@ -29,7 +29,8 @@ class Platform {
   virtual void wait(double seconds) = 0;
   virtual void wake() = 0;
   virtual void present() = 0;
-  virtual bool closing() const = 0;
+  // Whether the user has closed the window since the last call. The window stays until the platform is destroyed.
+  virtual bool take_close_request() = 0;
 
   virtual WindowGeometry geometry() const = 0;
   virtual void set_title(const std::string& title) = 0;

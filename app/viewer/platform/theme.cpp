@@ -3,6 +3,7 @@
 #include <imgui_freetype.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace etendue::viewer {
@@ -57,6 +58,9 @@ constexpr Palette kLight{
     .grab = 0x9fcbe9,
     .warning = 0x8a5200,
 };
+
+// Height of the small font, relative to the others.
+constexpr float kSmallFont = 13.0f / 16;
 
 // Loads the first font file that exists; otherwise the font that is built into Dear ImGui.
 ImFont* load_first(std::initializer_list<const char*> files, float pixels) {
@@ -132,17 +136,18 @@ Theme apply_theme(bool dark, float scale) {
           .warning = hex(p.warning)};
 }
 
-Fonts load_fonts(float scale) {
+Fonts load_fonts(float size) {
+  ImGui::GetIO().Fonts->Clear();
   ImGui::GetIO().Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   Fonts fonts;
   fonts.text = load_first(
       {"/usr/share/fonts/opentype/inter/Inter-Regular.otf", "/usr/share/fonts/truetype/inter/Inter-Regular.ttf",
        "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"},
-      16 * scale);
+      size);
   const auto monospace = {"/usr/share/fonts/truetype/jetbrains-mono/JetBrainsMono-Regular.ttf",
                           "/usr/share/fonts/truetype/dejavu/DejaVuSansMono.ttf"};
-  fonts.monospace = load_first(monospace, 16 * scale);
-  fonts.small = load_first(monospace, 13 * scale);
+  fonts.monospace = load_first(monospace, size);
+  fonts.small = load_first(monospace, std::round(size * kSmallFont));
   return fonts;
 }
 

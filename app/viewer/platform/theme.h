@@ -21,8 +21,9 @@ struct Fonts {
   ImFont* small = nullptr;      // small monospace, for charts and tables
 };
 
-// Sets the style of Dear ImGui; `scale` is that of the platform.
+// Sets the style of Dear ImGui. `scale` is in pixels per unit of the interface.
 Theme apply_theme(bool dark, float scale);
-Fonts load_fonts(float scale);
+// Replaces all fonts; `size` is the height of text in pixels. The host uploads them before the next frame.
+Fonts load_fonts(float size);
 
 }  // namespace etendue::viewer

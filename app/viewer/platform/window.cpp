@@ -2,7 +2,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "viewer/platform/platform.h"
 
@@ -50,10 +52,11 @@ class Window final : public Platform {
     glfwGetFramebufferSize(window_, &s.x, &s.y);
     return s;
   }
+  // The scale that the system states, or else one for the height of the display.
   float scale() const override {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return x > 0 ? x : 1;
+    return x > 0 && x != 1 ? x : scale_for_height();
   }
   GLuint framebuffer() const override { return 0; }
   bool has_display() const override { return true; }
@@ -66,7 +69,11 @@ class Window final : public Platform {
   }
   void wake() override { glfwPostEmptyEvent(); }
   void present() override { glfwSwapBuffers(window_); }
-  bool closing() const override { return glfwWindowShouldClose(window_) != 0; }
+  bool take_close_request() override {
+    const bool requested = glfwWindowShouldClose(window_) != 0;
+    glfwSetWindowShouldClose(window_, GLFW_FALSE);
+    return requested;
+  }
 
   WindowGeometry geometry() const override {
     WindowGeometry p;
@@ -87,6 +94,16 @@ class Window final : public Platform {
   }
 
  private:
+  // 1 up to a height of 1200 pixels, 1.25 at 1440, 2 at 2160.
+  static float scale_for_height() {
+    constexpr float kUsualHeight = 1080;
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return 1;
+    const float ratio = static_cast<float>(mode->height) / kUsualHeight;
+    return std::max(1.0f, std::floor(ratio * 4) / 4);
+  }
+
   static std::string reason() {
     const char* text = nullptr;
     glfwGetError(&text);

@@ -6,6 +6,29 @@
 
 namespace etendue::viewer {
 
+namespace {
+
+constexpr float kMarkSeconds = 1.5f;
+
+// A frame around an item.
+void mark(const ImVec2& corner, const ImVec2& size) {
+  const ImU32 color = ImGui::GetColorU32(ImGuiCol_CheckMark);
+  ImGui::GetWindowDrawList()->AddRect({corner.x - 2, corner.y - 2}, {corner.x + size.x + 2, corner.y + size.y + 2},
+                                      color, ImGui::GetStyle().FrameRounding, 0, 2);
+}
+
+}  // namespace
+
+void ItemRegistry::point_out(const std::string& name) {
+  pointed_out_ = name;
+  mark_seconds_ = kMarkSeconds;
+}
+
+void ItemRegistry::advance(float seconds) {
+  mark_seconds_ -= seconds;
+  if (mark_seconds_ <= 0) pointed_out_.clear();
+}
+
 void ItemRegistry::add(const std::string& name) {
   const ImVec2 corner = ImGui::GetItemRectMin();
   const ImVec2 size = ImGui::GetItemRectSize();
@@ -19,9 +42,10 @@ void ItemRegistry::add(const std::string& name) {
   const bool outside = outside_x || centre.y < clip_min.y || centre.y >= clip_max.y;
   if (ImGui::IsItemVisible() && !outside) {
     placements_[name] = {Vec2(corner.x, corner.y), Vec2(size.x, size.y)};
+    if (name == pointed_out_) mark(corner, size);
     return;
   }
-  if (!is_requested(name) && name != scroll_target_) return;
+  if (!is_requested(name) && name != scroll_target_ && name != pointed_out_) return;
   ImGui::SetScrollHereY();
   if (outside_x) ImGui::SetScrollHereX();
 }

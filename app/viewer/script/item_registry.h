@@ -4,6 +4,7 @@
 // the value when it is drawn, and handles it like a value that the user enters. An item that is not drawn cannot be
 // set.
 #pragma once
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,7 +23,12 @@ struct ItemInfo {
 
 class ItemRegistry {
  public:
-  void begin_frame() { placements_.clear(); }
+  void begin_frame() {
+    placements_.clear();
+    ++frames_;
+  }
+  // The number of frames that were begun.
+  uint64_t frames() const { return frames_; }
 
   // Records the placement of the last ImGui item under this name.
   void add(const std::string& name);
@@ -30,6 +36,8 @@ class ItemRegistry {
   void add(const std::string& name, const Placement& placement) { placements_[name] = placement; }
   // The placement of an item in this frame, or null if it was not drawn or is not visible.
   const Placement* find(const std::string& name) const;
+  // All items that were drawn in this frame.
+  const std::map<std::string, Placement, std::less<>>& placements() const { return placements_; }
 
   // --- for scripts
   // Requests a value for an item; replaces the previous request.
@@ -40,6 +48,13 @@ class ItemRegistry {
   std::optional<std::string> take_answer();
   // Scrolls this item into view in the next frames. An empty name ends that.
   void scroll_to(const std::string& name) { scroll_target_ = name; }
+
+  // Scrolls this item into view and marks it for a moment.
+  void point_out(const std::string& name);
+  // The item that is marked; empty if there is none.
+  const std::string& pointed_out() const { return pointed_out_; }
+  // Ends the mark after its time.
+  void advance(float seconds);
 
   // --- for widgets
   bool is_requested(std::string_view name) const { return request_ && request_->name == name; }
@@ -54,9 +69,12 @@ class ItemRegistry {
     std::string value;
   };
   std::map<std::string, Placement, std::less<>> placements_;
+  uint64_t frames_ = 0;
   std::optional<Request> request_;
   std::optional<std::string> answer_;
   std::string scroll_target_;
+  std::string pointed_out_;
+  float mark_seconds_ = 0;
 };
 
 }  // namespace etendue::viewer

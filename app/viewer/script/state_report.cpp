@@ -70,6 +70,9 @@ std::string state_report(AppState& state) {
   const Panel* tab = state.panels.open_tab();
   const Panel* bottom_panel = state.panels.open_bottom_panel();
   json j{{"parameters", document_parameters(state)},
+         {"edited", editor.has_unsaved_scene_edits()},
+         {"session", state.files.session_file},
+         {"messages", state.notices.log().size()},
          {"undo_depth", editor.undo_depth()},
          {"redo_depth", editor.redo_depth()},
          {"undo", editor.undo_name()},

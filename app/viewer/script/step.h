@@ -28,6 +28,8 @@ Result<std::unique_ptr<Step>> make_input_step(const std::string& action, const n
 Result<std::unique_ptr<Step>> make_wait_step(const std::string& action, const nlohmann::json& description);
 Result<std::unique_ptr<Step>> make_file_step(const std::string& action, const nlohmann::json& description);
 
+Result<std::unique_ptr<Step>> make_random_step(const std::string& action, const nlohmann::json& description);
+
 // Counts down a number of frames, so that the interface can react to input.
 class FrameDelay {
  public:

@@ -6,6 +6,8 @@
 #include "viewer/actions/all_actions.h"
 #include "viewer/panels/panel_set.h"
 #include "viewer/panels/registry.h"
+#include "viewer/state/preferences.h"
+#include "viewer/state/settings.h"
 #include "viewer/viewer.h"
 #include "viewer/widgets/vector_widgets.h"
 
@@ -62,7 +64,24 @@ const std::vector<ItemInfo>& layout_items() {
       {"files.accept", "Open or Save", "Accepts the file dialog"},
       {"files.cancel", "Cancel", "Closes the file dialog"},
       {"help.close", "Close", "Closes the list of shortcuts"},
-      {"notice.close", "Close", "Closes an error message"},
+      {"layout.filter", "Filter parameters", "Shows only the parameters of the panel that contain this text"},
+      {"layout.filter.clear", "Clear", "Shows all parameters of the panel"},
+      {"menu.reset", "Reset", "Resets the parameter whose context menu is open"},
+      {"notice.close", "Close", "Closes a message"},
+      {"notice.show-all", "Show all", "Opens the Messages panel"},
+      {"preferences.close", "Close", "Closes the preferences"},
+      {"preferences.keyboard", "Keyboard", "Shows the keyboard shortcuts in the preferences"},
+      {"preferences.reset-shortcuts", "Reset all", "Resets all keyboard shortcuts"},
+      {"preferences.clear-recent", "Clear recent files", "Clears the list of recent files"},
+      {"preferences.snapshot-folder", "Snapshot folder", "Where Save snapshot writes its images"},
+      {"recovery.recover", "Recover", "Opens unsaved edits of a viewer that ended unexpectedly"},
+      {"recovery.discard", "Discard", "Deletes unsaved edits of a viewer that ended unexpectedly"},
+      {"recovery.later", "Decide at the next start", "Keeps unsaved edits and closes the question"},
+      {"unsaved.save", "Save", "Saves the unsaved edits"},
+      {"unsaved.discard", "Discard", "Discards the unsaved edits"},
+      {"unsaved.cancel", "Cancel", "Continues with the current scene"},
+      {"viewport-menu.hide", "Hide", "Hides the object under the pointer"},
+      {"viewport-menu.focus", "Focus and orbit here", "Sets the focus distance and the centre of orbits"},
   };
   return items;
 }
@@ -112,6 +131,8 @@ std::string widgets_json() {
     for (const ItemInfo& item : panel->items()) list.push_back(item_entry(item.name, item.label, item.description));
     for (const auto& info : panel->parameters()) list.push_back(parameter_entry(info));
   }
+  for (const auto& info : interface_preferences(Settings())) list.push_back(parameter_entry(info));
+  for (const auto& info : rendering_preferences(Settings())) list.push_back(parameter_entry(info));
   append_document_parameters(list);
   return list.dump(2);
 }

@@ -1,9 +1,11 @@
 #include "viewer/state/app_state.h"
 
 #include "render/session.h"
+#include "render/session_file.h"
 #include "viewer/files/image_export.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/scene_export.h"
+#include "viewer/files/session_export.h"
 #include "viewer/platform/platform.h"
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
@@ -12,6 +14,7 @@
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
+#include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 
 namespace etendue::viewer {
@@ -57,8 +60,10 @@ AppState::AppState(Platform& p, const ViewOptions& o)
   files.loader = std::make_unique<Loader>(wake);
   files.image_export = std::make_unique<ImageExport>(*session, *editor, wake);
   files.scene_export = std::make_unique<SceneExport>(wake);
+  files.session_export = std::make_unique<SessionExport>(wake);
   viewport.aov = std::make_unique<AovLayer>(*session, *editor, wake);
   viewport.comparison = std::make_unique<Comparison>(wake);
+  viewport.selection_outline = std::make_unique<SelectionOutline>(*session, *editor, wake);
   viewport.stored_points = std::make_unique<StoredPoints>(*session, *editor, wake);
   ui.scale = platform.scale();
 }
@@ -104,7 +109,36 @@ std::string AppState::incompatibility() const {
   return has_document() && status.version == editor->version() ? status.incompatibility : "";
 }
 
-void AppState::open_file(const std::string& file) { files.loader->open(file, document()); }
+void AppState::open_file(const std::string& file) { files.loader->open(file, document(), settings.environment); }
+
+void AppState::save_session() {
+  if (files.session_file.empty()) return save_session_as();
+  if (!files.session_export->is_busy()) files.session_export->write(files.session_file, document(), editor->revision());
+}
+
+void AppState::save_session_as() {
+  files.request = FileRequest{.title = "Save the session (.etendue)",
+                              .extensions = {render::kSessionExtension},
+                              .saves = true,
+                              .name = scene_stem(document()) + render::kSessionExtension,
+                              .accept = [this](const std::string& file) {
+                                files.session_file = file;
+                                save_session();
+                              }};
+}
+
+void AppState::after_unsaved_edits(std::function<void(AppState&)> proceed) {
+  if (has_document() && editor->has_unsaved_scene_edits())
+    files.after_unsaved_edits = std::move(proceed);
+  else
+    proceed(*this);
+}
+
+void AppState::store_settings() {
+  if (files.settings.empty()) return;
+  if (platform.has_display()) settings.window = platform.geometry();
+  save_settings(files.settings, settings);
+}
 
 void AppState::select(int node, int material) {
   selection.node = node;

@@ -3,6 +3,7 @@
 // Panels, actions, the layout and scripts use this; it depends on none of them. State that only one panel uses belongs
 // to that panel.
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include "base/parameter.h"
 #include "viewer/actions/action.h"
+#include "viewer/files/edit_journal.h"
 #include "viewer/files/file_request.h"
 #include "viewer/panels/panel_set.h"
 #include "viewer/state/notices.h"
@@ -41,6 +43,8 @@ class Loader;
 class PathClassTask;
 class Platform;
 class SceneExport;
+class SessionExport;
+class SelectionOutline;
 class StoredPoints;
 class SurfaceAnalysis;
 
@@ -72,6 +76,7 @@ struct ViewportState {
   std::unique_ptr<AovLayer> aov;
   std::unique_ptr<Comparison> comparison;
   std::unique_ptr<StoredPoints> stored_points;
+  std::unique_ptr<SelectionOutline> selection_outline;
 
   bool aov_is_uploaded = false;  // the texture of the live image has an AOV
 
@@ -84,8 +89,13 @@ struct InterfaceState {
   bool visible = true;
   bool help_open = false;
   bool palette_open = false;
-  bool popup_open = false;  // something that Escape closes covers the interface
-  bool typing = false;      // a text field has the keyboard focus
+  bool preferences_open = false;
+  bool style_is_outdated = false;     // scale, font size or theme have changed
+  std::string panel_filter;           // of the open panel; empty: all parameters are shown
+  std::optional<Vec2> menu_position;  // where the context menu of the viewport is to be opened
+  Vec2 menu_target{0};                // the position that this menu refers to
+  bool popup_open = false;            // something that Escape closes covers the interface
+  bool typing = false;                // a text field has the keyboard focus
 };
 
 // Files that are being read or written, and the request for a file name while the file dialog is open.
@@ -93,7 +103,15 @@ struct FileState {
   std::unique_ptr<Loader> loader;
   std::unique_ptr<ImageExport> image_export;
   std::unique_ptr<SceneExport> scene_export;
+  std::unique_ptr<SessionExport> session_export;
   std::optional<FileRequest> request;
+
+  std::string session_file;  // that Save writes; empty before it has a name
+  // What continues after the user has decided about unsaved edits; null if there is no question.
+  std::function<void(AppState&)> after_unsaved_edits;
+  std::filesystem::path settings;          // the settings file; empty if settings are not kept
+  std::unique_ptr<EditJournal> journal;    // null if unsaved edits are not kept
+  std::vector<LostSession> lost_sessions;  // offered for recovery
 };
 
 // Background tasks that several panels use.
@@ -129,8 +147,16 @@ struct AppState {
 
   // Why the integrator cannot render the scene, as one sentence; empty if it can or if that is not known yet.
   std::string incompatibility() const;
-  // Opens a scene, a snapshot or an environment map in the background.
+  // Opens a scene, a session, a snapshot or an environment map in the background.
   void open_file(const std::string& file);
+  // Writes the session file; asks for its name if it has none.
+  void save_session();
+  void save_session_as();
+  // Calls `proceed` at once if there are no unsaved edits of the scene, otherwise after the user has saved or discarded
+  // them.
+  void after_unsaved_edits(std::function<void(AppState&)> proceed);
+  // Writes the settings file, unless settings are not kept.
+  void store_settings();
   // Selects a node, and its material and light. A negative material stands for the first one of the node.
   void select(int node, int material);
 

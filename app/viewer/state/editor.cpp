@@ -12,12 +12,22 @@ constexpr size_t kMaxSteps = 1000;
 
 }  // namespace
 
-void Editor::open(render::Document document) {
+void Editor::open(render::Document document, bool is_recovered) {
   document_ = std::move(document);
+  ++revision_;
+  if (is_recovered)
+    saved_scene_.reset();
+  else
+    mark_saved(document_, revision_);
   undo_steps_.clear();
   redo_steps_.clear();
   gesture_.clear();
   submit();
+}
+
+void Editor::mark_saved(const render::Document& document, uint64_t revision) {
+  saved_scene_ = document.scene;
+  saved_revision_ = revision;
 }
 
 void Editor::apply(render::Document changed, const std::string& name, const std::string& gesture) {
@@ -28,6 +38,7 @@ void Editor::apply(render::Document changed, const std::string& name, const std:
   redo_steps_.clear();
   gesture_ = gesture;
   document_ = std::move(changed);
+  ++revision_;
   submit();
 }
 
@@ -36,6 +47,7 @@ void Editor::discard_step(const std::string& gesture) {
   document_ = std::move(undo_steps_.back().document);
   undo_steps_.pop_back();
   gesture_.clear();
+  ++revision_;
   submit();
 }
 
@@ -46,6 +58,7 @@ bool Editor::undo() {
   std::swap(step.document, document_);
   redo_steps_.push_back(std::move(step));
   gesture_.clear();
+  ++revision_;
   submit();
   return true;
 }
@@ -57,6 +70,7 @@ bool Editor::redo() {
   std::swap(step.document, document_);
   undo_steps_.push_back(std::move(step));
   gesture_.clear();
+  ++revision_;
   submit();
   return true;
 }

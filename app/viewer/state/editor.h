@@ -22,8 +22,18 @@ class Editor {
   // The version of the document that the session returned; frames carry the version that they show.
   uint64_t version() const { return version_; }
 
-  // Replaces the document and clears the undo history.
-  void open(render::Document document);
+  // Replaces the document and clears the undo history. The document counts as saved unless it was recovered.
+  void open(render::Document document, bool is_recovered = false);
+
+  // Counts all changes of the document, including undo and redo.
+  uint64_t revision() const { return revision_; }
+  // Records that the scene, or everything up to a revision, is stored in a file.
+  void mark_scene_saved(std::shared_ptr<const scene::Scene> scene) { saved_scene_ = std::move(scene); }
+  void mark_saved(const render::Document& document, uint64_t revision);
+  // Whether the scene (objects, materials, lights, environment) differs from the one that was opened or saved last.
+  bool has_unsaved_scene_edits() const { return document_.scene != saved_scene_; }
+  // Whether anything has changed since then, including the camera and the rendering method.
+  bool has_unsaved_changes() const { return revision_ != saved_revision_; }
 
   // Replaces the document by an edited one. `name` is the name of the step in the menu. Consecutive edits with the same
   // gesture make one step, until `end_gesture`; an empty gesture always makes a step of its own.
@@ -53,6 +63,9 @@ class Editor {
   render::Session& session_;
   render::Document document_;
   uint64_t version_ = 0;
+  uint64_t revision_ = 0;
+  uint64_t saved_revision_ = 0;
+  std::shared_ptr<const scene::Scene> saved_scene_;
   std::vector<Step> undo_steps_;
   std::vector<Step> redo_steps_;
   std::string gesture_;

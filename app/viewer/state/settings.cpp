@@ -14,12 +14,13 @@ namespace fs = std::filesystem;
 
 constexpr size_t kMaxRecent = 12;
 
-fs::path settings_file() {
-  const char* config = std::getenv("XDG_CONFIG_HOME");
+// The folder "etendue" in the XDG folder of this variable; its default is a folder in the home folder.
+fs::path user_folder(const char* variable, const char* default_folder) {
+  const char* chosen = std::getenv(variable);
   const char* home = std::getenv("HOME");
   // The XDG specification requires relative paths to be ignored.
-  if (config && fs::path(config).is_absolute()) return fs::path(config) / "etendue" / "viewer.json";
-  return home && *home ? fs::path(home) / ".config" / "etendue" / "viewer.json" : fs::path();
+  if (chosen && fs::path(chosen).is_absolute()) return fs::path(chosen) / "etendue";
+  return home && *home ? fs::path(home) / default_folder / "etendue" : fs::path();
 }
 
 Settings from_json(const json& j) {
@@ -32,6 +33,13 @@ Settings from_json(const json& j) {
   s.dark = j.at("dark").get<bool>();
   s.recent = j.at("recent").get<std::vector<std::string>>();
   s.folder = j.at("folder").get<std::string>();
+  if (const float scale = j.value("scale", 0.0f); scale > 0) s.ui_scale = std::clamp(scale, kMinScale, kMaxScale);
+  s.font_size = std::clamp(j.value("font_size", s.font_size), kMinFontSize, kMaxFontSize);
+  s.show_timing = j.value("show_timing", false);
+  s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
+  s.environment = j.value("environment", "");
+  s.snapshot_folder = j.value("snapshot_folder", "");
+  if (j.contains("shortcuts")) s.shortcuts = j["shortcuts"].get<std::map<std::string, std::string>>();
   return s;
 }
 
@@ -41,13 +49,29 @@ json to_json(const Settings& s) {
           {"drawer", s.bottom_panel_height},
           {"dark", s.dark},
           {"recent", s.recent},
-          {"folder", s.folder}};
+          {"folder", s.folder},
+          {"scale", s.ui_scale},
+          {"font_size", s.font_size},
+          {"show_timing", s.show_timing},
+          {"threads", s.threads},
+          {"environment", s.environment},
+          {"snapshot_folder", s.snapshot_folder},
+          {"shortcuts", s.shortcuts}};
 }
 
 }  // namespace
 
-Settings load_settings(std::string& note) {
-  const fs::path file = settings_file();
+fs::path settings_file(const fs::path& folder) {
+  const fs::path used = folder.empty() ? user_folder("XDG_CONFIG_HOME", ".config") : folder;
+  return used.empty() ? used : used / "viewer.json";
+}
+
+fs::path recovery_folder(const fs::path& folder) {
+  const fs::path used = folder.empty() ? user_folder("XDG_STATE_HOME", ".local/state") : folder;
+  return used.empty() ? used : used / "recovery";
+}
+
+Settings load_settings(const fs::path& file, std::string& note) {
   std::error_code code;
   if (file.empty() || !fs::exists(file, code)) return {};
   if (const auto bytes = read_file(file)) {
@@ -66,8 +90,7 @@ Settings load_settings(std::string& note) {
   return {};
 }
 
-bool save_settings(const Settings& settings) {
-  const fs::path file = settings_file();
+bool save_settings(const fs::path& file, const Settings& settings) {
   if (file.empty()) return false;
   std::error_code code;
   fs::create_directories(file.parent_path(), code);
@@ -77,11 +100,12 @@ bool save_settings(const Settings& settings) {
 
 void remember_recent(Settings& settings, const std::string& file) {
   std::error_code code;
-  const std::string path = fs::absolute(file, code).string();
+  const bool is_file = fs::exists(file, code);
+  const std::string path = is_file ? fs::absolute(file, code).string() : file;
   std::erase(settings.recent, path);
   settings.recent.insert(settings.recent.begin(), path);
   if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
-  settings.folder = fs::path(path).parent_path().string();
+  if (is_file) settings.folder = fs::path(path).parent_path().string();
 }
 
 }  // namespace etendue::viewer

@@ -1,11 +1,17 @@
-// The settings that the viewer keeps between sessions, in $XDG_CONFIG_HOME/etendue/viewer.json.
+// The settings that the viewer keeps between sessions.
 #pragma once
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "viewer/platform/window_geometry.h"
 
 namespace etendue::viewer {
+
+inline constexpr float kMinScale = 0.75f, kMaxScale = 4;
+inline constexpr float kMinFontSize = 12, kMaxFontSize = 28;
+inline constexpr int kMaxThreads = 1024;
 
 struct Settings {
   WindowGeometry window;
@@ -14,15 +20,29 @@ struct Settings {
   bool dark = true;
   std::vector<std::string> recent;  // newest first
   std::string folder;               // of the file that was last opened or saved
+
+  float ui_scale = 0;                            // pixels per unit of the interface; 0: that of the display
+  float font_size = 16;                          // units of the interface
+  bool show_timing = false;                      // of the interface, in the status bar
+  int threads = 0;                               // 0: one per hardware thread; applied at the next start
+  std::string environment;                       // built-in environment for scenes without lights; empty: the first one
+  std::string snapshot_folder;                   // empty: `folder`
+  std::map<std::string, std::string> shortcuts;  // by the name of the action; only those that were changed
 };
+
+// The settings file: viewer.json in `folder`, or in $XDG_CONFIG_HOME/etendue if `folder` is empty. Empty if the user has
+// no home folder.
+std::filesystem::path settings_file(const std::filesystem::path& folder);
+// The folder of the journals of unsaved edits: `folder`/recovery, or $XDG_STATE_HOME/etendue/recovery.
+std::filesystem::path recovery_folder(const std::filesystem::path& folder);
 
 // Without a settings file, returns the defaults. A file that cannot be read is renamed to NAME.damaged; `note` then
 // says so.
-Settings load_settings(std::string& note);
+Settings load_settings(const std::filesystem::path& file, std::string& note);
 // Returns false if the file cannot be written.
-bool save_settings(const Settings& settings);
+bool save_settings(const std::filesystem::path& file, const Settings& settings);
 
-// Adds a file to the list of recent files and makes its folder the current one.
+// Adds a file or a built-in scene to the list of recent files, and makes the folder of the file the current one.
 void remember_recent(Settings& settings, const std::string& file);
 
 }  // namespace etendue::viewer

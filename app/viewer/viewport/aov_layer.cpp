@@ -14,7 +14,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr uint32_t kSamples = 2;  // per pixel
+constexpr uint32_t kSamplesPerPixel = 2;
 
 // A random colour for each id, so that neighbouring ids differ. Id 0 is black.
 Rgb color_of_id(float id) {
@@ -69,7 +69,7 @@ AovImage error_image(render::Session& session, uint64_t version) {
 
 AovImage aov_image(const scene::CompiledScene& scene, const std::string& name, const render::Document& document,
                    uint64_t version) {
-  const auto layers = render::render_aovs(scene, document, {name}, kSamples, 1);
+  const auto layers = render::render_aovs(scene, document, {name}, kSamplesPerPixel, 1);
   const size_t pixels = static_cast<size_t>(document.width) * static_cast<size_t>(document.height);
   return {.name = name,
           .version = version,

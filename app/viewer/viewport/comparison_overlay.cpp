@@ -10,8 +10,8 @@
 #include "viewer/state/app_state.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_view.h"
-#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/scale_bar.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {

@@ -19,6 +19,7 @@
 #include "viewer/viewport/image_view.h"
 #include "viewer/viewport/picking.h"
 #include "viewer/viewport/reliability_overlay.h"
+#include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/scale_bar.h"
@@ -27,8 +28,24 @@
 namespace etendue::viewer {
 namespace {
 
-// The bounding box of the selected node. A light line on a dark one is visible on any image.
-void draw_selection(const AppState& state, ImDrawList* draw) {
+// A light line on a dark one is visible on any image.
+constexpr ImU32 kOutlineBorder = IM_COL32(0, 0, 0, 140);
+constexpr ImU32 kOutlineColor = IM_COL32(120, 190, 240, 255);
+
+void draw_outline(const Placement& image, Vec2 scale, const std::vector<OutlineSegment>& segments, ImDrawList* draw) {
+  const auto draw_lines = [&](ImU32 color, float width) {
+    for (const OutlineSegment& segment : segments) {
+      const Vec2 from = image.corner + segment.from * scale;
+      const Vec2 to = image.corner + segment.to * scale;
+      draw->AddRectFilled({from.x - width, from.y - width}, {to.x + width, to.y + width}, color);
+    }
+  };
+  draw_lines(kOutlineBorder, 1.5f);
+  draw_lines(kOutlineColor, 0.75f);
+}
+
+// The bounding box of the selected node, while its outline is computed.
+void draw_bounding_box(const AppState& state, ImDrawList* draw) {
   const auto scene = state.session->scene();
   const Placement& image = state.viewport.image;
   if (state.selection.node < 0 || !scene || image.size.x < 2) return;
@@ -49,8 +66,16 @@ void draw_selection(const AppState& state, ImDrawList* draw) {
         draw->AddLine({from.x, from.y}, {to.x, to.y}, color, width);
       }
   };
-  draw_edges(IM_COL32(0, 0, 0, 140), 3.5f);
-  draw_edges(IM_COL32(120, 190, 240, 255), 1.5f);
+  draw_edges(kOutlineBorder, 3.5f);
+  draw_edges(kOutlineColor, 1.5f);
+}
+
+void draw_selection(const AppState& state, ImDrawList* draw) {
+  const Placement& image = state.viewport.image;
+  const auto* segments = state.viewport.selection_outline->segments();
+  const bool is_visible = segments && !segments->empty();
+  if (!is_visible) return draw_bounding_box(state, draw);
+  draw_outline(image, image.size / Vec2(state.document().width, state.document().height), *segments, draw);
 }
 
 void draw_false_color_scale(const AppState& state, ImDrawList* draw) {

@@ -18,8 +18,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr float kClickTolerance = 4;  // pixels that the pointer may move during a click
-constexpr double kDoubleClickSeconds = 0.35;
+constexpr float kClickTolerance = 4;           // pixels that the pointer may move during a click
 constexpr double kScrollGestureSeconds = 0.6;  // a longer pause starts a new step of undo
 constexpr float kFlySpeedFactor = 1.25f;       // per notch of the wheel
 constexpr float kMaxFlySeconds = 0.2f;         // longest time step, so that a slow frame causes no jump
@@ -104,6 +103,7 @@ void ViewportController::continue_drag(AppState& state) {
 void ViewportController::fly(AppState& state, float seconds) {
   const Vec3 direction = fly_direction(state.ui.input);
   if (direction == Vec3(0)) return;
+  moved_ = true;
   const CameraController& controller = state.viewport.camera_controller;
   state.edit_camera(controller.fly(state.document().camera, direction, std::min(seconds, kMaxFlySeconds)), "Fly",
                     "camera.fly");
@@ -115,6 +115,7 @@ void ViewportController::end_drag(AppState& state) {
   const bool held = drag_ == Drag::fly ? is_down(Button::right) : is_down(Button::left) || is_down(Button::middle);
   if (held) return;
   if (drag_ == Drag::orbit && !moved_) click(state, drag_start_);
+  if (drag_ == Drag::fly && !moved_) state.interface.menu_position = drag_start_;
   if (drag_ == Drag::fly && moved_) {
     // After a flight, the camera orbits the point at the image centre. The speed stays.
     CameraController& controller = state.viewport.camera_controller;
@@ -128,8 +129,8 @@ void ViewportController::end_drag(AppState& state) {
 
 void ViewportController::click(AppState& state, Vec2 position) {
   if (use_tool(state, position) || use_panel(state, position)) return;
-  const bool is_double =
-      seconds_since(click_time_) < kDoubleClickSeconds && glm::length(position - click_position_) <= kClickTolerance;
+  const bool is_double = seconds_since(click_time_) < static_cast<double>(ImGui::GetIO().MouseDoubleClickTime) &&
+                         glm::length(position - click_position_) <= kClickTolerance;
   click_time_ = is_double ? Clock::time_point{} : Clock::now();
   click_position_ = position;
   if (is_double) focus_at(state, position);
@@ -147,6 +148,18 @@ void ViewportController::scroll(AppState& state) {
   state.edit_camera(controller.dolly(state.document().camera, target, notches), "Dolly", "camera.dolly");
 }
 
+namespace {
+
+// Opens the panel of the selected object, unless the Scene panel is open, which shows all objects.
+void show_panel_of_selection(AppState& state) {
+  const Panel* open = state.panels.open_tab();
+  if (open && std::string_view(open->info().name) == "tab.scene") return;
+  const auto& node = state.document().scene->nodes[static_cast<size_t>(state.selection.node)];
+  if (Panel* panel = state.panels.find(node.light >= 0 ? "tab.light" : "tab.material")) state.panels.open(*panel);
+}
+
+}  // namespace
+
 bool focus_at(AppState& state, Vec2 position) {
   const auto picked = pick_at(state, position);
   if (!picked) return false;
@@ -161,10 +174,12 @@ bool focus_at(AppState& state, Vec2 position) {
 
 void select_at(AppState& state, Vec2 position) {
   const auto picked = pick_at(state, position);
-  if (picked)
-    state.select(picked->node, picked->material);
-  else
+  if (!picked) {
     state.selection.node = -1;
+    return;
+  }
+  state.select(picked->node, picked->material);
+  show_panel_of_selection(state);
 }
 
 void frame_scene(AppState& state) {

@@ -49,7 +49,9 @@ void labelled_value(const UiContext& ui, const char* label, const std::string& v
 }
 
 bool group(const UiContext& ui, const char* label, const std::string& prefix, bool open_by_default) {
-  if (!prefix.empty() && ui.items.is_requested_below(prefix)) ImGui::SetNextItemOpen(true);
+  const bool is_requested = !prefix.empty() && ui.items.is_requested_below(prefix);
+  const bool is_pointed_out = !prefix.empty() && ui.items.pointed_out().starts_with(prefix);
+  if (is_requested || is_pointed_out || !ui.filter.empty()) ImGui::SetNextItemOpen(true);
   ImGui::Spacing();
   // Darker than a selected row.
   ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));

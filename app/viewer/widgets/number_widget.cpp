@@ -160,8 +160,11 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
   }
   ImGui::PopItemFlag();
   edit.ended = ImGui::IsItemDeactivated();
-  if (changed && !edit.reset)
-    edit.value = is_integer ? Value(std::clamp(i, i_min, i_max)) : Value(std::clamp(d, info.min, info.max));
+  if (!changed || edit.reset) return edit;
+  if (is_integer)
+    edit.value = std::clamp(i, i_min, i_max);
+  else
+    edit.value = std::clamp(d, info.min, info.max);
   return edit;
 }
 

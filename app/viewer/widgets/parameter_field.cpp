@@ -1,4 +1,5 @@
 #include "viewer/widgets/parameter_field.h"
+#include "viewer/platform/platform.h"
 
 #include <imgui.h>
 
@@ -88,6 +89,21 @@ std::optional<Value> original_value(const AppState& state, const std::string& na
   if (!original) return std::nullopt;
   const auto value = render::get(*original, name);
   return value ? std::optional(*value) : std::nullopt;
+}
+
+bool parameter_menu(AppState& state, const ParameterInfo& info) {
+  if (!ImGui::BeginPopupContextItem("##menu")) return false;
+  const auto original = state.has_document() ? original_value(state, info.name) : std::nullopt;
+  const bool is_changed = original && *original != info.default_value;
+  const std::string reset_label = original ? "Reset to " + to_string(*original) : "Reset";
+  const bool reset = ImGui::MenuItem(reset_label.c_str(), "Ctrl+click", false, is_changed);
+  state.ui.items.add("menu.reset");
+  const std::string value = to_string(info.default_value);
+  if (ImGui::MenuItem("Copy value")) state.platform.set_clipboard(value);
+  if (ImGui::MenuItem("Copy name")) state.platform.set_clipboard(info.name);
+  if (ImGui::MenuItem("Copy as command-line option")) state.platform.set_clipboard("--set " + info.name + "=" + value);
+  ImGui::EndPopup();
+  return reset;
 }
 
 void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit) {

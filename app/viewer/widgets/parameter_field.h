@@ -27,6 +27,10 @@ WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_spe
 // The options of a choice, to be called in an open combo box. Returns the option that was chosen.
 std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected);
 
+// The context menu of the last item, a parameter of the document: reset, copy. Returns true if it is to be reset. To be
+// called where the ID of the parameter is on the stack.
+bool parameter_menu(AppState& state, const ParameterInfo& info);
+
 // Applies an edit of a widget to the document, and ends the gesture if the drag has ended.
 void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit);
 

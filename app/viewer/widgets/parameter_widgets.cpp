@@ -12,6 +12,7 @@
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/color_widget.h"
 #include "viewer/widgets/parameter_field.h"
+#include "viewer/widgets/value_text.h"
 #include "viewer/widgets/vector_widgets.h"
 
 namespace etendue::viewer {
@@ -92,6 +93,7 @@ WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
       edit = number_field(state.ui, info);
       break;
   }
+  if (parameter_menu(state, info)) edit.reset = true;
   ImGui::PopID();
   if (!edit.value) {
     edit.value = take_requested_value(state.ui, info);
@@ -132,6 +134,12 @@ size_t length_of_group(const Parameters& list, size_t i, std::span<const char* c
   return n >= 3 ? n : 0;
 }
 
+// Whether the filter of the panel shows a parameter. Scripts reach all parameters.
+bool passes_filter(const UiContext& ui, const ParameterInfo& info) {
+  if (ui.filter.empty() || ui.items.is_requested(info.name) || ui.items.pointed_out() == info.name) return true;
+  return lower_case(info.label + " " + info.name + " " + info.doc).find(ui.filter) != std::string::npos;
+}
+
 template <class Predicate>
 void widgets_if(AppState& state, const std::string& section, Predicate is_shown) {
   constexpr const char* kColorEndings[] = {".r", ".g", ".b"};
@@ -143,6 +151,11 @@ void widgets_if(AppState& state, const std::string& section, Predicate is_shown)
     const size_t vector_length = length_of_group(list, i, kVectorEndings);
     const size_t length = std::max(color_length, vector_length);
     const auto parameters = std::span(list).subspan(i, std::max<size_t>(1, length));
+    const auto passes = [&](const auto& parameter) { return passes_filter(state.ui, parameter.info); };
+    if (std::ranges::none_of(parameters, passes)) {
+      i += parameters.size() - 1;
+      continue;
+    }
     if (color_length == 3)
       color_widget(state, parameters);
     else if (vector_length == 3)
@@ -174,6 +187,7 @@ void section_widgets_except(AppState& state, const std::string& section, const s
 }
 
 std::optional<Value> parameter_widget(AppState& state, const ParameterInfo& info) {
+  if (!passes_filter(state.ui, info)) return std::nullopt;
   return any_widget(state, info).value;
 }
 

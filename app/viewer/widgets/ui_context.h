@@ -30,6 +30,7 @@ struct UiContext {
   float scale = 1;          // pixels per unit of the interface
   Input input;              // of this frame
   double pointer_rest = 0;  // seconds since the pointer last moved or a button was pressed
+  std::string filter;       // lower case; only parameters that contain it are shown
   ItemRegistry items;
   ValidatedText validated_text;
   EnteredRotation entered_rotation;

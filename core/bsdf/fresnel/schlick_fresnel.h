@@ -5,6 +5,7 @@
 // The diffuse base below the layer receives the part 1 - layer_reflectance, which depends on the dielectric alone.
 #pragma once
 #include "bsdf/fresnel/fresnel.h"
+#include "bsdf/microfacet/ggx_albedo.h"
 
 namespace etendue {
 
@@ -18,6 +19,13 @@ struct SchlickFresnel {
   float layer_reflectance(float cosine) const {
     return dielectric_f0 + (dielectric_f90 - dielectric_f0) * schlick_weight(cosine);
   }
+
+  // The same terms averaged over microfacets: the directional albedo of the layer.
+  Color albedo(const GgxAlbedo& e) const { return f0 * e.a + f90 * e.b; }
+  float layer_albedo(const GgxAlbedo& e) const { return dielectric_f0 * e.a + dielectric_f90 * e.b; }
+  // The cosine-weighted mean of layer_albedo over the hemisphere.
+  float mean_layer_albedo(float alpha) const { return layer_albedo(GgxAlbedoRow(alpha).mean()); }
+
   bool reflects() const { return !is_black(f90); }
 };
 

@@ -37,6 +37,20 @@ struct FilmFresnel {
   }
   // Reflectance of the dielectric, the maximum over the colour components.
   float layer_reflectance(float cosine) const { return max_component(dielectric_reflectance(cosine)); }
+
+  // The same terms averaged over microfacets, by the term at the mean cosine: the directional albedo of the layer.
+  Color albedo(const GgxAlbedo& e) const { return fresnel(e.mean_cosine()) * e.total(); }
+  float layer_albedo(const GgxAlbedo& e) const { return layer_reflectance(e.mean_cosine()) * e.total(); }
+  // The cosine-weighted mean of layer_albedo over the hemisphere, by eight directions of equal projected solid angle.
+  float mean_layer_albedo(float alpha) const {
+    constexpr int kDirections = 8;
+    const GgxAlbedoRow row(alpha);
+    float sum = 0;
+    for (int k = 0; k < kDirections; ++k)
+      sum += layer_albedo(row.at(std::sqrt((static_cast<float>(k) + 0.5f) / kDirections)));
+    return sum / kDirections;
+  }
+
   bool reflects() const { return metal > 0 || (dielectric > 0 && (dielectric_f90 > 0 || strength > 0)); }
 
  private:

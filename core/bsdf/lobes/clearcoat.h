@@ -10,7 +10,7 @@
 #include "base/frame.h"
 #include "bsdf/fresnel/fresnel.h"
 #include "bsdf/lobe.h"
-#include "bsdf/microfacet/ggx.h"
+#include "bsdf/microfacet/ggx_albedo.h"
 
 namespace etendue {
 
@@ -26,7 +26,10 @@ struct Clearcoat {
   bool smooth() const { return facets.alpha_x < kSmoothAlpha; }
   bool is_delta() const { return smooth(); }
   float fresnel(float cosine) const { return strength * (kCoatF0 + (1 - kCoatF0) * schlick_weight(cosine)); }
-  float sampling_weight(const Vec3& wo) const { return fresnel(std::abs(glm::dot(frame.z, wo))); }
+  float sampling_weight(const Vec3& wo) const {
+    const GgxAlbedo e = ggx_albedo(facets, frame.to_local(wo));
+    return strength * (kCoatF0 * e.a + e.b);
+  }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || !same_side(wo, wi)) return Color(0);
@@ -42,15 +45,14 @@ struct Clearcoat {
 
   float pdf(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (smooth() || !same_side(wo, wi)) return 0;
-    const Vec3 o = to_coat(wo), i = to_coat(wi), h = glm::normalize(o + i);
-    return facets.visible_pdf(o, h) / (4 * std::abs(glm::dot(o, h)));
+    const Vec3 o = to_coat(wo), i = to_coat(wi);
+    return facets.reflection_pdf(o, glm::normalize(o + i));
   }
 
   bool sample(const Vec3& wo, const LobeRandom& random, TransportMode mode, LobeSample<Color>& s) const {
     const Vec3 o = to_coat(wo);
     if (!(o.z > 0)) return false;
-    const Vec3 h = smooth() ? Vec3(0, 0, 1) : facets.sample_visible(o, random.u);
-    const Vec3 i = reflect(o, h);
+    const Vec3 i = smooth() ? Vec3(-o.x, -o.y, o.z) : facets.sample_reflection(o, random.u);
     s.wi = from_coat(i, wo);
     if (!(i.z > 0) || !same_side(wo, s.wi)) return false;
     s.delta = smooth();

@@ -7,7 +7,7 @@
 // refraction inside (z < 0) over that outside (z > 0), eta' that on the side of wi over that on the side of wo.
 // Refraction scales radiance by eta'^2, not power [Lang, eq. 4.127, 4.130 (corrected), 4.131]. A smooth boundary is a
 // pair of deltas. Reciprocal up to the eta^2 law [Lang, eq. 4.301]. Conserves energy; microfacets lose what is
-// scattered more than once. Sampling: visible normals, then reflection or refraction in proportion to F.
+// scattered more than once. Sampling: visible normals, then reflection or refraction in proportion to their energy.
 #pragma once
 #include "bsdf/lobe.h"
 #include "bsdf/lobes/dielectric_boundary.h"
@@ -30,7 +30,11 @@ struct Dielectric : Boundary {
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth() || eta == 1; }
-  float sampling_weight(const Vec3&) const { return share; }
+  // Microfacets are represented by the normal.
+  float sampling_weight(const Vec3& wo) const {
+    const Incidence at = incidence(wo, std::abs(wo.z), relative_eta(wo));
+    return average(reflected(at)) + average(passed(at));
+  }
 
   float relative_eta(const Vec3& wo) const { return wo.z > 0 ? eta : 1 / eta; }
   Color reflected(const Incidence& at) const { return this->reflectance(at) * share; }
@@ -57,7 +61,7 @@ struct Dielectric : Boundary {
     Vec3 h;
     Incidence at;
     if (is_delta() || !half_vector(wo, wi, h, at)) return 0;
-    const float f = this->reflect_share(at);
+    const float f = this->reflect_share(at, average(tint));
     const float side = wo.z < 0 ? -1.0f : 1.0f;
     const float visible = facets.visible_pdf(wo * side, h * (glm::dot(wo * side, h) < 0 ? -1.0f : 1.0f));
     if (wo.z * wi.z > 0) return f * visible / (4 * std::abs(glm::dot(wo, h)));
@@ -73,7 +77,7 @@ struct Dielectric : Boundary {
     const float oh = glm::dot(wo, h);
     if (!(oh > 0)) return false;
     const Incidence at = incidence(wo, oh, e);
-    const float f = this->reflect_share(at);
+    const float f = this->reflect_share(at, average(tint));
     s.delta = delta;
     s.type = delta ? ScatterType::specular : ScatterType::glossy;
     if (random.choice < f) {
@@ -98,7 +102,7 @@ struct Dielectric : Boundary {
     const Vec3 h(0, 0, wo.z < 0 ? -1.0f : 1.0f);
     const float e = relative_eta(wo), oh = std::abs(wo.z);
     const Incidence at = incidence(wo, oh, e);
-    const float f = this->reflect_share(at);
+    const float f = this->reflect_share(at, average(tint));
     deltas.add_reflection(reflect(wo, h), reflected(at), f);
     if (f < 1)
       deltas.add_transmission(-wo / e + h * (oh / e - at.refracted),

@@ -16,7 +16,10 @@ struct ClearBoundary {
   void set_media(float, float) {}
   Color reflectance(const Incidence& at) const { return Color(at.f); }
   float kept(const Incidence& at) const { return at.f; }
-  float reflect_share(const Incidence& at) const { return at.f; }  // probability of sampling reflection
+  // Probability of sampling reflection, in proportion to the energy; `transmitted` is the mean tint of transmitted light.
+  float reflect_share(const Incidence& at, float transmitted) const {
+    return at.f > 0 ? at.f / (at.f + (1 - at.f) * transmitted) : 0;
+  }
 };
 
 // Strength and colour of the reflection, and a thin film. Total reflection stays total.      [KHR_materials_specular]
@@ -47,10 +50,11 @@ struct TintedBoundary {
     return strength > 0 ? plain * (1 - strength) + Color(film.reflectance(at.outer, f0)) * strength : plain;
   }
   float kept(const Incidence& at) const { return max_component(reflectance(at)); }
-  float reflect_share(const Incidence& at) const {
+  float reflect_share(const Incidence& at, float transmitted) const {
     if (at.f >= 1) return 1;
-    const float share = average(reflectance(at));
-    return share > 0 ? std::clamp(share, 0.05f, 0.95f) : 0;
+    const Color reflected = reflectance(at);
+    const float share = average(reflected);
+    return share > 0 ? std::clamp(share / (share + (1 - max_component(reflected)) * transmitted), 0.05f, 0.95f) : 0;
   }
 };
 

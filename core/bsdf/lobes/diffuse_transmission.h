@@ -3,10 +3,12 @@
 //   f = color / pi (1 - max(F(cos_o), F(cos_i)))
 //
 // F is the reflectance of the specular layer. The extension does not define the angle for directions on opposite sides;
-// the angles to the normal make f reciprocal and energy conserving. Sampled by the cosine on the other side.
+// the angles to the normal make f reciprocal and, over a smooth layer, energy conserving. The energy-conserving form of
+// layered_base.h can replace the factor. Sampled by the cosine on the other side.
 #pragma once
 #include "base/warp.h"
 #include "bsdf/lobe.h"
+#include "bsdf/lobes/layered_base.h"
 
 namespace etendue {
 
@@ -14,12 +16,25 @@ template <class Color, class Fresnel>
 struct DiffuseTransmission {
   Color color{0};
   Fresnel layer;
+  Ggx layer_facets;         // read by energy-conserving layering only
+  float normalization = 0;  // as in MetallicRoughness
+
+  // Selects energy-conserving layering below these microfacets. The layer must be set.
+  void conserve_energy(const Ggx& facets) {
+    layer_facets = facets;
+    normalization = layer_normalization(layer, facets);
+  }
 
   bool is_delta() const { return false; }
-  float sampling_weight(const Vec3& wo) const { return average(color) * (1 - layer.layer_reflectance(std::abs(wo.z))); }
+  float sampling_weight(const Vec3& wo) const {
+    const float transmittance =
+        normalization > 0 ? layer_transmittance(layer, layer_facets, wo) : 1 - layer.layer_reflectance(std::abs(wo.z));
+    return average(color) * transmittance;
+  }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {
     if (!(wo.z * wi.z < 0)) return Color(0);
+    if (normalization > 0) return color * (kInvPi * coupled_transmittance(layer, layer_facets, normalization, wo, wi));
     return color *
            (kInvPi * (1 - std::max(layer.layer_reflectance(std::abs(wo.z)), layer.layer_reflectance(std::abs(wi.z)))));
   }

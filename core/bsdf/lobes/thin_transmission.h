@@ -22,10 +22,16 @@ struct ThinTransmission : Fresnel {
 
   bool smooth() const { return facets.alpha_x < kSmoothAlpha && facets.alpha_y < kSmoothAlpha; }
   bool is_delta() const { return smooth(); }
-  float sampling_weight(const Vec3&) const { return share; }
+  float sampling_weight(const Vec3& wo) const {
+    const GgxAlbedo e = ggx_albedo(facets, wo);
+    return share * (average(this->albedo(e)) + average(tint) * std::max(0.0f, e.total() - this->layer_albedo(e)));
+  }
 
-  // Bounded away from 0 and 1, so that both sides are sampled.
-  float reflection_probability(float cosine) const { return std::clamp(average(fresnel(cosine)), 0.05f, 0.95f); }
+  // In proportion to the energy of both sides; bounded away from 0 and 1, so that both are sampled.
+  float reflection_probability(float cosine) const {
+    const float reflected = average(fresnel(cosine)), passed = average(transmittance(cosine));
+    return reflected > 0 ? std::clamp(reflected / (reflected + passed), 0.05f, 0.95f) : 0.05f;
+  }
   Color transmittance(float cosine) const { return tint * (1 - layer_reflectance(cosine)); }
 
   Color eval(const Vec3& wo, const Vec3& wi, TransportMode) const {

@@ -4,8 +4,10 @@
 //   Lambda(w) = (sqrt(1 + (a_x^2 w_x^2 + a_y^2 w_y^2) / w_z^2) - 1) / 2
 //   G1(w)     = 1 / (1 + Lambda(w)),   G2(o, i) = 1 / (1 + Lambda(o) + Lambda(i))
 //
-// [Walter et al. 2007; Heitz 2014]; normals are sampled in proportion to their visible area [Heitz 2018]. Directions
-// are in the shading frame, z is the macroscopic normal.
+// [Walter et al. 2007; Heitz 2014]; normals are sampled in proportion to their visible area [Heitz 2018]. Reflected
+// directions are sampled by those visible normals that reflect wo to a spherical cap around the upper hemisphere [Eto
+// and Tokuyoshi 2023], so that few samples lie below the surface. Directions are in the shading frame, z is the
+// macroscopic normal.
 #pragma once
 #include "base/vec.h"
 
@@ -66,7 +68,41 @@ struct Ggx {
     return Vec3(along.x * h.x - along.y * h.y, along.y * h.x + along.x * h.y, h.z);
   }
 
+  // Samples the mirror direction of wo about a visible normal. wo.z must be positive; the result can lie below the
+  // surface.
+  Vec3 sample_reflection(const Vec3& any_wo, Vec2 u) const {
+    const Vec3 wo = turned(any_wo);
+    const Vec3 v = glm::normalize(Vec3(alpha_x * wo.x, alpha_y * wo.y, wo.z));
+    const float cap = cap_factor(wo) * v.z;
+    const float z = (1 - u.x) * (1 + cap) - cap, r = safe_sqrt(1 - z * z), phi = 2 * kPi * u.y;
+    const Vec3 n(v.x + r * std::cos(phi), v.y + r * std::sin(phi), std::max(v.z + z, 1e-7f));
+    const Vec3 h = glm::normalize(Vec3(alpha_x * n.x, alpha_y * n.y, n.z));
+    const Vec3 wi = 2 * glm::dot(wo, h) * h - wo;
+    return Vec3(along.x * wi.x - along.y * wi.y, along.y * wi.x + along.x * wi.y, wi.z);
+  }
+
+  // Density of `sample_reflection` per solid angle of wi. h is the half vector, above the surface.
+  float reflection_pdf(const Vec3& any_wo, const Vec3& h) const {
+    const Vec3 wo = turned(any_wo);
+    const float stretched = std::sqrt(sqr(alpha_x * wo.x) + sqr(alpha_y * wo.y) + sqr(wo.z));
+    return d(h) / (2 * (cap_factor(wo) * wo.z + stretched));
+  }
+
+  // The roughness alpha in the plane of w and the normal.
+  float alpha_along(const Vec3& any_w) const {
+    if (alpha_x == alpha_y) return alpha_x;
+    const Vec3 w = turned(any_w);
+    const float planar2 = sqr(w.x) + sqr(w.y);
+    return planar2 > 0 ? std::sqrt((sqr(alpha_x * w.x) + sqr(alpha_y * w.y)) / planar2) : std::sqrt(alpha_x * alpha_y);
+  }
+
  private:
+  // k of [Eto and Tokuyoshi 2023, eq. 5]: the cap reaches down to -k v_z, with the stretched direction v of wo.
+  float cap_factor(const Vec3& wo) const {
+    const float a2 = sqr(std::min(alpha_x, alpha_y)), s2 = sqr(1 + std::sqrt(sqr(wo.x) + sqr(wo.y)));
+    return (1 - a2) * s2 / (s2 + a2 * sqr(wo.z));
+  }
+
   // The direction in the frame whose x axis is the axis of alpha_x.
   Vec3 turned(const Vec3& w) const { return Vec3(along.x * w.x + along.y * w.y, along.x * w.y - along.y * w.x, w.z); }
 };

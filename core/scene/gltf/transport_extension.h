@@ -8,6 +8,9 @@ namespace etendue::scene::gltf {
 
 inline constexpr const char* kTransport = "ETENDUE_transport";
 
+// The value of the member `layering` of a material that selects Layering::energy_conserving.
+inline constexpr const char* kEnergyConserving = "energy-conserving";
+
 // The light parameters that KHR_lights_punctual has members for; ETENDUE_transport has the others.
 inline constexpr const char* kPunctualParameters[] = {"intensity", "range", "inner-cone", "outer-cone"};
 

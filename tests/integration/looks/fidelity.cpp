@@ -85,21 +85,24 @@ double flip(const Picture& a, const Picture& b) {
   return metrics::mean_of(metrics::flip_map(a.width, a.height, linear_of(a), linear_of(b)));
 }
 
-std::optional<BesidePublished> beside_published(const View& view, int size, uint32_t samples) {
+std::optional<BesidePublished> beside_published(const View& view, int size, uint32_t samples,
+                                                const std::string& setting) {
   if (view.pictures.empty() || view.pictures[0].stem() != kFirst) return std::nullopt;
-  const render::Document document = *open(view, size, view.background);
+  render::Document document = *open(view, size, view.background);
+  if (!setting.empty()) document = *test::with_materials_set(std::move(document), setting);
   const film::Film film = test::rendered(document, samples);
   BesidePublished beside{{}, published(view, film.width(), film.height())};
   beside.ours = with_equal_brightness(film, beside.cycles(), document.display.curve);
   return beside;
 }
 
-int make_fidelity(const std::string& data, const std::string& out, int tile, int size, uint32_t samples) {
+int make_fidelity(const std::string& data, const std::string& out, int tile, int size, uint32_t samples,
+                  const std::string& setting) {
   constexpr int kColumns = 8;
   Sheet sheet(tile, kColumns);
   print_header();
   for (const View& view : gallery(data)) {
-    const auto beside = beside_published(view, size, samples);
+    const auto beside = beside_published(view, size, samples, setting);
     if (!beside) continue;
     print_row(view, beside->ours, beside->pictures);
     const Picture small = shrunk(beside->ours, tile), cycles = shrunk(beside->cycles(), tile);

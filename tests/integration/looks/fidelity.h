@@ -17,13 +17,16 @@ struct BesidePublished {
   const Picture& cycles() const { return pictures.at("blender-cycles"); }
 };
 // Nothing if Cycles is not among the published images. `size`: pixels of the longer side. The file must open.
-std::optional<BesidePublished> beside_published(const View& view, int size, uint32_t samples);
+// `setting` is "NAME=VALUE" for all materials, or empty.
+std::optional<BesidePublished> beside_published(const View& view, int size, uint32_t samples,
+                                                const std::string& setting = {});
 // Mean FLIP between two images.
 double flip(const Picture& a, const Picture& b);
 
 // Renders every file with published images, with `size` pixels on the longer side, at the exposure that matches the
 // brightness of the Cycles image. Writes a contact sheet of both in tiles of `tile` pixels and prints a Markdown table
-// of mean FLIP. Returns an exit code.
-int make_fidelity(const std::string& data, const std::string& out, int tile, int size, uint32_t samples);
+// of mean FLIP. `setting` is that of beside_published. Returns an exit code.
+int make_fidelity(const std::string& data, const std::string& out, int tile, int size, uint32_t samples,
+                  const std::string& setting);
 
 }  // namespace etendue::looks

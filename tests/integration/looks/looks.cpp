@@ -5,8 +5,9 @@
 //   looks --references DATA OUT.png [SAMPLES]      a table of errors against linear reference images; rendering,
 //                                                  reference, difference
 //   looks --scenes DATA OUT.png [SAMPLES [SIZE]]   the same for the scenes, at SIZE pixels
-//   looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES]]]
-//                                                  renderings next to published Cycles images, and a table of FLIP
+//   looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES [NAME=VALUE]]]]
+//                                                  renderings next to published Cycles images, and a table of FLIP;
+//                                                  NAME=VALUE sets a parameter of all materials
 //   looks --builtin OUT.png [TILE [SAMPLES]]       the built-in scenes, and the mean luminance of each
 //
 // The exit code is 1 if a sample was not a finite, non-negative number.
@@ -176,14 +177,15 @@ int run(std::vector<std::string> args) {
   if (table && args.size() >= 2)
     return make_table(references(args[0]), args[1], 320, static_cast<uint32_t>(number(2, 256)));
   if (fidelity && args.size() >= 2)
-    return make_fidelity(args[0], args[1], number(2, 96), number(3, 256), static_cast<uint32_t>(number(4, 128)));
+    return make_fidelity(args[0], args[1], number(2, 96), number(3, 256), static_cast<uint32_t>(number(4, 128)),
+                         args.size() > 5 ? args[5] : "");
   if (of_scenes && args.size() >= 2)
     return make_table(scenes(args[0]), args[1], number(3, 512), static_cast<uint32_t>(number(2, 64)));
   if (args.size() >= 2)
     return make_sheet(args[0], args[1], beside, number(2, 128), static_cast<uint32_t>(number(3, 64)));
   std::fprintf(stderr,
                "usage: looks [--beside] DATA OUT.png [TILE [SAMPLES]] | looks --references DATA OUT.png [SAMPLES]"
-               " | looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES]]]"
+               " | looks --fidelity DATA OUT.png [TILE [SIZE [SAMPLES [NAME=VALUE]]]]"
                " | looks --scenes DATA OUT.png [SAMPLES [SIZE]] | looks --builtin OUT.png [TILE [SAMPLES]]\n");
   return 2;
 }

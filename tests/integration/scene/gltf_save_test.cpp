@@ -90,6 +90,7 @@ Material rich_material() {
   m.alpha_cutoff = number();
   m.double_sided = true;
   m.unlit = true;
+  m.layering = Layering::energy_conserving;
   m.ior = 1 + number();
   m.specular = number();
   m.specular_color = color() * 3.0f;
@@ -387,6 +388,20 @@ TEST_F(Saving, UnknownReflectionModels) {
   EXPECT_FALSE(opened->materials[0].model);
   ASSERT_EQ(opened->warnings.size(), 1u);
   EXPECT_NE(opened->warnings[0].find("fong"), std::string::npos);
+}
+
+TEST_F(Saving, UnknownLayering) {
+  scene::Scene before = scene::find_builtin("cornell")->make();
+  before.materials[0].layering = Layering::energy_conserving;
+  json file = description(before);
+  auto& extension = file["materials"][0]["extensions"]["ETENDUE_transport"];
+  EXPECT_EQ(extension, json({{"layering", "energy-conserving"}}));
+  extension["layering"] = "onion";
+  std::ofstream(folder_ / "described.gltf") << file;
+  const auto opened = scene::load_gltf(folder_ / "described.gltf");
+  ASSERT_TRUE(opened) << opened.error().message;
+  EXPECT_EQ(opened->materials[0].layering, Layering::gltf);
+  EXPECT_TRUE(warns(*opened, "layering: 'onion'")) << all(opened->warnings);
 }
 
 // A value that is not the default.

@@ -55,6 +55,10 @@ void export_bsdf_model(OutputFile& out, const BsdfModelRef& model, Json& object)
   out.extend(object, kTransport) = {{"model", model->info().description.name}, {"parameters", std::move(parameters)}};
 }
 
+void export_layering(OutputFile& out, Layering layering, Json& object) {
+  if (layering == Layering::energy_conserving) out.extend(object, kTransport)["layering"] = kEnergyConserving;
+}
+
 // Writes the type and the parameters that KHR_lights_punctual has no members for, unless they have their defaults.
 void export_light_extension(OutputFile& out, const Light& light, Json& object) {
   const LightTypeInfo& type = light.info();

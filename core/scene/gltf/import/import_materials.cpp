@@ -154,6 +154,7 @@ class MaterialImporter {
 
   void extensions() {
     to_.model = import_bsdf_model(from_.extensions, where_, scene_.warnings);
+    to_.layering = import_layering(from_.extensions, where_, scene_.warnings);
     to_.unlit = find_extension(from_.extensions, "KHR_materials_unlit") != nullptr;
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_ior")) {
       to_.ior = number_or(*e, "ior", 1.5f);

@@ -142,6 +142,18 @@ BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const s
   return model;
 }
 
+Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                         std::vector<std::string>& warnings) {
+  const auto* extension = find_extension(extensions, kTransport);
+  if (!extension || !extension->Has("layering")) return Layering::gltf;
+  TransportReader reader(*extension, where + ".extensions." + kTransport, warnings);
+  const std::string name = reader.text("layering");
+  if (name == kEnergyConserving) return Layering::energy_conserving;
+  if (name != "gltf")
+    reader.warn("layering: '" + name.substr(0, 40) + "' is not an allowed value; the layering of glTF is used");
+  return Layering::gltf;
+}
+
 std::string member_name(std::string_view parameter) {
   std::string name;
   for (const char c : parameter) {

@@ -34,6 +34,8 @@ void import_transport(const InputFile& input, Scene& scene);
 // ETENDUE_transport of a material: its reflection model; null if it has none or the name is unknown.
 BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const std::string& where,
                                std::vector<std::string>& warnings);
+Layering import_layering(const tinygltf::ExtensionMap& extensions, const std::string& where,
+                         std::vector<std::string>& warnings);
 // ETENDUE_transport of a light: properties that KHR_lights_punctual does not have.
 void import_light_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Light& light,
                             std::vector<std::string>& warnings);
@@ -69,11 +71,18 @@ void remove_far_meshes(Scene& scene);
 // One image to decode. Images that no texture uses have no task.
 struct ImageTask {
   size_t image = 0;
-  std::shared_ptr<const image::Image> pixels;  // the result; null if it cannot be decoded
-  std::string warning;
+  bool srgb = false;  // read as colours by a material
+
+  // The result: one of them, or none if the image cannot be decoded.
+  std::shared_ptr<const image::Image> pixels = nullptr;
+  std::shared_ptr<const image::TiledImage> tiles = nullptr;
+  std::string warning = {};
 };
-std::vector<ImageTask> image_tasks(const InputFile& input);
-void read_image_task(const InputFile& input, ImageTask& task);
+std::vector<ImageTask> image_tasks(const InputFile& input, const Scene& scene);
+// Whether the decoded images need more memory than the budget (image/texture_memory.h).
+bool exceed_texture_memory(const InputFile& input, const std::vector<ImageTask>& tasks);
+// Decodes the image, or opens its tiles if `tiled`.
+void read_image_task(const InputFile& input, bool tiled, ImageTask& task);
 void add_images(const InputFile& input, const std::vector<ImageTask>& tasks, Scene& scene);
 
 // Morph targets and joint weights of a primitive; null if it has neither. `selection` is empty if all vertices are

@@ -1,0 +1,91 @@
+#include "viewer/layout/palette_entries.h"
+
+#include <utility>
+
+#include "render/document.h"
+#include "viewer/panels/object_names.h"
+#include "viewer/state/app_state.h"
+
+namespace etendue::viewer {
+namespace {
+
+// "material.3" as "Material 3", or with the name of the object.
+std::string section_label(const render::Document& document, const std::string& section) {
+  const auto& scene = *document.scene;
+  const auto name = [&](const auto& list, const char* kind) -> std::string {
+    const auto index = object_index(section + ".", kind);
+    const bool exists = index && static_cast<size_t>(*index) < list.size();
+    return exists ? list[static_cast<size_t>(*index)].name : "";
+  };
+  std::string label = name(scene.materials, "material");
+  if (label.empty()) label = name(scene.lights, "light");
+  if (label.empty()) label = name(scene.nodes, "node");
+  return label.empty() ? section : label;
+}
+
+// Shows the widget of a parameter.
+void show_parameter(AppState& state, const std::string& name) {
+  if (!state.panels.reveal_parameter(state, name)) return;
+  state.interface.visible = true;
+  state.interface.panel_filter.clear();
+  state.ui.items.point_out(name);
+}
+
+void add_actions(const AppState& state, std::vector<PaletteEntry>& entries) {
+  for (const Action& action : state.actions.all()) {
+    if (!action.is_enabled(state)) continue;
+    entries.push_back({.name = action.name,
+                       .label = action.label,
+                       .place = action.submenu.empty() ? action.menu : action.submenu,
+                       .keys = label(action.chords()),
+                       .tooltip = action.tooltip,
+                       .run = action.run});
+  }
+}
+
+void add_parameter(const render::DocumentParameter& parameter, const std::string& place,
+                   std::vector<PaletteEntry>& entries) {
+  const ParameterInfo& info = parameter.info;
+  entries.push_back({.name = info.name,
+                     .label = info.label,
+                     .place = place,
+                     .keys = to_string(info.default_value),
+                     .tooltip = info.doc,
+                     .run = [name = info.name](AppState& s) { show_parameter(s, name); }});
+}
+
+void add_options(const render::DocumentParameter& parameter, const std::string& place,
+                 std::vector<PaletteEntry>& entries) {
+  const ParameterInfo& info = parameter.info;
+  if (!parameter.inactive_reason.empty()) return;
+  for (size_t i = 0; i < info.options.size(); ++i) {
+    const Value value = info.options[i];
+    if (value == info.default_value) continue;
+    entries.push_back({.name = info.name + "=" + info.options[i],
+                       .label = info.label + ": " + info.option_labels[i],
+                       .place = place,
+                       .tooltip = info.doc,
+                       .run = [name = info.name, value](AppState& s) { s.set_parameter(name, value); }});
+  }
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> palette_entries(const AppState& state) {
+  std::vector<PaletteEntry> entries;
+  add_actions(state, entries);
+  if (!state.has_document()) return entries;
+  const render::Document& document = state.document();
+  std::vector<PaletteEntry> options;
+  for (const auto& section : render::sections(document)) {
+    const std::string place = section_label(document, section);
+    for (const auto& parameter : render::section_parameters(document, section)) {
+      add_parameter(parameter, place, entries);
+      add_options(parameter, place, options);
+    }
+  }
+  entries.insert(entries.end(), std::make_move_iterator(options.begin()), std::make_move_iterator(options.end()));
+  return entries;
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,12 @@
+// What the command palette finds.
+#pragma once
+#include <vector>
+
+#include "viewer/layout/command_palette.h"
+
+namespace etendue::viewer {
+
+// Enabled actions first, then the parameters of the document, then the options of parameters that are choices.
+std::vector<PaletteEntry> palette_entries(const AppState& state);
+
+}  // namespace etendue::viewer

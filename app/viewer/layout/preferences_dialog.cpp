@@ -1,0 +1,172 @@
+#include "viewer/layout/preferences_dialog.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "viewer/files/file_request.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/preferences.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/number_widget.h"
+#include "viewer/widgets/parameter_widgets.h"
+#include "viewer/widgets/value_text.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr const char* kName = "##preferences";
+
+void preference_widgets(AppState& state, const std::vector<ParameterInfo>& parameters) {
+  for (const ParameterInfo& info : parameters) {
+    const auto value = parameter_widget(state, info);
+    if (!value) continue;
+    assign_preference(state.settings, info.name, *value);
+    state.interface.style_is_outdated = true;
+    state.store_settings();
+  }
+}
+
+void draw_files(AppState& state) {
+  std::string& folder = state.settings.snapshot_folder;
+  label_column("Snapshot folder");
+  ImGui::InputTextWithHint("##folder", "Folder of the file that was opened last", &folder);
+  if (ImGui::IsItemDeactivatedAfterEdit()) state.store_settings();
+  state.ui.items.add("preferences.snapshot-folder");
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Where Save snapshot writes its images");
+  std::error_code code;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, code)) warning(state.ui, "This folder does not exist.");
+  ImGui::BeginDisabled(state.settings.recent.empty());
+  if (ImGui::Button("Clear recent files")) {
+    state.settings.recent.clear();
+    state.store_settings();
+  }
+  ImGui::EndDisabled();
+  state.ui.items.add("preferences.clear-recent");
+}
+
+void set_shortcut(AppState& state, const std::string& action, const std::string& shortcut) {
+  state.actions.set_shortcut(action, shortcut);
+  const Action* changed = state.actions.find(action);
+  if (changed->shortcut == changed->default_shortcut)
+    state.settings.shortcuts.erase(action);
+  else
+    state.settings.shortcuts[action] = changed->shortcut;
+  state.store_settings();
+}
+
+void reset_all_shortcuts(AppState& state) {
+  const auto changed = state.settings.shortcuts;
+  for (const auto& [name, shortcut] : changed)
+    if (const Action* action = state.actions.find(name)) set_shortcut(state, name, action->default_shortcut);
+}
+
+}  // namespace
+
+void PreferencesDialog::capture_shortcut(AppState& state) {
+  const Input& input = state.ui.input;
+  if (capturing_.empty()) return;
+  const auto chord = pressed_chord(input);
+  if (!chord) return;
+  const std::string action = capturing_;
+  capturing_.clear();
+  const std::string text = shortcut_text(*chord);
+  if (text == "escape" || text.empty()) return;
+  if (text == "delete" || text == "backspace") return set_shortcut(state, action, "");
+  // A chord has one action.
+  if (const Action* other = state.actions.find_conflict(action, *chord)) {
+    state.notices.add_message(label(*chord) + " was the shortcut of " + other->label);
+    set_shortcut(state, other->name, "");
+  }
+  set_shortcut(state, action, text);
+}
+
+void PreferencesDialog::draw_shortcut(AppState& state, const Action& action) {
+  ImGui::PushID(action.name.c_str());
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(action.label.c_str());
+  if (ImGui::IsItemHovered()) tooltip(state.ui, action.tooltip);
+  ImGui::TableNextColumn();
+  const bool is_capturing = capturing_ == action.name;
+  const std::string keys = is_capturing ? "Press keys..." : label(action.chords());
+  if (ImGui::Button((keys + "##shortcut").c_str(), {-1, 0})) capturing_ = action.name;
+  state.ui.items.add("preferences.shortcut." + action.name);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Click, then press the new keys. Delete removes, Escape keeps them");
+  ImGui::TableNextColumn();
+  if (action.shortcut != action.default_shortcut) {
+    if (ImGui::SmallButton("Reset")) set_shortcut(state, action.name, action.default_shortcut);
+  }
+  ImGui::PopID();
+}
+
+void PreferencesDialog::draw_keyboard(AppState& state) {
+  capture_shortcut(state);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
+  ImGui::InputTextWithHint("##filter", "Filter", &filter_);
+  ImGui::SameLine();
+  ImGui::BeginDisabled(state.settings.shortcuts.empty());
+  if (ImGui::Button("Reset all")) reset_all_shortcuts(state);
+  ImGui::EndDisabled();
+  state.ui.items.add("preferences.reset-shortcuts");
+  ImGui::BeginChild("##shortcuts");
+  if (ImGui::BeginTable("##table", 3, ImGuiTableFlags_SizingStretchProp)) {
+    const float em = ImGui::GetFontSize();
+    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, em * 11);
+    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, em * 3.5f);
+    const std::string searched = lower_case(filter_);
+    for (const Action& action : state.actions.all())
+      if (lower_case(action.label + " " + label(action.chords())).find(searched) != std::string::npos)
+        draw_shortcut(state, action);
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+}
+
+void PreferencesDialog::draw(AppState& state) {
+  bool& open = state.interface.preferences_open;
+  if (!open) return;
+  if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float em = ImGui::GetFontSize();
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.85f, em * 28)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  const bool is_drawn = ImGui::BeginPopupModal(
+      kName, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  ImGui::PopStyleVar();
+  if (!is_drawn) return;
+  ImGui::TextColored(state.ui.theme.accent, "Preferences");
+  const bool was_capturing = !capturing_.empty();
+  const float footer = ImGui::GetFrameHeightWithSpacing();
+  ImGui::BeginChild("##content", {0, -footer});
+  if (ImGui::BeginTabBar("##tabs")) {
+    if (ImGui::BeginTabItem("Interface")) {
+      preference_widgets(state, interface_preferences(state.settings));
+      ImGui::Spacing();
+      preference_widgets(state, rendering_preferences(state.settings));
+      draw_files(state);
+      ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("Keyboard")) {
+      draw_keyboard(state);
+      ImGui::EndTabItem();
+    }
+    state.ui.items.add("preferences.keyboard");
+    ImGui::EndTabBar();
+  }
+  ImGui::EndChild();
+  const bool escaped = !was_capturing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  if (ImGui::Button("Close") || escaped) {
+    open = false;
+    capturing_.clear();
+    ImGui::CloseCurrentPopup();
+  }
+  state.ui.items.add("preferences.close");
+  ImGui::EndPopup();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,90 @@
+#include "viewer/state/preferences.h"
+
+#include <algorithm>
+#include <array>
+
+#include "light/environments/builtin_environment.h"
+#include "viewer/state/settings.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr std::array<Option, 2> kThemes{{{"dark", "Dark"}, {"light", "Light"}}};
+
+// As steps, because each change loads the fonts again.
+constexpr std::array<Option, 8> kScales{{{"automatic", "Automatic"},
+                                         {"0.75", "75 %"},
+                                         {"1", "100 %"},
+                                         {"1.25", "125 %"},
+                                         {"1.5", "150 %"},
+                                         {"2", "200 %"},
+                                         {"2.5", "250 %"},
+                                         {"3", "300 %"}}};
+
+size_t index_of_scale(float scale) {
+  for (size_t i = 1; i < kScales.size(); ++i)
+    if (std::stof(kScales[i].name) == scale) return i;
+  return 0;
+}
+
+std::vector<Option> environment_options() {
+  std::vector<Option> options;
+  for (const auto& environment : builtin_environments()) options.push_back({environment.name, environment.label});
+  return options;
+}
+
+size_t index_of_environment(const std::string& name) {
+  const auto all = builtin_environments();
+  for (size_t i = 0; i < all.size(); ++i)
+    if (name == all[i].name) return i;
+  return 0;
+}
+
+ParameterInfo font_size(const Settings& settings) {
+  return describe(Number<int>{"preferences.font-size",
+                              "Font size",
+                              static_cast<int>(settings.font_size),
+                              {static_cast<int>(kMinFontSize), static_cast<int>(kMaxFontSize)},
+                              "Height of text before the scale is applied",
+                              "px"});
+}
+
+ParameterInfo thread_count(const Settings& settings) {
+  return describe(Number<int>{"preferences.threads",
+                              "Threads",
+                              settings.threads,
+                              {0, kMaxThreads},
+                              "Rendering threads; 0: one per hardware thread. Takes effect at the next start"});
+}
+
+}  // namespace
+
+std::vector<ParameterInfo> interface_preferences(const Settings& settings) {
+  return {describe_choice("preferences.theme", "Theme", "Colours of the interface", kThemes, settings.dark ? 0 : 1),
+          describe_choice("preferences.scale", "Scale",
+                          "Size of the interface. Automatic: from the resolution of the display", kScales,
+                          index_of_scale(settings.ui_scale)),
+          font_size(settings),
+          describe(Toggle{"preferences.timing", "Show interface timing", settings.show_timing,
+                          "Shows in the status bar which share of the time drawing the interface takes"})};
+}
+
+std::vector<ParameterInfo> rendering_preferences(const Settings& settings) {
+  return {thread_count(settings), describe_choice("preferences.environment", "Default environment",
+                                                  "Lights scenes without lights of their own, from the next scene on",
+                                                  environment_options(), index_of_environment(settings.environment))};
+}
+
+void assign_preference(Settings& settings, const std::string& name, const Value& value) {
+  if (name == "preferences.theme") settings.dark = std::get<std::string>(value) == kThemes[0].name;
+  if (name == "preferences.scale") {
+    const auto& scale = std::get<std::string>(value);
+    settings.ui_scale = scale == kScales[0].name ? 0 : std::stof(scale);
+  }
+  if (name == "preferences.font-size") settings.font_size = static_cast<float>(std::get<int64_t>(value));
+  if (name == "preferences.timing") settings.show_timing = std::get<bool>(value);
+  if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
+  if (name == "preferences.environment") settings.environment = std::get<std::string>(value);
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,49 @@
+// The outline of the selected object: where its visible surface borders on something else. Computed in the background.
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/vec.h"
+#include "viewer/tasks/background_task.h"
+
+namespace etendue::render {
+class Session;
+}
+
+namespace etendue::viewer {
+
+class Editor;
+
+// A horizontal or vertical piece of the outline, in pixels of the image.
+struct OutlineSegment {
+  Vec2 from;
+  Vec2 to;
+};
+
+class SelectionOutline {
+ public:
+  SelectionOutline(render::Session& session, const Editor& editor, std::function<void()> wake)
+      : session_(session), editor_(editor), wake_(std::move(wake)) {}
+
+  // Called once per frame with the selected node, or -1.
+  void update(int node);
+  // The outline for the current document; null while it is unknown.
+  const std::vector<OutlineSegment>* segments() const;
+
+ private:
+  struct Outline {
+    uint64_t version = 0;  // of the document
+    int node = -1;
+    std::vector<OutlineSegment> segments;
+  };
+
+  render::Session& session_;
+  const Editor& editor_;
+  std::function<void()> wake_;
+  int node_ = -1;  // that is selected
+  std::shared_ptr<const Outline> outline_;
+  BackgroundTask<std::shared_ptr<const Outline>> task_;
+};
+
+}  // namespace etendue::viewer
