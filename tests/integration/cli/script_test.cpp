@@ -21,6 +21,11 @@ TEST_F(Script, SampleCountsAreIntegers) {
   }
 }
 
+TEST_F(Script, NumbersOfRandomActionsAreIntegers) {
+  expect_script_error(R"([{"do": "random", "actions": 1e30}])", "step 1: 'actions' has to be an integer");
+  expect_script_error(R"([{"do": "random", "actions": 1, "seed": -1}])", "step 1: 'seed' has to be an integer");
+}
+
 TEST_F(Script, NestingIsLimited) {
   const std::string deep = std::string(200000, '[') + std::string(200000, ']');
   expect_script_error(R"([{"do": "set", "name": "x", "value": )" + deep + "}]", "more than 16 levels");

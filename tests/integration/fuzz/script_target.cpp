@@ -21,7 +21,7 @@ std::vector<Bytes> scripts() {
           bytes_of(R"([
   {"do": "open", "file": "cornell"}, {"do": "wait", "seconds": 1}, {"do": "wait", "for": "comparison"},
   {"do": "wait", "compared": 4}, {"do": "screenshot", "file": "a.png"}, {"do": "image", "file": "a.exr"},
-  {"do": "state", "file": "s.json"}])")};
+  {"do": "state", "file": "s.json"}, {"do": "random", "actions": 5, "seed": 2, "files": ["cornell"], "log": "l"}])")};
 }
 
 }  // namespace

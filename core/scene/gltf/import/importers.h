@@ -93,6 +93,8 @@ std::shared_ptr<Deformation> read_deformation(const InputFile& input, const Mesh
 // Applies a new vertex order: vertex i becomes a copy of the old vertex sources[i].
 void reorder_vertices(Deformation& deformation, const std::vector<uint32_t>& sources, size_t old_vertices);
 
+// A member of a JSON value; a null value if there is none or the value is not an object.
+const tinygltf::Value& member_of(const tinygltf::Value& value, const char* name);
 // Members of JSON objects; `fallback` if they are missing or have another type.
 const tinygltf::Value* find_extension(const tinygltf::ExtensionMap& extensions, const char* name);
 float number_or(const tinygltf::Value& object, const char* member, float fallback);
