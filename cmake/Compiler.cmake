@@ -19,6 +19,10 @@ target_compile_options(etendue_options INTERFACE
   -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor
   -Wno-restrict  # GCC 12 sees overlaps in std::string + std::string that are not there (PR 105329)
   -fno-math-errno -fno-trapping-math)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # GCC is the compiler whose warnings are errors. Without time stamps, ccache can cache precompiled headers.
+  target_compile_options(etendue_options INTERFACE -w "SHELL:-Xclang -fno-pch-timestamp")
+endif()
 # Vectors of three that were just written number by number stall when they are read back as four: bundling scalar code into
 # vector loads makes the sampling loop a third slower. Loops are still vectorised.
 target_compile_options(etendue_options INTERFACE -fno-tree-slp-vectorize $<$<CXX_COMPILER_ID:GNU>:-fno-store-merging>)
@@ -41,4 +45,8 @@ if(ETENDUE_SANITIZE)
   target_compile_options(etendue_options INTERFACE -Wno-maybe-uninitialized)
   target_compile_options(etendue_options INTERFACE -fsanitize=${ETENDUE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(etendue_options INTERFACE -fsanitize=${ETENDUE_SANITIZE})
+endif()
+if(ETENDUE_LIBFUZZER)
+  # Counts executed branches, which guides libFuzzer. Programs with a main function are linked as usual.
+  target_compile_options(etendue_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()

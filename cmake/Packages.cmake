@@ -14,5 +14,7 @@ find_package(DracoMesh MODULE REQUIRED)
 pkg_check_modules(OPENEXR REQUIRED IMPORTED_TARGET OpenEXR)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)
+# Optional. Its CMake configuration fails unless its command-line tools are installed, so pkg-config is used.
+pkg_check_modules(OPENIMAGEIO IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)

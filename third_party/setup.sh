@@ -33,6 +33,9 @@ show_progress() {
     END { if (shown && terminal == "yes") print "" }' >&2
 }
 
+# Whether the build in this folder was configured while OpenImageIO was missing, and it is installed now.
+lacks_plugin() { pkg-config --exists OpenImageIO && ! grep -q etendue_openimageio "$1/build.ninja"; }
+
 #   setup PRESET TARGET...
 setup() {
   local preset=$1 root log
@@ -40,7 +43,7 @@ setup() {
   root=$(dirname "$third_party")
   log=$root/build/$preset/build.log
   install_packages packages.txt || return 1
-  if [ ! -f "$root/build/$preset/build.ninja" ]; then
+  if [ ! -f "$root/build/$preset/build.ninja" ] || lacks_plugin "$root/build/$preset"; then
     echo "configuring the preset '$preset'; the first build takes a few minutes" >&2
     mkdir -p "$root/build/$preset"
     cmake -S "$root" --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <thread>
 
+#include "base/cache_folder.h"
 #include "base/number_text.h"
 #include "bench/benchmark.h"
 #include "bench/report.h"
@@ -121,10 +122,10 @@ int run_bench(const BenchArguments& a) {
   BenchProgress progress(watch_interrupts());
   render::Session session({.threads = a.threads});
   const double methods_begin = job->given_reference ? 0 : 0.5;
-  auto reference = job->given_reference ? *job->given_reference
-                                        : bench::render_reference(
-                                              session, job->document, reference_effort(a, job->plan.methods.size()),
-                                              a.no_cache ? "" : bench::cache_folder(), progress.part(0, methods_begin));
+  auto reference = job->given_reference
+                       ? *job->given_reference
+                       : bench::render_reference(session, job->document, reference_effort(a, job->plan.methods.size()),
+                                                 a.no_cache ? "" : cache_folder(), progress.part(0, methods_begin));
   const auto outcome = bench::run(session, job->plan, reference, progress.part(methods_begin, 1));
   progress.finish();
 

@@ -1,7 +1,10 @@
 // Every subcommand, in the order of the help text; one line each.
+#include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include "command.h"
+#include "scene_options.h"
 
 // clang-format off
 #define ETENDUE_COMMANDS(ENTRY) \
@@ -26,7 +29,24 @@ namespace etendue::cli {
 #define ETENDUE_DECLARE(NAME) Command NAME##_command();
 ETENDUE_COMMANDS(ETENDUE_DECLARE)
 
-#define ETENDUE_CALL(NAME) NAME##_command(),
+namespace {
+
+// Adds --texture-memory to a command that opens scenes.
+Command with_texture_memory(Command command) {
+  const auto opens_scene = [](const CommandOption& option) { return option.names == "scene"; };
+  if (std::ranges::none_of(command.options, opens_scene)) return command;
+  const auto size = std::make_shared<std::string>();
+  command.options.push_back(texture_memory_option(*size));
+  command.run = [size, run = std::move(command.run)] {
+    const auto set = set_texture_memory(*size);
+    return set ? run() : fail(set.error());
+  };
+  return command;
+}
+
+}  // namespace
+
+#define ETENDUE_CALL(NAME) with_texture_memory(NAME##_command()),
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{ETENDUE_COMMANDS(ETENDUE_CALL)};
   return all;

@@ -1,6 +1,8 @@
 // The program etendue. `etendue [SCENE]` opens the viewer; all other work is done by subcommands.
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,13 @@ std::string similar_command(const std::string& first) {
   return edit_distance(first, similar) <= std::min(kMostTypos, first.size() / 2) ? similar : "";
 }
 
+// An error if standard output is incomplete, for example because it goes to a full disk.
+int checked_output(int code) {
+  const bool complete = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.flush().good();
+  if (complete || code != 0) return code;
+  return fail(output_error("standard output could not be written completely; is the disk full?"));
+}
+
 }  // namespace
 }  // namespace etendue::cli
 
@@ -41,5 +50,5 @@ int main(int argc, char** argv) {
                                        "'? See etendue --help"));
     arguments.insert(arguments.begin(), "view");
   }
-  return parse_and_run(commands(), std::move(arguments));
+  return checked_output(parse_and_run(commands(), std::move(arguments)));
 }

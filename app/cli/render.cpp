@@ -293,7 +293,7 @@ class RenderJob {
 
 // Wrong arguments fail before anything is rendered.
 int run_render(const RenderArguments& a) {
-  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr or .png"));
+  if (a.out.empty()) return fail(usage_error("render: no output; give -o FILE.exr, .hdr, .png or .tif"));
   if (auto ok = render::check_output_name(a.out); !ok) return fail(ok.error());
   if (!a.png.empty())
     if (auto ok = render::check_output_name(a.png); !ok) return fail(ok.error());
@@ -319,7 +319,8 @@ Command render_command() {
       .options = {scene_option(a->scene.scene, false),
                   {.names = "-o,--out",
                    .target = &a->out,
-                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear) or .png (as displayed)"},
+                   .doc = "Output file: .exr (linear, with all settings), .hdr (linear), .png (as displayed), "
+                          "or of another format"},
                   {.names = "--png", .target = &a->png, .doc = "Additional output of the displayed image, a .png"},
                   {.names = "--spp",
                    .target = &a->samples,

@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "image/plugin.h"
+#include "image/texture_memory.h"
 #include "scene/builtin/builtin.h"
 
 namespace etendue::cli {
@@ -24,7 +26,7 @@ CommandOption size_option(std::string& target) {
 CommandOption environment_option(std::string& target) {
   return {.names = "--env",
           .target = &target,
-          .doc = "Environment map: an .hdr or .exr file, or studio, overcast, sunset or uniform"};
+          .doc = "Environment map: an .hdr, .exr or other image file, or studio, overcast, sunset or uniform"};
 }
 
 CommandOption paths_option(std::string& target) {
@@ -45,6 +47,24 @@ CommandOption threads_option(int& target) {
 }
 
 CommandOption json_flag(bool& target) { return {.names = "--json", .target = &target, .doc = "Print JSON"}; }
+
+CommandOption texture_memory_option(std::string& target) {
+  return {.names = "--texture-memory",
+          .target = &target,
+          .doc =
+              "Memory for textures, e.g. 512M or 2G: a scene whose textures need more reads them from mip-mapped "
+              "files; without it all are in memory"};
+}
+
+Result<void> set_texture_memory(const std::string& size) {
+  if (size.empty()) return {};
+  const auto bytes = image::parse_memory_size(size);
+  if (!bytes) return usage_error("--texture-memory: " + bytes.error().message);
+  if (const auto plugin = image::image_plugin(); !plugin)
+    return usage_error("--texture-memory: " + plugin.error().message);
+  image::set_texture_memory(*bytes);
+  return {};
+}
 
 Result<void> set_parameter(render::Document& document, const std::string& name, const std::string& value) {
   auto changed = render::with_text(document, name, value);

@@ -29,6 +29,9 @@ CommandOption seed_option(Integer& target) {
 }
 CommandOption threads_option(int& target);
 CommandOption json_flag(bool& target);
+// The budget for textures of all scenes that the command opens; `set_texture_memory` applies it.
+CommandOption texture_memory_option(std::string& target);
+Result<void> set_texture_memory(const std::string& size);
 
 Result<void> set_parameter(render::Document& document, const std::string& name, const std::string& value);
 Result<void> set_size(render::Document& document, const std::string& size);  // "1280x720"

@@ -54,9 +54,14 @@ Result<std::vector<const stress::Case*>> select_cases(const std::vector<std::str
   return list;
 }
 
+Result<void> create_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return check_writable(folder / "matrix.json");
+  return output_error(folder.string() + ": the folder cannot be created: " + error.message());
+}
+
 Result<void> write_matrix(const std::filesystem::path& folder, const std::vector<stress::CaseResult>& rows) {
-  std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
   const std::pair<const char*, std::string> files[] = {{"matrix.json", stress::matrix_json(rows)},
                                                        {"matrix.html", stress::matrix_html(rows)}};
   for (const auto& [name, text] : files)
@@ -71,6 +76,8 @@ int run_stress(const StressArguments& a) {
   }
   const auto cases = select_cases(a.names);
   if (!cases) return fail(cases.error());
+  if (!a.out.empty())
+    if (auto ok = create_folder(a.out); !ok) return fail(ok.error());
   std::vector<stress::CaseResult> rows;
   size_t expectations = 0, failed = 0;
   for (const stress::Case* c : *cases) {

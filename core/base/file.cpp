@@ -12,11 +12,37 @@
 namespace etendue {
 namespace fs = std::filesystem;
 
+namespace {
+
+// The file that a symbolic link leads to; other paths are unchanged.
+fs::path followed(const fs::path& path) {
+  std::error_code code;
+  if (!fs::is_symlink(path, code)) return path;
+  const fs::path target = fs::canonical(path, code);
+  return code ? path : target;
+}
+
+// Whether the path is a device, a pipe or a socket.
+bool is_device(const fs::path& path) {
+  std::error_code code;
+  const auto status = fs::status(path, code);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+fs::path temporary_beside(const fs::path& path) {
+  return path.parent_path() /
+         ("." + path.stem().string() + ".tmp-" + std::to_string(::getpid()) + path.extension().string());
+}
+
+}  // namespace
+
 Result<std::vector<std::byte>> read_file(const fs::path& path) {
   std::error_code code;
   const auto status = fs::status(path, code);
   if (!fs::exists(status)) return input_error(path.string() + ": there is no such file");
   if (fs::is_directory(status)) return input_error(path.string() + ": this is a folder; give a file");
+  // Opening a pipe would wait for its other end.
+  if (!fs::is_regular_file(status)) return input_error(path.string() + ": this is a device or a pipe; give a file");
 
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
   if (!file) return input_error(path.string() + ": cannot be read: " + std::strerror(errno));
@@ -26,21 +52,33 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
   return input_error(path.string() + ": the file could not be read completely");
 }
 
-Result<void> write_atomically(const fs::path& path, const std::function<Result<void>(const fs::path&)>& write) {
+Result<void> check_writable(const fs::path& path) {
+  const fs::path target = followed(path);
   std::error_code code;
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, code))
-    return output_error(path.string() + ": the folder " + folder.string() + " does not exist");
-  if (fs::is_directory(path, code)) return output_error(path.string() + ": this is a folder; give a file name");
+    return output_error(path.string() + ": the folder " + folder.string() + " does not exist; create it first");
+  if (fs::is_directory(target, code)) return output_error(path.string() + ": this is a folder; give a file name");
+  if (is_device(target)) return {};
+  const fs::path temporary = temporary_beside(target);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(temporary.c_str(), "wb"), std::fclose);
+  if (!file) return output_error(path.string() + ": cannot be written: " + std::strerror(errno));
+  fs::remove(temporary, code);
+  return {};
+}
 
-  const fs::path temporary =
-      folder / ("." + path.stem().string() + ".tmp-" + std::to_string(::getpid()) + path.extension().string());
+Result<void> write_atomically(const fs::path& path, const std::function<Result<void>(const fs::path&)>& write) {
+  if (auto writable = check_writable(path); !writable) return writable;
+  const fs::path target = followed(path);
+  if (is_device(target)) return write(target);
+  const fs::path temporary = temporary_beside(target);
+  std::error_code code;
   auto written = write(temporary);
   if (!written) {
     fs::remove(temporary, code);
     return written;
   }
-  fs::rename(temporary, path, code);
+  fs::rename(temporary, target, code);
   if (code) {
     const std::string reason = code.message();
     fs::remove(temporary, code);

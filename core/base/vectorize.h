@@ -7,8 +7,8 @@
 
 #include "base/vec.h"
 
-// Disabled with ThreadSanitizer: the linker selects the version before the sanitizer is initialised.
-#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__)
+// Not with ThreadSanitizer (the linker selects a version before the sanitizer starts) and Clang (not with gnu::flatten).
+#if defined(__x86_64__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
 #define ETENDUE_VECTORIZE [[gnu::target_clones("default", "avx2", "avx512f"), gnu::flatten]]
 #else
 #define ETENDUE_VECTORIZE

@@ -5,6 +5,8 @@
 // window (overscan) are dropped. The channels "albedo.R", "albedo.G", ... form the layer "albedo"; a channel without a
 // dot belongs to the layer "". All channels are read as float, so integers above 2^24 are rounded.
 //
+// Limits of what is read: exr_limits.h.
+//
 // Written: float channels, ZIP compression, text attributes.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
@@ -13,22 +15,22 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
-#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
 #include "base/file.h"
+#include "image/exr_limits.h"
 #include "image/format.h"
 
 namespace etendue::image {
 namespace {
-
-constexpr uint64_t kMaxValues = uint64_t{1} << 30;  // of all channels together: 4 GiB
 
 std::string full_name(const Layer& layer, const std::string& channel) {
   return layer.name.empty() ? channel : layer.name + "." + channel;
@@ -55,10 +57,6 @@ class MemoryStream : public Imf::IStream {
   Bytes bytes_;
   uint64_t position_ = 0;
 };
-
-uint64_t extent(int min, int max) { return max < min ? 0 : static_cast<uint64_t>(int64_t{max} - min + 1); }
-uint64_t width_of(const Imath::Box2i& box) { return extent(box.min.x, box.max.x); }
-uint64_t height_of(const Imath::Box2i& box) { return extent(box.min.y, box.max.y); }
 
 // Sort key of a channel: R, G, B, A, X, Y, Z come first in this order, then all others in the order of their names.
 size_t channel_rank(const std::string& channel) {
@@ -147,19 +145,6 @@ std::map<std::string, std::string> text_attributes(const Imf::Header& header) {
   return texts;
 }
 
-Result<void> check_part(const Imf::Header& header, const std::string& name, uint64_t& values) {
-  if (header.hasType() && !Imf::isImage(header.type()))
-    return input_error(name + ": deep OpenEXR images are not supported; flatten the image");
-  for (const Imath::Box2i& window : {header.dataWindow(), header.displayWindow()}) {
-    if (auto size = check_image_size(width_of(window), height_of(window), name); !size) return size;
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c)
-      values += width_of(window) * height_of(window);
-  }
-  if (values <= 2 * kMaxValues) return {};
-  return input_error(name +
-                     ": the OpenEXR file has more than 2^30 values in all channels; reduce the number of layers");
-}
-
 // A layer of a later part whose name is taken is prefixed with the name of the part.
 void add_layers(std::vector<Layer> layers, const Imf::Header& header, LayeredImage& image) {
   for (Layer& layer : layers) {
@@ -171,10 +156,8 @@ void add_layers(std::vector<Layer> layers, const Imf::Header& header, LayeredIma
   }
 }
 
-Result<LayeredImage> decode(Imf::MultiPartInputFile& file, const std::string& name) {
-  uint64_t values = 0;
-  for (int i = 0; i < file.parts(); ++i)
-    if (auto checked = check_part(file.header(i), name, values); !checked) return checked.error();
+Result<LayeredImage> decode(Imf::MultiPartInputFile& file, Bytes bytes, const std::string& name) {
+  if (auto checked = check_exr_parts(file, bytes, name); !checked) return checked.error();
   LayeredImage image;
   const Imath::Box2i display = file.header(0).displayWindow();
   image.width = static_cast<int>(width_of(display));
@@ -223,6 +206,39 @@ Imf::FrameBuffer make_source(const LayeredImage& image) {
   return source;
 }
 
+// A file whose errors are recorded, because the destructor of Imf::OutputFile, which writes the last bytes, ignores them.
+class FileStream : public Imf::OStream {
+ public:
+  explicit FileStream(const std::filesystem::path& path)
+      : Imf::OStream(path.c_str()), file_(std::fopen(path.c_str(), "wb"), std::fclose) {}
+
+  void write(const char bytes[], int size) override {
+    const auto count = static_cast<size_t>(size);
+    complete_ = complete_ && file_ && std::fwrite(bytes, 1, count, file_.get()) == count;
+    if (!complete_) throw std::runtime_error("the file is incomplete");
+  }
+  uint64_t tellp() override { return file_ ? static_cast<uint64_t>(std::ftell(file_.get())) : 0; }
+  void seekp(uint64_t position) override {
+    complete_ = complete_ && file_ && std::fseek(file_.get(), static_cast<long>(position), SEEK_SET) == 0;
+  }
+
+  // Returns whether all bytes were written, also now.
+  bool close() {
+    complete_ = file_ && std::fclose(file_.release()) == 0 && complete_;
+    return complete_;
+  }
+
+ private:
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  bool complete_ = true;
+};
+
+void write_pixels(FileStream& stream, const LayeredImage& image) {
+  Imf::OutputFile file(stream, make_header(image));
+  file.setFrameBuffer(make_source(image));
+  file.writePixels(image.height);
+}
+
 bool is_exr(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
 
 Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
@@ -230,7 +246,7 @@ Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
   try {
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream, 0, false);
-    return decode(file, name);
+    return decode(file, bytes, name);
   } catch (const std::exception& e) {
     return input_error(name + ": damaged or unsupported OpenEXR: " + e.what());
   }
@@ -247,14 +263,16 @@ Result<LayeredImage> read_exr(const std::filesystem::path& path) {
 Result<void> write_exr(const std::filesystem::path& path, const LayeredImage& image) {
   if (auto checked = check_layers(path.string(), image); !checked) return checked;
   return write_atomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
+    FileStream stream(temporary);
+    std::string problem;
     try {
-      Imf::OutputFile file(temporary.c_str(), make_header(image));
-      file.setFrameBuffer(make_source(image));
-      file.writePixels(image.height);
-      return {};
+      write_pixels(stream, image);
     } catch (const std::exception& e) {
-      return output_error(path.string() + ": cannot be written as OpenEXR: " + e.what());
+      problem = e.what();
     }
+    if (!stream.close()) return incomplete_write(path);
+    if (!problem.empty()) return output_error(path.string() + ": cannot be written as OpenEXR: " + problem);
+    return {};
   });
 }
 

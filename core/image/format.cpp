@@ -5,31 +5,52 @@
 #include <cctype>
 #include <cstring>
 
+#include "image/plugin.h"
+
 namespace etendue::image {
 
 extern const ImageFormat kPngFormat, kJpegFormat, kWebpFormat, kHdrFormat, kExrFormat;
+extern const std::array<ImageFormat, 14> kPluginFormats;
 
 namespace {
 
-constexpr const ImageFormat* kFormats[] = {&kPngFormat, &kJpegFormat, &kWebpFormat, &kHdrFormat, &kExrFormat};
+const std::vector<const ImageFormat*>& formats() {
+  static const auto all = [] {
+    std::vector<const ImageFormat*> list{&kPngFormat, &kJpegFormat, &kWebpFormat, &kHdrFormat, &kExrFormat};
+    for (const ImageFormat& format : kPluginFormats) list.push_back(&format);
+    return list;
+  }();
+  return all;
+}
 
-// "PNG, JPEG, ... or Radiance HDR": the formats that decode_image reads.
-std::string decodable_labels() {
-  std::vector<std::string_view> labels;
-  for (const ImageFormat* format : kFormats)
-    if (format->decode) labels.push_back(format->label);
+// "A, B or C"
+std::string alternatives(const std::vector<std::string_view>& names) {
   std::string text;
-  for (size_t i = 0; i < labels.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < labels.size() ? ", " : " or ") + std::string(labels[i]);
+  for (size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + std::string(names[i]);
   return text;
+}
+
+// The formats that are read.
+std::string readable_labels() {
+  std::vector<std::string_view> labels;
+  for (const ImageFormat* format : formats()) labels.push_back(format->label);
+  return alternatives(labels);
+}
+
+std::string writable_extensions() {
+  std::vector<std::string_view> extensions;
+  for (const ImageFormat* format : formats())
+    if (format->can_write()) extensions.push_back(format->extensions.front());
+  return alternatives(extensions);
 }
 
 }  // namespace
 
-std::span<const ImageFormat* const> image_formats() { return kFormats; }
+std::span<const ImageFormat* const> image_formats() { return formats(); }
 
 const ImageFormat* recognise_format(Bytes bytes) {
-  for (const ImageFormat* format : kFormats)
+  for (const ImageFormat* format : formats())
     if (format->recognises(bytes)) return format;
   return nullptr;
 }
@@ -38,18 +59,29 @@ const ImageFormat* find_writer(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension.empty()) return nullptr;
-  for (const ImageFormat* format : kFormats)
+  for (const ImageFormat* format : formats())
     if (format->can_write() && std::ranges::find(format->extensions, extension) != format->extensions.end())
       return format;
   return nullptr;
 }
 
+Result<const ImageFormat*> require_writer(const std::filesystem::path& path) {
+  const ImageFormat* format = find_writer(path);
+  if (!format)
+    return usage_error(path.string() + ": '" + path.extension().string() + "' is not a supported output format; use " +
+                       writable_extensions());
+  if (!format->writes_by_plugin) return format;
+  if (const auto plugin = image_plugin(); !plugin) return output_error(path.string() + ": " + plugin.error().message);
+  return format;
+}
+
 Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& name) {
   const ImageFormat* format = recognise_format(bytes);
-  if (format && format->decode) return format->decode(bytes, name);
+  if (format) return format->decode ? format->decode(bytes, name) : decode_by_plugin(bytes, name);
   if (bytes.empty()) return input_error(name + ": the file is empty");
-  const std::string problem = format ? std::string(format->label) + " is not supported here" : "unknown image format";
-  return input_error(name + ": " + problem + "; expected " + decodable_labels());
+  if (starts_with(bytes, "\xabKTX 20\xbb"))
+    return input_error(name + ": KTX 2 images are not supported; convert the image to PNG or JPEG");
+  return input_error(name + ": unknown image format; expected " + readable_labels());
 }
 
 Result<void> check_image_size(uint64_t width, uint64_t height, const std::string& name) {

@@ -1,7 +1,8 @@
 // Image file formats
 //
 // A format is one source file (png.cpp, exr.cpp, ...) that defines an ImageFormat, and one entry of the registry in
-// format.cpp. Readers recognise a file by its content, writers are selected by the extension.
+// format.cpp. Formats that OpenImageIO reads and writes are entries of plugin_formats.cpp. Readers recognise a file by
+// its content, writers are selected by the extension.
 //
 // A reader takes the size of the image from the header and validates it with `check_image_size` and `check_file_length`
 // before it allocates memory for the pixels. Damaged files are input errors, never crashes.
@@ -23,7 +24,7 @@ using Bytes = std::span<const std::byte>;
 struct ImageFormat {
   std::string_view name;   // "png"
   std::string_view label;  // shown to the user: "PNG"
-  std::array<std::string_view, 2>
+  std::array<std::string_view, 3>
       extensions;        // lower case, with the dot, the usual one first; unused entries are empty
   std::string_view doc;  // what is read and written
 
@@ -33,6 +34,11 @@ struct ImageFormat {
   // Readers; `name` is used in messages. A format has one of the two.
   Result<Image> (*decode)(Bytes bytes, const std::string& name) = nullptr;
   Result<LayeredImage> (*decode_layers)(Bytes bytes, const std::string& name) = nullptr;
+  // The memory of the decoded pixels according to the header, in bytes; 0 if it is damaged. Null if only decoding tells.
+  uint64_t (*decoded_size)(Bytes bytes) = nullptr;
+  // Reads a file as linear floats with Rec. 709 primaries, for formats that declare their colour space or have more
+  // than 8 bits; null for others.
+  Result<Image> (*read_linear)(const std::filesystem::path& path, const ImageFormat& format) = nullptr;
 
   // Writers; a format has at most one, according to what it stores: all layers and attributes; linear RGB; or
   // display-encoded 8-bit RGB with text attributes. Arguments as for write_exr, write_hdr and write_png.
@@ -41,6 +47,9 @@ struct ImageFormat {
                                std::span<const float> rgb) = nullptr;
   Result<void> (*write_display)(const std::filesystem::path& path, int width, int height, std::span<const uint8_t> rgb,
                                 const std::map<std::string, std::string>& attributes) = nullptr;
+
+  // Whether OpenImageIO is needed (image/plugin.h).
+  bool reads_by_plugin = false, writes_by_plugin = false;
 
   bool can_write() const { return write_layers || write_linear || write_display; }
 };
@@ -53,6 +62,9 @@ const ImageFormat* recognise_format(Bytes bytes);
 
 // The format that writes files with the extension of `path` (case-insensitive), or null.
 const ImageFormat* find_writer(const std::filesystem::path& path);
+
+// The same, as a result: the error lists the extensions that are written, or says what to install for this one.
+Result<const ImageFormat*> require_writer(const std::filesystem::path& path);
 
 // ---- For readers and writers
 

@@ -52,12 +52,14 @@ struct LayeredImage {
   }
 };
 
-// Decodes PNG, JPEG, WebP or Radiance HDR; `name` is used in messages. Images of more than 2^28 pixels are an error,
-// which is detected before memory is allocated for them.
+// Decodes any format, with the first one to four channels; `name` is used in messages. Images of more than 2^28 pixels
+// are an error, which is detected before memory is allocated for them. Formats other than PNG, JPEG, WebP and Radiance
+// HDR need the plugin (image/plugin.h); integers of more than 8 bits are rounded to 8.
 Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& name);
 
-// Reads any format as linear RGB with Rec. 709 primaries in the first layer. 8-bit values are decoded from sRGB, grey
-// is copied to all channels, alpha is dropped. An OpenEXR file keeps its other layers.
+// Reads any format as linear RGB with Rec. 709 primaries in the first layer. Integers are decoded from the colour space
+// that the file declares, or from sRGB. Grey is copied to all channels, alpha is dropped. An OpenEXR file keeps its
+// other layers.
 Result<LayeredImage> read_linear(const std::filesystem::path& path);
 
 // Reads an OpenEXR file with all layers and text attributes. Channels may be half, float or uint.

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "image/format.h"
+#include "image/plugin.h"
 
 namespace etendue::image {
 namespace {
@@ -49,15 +50,26 @@ Result<Image> decode_jpeg(Bytes bytes, const std::string& name) {
   return image;
 }
 
+uint64_t decoded_jpeg_size(Bytes bytes) {
+  const Decoder decoder(tjInitDecompress(), tjDestroy);
+  int width = 0, height = 0, subsampling = 0, colours = 0;
+  tjDecompressHeader3(decoder.get(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), &width,
+                      &height, &subsampling, &colours);
+  return static_cast<uint64_t>(width) * static_cast<uint64_t>(height) * (colours == TJCS_GRAY ? 1 : 3);
+}
+
 }  // namespace
 
 extern const ImageFormat kJpegFormat{
     .name = "jpeg",
     .label = "JPEG",
     .extensions = {".jpg", ".jpeg"},
-    .doc = "Read: baseline and progressive, grey and RGB.",
+    .doc = "Read: baseline and progressive, grey and RGB. Written: display-encoded, through OpenImageIO.",
     .recognises = is_jpeg,
     .decode = decode_jpeg,
+    .decoded_size = decoded_jpeg_size,
+    .write_display = write_display_by_plugin,
+    .writes_by_plugin = true,
 };
 
 }  // namespace etendue::image

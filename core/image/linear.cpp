@@ -87,9 +87,9 @@ Result<LayeredImage> read_linear(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   const std::string name = path.string();
-  if (const ImageFormat* format = recognise_format(*bytes); format && format->decode_layers)
-    return with_rgb_first(format->decode_layers(*bytes, name), name);
-  const auto image = decode_image(*bytes, name);
+  const ImageFormat* format = recognise_format(*bytes);
+  if (format && format->decode_layers) return with_rgb_first(format->decode_layers(*bytes, name), name);
+  const auto image = format && format->read_linear ? format->read_linear(path, *format) : decode_image(*bytes, name);
   if (!image) return image.error();
   LayeredImage linear{.width = image->width, .height = image->height};
   linear.layers.push_back(linearise(*image));

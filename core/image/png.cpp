@@ -111,6 +111,12 @@ Result<Image> decode_png(Bytes bytes, const std::string& name) {
   return image;
 }
 
+uint64_t decoded_png_size(Bytes bytes) {
+  Reader reader(bytes);
+  if (!read_header(reader) || !choose_transforms(reader)) return 0;
+  return uint64_t{png_get_image_height(reader.png, reader.info)} * png_get_rowbytes(reader.png, reader.info);
+}
+
 // ---- Writing
 
 struct Writer : PngState {
@@ -236,8 +242,9 @@ Result<void> write_png(const std::filesystem::path& path, int width, int height,
     File file(std::fopen(temporary.c_str(), "wb"), std::fclose);
     if (!file) return output_error(path.string() + ": cannot be written: " + std::strerror(errno));
     Writer writer(file.get());
-    if (!write_rgb(writer, width, height, rgb, texts))
-      return output_error(path.string() + ": cannot be written as PNG: " + writer.message);
+    const bool encoded = write_rgb(writer, width, height, rgb, texts);
+    if (std::ferror(file.get())) return incomplete_write(path);
+    if (!encoded) return output_error(path.string() + ": cannot be written as PNG: " + writer.message);
     if (std::fclose(file.release()) != 0) return incomplete_write(path);
     return {};
   });
@@ -250,6 +257,7 @@ extern const ImageFormat kPngFormat{
     .doc = "Read: 8 and 16 bits, grey, colour and alpha. Written: display-encoded 8-bit RGB with text attributes.",
     .recognises = is_png,
     .decode = decode_png,
+    .decoded_size = decoded_png_size,
     .write_display = write_png,
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "image/format.h"
+#include "image/plugin.h"
 
 namespace etendue::image {
 namespace {
@@ -34,15 +35,25 @@ Result<Image> decode_webp(Bytes bytes, const std::string& name) {
   return image;
 }
 
+uint64_t decoded_webp_size(Bytes bytes) {
+  WebPBitstreamFeatures features;
+  const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
+  if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK) return 0;
+  return static_cast<uint64_t>(features.width) * static_cast<uint64_t>(features.height) * (features.has_alpha ? 4 : 3);
+}
+
 }  // namespace
 
 extern const ImageFormat kWebpFormat{
     .name = "webp",
     .label = "WebP",
     .extensions = {".webp"},
-    .doc = "Read: still images, lossy and lossless, with alpha.",
+    .doc = "Read: still images, lossy and lossless, with alpha. Written: display-encoded, through OpenImageIO.",
     .recognises = is_webp,
     .decode = decode_webp,
+    .decoded_size = decoded_webp_size,
+    .write_display = write_display_by_plugin,
+    .writes_by_plugin = true,
 };
 
 }  // namespace etendue::image

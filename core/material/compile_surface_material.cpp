@@ -11,10 +11,11 @@ SurfaceMaterial::Map resolve(const TextureUse& use, const std::vector<Texture>& 
   SurfaceMaterial::Map map;
   if (use.texture < 0 || static_cast<size_t>(use.texture) >= textures.size()) return map;
   const Texture& texture = textures[static_cast<size_t>(use.texture)];
-  if (!texture.image || texture.image->empty()) return map;
+  if (!texture.tiles && (!texture.image || texture.image->empty())) return map;
   map.texture = &texture;
   map.use = use;
   map.identity = use.offset == Vec2(0) && use.scale == Vec2(1) && use.rotation == 0;
+  map.scale = std::min(std::abs(use.scale.x), std::abs(use.scale.y));
   return map;
 }
 
@@ -70,6 +71,7 @@ void SurfaceMaterial::resolve_textures(const std::vector<Texture>& textures) {
            {diffuse_transmission_color, m.diffuse_transmission_color_texture}}) {
     map = resolve(use, textures);
     has_textures = has_textures || map;
+    has_tiled_textures = has_tiled_textures || (map && map.texture->tiles);
   }
 }
 

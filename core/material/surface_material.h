@@ -16,6 +16,8 @@ inline Vec4 clamped(const Vec4& c) { return glm::min(glm::max(c, Vec4(0)), Vec4(
 struct TexturePoint {
   Vec2 uv[2]{};   // texture coordinates, by set
   Vec4 color{1};  // vertex colour, linear
+  // The width of a pixel of the rendered image in texture coordinates, by set; set only for tiled textures.
+  float footprint[2]{};
 };
 
 struct SurfaceMaterial {
@@ -24,10 +26,11 @@ struct SurfaceMaterial {
     const Texture* texture = nullptr;
     TextureUse use;
     bool identity = true;  // no texture transform
+    float scale = 1;       // the smaller scale of the texture transform
     explicit operator bool() const { return texture != nullptr; }
     Vec4 at(const TexturePoint& point, Encoding encoding) const {
       const Vec2 uv = point.uv[use.uv_set];
-      return lookup(*texture, encoding, identity ? uv : transformed(use, uv));
+      return lookup(*texture, encoding, identity ? uv : transformed(use, uv), point.footprint[use.uv_set] * scale);
     }
   };
 
@@ -45,7 +48,8 @@ struct SurfaceMaterial {
   bool has_coat_normal = false;      // a clear coat, on a surface with a normal map: the two normals can differ
   bool needs_tangent_frame = false;  // has_normal_map or is_anisotropic
   bool has_textures = false;
-  bool has_alpha = false;  // the alpha mode is mask or blend
+  bool has_tiled_textures = false;  // TexturePoint::footprint is needed
+  bool has_alpha = false;           // the alpha mode is mask or blend
 
   bool is_emissive = false;     // emits, or is unlit
   bool absorbs_inside = false;  // a solid whose inside attenuates light

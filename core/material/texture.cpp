@@ -1,7 +1,10 @@
 #include "material/texture.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "image/tiled_image.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -41,27 +44,78 @@ Vec4 to_rgba(const float* v, int channels) {
   }
 }
 
+// RGBA of a byte pixel with 1 to 4 channels.
+Vec4 decoded(const uint8_t* bytes, int channels, Encoding encoding) {
+  std::array<float, 4> v{};
+  const int colors = channels < 3 ? 1 : 3;
+  for (int c = 0; c < channels; ++c)
+    v[static_cast<size_t>(c)] =
+        encoding == Encoding::srgb && c < colors ? srgb_table()[bytes[c]] : static_cast<float>(bytes[c]) * (1 / 255.0f);
+  return to_rgba(v.data(), channels);
+}
+
 Vec4 texel(const image::Image& image, Encoding encoding, int x, int y) {
   const size_t at = (static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)) *
                     static_cast<size_t>(image.channels);
   if (image.type == image::PixelType::float32) return to_rgba(&image.floats[at], image.channels);
-  std::array<float, 4> v{};
-  const int colors = image.channels < 3 ? 1 : 3;
-  for (int c = 0; c < image.channels; ++c) {
-    const uint8_t byte = image.bytes[at + static_cast<size_t>(c)];
-    v[static_cast<size_t>(c)] =
-        encoding == Encoding::srgb && c < colors ? srgb_table()[byte] : static_cast<float>(byte) * (1 / 255.0f);
-  }
-  return to_rgba(v.data(), image.channels);
+  return decoded(&image.bytes[at], image.channels, encoding);
 }
 
 // Replaces coordinates whose texel index would overflow by 0.
 float bounded(float x) { return std::abs(x) < 1e6f ? x : 0; }
 
+// The four texels around a point and the weights of the right and the lower ones. Without interpolation all four are
+// the nearest texel.
+struct Stencil {
+  std::array<Vec2i, 4> positions;  // upper left, upper right, lower left, lower right
+  float fx = 0, fy = 0;
+};
+
+Stencil stencil_at(const Texture& texture, Vec2 uv, int width, int height) {
+  const float x = bounded(uv.x) * static_cast<float>(width), y = bounded(uv.y) * static_cast<float>(height);
+  const float shift = texture.nearest ? 0 : 0.5f;
+  const float x0 = std::floor(x - shift), y0 = std::floor(y - shift);
+  const int step = texture.nearest ? 0 : 1;
+  const int left = wrapped(static_cast<int>(x0), width, texture.wrap_u);
+  const int right = wrapped(static_cast<int>(x0) + step, width, texture.wrap_u);
+  const int top = wrapped(static_cast<int>(y0), height, texture.wrap_v);
+  const int bottom = wrapped(static_cast<int>(y0) + step, height, texture.wrap_v);
+  Stencil stencil{.positions = {Vec2i(left, top), Vec2i(right, top), Vec2i(left, bottom), Vec2i(right, bottom)}};
+  if (!texture.nearest) {
+    stencil.fx = x - shift - x0;
+    stencil.fy = y - shift - y0;
+  }
+  return stencil;
+}
+
+// The level whose texels are at most as wide as the footprint.
+int level_of(const image::TiledImage& image, float footprint) {
+  const float texels = footprint * static_cast<float>(std::max(image.width, image.height));
+  return texels < 2 ? 0 : std::min(image.levels - 1, std::ilogb(std::min(texels, 0x1p30f)));
+}
+
+Vec4 lookup_tiles(const Texture& texture, Encoding encoding, Vec2 uv, float footprint) {
+  const image::TiledImage& image = *texture.tiles;
+  const int level = level_of(image, footprint);
+  const Stencil s = stencil_at(texture, uv, std::max(image.width >> level, 1), std::max(image.height >> level, 1));
+  std::array<Vec4, 4> texels;
+  if (image.type == image::PixelType::float32) {
+    image::TiledImage::Texels<float> values;
+    if (!image.read(level, s.positions, values)) return Vec4(1);
+    for (size_t i = 0; i < texels.size(); ++i) texels[i] = to_rgba(values[i].data(), image.channels);
+  } else {
+    image::TiledImage::Texels<uint8_t> values;
+    if (!image.read(level, s.positions, values)) return Vec4(1);
+    for (size_t i = 0; i < texels.size(); ++i) texels[i] = decoded(values[i].data(), image.channels, encoding);
+  }
+  return glm::mix(glm::mix(texels[0], texels[1], s.fx), glm::mix(texels[2], texels[3], s.fx), s.fy);
+}
+
 }  // namespace
 
-Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv) {
-  if (!texture.image || texture.image->empty()) return Vec4(1);
+Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv, float footprint) {
+  if (!texture.image || texture.image->empty())
+    return texture.tiles ? lookup_tiles(texture, encoding, uv, footprint) : Vec4(1);
   const image::Image& image = *texture.image;
   const float x = bounded(uv.x) * static_cast<float>(image.width), y = bounded(uv.y) * static_cast<float>(image.height);
   if (texture.nearest)

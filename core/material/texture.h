@@ -8,13 +8,19 @@
 
 namespace etendue {
 
+namespace image {
+class TiledImage;
+}
+
 enum class Wrap : uint8_t { repeat, mirror, clamp };
 
 // How byte images are decoded at look-up. Float images are always linear.
 enum class Encoding : uint8_t { srgb, linear };
 
+// The pixels are in memory, or in a file whose tiles are read on demand (image/texture_memory.h), or missing.
 struct Texture {
   std::shared_ptr<const image::Image> image;
+  std::shared_ptr<const image::TiledImage> tiles;  // only if `image` is null
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   bool nearest = false;  // nearest texel instead of bilinear
   std::string name;
@@ -34,7 +40,9 @@ struct TextureUse {
 };
 
 // RGBA at uv. Grey images give equal RGB, images without alpha an alpha of 1. White if the texture has no image.
-Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv);
+// `footprint` is the width of a pixel of the rendered image in texture coordinates. It selects the mip level of tiled
+// images; images in memory are not filtered. 0 selects the full resolution.
+Vec4 lookup(const Texture& texture, Encoding encoding, Vec2 uv, float footprint = 0);
 
 // The texture coordinates after the transform of the use.
 Vec2 transformed(const TextureUse& use, Vec2 uv);

@@ -109,7 +109,7 @@ std::string state_json(const Document& document, uint32_t samples, const std::st
 
 Result<Document> document_from_state(const std::string& text, const std::string& source, uint32_t* samples) {
   const json state = json::parse(text, nullptr, false);
-  if (!state.is_object() || state.value("program", "") != "etendue" || !state.contains("scene") ||
+  if (!state.is_object() || text_member(state, "program") != "etendue" || !state.contains("scene") ||
       !state["scene"].is_string() || !state.contains("settings") || !state["settings"].is_object())
     return invalid_state(source);
   auto document = new_document(resolved(state["scene"].get<std::string>(), source), text_member(state, "camera"));

@@ -2,17 +2,13 @@
 
 #include <filesystem>
 
+#include "base/file.h"
 #include "film/film_image.h"
 #include "image/display.h"
+#include "image/format.h"
 
 namespace etendue::render {
 namespace {
-
-std::string extension_of(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 image::Layer sample_count_layer(const film::Film& film) {
   image::Layer layer{"sample-count", {"V"}, {}};
@@ -24,26 +20,22 @@ image::Layer sample_count_layer(const film::Film& film) {
 }  // namespace
 
 Result<void> check_output_name(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension != ".exr" && extension != ".hdr" && extension != ".png")
-    return usage_error(path + ": '" + extension + "' is not a supported output format; use .exr, .hdr or .png");
-  const auto folder = std::filesystem::path(path).parent_path();
-  std::error_code code;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, code))
-    return output_error(path + ": the folder " + folder.string() + " does not exist; create it first");
-  return {};
+  if (const auto format = image::require_writer(path); !format) return format.error();
+  return check_writable(path);
 }
 
 Result<void> write_image(const std::string& path, const Rendering& r) {
-  const std::string extension = extension_of(path);
+  const auto format = image::require_writer(path);
+  if (!format) return format.error();
   const film::Film& film = r.film;
-  if (extension == ".hdr") return image::write_hdr(path, film.width(), film.height(), film::radiance_of(film));
+  if ((*format)->write_linear)
+    return (*format)->write_linear(path, film.width(), film.height(), film::radiance_of(film));
   const std::string state = state_json(r.document, r.samples);
-  if (extension == ".png") {
+  if ((*format)->write_display) {
     const Display& display = r.document.display;
     const auto displayed =
         image::display_pixels(r.reweighted ? *r.reweighted : film::radiance_of(film), display.exposure, display.curve);
-    return image::write_png(path, film.width(), film.height(), displayed, {{kStateAttribute, state}});
+    return (*format)->write_display(path, film.width(), film.height(), displayed, {{kStateAttribute, state}});
   }
   image::LayeredImage image = film::layered_image_of(film);
   image.attributes[kStateAttribute] = state;
@@ -52,7 +44,7 @@ Result<void> write_image(const std::string& path, const Rendering& r) {
   if (r.reweighted) image.layers.push_back({"reweighted", {"R", "G", "B"}, *r.reweighted});
   if (r.sample_counts) image.layers.push_back(sample_count_layer(film));
   for (const auto& layer : r.layers) image.layers.push_back(layer);
-  return image::write_exr(path, image);
+  return (*format)->write_layers(path, image);
 }
 
 }  // namespace etendue::render

@@ -13,7 +13,8 @@ namespace etendue::render {
 // Attributes of image files: the state of the document (state_json), and the certificate of the image's error.
 inline constexpr const char *kStateAttribute = "etendue:state", *kCertificateAttribute = "etendue:certificate";
 
-// Whether a file of this name can be written: its extension must be known and its folder must exist.
+// Whether a file of this name can be written: its extension must be known, OpenImageIO must be available if the format
+// needs it, and files can be created in its folder.
 Result<void> check_output_name(const std::string& path);
 
 // The contents of an image file.
@@ -27,8 +28,9 @@ struct Rendering {
   std::vector<image::Layer> layers = {};
 };
 
-// An .exr file holds everything: radiance, variance per pixel, layers, state and certificate. An .hdr file holds the
-// radiance, a .png file the displayed image and the state.
+// The extension selects the format (image/format.h). An .exr file holds everything: radiance, variance per pixel, layers,
+// state and certificate. Formats for linear values (.hdr, .tif) hold the radiance, others the displayed image; a
+// .png file also holds the state.
 Result<void> write_image(const std::string& path, const Rendering& rendering);
 
 }  // namespace etendue::render

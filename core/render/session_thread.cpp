@@ -176,7 +176,8 @@ class Session::Impl {
     }
     const bool protects_first_frame = render_.awaits_first_frame();
     submitted_ = edit.submitted;
-    const auto compiled = scene::compile(edit.document.scene, edit.document.camera, compiled_scene_);
+    const auto compiled =
+        scene::compile(edit.document.scene, edit.document.camera, compiled_scene_, edit.document.height);
     render_.begin(std::move(edit.document), compiled, std::move(edit.start),
                   protects_first_frame ? kProtectedPreviewSeconds : kPreviewSeconds);
     protected_until_ = protects_first_frame ? Clock::now() + duration_of(kProtectedSeconds) : Clock::time_point();

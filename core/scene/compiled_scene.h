@@ -173,6 +173,8 @@ class CompiledScene final : public OpacityTest {
   friend class Compiler;
   Rgb textured_radiance_of(const LightSample& sample) const;
   void finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) const;
+  // Sets TexturePoint::footprint.
+  void set_footprints(const Hit& hit, SurfacePoint& point) const;
   // Sets the shading frame. `time` is null for shutter opening.
   void bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const;
   const OpacityTest* opacity() const { return transparency_ ? this : nullptr; }
@@ -193,10 +195,15 @@ class CompiledScene final : public OpacityTest {
   BuildReport report_;
   size_t triangles_ = 0;
   bool transparency_ = false;
+  // The width of a pixel in the centre of the image: metres, and metres per metre of distance from the camera. Zero if
+  // the resolution is unknown.
+  float pixel_width_ = 0, pixel_angle_ = 0;
 };
 
 // Compiles a scene for a camera, which is an argument of its own because it changes most often. `previous` may be null.
+// `image_height` is the height of the image in pixels, for the mip levels of tiled textures; 0 selects level 0.
 std::shared_ptr<const CompiledScene> compile(std::shared_ptr<const Scene> scene, const Camera& camera,
-                                             const std::shared_ptr<const CompiledScene>& previous);
+                                             const std::shared_ptr<const CompiledScene>& previous,
+                                             int image_height = 0);
 
 }  // namespace etendue::scene

@@ -178,11 +178,32 @@ void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) 
   point.instance = &instance;
   point.material = &(*materials_)[instance.material];
   point.triangle = hit.triangle;
-  if (instance.textured)
+  if (instance.textured) {
     point.texture = texture_point(*instance.mesh, hit.triangle, hit.u, hit.v);
-  else
+    if (point.material->has_tiled_textures) set_footprints(hit, point);
+  } else
     point.texture.color = Vec4(1);
   if (has_own_shading_frame(point)) bend(wo, hit, nullptr, point);
+}
+
+// The distance along the path back to the camera is at least the length of its last segment, and at least the straight
+// distance. The greater one therefore never blurs more than a pixel, unless optics magnify.
+[[gnu::noinline]] void CompiledScene::set_footprints(const Hit& hit, SurfacePoint& point) const {
+  const Mesh& mesh = *point.instance->mesh;
+  const Triangle& t = mesh.triangles[hit.triangle];
+  const Mat3 to_world(point.instance->to_world);
+  const Vec3 e1 = to_world * (mesh.positions[t[1]] - mesh.positions[t[0]]);
+  const Vec3 e2 = to_world * (mesh.positions[t[2]] - mesh.positions[t[0]]);
+  const float area = glm::length(glm::cross(e1, e2));
+  const float straight = glm::distance(point.position, Vec3(camera_.to_world[3]));
+  const float distance = std::isfinite(hit.t) ? std::max(hit.t, straight) : straight;
+  const float width = pixel_width_ + pixel_angle_ * distance;
+  for (size_t set = 0; set < 2; ++set) {
+    const auto& uvs = mesh.uvs[set];
+    if (uvs.empty() || !(area > 0)) continue;
+    const Vec2 a = uvs[t[1]] - uvs[t[0]], b = uvs[t[2]] - uvs[t[0]];
+    point.texture.footprint[set] = width * std::sqrt(std::abs(a.x * b.y - a.y * b.x) / area);
+  }
 }
 
 void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {

@@ -22,13 +22,14 @@ constexpr size_t kTopLevelBudget = 200'000;
 // One compilation.
 class Compiler {
  public:
-  Compiler(std::shared_ptr<const Scene> scene, const Camera& camera, const CompiledScene* previous)
+  Compiler(std::shared_ptr<const Scene> scene, const Camera& camera, const CompiledScene* previous, int image_height)
       : scene_(std::move(scene)),
         previous_(previous),
         shutter_(*scene_, camera.shutter),
         result_(std::make_shared<CompiledScene>()) {
     result_->description_ = scene_;
     result_->camera_ = camera;
+    if (image_height > 0) set_pixel_size(static_cast<float>(image_height));
   }
 
   std::shared_ptr<const CompiledScene> run() {
@@ -44,6 +45,14 @@ class Compiler {
   }
 
  private:
+  void set_pixel_size(float image_height) {
+    const Camera& camera = result_->camera_;
+    if (camera.projection == Projection::perspective)
+      result_->pixel_angle_ = 2 * std::tan(0.5f * camera.yfov) / image_height;
+    else
+      result_->pixel_width_ = 2 * camera.ymag / image_height;
+  }
+
   struct Placed {  // one primitive of one node
     std::shared_ptr<const Mesh> mesh;
     Mat4 to_world{1};
@@ -396,8 +405,8 @@ class Compiler {
 };
 
 std::shared_ptr<const CompiledScene> compile(std::shared_ptr<const Scene> scene, const Camera& camera,
-                                             const std::shared_ptr<const CompiledScene>& previous) {
-  return Compiler(std::move(scene), camera, previous.get()).run();
+                                             const std::shared_ptr<const CompiledScene>& previous, int image_height) {
+  return Compiler(std::move(scene), camera, previous.get(), image_height).run();
 }
 
 }  // namespace etendue::scene

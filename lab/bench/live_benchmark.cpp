@@ -132,7 +132,7 @@ class LiveBenchmark::Impl {
 
   void prepare() {
     const auto& d = plan_.methods.front().document;
-    scene_ = scene::compile(d.scene, d.camera, plan_.compiled);
+    scene_ = scene::compile(d.scene, d.camera, plan_.compiled, d.height);
     if (plan_.reference) return set_reference(std::move(*plan_.reference));
     store_.emplace(d, plan_.cache);
     auto cached = store_->load();
@@ -177,8 +177,10 @@ class LiveBenchmark::Impl {
   void render_reference_slice() {
     TimedRender& rendering = *reference_render_;
     const bool first = rendering.samples() < film::kHalfBuffers;
-    rendering.run(workers_, first ? film::kHalfBuffers : UINT32_MAX, first ? 1e9 : kTimeSlice, [&] { return keep_going(); });
-    if (rendering.samples() >= std::max(film::kHalfBuffers, reference_.samples + reference_.samples / kReferenceGrowth + 1))
+    rendering.run(workers_, first ? film::kHalfBuffers : UINT32_MAX, first ? 1e9 : kTimeSlice,
+                  [&] { return keep_going(); });
+    if (rendering.samples() >=
+        std::max(film::kHalfBuffers, reference_.samples + reference_.samples / kReferenceGrowth + 1))
       update_reference();
   }
 

@@ -188,12 +188,4 @@ Reference render_reference(render::Session& session, const render::Document& bas
   return store.reference_of(state.film, state.seconds);
 }
 
-fs::path cache_folder() {
-  const char* cache = std::getenv("XDG_CACHE_HOME");
-  const char* home = std::getenv("HOME");
-  // The XDG base directory specification requires relative values to be ignored.
-  if (cache && fs::path(cache).is_absolute()) return fs::path(cache) / "etendue";
-  return home && *home ? fs::path(home) / ".cache" / "etendue" : fs::path();
-}
-
 }  // namespace etendue::bench

@@ -62,7 +62,4 @@ struct ReferenceBudget {
 Reference render_reference(render::Session& session, const render::Document& base, const ReferenceBudget& budget,
                            const std::filesystem::path& cache, const Progress& progress);
 
-// $XDG_CACHE_HOME/etendue or ~/.cache/etendue; empty if neither variable is set.
-std::filesystem::path cache_folder();
-
 }  // namespace etendue::bench

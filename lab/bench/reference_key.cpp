@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/hash.h"
+#include "image/tiled_image.h"
 
 namespace etendue::bench {
 namespace {
@@ -67,7 +68,10 @@ void add_arrays(Hasher& h, const scene::Scene& scene) {
       h.add(primitive.deformation->joints);
       h.add(primitive.deformation->weights);
     }
-  for (const auto& texture : scene.textures) add(h, texture.image.get());
+  for (const auto& texture : scene.textures) {
+    add(h, texture.image.get());
+    if (texture.tiles) h.add(texture.tiles->hash);
+  }
   for (const auto& skin : scene.skins) h.add(skin->inverse_bind);
   for (const auto& animation : scene.animations) add(h, *animation);
   add(h, scene.environment.map.get());

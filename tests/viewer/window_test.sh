@@ -24,7 +24,7 @@ xdotool mouseup 1
 sleep 0.3
 xdotool key --window 0 3
 sleep 1
-xdotool key --window 0 ctrl+s
+xdotool key --window 0 F12
 for _ in $(seq 50); do compgen -G "*.exr" >/dev/null && break; sleep 0.1; done
 sleep 0.3
 xdotool key --window 0 ctrl+q

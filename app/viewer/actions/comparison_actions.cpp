@@ -32,7 +32,7 @@ void toggle_mode(AppState& state, CompareMode mode) {
 void request_image(AppState& state, Comparison::Target target) {
   const bool is_b = target == Comparison::Target::b;
   state.files.request = FileRequest{
-      .title = std::string(is_b ? "Load image B" : "Load the reference image") + " (.exr, .hdr, .png)",
+      .title = std::string(is_b ? "Load image B" : "Load the reference image") + " (.exr, .hdr, .png, .tif, ...)",
       .extensions = {".exr", ".hdr", ".png"},
       .accept = [&state, target](const std::string& file) { state.viewport.comparison->load(file, target); }};
 }
@@ -101,7 +101,7 @@ void add_image_actions(ActionList& actions) {
   actions.add({.name = "compare.load-b",
                .menu = "Compare",
                .label = "Load image as B...",
-               .tooltip = "Loads an image of the same size (.exr, .hdr, .png) as B",
+               .tooltip = "Loads an image of the same size (.exr, .hdr, .png, .tif, ...) as B",
                .run = [](AppState& state) { request_image(state, Comparison::Target::b); },
                .enabled = has_image,
                .group = kGroup});

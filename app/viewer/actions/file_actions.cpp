@@ -44,7 +44,7 @@ void request_open(AppState& state, std::string title, std::vector<std::string> e
 
 void request_image_export(AppState& state) {
   state.files.request =
-      FileRequest{.title = "Export image (.exr, .hdr, .png)",
+      FileRequest{.title = "Export image (.exr, .hdr, .png, .tif, ...)",
                   .extensions = {".exr", ".hdr", ".png"},
                   .saves = true,
                   .name = snapshot_name(state) + ".png",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "render/session.h"
 #include "viewer/files/file_names.h"
@@ -32,6 +33,7 @@ constexpr MouseShortcut kMouseShortcuts[] = {
     {"Fly", "hold right: W A S D Q E, wheel for speed"},
     {"Select", "click"},
     {"Focus and orbit centre", "double click"},
+    {"Menu of an object, a parameter", "right click"},
     {"Move the divider of A and B", "drag; double click to centre"},
     {"Show the reference", "hold Shift"},
     {"Samples of a pixel", "Ctrl + click, Sampling panel open"},
@@ -48,11 +50,16 @@ void table_row(const std::string& effect, const std::string& input) {
   ImGui::TextDisabled("%s", input.c_str());
 }
 
-// All actions with shortcuts: those of one menu, or those of all other menus.
-void shortcut_rows(const AppState& state, bool integrators) {
+// Actions with shortcuts: those of the menu Integrator, or those of all other menus.
+std::vector<const Action*> actions_with_shortcuts(const AppState& state, bool integrators) {
+  std::vector<const Action*> list;
   for (const auto& action : state.actions.all())
-    if (!action.shortcut.empty() && (action.menu == "Integrator") == integrators)
-      table_row(action.label, label(action.chords()));
+    if (!action.shortcut.empty() && (action.menu == "Integrator") == integrators) list.push_back(&action);
+  return list;
+}
+
+void shortcut_rows(const std::vector<const Action*>& actions) {
+  for (const Action* action : actions) table_row(action->label, label(action->chords()));
 }
 
 // `width` is relative to the font size.
@@ -83,25 +90,36 @@ void draw_help(AppState& state) {
   if (!open) return;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
   ImGui::Begin("##help", nullptr, kPopup);
+  constexpr float kMouseWidth = 26;  // font sizes
+  constexpr float kKeyWidth = 22;
+  const float em = ImGui::GetFontSize();
+  const auto integrators = actions_with_shortcuts(state, true);
+  const auto others = actions_with_shortcuts(state, false);
+  const size_t rows = std::max(std::size(kMouseShortcuts) + integrators.size(), others.size());
+  const float row_height = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float frame = 2 * ImGui::GetStyle().WindowPadding.y + 2 * ImGui::GetFrameHeightWithSpacing();
+  const ImVec2 size{std::min((kMouseWidth + kKeyWidth + 1) * em, screen.x - 3 * em),
+                    std::min((static_cast<float>(rows) + 0.5f) * row_height, screen.y - frame)};
+  ImGui::AlignTextToFramePadding();
   ImGui::TextColored(state.ui.theme.accent, "Keyboard and mouse shortcuts");
-  ImGui::Spacing();
-  if (begin_table("##mouse", 35)) {
+  ImGui::SameLine(size.x - 4 * em);
+  if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
+  state.ui.items.add("help.close");
+  ImGui::BeginChild("##shortcuts", size);
+  if (begin_table("##mouse", kMouseWidth)) {
     for (const auto& shortcut : kMouseShortcuts) table_row(shortcut.effect, shortcut.input);
-    shortcut_rows(state, true);
+    shortcut_rows(integrators);
     ImGui::EndTable();
   }
   ImGui::SameLine();
-  if (begin_table("##keys", 23)) {
-    shortcut_rows(state, false);
+  if (begin_table("##keys", kKeyWidth)) {
+    shortcut_rows(others);
     ImGui::EndTable();
   }
-  ImGui::Spacing();
-  if (ImGui::Button("Close") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) open = false;
-  state.ui.items.add("help.close");
+  ImGui::EndChild();
   ImGui::End();
   ImGui::PopStyleVar(2);
 }

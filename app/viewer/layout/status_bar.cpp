@@ -105,7 +105,9 @@ void draw_parts(AppState& state, StatusLine& line) {
   if (status.rejected.total() > 0)
     line.add(formatted("%llu invalid", static_cast<unsigned long long>(status.rejected.total())),
              "Samples that were not finite or negative; they are left out", true);
-  line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share), "Share of the time spent on the interface");
+  if (state.settings.show_timing)
+    line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share),
+             "Share of the time that drawing the interface takes");
   line.add(state.session->model().summary(), "Features in use: only those that the scene needs");
 }
 

@@ -33,6 +33,8 @@ constexpr std::pair<ImGuiKey, int> kKeyMap[] = {
     {ImGuiKey_Z, GLFW_KEY_Z},
 };
 
+constexpr float kDoubleClickTime = 0.3f;  // seconds
+
 const char* get_clipboard(void* platform) {
   static std::string text;  // Dear ImGui reads it after this call returns
   text = static_cast<Platform*>(platform)->clipboard();
@@ -87,6 +89,10 @@ void ImguiHost::begin_frame(const Input& input, float seconds) {
   const Vec2i size = platform_.size();
   io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
   io.DeltaTime = std::max(seconds, 1e-4f);
+  // Each press and release takes a frame of its own, so slow frames stretch a double click.
+  constexpr float kFramesOfDoubleClick = 3;
+  constexpr float kMaxFrame = 0.2f;
+  io.MouseDoubleClickTime = kDoubleClickTime + kFramesOfDoubleClick * std::min(seconds, kMaxFrame);
   io.MousePos = input.mouse.x < -1e5f ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(input.mouse.x, input.mouse.y);
   for (size_t b = 0; b < input.buttons.size(); ++b) io.MouseDown[b] = input.buttons[b];
   io.MouseWheel = input.wheel;

@@ -1,4 +1,6 @@
-// Steps that read and write files: open, screenshot, image and state.
+// Steps that read and write files: open, screenshot, image, state and follow.
+#include <chrono>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -103,6 +105,44 @@ class SaveStateStep final : public Step {
   std::string file_;
 };
 
+// Writes the state and the placements of all items again and again, for a program that controls the window.
+class FollowStep final : public Step {
+ public:
+  explicit FollowStep(std::string file) : file_(std::move(file)) {}
+
+  StepStatus advance(AppState& state) override {
+    const uint64_t frames = state.ui.items.frames();
+    if (!state.platform.events().empty()) event_frame_ = frames;
+    const auto now = Clock::now();
+    if (now - last_write_ < kInterval) return {};
+    last_write_ = now;
+    nlohmann::json items = nlohmann::json::object();
+    for (const auto& [name, placement] : state.ui.items.placements())
+      items[name] = {placement.corner.x, placement.corner.y, placement.size.x, placement.size.y};
+    nlohmann::json report = nlohmann::json::parse(state_report(state));
+    report["items"] = std::move(items);
+    report["count"] = ++count_;
+    report["settled"] = frames >= event_frame_ + kFramesPerEvent;
+    const std::string text = report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const auto written = write_file(file_, text.data(), text.size());
+    return written ? StepStatus{} : impossible(written.error().message);
+  }
+  bool needs_frames() const override { return false; }
+  double extra_seconds() const override { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kInterval{50};
+
+  // The main loop draws as many frames after an event.
+  static constexpr uint64_t kFramesPerEvent = 3;
+
+  std::string file_;
+  int count_ = 0;
+  uint64_t event_frame_ = 0;  // in which there were events
+  Clock::time_point last_write_{};
+};
+
 }  // namespace
 
 Result<std::unique_ptr<Step>> make_file_step(const std::string& action, const nlohmann::json& j) {
@@ -111,6 +151,7 @@ Result<std::unique_ptr<Step>> make_file_step(const std::string& action, const nl
   if (action == "open") return result(std::make_unique<OpenStep>(file()));
   if (action == "screenshot") return result(std::make_unique<ScreenshotStep>(file()));
   if (action == "image") return result(std::make_unique<SaveImageStep>(file()));
+  if (action == "follow") return result(std::make_unique<FollowStep>(file()));
   if (action == "state") return result(std::make_unique<SaveStateStep>(file()));
   return std::unique_ptr<Step>();
 }

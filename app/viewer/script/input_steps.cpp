@@ -254,6 +254,23 @@ class KeyStateStep final : public Step {
   int frame_ = 0;
 };
 
+// Types a text into the field that has the keyboard focus.
+class TypeStep final : public Step {
+ public:
+  explicit TypeStep(std::string text) : text_(std::move(text)) {}
+
+  StepStatus advance(AppState& state) override {
+    if (frame_ == 0)
+      for (const char c : text_)
+        state.platform.events().push({.type = Event::Type::text, .character = static_cast<unsigned char>(c)});
+    return {.done = frame_++ > 2};
+  }
+
+ private:
+  std::string text_;
+  int frame_ = 0;
+};
+
 // Clicks in the image and expects that an object is selected.
 class PickStep final : public Step {
  public:
@@ -294,6 +311,7 @@ Result<std::unique_ptr<Step>> make_input_step(const std::string& action, const n
   if (action == "drag")
     return result(std::make_unique<DragStep>(point_of(j.at("from")), point_of(j.at("to")), button_of(j)));
   if (action == "scroll") return result(std::make_unique<ScrollStep>(point_of(j.at("at")), j.at("by").get<float>()));
+  if (action == "type") return result(std::make_unique<TypeStep>(text("text")));
   if (action == "pick") return result(std::make_unique<PickStep>(point_of(j.at("at"))));
   if (action == "key") {
     const auto chord = parse_chord(text("key"));

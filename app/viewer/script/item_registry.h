@@ -4,6 +4,7 @@
 // the value when it is drawn, and handles it like a value that the user enters. An item that is not drawn cannot be
 // set.
 #pragma once
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,7 +23,12 @@ struct ItemInfo {
 
 class ItemRegistry {
  public:
-  void begin_frame() { placements_.clear(); }
+  void begin_frame() {
+    placements_.clear();
+    ++frames_;
+  }
+  // The number of frames that were begun.
+  uint64_t frames() const { return frames_; }
 
   // Records the placement of the last ImGui item under this name.
   void add(const std::string& name);
@@ -63,6 +69,7 @@ class ItemRegistry {
     std::string value;
   };
   std::map<std::string, Placement, std::less<>> placements_;
+  uint64_t frames_ = 0;
   std::optional<Request> request_;
   std::optional<std::string> answer_;
   std::string scroll_target_;

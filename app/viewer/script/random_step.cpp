@@ -182,9 +182,15 @@ class RandomStep final : public Step {
 
 Result<std::unique_ptr<Step>> make_random_step(const std::string& action, const nlohmann::json& j) {
   if (action != "random") return std::unique_ptr<Step>();
+  constexpr uint64_t kMostActions = 1'000'000'000;
+  const nlohmann::json& actions = j.at("actions");
+  if (!actions.is_number_unsigned() || actions.get<uint64_t>() > kMostActions)
+    return usage_error("'actions' has to be an integer between 0 and 1000000000");
+  if (j.contains("seed") && !j["seed"].is_number_unsigned())
+    return usage_error("'seed' has to be an integer that is not negative");
   return std::unique_ptr<Step>(
       std::make_unique<RandomStep>(RandomUser{.seed = j.value("seed", uint64_t{1}),
-                                              .actions = j.at("actions").get<int>(),
+                                              .actions = actions.get<int>(),
                                               .files = j.value("files", std::vector<std::string>()),
                                               .log = j.value("log", "")}));
 }

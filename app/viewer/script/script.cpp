@@ -18,6 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kTimeLimit = 120;  // seconds per step
+constexpr int kMaxNesting = 16;     // steps need three levels; recursive functions print them
 
 }  // namespace
 
@@ -60,7 +61,13 @@ Result<Script> Script::read(const std::string& file) {
   const auto bytes = read_file(file);
   if (!bytes) return bytes.error();
   const auto* text = reinterpret_cast<const char*>(bytes->data());
-  auto steps = nlohmann::json::parse(text, text + bytes->size(), nullptr, false);
+  bool too_deep = false;
+  const auto limit_depth = [&](int depth, nlohmann::json::parse_event_t, const nlohmann::json&) {
+    too_deep = too_deep || depth > kMaxNesting;
+    return !too_deep;
+  };
+  auto steps = nlohmann::json::parse(text, text + bytes->size(), limit_depth, false);
+  if (too_deep) return input_error(formatted("%s: is nested more than %d levels deep", file.c_str(), kMaxNesting));
   if (!steps.is_array()) return input_error(file + ": is not a script; a script is a JSON array of steps");
   for (size_t i = 0; i < steps.size(); ++i)
     if (auto checked = make_step(steps[i]); !checked)

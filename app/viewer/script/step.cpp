@@ -11,9 +11,10 @@ Result<std::unique_ptr<Step>> make_step(const nlohmann::json& description) {
       auto step = make(action, description);
       if (!step || *step) return step;
     }
-    return usage_error("'" + action +
-                       "' is not a step; use wait, set, click, drag, scroll, key, pick, random, open, screenshot, "
-                       "image or state");
+    return usage_error(
+        "'" + action +
+        "' is not a step; use wait, set, click, drag, scroll, key, type, pick, random, open, screenshot, "
+        "image, state or follow");
   } catch (const nlohmann::json::exception& error) {
     return usage_error(std::string("the step is incomplete (") + error.what() + "); see the script reference");
   }

@@ -1,6 +1,7 @@
 // Steps that wait: for samples, for seconds, or for a condition of a panel or the viewport.
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "render/session.h"
@@ -112,11 +113,18 @@ class WaitForCondition final : public Step {
   bool done_ = false;
 };
 
+bool is_sample_count(const nlohmann::json& j) {
+  return j.is_number_unsigned() && j.get<uint64_t>() <= std::numeric_limits<uint32_t>::max();
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Step>> make_wait_step(const std::string& action, const nlohmann::json& j) {
   if (action != "wait") return std::unique_ptr<Step>();
   const auto result = [](auto step) { return std::unique_ptr<Step>(std::move(step)); };
+  for (const char* member : {"spp", "compared"})
+    if (j.contains(member) && !is_sample_count(j[member]))
+      return usage_error("'" + std::string(member) + "' has to be a number of samples, 0 to 4294967295");
   if (j.contains("spp")) return result(std::make_unique<WaitForSamples>(j["spp"].get<uint32_t>()));
   if (j.contains("compared"))
     return result(std::make_unique<WaitForCondition>("contest", j["compared"].get<uint32_t>()));

@@ -20,7 +20,7 @@ fs::path user_folder(const char* variable, const char* default_folder) {
   const char* home = std::getenv("HOME");
   // The XDG specification requires relative paths to be ignored.
   if (chosen && fs::path(chosen).is_absolute()) return fs::path(chosen) / "etendue";
-  return home ? fs::path(home) / default_folder / "etendue" : fs::path();
+  return home && *home ? fs::path(home) / default_folder / "etendue" : fs::path();
 }
 
 Settings from_json(const json& j) {
@@ -35,6 +35,7 @@ Settings from_json(const json& j) {
   s.folder = j.at("folder").get<std::string>();
   if (const float scale = j.value("scale", 0.0f); scale > 0) s.ui_scale = std::clamp(scale, kMinScale, kMaxScale);
   s.font_size = std::clamp(j.value("font_size", s.font_size), kMinFontSize, kMaxFontSize);
+  s.show_timing = j.value("show_timing", false);
   s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
   s.environment = j.value("environment", "");
   s.snapshot_folder = j.value("snapshot_folder", "");
@@ -51,6 +52,7 @@ json to_json(const Settings& s) {
           {"folder", s.folder},
           {"scale", s.ui_scale},
           {"font_size", s.font_size},
+          {"show_timing", s.show_timing},
           {"threads", s.threads},
           {"environment", s.environment},
           {"snapshot_folder", s.snapshot_folder},
@@ -98,11 +100,12 @@ bool save_settings(const fs::path& file, const Settings& settings) {
 
 void remember_recent(Settings& settings, const std::string& file) {
   std::error_code code;
-  const std::string path = fs::absolute(file, code).string();
+  const bool is_file = fs::exists(file, code);
+  const std::string path = is_file ? fs::absolute(file, code).string() : file;
   std::erase(settings.recent, path);
   settings.recent.insert(settings.recent.begin(), path);
   if (settings.recent.size() > kMaxRecent) settings.recent.resize(kMaxRecent);
-  settings.folder = fs::path(path).parent_path().string();
+  if (is_file) settings.folder = fs::path(path).parent_path().string();
 }
 
 }  // namespace etendue::viewer

@@ -23,6 +23,7 @@ struct Settings {
 
   float ui_scale = 0;                            // pixels per unit of the interface; 0: that of the display
   float font_size = 16;                          // units of the interface
+  bool show_timing = false;                      // of the interface, in the status bar
   int threads = 0;                               // 0: one per hardware thread; applied at the next start
   std::string environment;                       // built-in environment for scenes without lights; empty: the first one
   std::string snapshot_folder;                   // empty: `folder`
@@ -41,7 +42,7 @@ Settings load_settings(const std::filesystem::path& file, std::string& note);
 // Returns false if the file cannot be written.
 bool save_settings(const std::filesystem::path& file, const Settings& settings);
 
-// Adds a file to the list of recent files and makes its folder the current one.
+// Adds a file or a built-in scene to the list of recent files, and makes the folder of the file the current one.
 void remember_recent(Settings& settings, const std::string& file);
 
 }  // namespace etendue::viewer

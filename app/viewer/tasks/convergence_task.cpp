@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/cache_folder.h"
 #include "render/session.h"
 #include "viewer/files/file_names.h"
 #include "viewer/state/document_info.h"
@@ -65,7 +66,7 @@ Result<void> ConvergenceTask::start(const TaskContext& context) {
   plan.repeats = parameters.repeats;
   plan.seed = document_.seed;
   plan.threads = context.threads;
-  plan.cache = bench::cache_folder();
+  plan.cache = cache_folder();
   plan.compiled = context.session.scene();
   discard_benchmark(context);
   set_running(context);

@@ -18,8 +18,7 @@
 namespace etendue::viewer {
 namespace {
 
-constexpr float kClickTolerance = 4;  // pixels that the pointer may move during a click
-constexpr double kDoubleClickSeconds = 0.35;
+constexpr float kClickTolerance = 4;           // pixels that the pointer may move during a click
 constexpr double kScrollGestureSeconds = 0.6;  // a longer pause starts a new step of undo
 constexpr float kFlySpeedFactor = 1.25f;       // per notch of the wheel
 constexpr float kMaxFlySeconds = 0.2f;         // longest time step, so that a slow frame causes no jump
@@ -130,8 +129,8 @@ void ViewportController::end_drag(AppState& state) {
 
 void ViewportController::click(AppState& state, Vec2 position) {
   if (use_tool(state, position) || use_panel(state, position)) return;
-  const bool is_double =
-      seconds_since(click_time_) < kDoubleClickSeconds && glm::length(position - click_position_) <= kClickTolerance;
+  const bool is_double = seconds_since(click_time_) < static_cast<double>(ImGui::GetIO().MouseDoubleClickTime) &&
+                         glm::length(position - click_position_) <= kClickTolerance;
   click_time_ = is_double ? Clock::time_point{} : Clock::now();
   click_position_ = position;
   if (is_double) focus_at(state, position);

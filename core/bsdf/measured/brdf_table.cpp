@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "base/file.h"
+#include "bsdf/measured/value_limit.h"
 
 namespace etendue {
 namespace {
@@ -113,9 +114,9 @@ Result<BrdfTable> BrdfTable::parse(const std::string& text, const std::string& n
   for (size_t k = 0; k < count; ++k)
     for (int band = 0; band < 3; ++band) {
       float value = 0;
-      if (!tokens.read_number(value) || !std::isfinite(value) || value < 0)
+      if (!tokens.read_number(value) || !(value >= 0 && value <= kMostTabulated))
         return wrong("entry " + std::to_string(k + 1) + " of " + std::to_string(count) +
-                     " is not three finite numbers that are not negative");
+                     " is not three numbers from 0 to 1e12");
       table.values_[k][band] = value;
     }
   if (!tokens.next().empty())

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "base/file.h"
+#include "bsdf/measured/value_limit.h"
 #include "bsdf/microfacet/half_vector.h"
 
 namespace etendue {
@@ -54,7 +55,7 @@ Result<MerlBrdf> MerlBrdf::read(const std::filesystem::path& path) {
     for (size_t k = 0; k < cells; ++k) {
       double value;
       std::memcpy(&value, bytes->data() + sizeof sizes + (band * cells + k) * sizeof value, sizeof value);
-      if (!std::isfinite(value)) return wrong("a value is not finite");
+      if (!(std::abs(value) <= kMostTabulated)) return wrong("a value is not between -1e12 and 1e12");
       brdf.values_[k][static_cast<int>(band)] = static_cast<float>(std::max(0.0, value * scales[band]));
     }
   return brdf;

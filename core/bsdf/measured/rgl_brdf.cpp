@@ -1,6 +1,7 @@
 #include "bsdf/measured/rgl_brdf.h"
 
 #include "bsdf/measured/tensor_file.h"
+#include "bsdf/measured/value_limit.h"
 #include "bsdf/microfacet/half_vector.h"
 
 namespace etendue {
@@ -44,6 +45,8 @@ Result<RglBrdf> RglBrdf::read(const std::filesystem::path& path) {
   for (const auto& field : kFields) {
     auto tensor = file->floats(field.name, field.dimensions);
     if (!tensor) return tensor.error();
+    if (std::ranges::any_of(tensor->values, [](float x) { return x > kMostTabulated; }))
+      return wrong(path, "field " + std::string(field.name) + " contains a value above 1e12");
     clamp_negative(*tensor);
     all.push_back(std::move(*tensor));
   }
@@ -106,9 +109,11 @@ struct RglBrdf::Pair {
 
 Rgb RglBrdf::f(const Vec3& o, const Vec3& i) const {
   const Pair pair(*this, o, i);
-  const float area = sigma_.at(pair.at_o);
-  if (!(area > 0)) return Rgb(0);
-  const float facets = ndf_.at(pair.normal) / (4 * area * i.z);
+  // Below this projected area the quotient could overflow.
+  constexpr float kLeastArea = 1e-12f;
+  const float area = 4 * sigma_.at(pair.at_o) * i.z;
+  if (!(area > kLeastArea)) return Rgb(0);
+  const float facets = ndf_.at(pair.normal) / area;
   Rgb value;
   for (size_t band = 0; band < 3; ++band)
     value[static_cast<int>(band)] = rgb_.at(pair.square.p, {3 * pair.blend.first + band, pair.blend.t}, 3) * facets;

@@ -51,5 +51,5 @@ struct etendue::Options<etendue::LightStrategy> {
   static constexpr std::array<etendue::Option, 4> kOptions{{{"one", "One, proportional to power"},
                                                             {"every", "All"},
                                                             {"tree", "One, by the light tree"},
-                                                            {"auto", "Automatic (light tree from 8 lights)"}}};
+                                                            {"auto", "Automatic (tree from 8)"}}};
 };

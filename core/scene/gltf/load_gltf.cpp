@@ -74,12 +74,13 @@ class Loader {
 
   void read_arrays() {
     auto meshes = gltf::mesh_tasks(input_, scene_);
-    auto images = gltf::image_tasks(input_);
+    auto images = gltf::image_tasks(input_, scene_);
+    const bool tiled = gltf::exceed_texture_memory(input_, images);
     const auto job = [&](size_t i) {
       if (i < meshes.size())
         gltf::read_mesh(input_, meshes[i]);
       else
-        gltf::read_image_task(input_, images[i - meshes.size()]);
+        gltf::read_image_task(input_, tiled, images[i - meshes.size()]);
     };
     gltf::run_jobs(meshes.size() + images.size(), job,
                    [&](float done) { return !options_.progress || options_.progress("meshes and images", done); });

@@ -153,7 +153,7 @@ TEST_F(Cli, HeatMapsShowTheRequestedMetric) {
 
 TEST_F(Cli, UsageErrorsReturnTwo) {
   expect_error("render cornell", 2, "no output");
-  expect_error("render cornell -o a.tiff", 2, ".exr, .hdr or .png");
+  expect_error("render cornell -o a.xyz", 2, ".hdr, .exr, .tif");
   expect_error("render cornell -o a.exr --spp -4", 2, "spp");
   expect_error("render cornell -o a.exr --spp many", 2, "spp");
   expect_error("render cornell -o a.exr --size 10", 2, "WIDTHxHEIGHT");

@@ -5,12 +5,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 #include "bsdf/measured/bilinear_density.h"
 #include "bsdf/measured/measured_data.h"
 #include "bsdf/measured/tensor_file.h"
 #include "support/chi_square.h"
 #include "support/model_cases.h"
+#include "support/rgl_bytes.h"
 #include "support/sphere_partition.h"
 
 namespace etendue {
@@ -174,6 +176,27 @@ TEST(Rgl, DamagedFilesAreErrors) {
   std::filesystem::remove(path);
 }
 
+TEST(Rgl, ValuesAreBounded) {
+  const auto path = temporary("values.bsdf");
+  const auto f_of = [&](float area, float facets) -> std::optional<Rgb> {
+    write_bytes(path, test::rgl_bytes(area, facets));
+    const auto read = RglBrdf::read(path);
+    if (!read) return {};
+    return read->f(direction(30), direction(50, 3));
+  };
+  const auto usual = f_of(1, 1);
+  ASSERT_TRUE(usual);
+  EXPECT_GT(usual->r, 0);
+  const auto no_area = f_of(1e-40f, 1);
+  ASSERT_TRUE(no_area);
+  EXPECT_TRUE(is_finite(*no_area));
+  const auto extreme = f_of(1e-11f, 1e12f);
+  ASSERT_TRUE(extreme);
+  EXPECT_TRUE(is_finite(*extreme));
+  EXPECT_FALSE(f_of(1, 1e13f));
+  std::filesystem::remove(path);
+}
+
 // A MERL file of a known function.
 double merl_value(double theta_h, double theta_d, double phi_d) {
   return 0.2 + 0.3 * std::exp(-4 * theta_h * theta_h) + 0.1 * std::cos(theta_d) +
@@ -252,7 +275,12 @@ TEST(Merl, DamagedFilesAreErrors) {
   EXPECT_NE(error_of(huge).find("sizes"), std::string::npos);
   auto nan = whole;
   std::memset(nan.data() + 100, 0xff, 8);
-  EXPECT_NE(error_of(nan).find("finite"), std::string::npos);
+  EXPECT_NE(error_of(nan).find("between -1e12 and 1e12"), std::string::npos);
+  // Infinite as a float.
+  auto large = whole;
+  const double value = 1e153;
+  std::memcpy(large.data() + 100, &value, sizeof value);
+  EXPECT_NE(error_of(large).find("between -1e12 and 1e12"), std::string::npos);
   std::filesystem::remove(path);
 }
 
@@ -326,9 +354,10 @@ TEST(BrdfTable, DamagedTextsAreErrors) {
       {"etendue-brdf 1\nisotropic 9999999999 1\n", "polar"},
       {"etendue-brdf 1\nanisotropic 90 360\n0 0 0\n", "entries"},
       {"etendue-brdf 1\nisotropic 90 360\n0 0 0\n", "entries"},
-      {"etendue-brdf 1\nisotropic 1 1\n0 -1 0\n", "not negative"},
-      {"etendue-brdf 1\nisotropic 1 1\n0 nan 0\n", "finite"},
-      {"etendue-brdf 1\nisotropic 1 1\n0 0 bad\n", "finite"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 -1 0\n", "from 0 to 1e12"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 nan 0\n", "from 0 to 1e12"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 1e13 0\n", "from 0 to 1e12"},
+      {"etendue-brdf 1\nisotropic 1 1\n0 0 bad\n", "from 0 to 1e12"},
       {"etendue-brdf 1\nisotropic 1 1\n0 0 0\n1 1 1\n", "more"},
   };
   for (const auto& [text, expected] : bad) {

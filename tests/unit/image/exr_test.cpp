@@ -164,6 +164,22 @@ TEST(Exr, RejectsHugeSizes) {
   }
 }
 
+std::string error_of(const FileBytes& file) {
+  const auto image = read_bytes(file);
+  return image ? "" : image.error().message;
+}
+
+// Without these limits, a file of a few hundred bytes takes gigabytes of memory.
+TEST(Exr, MemoryIsLimitedByTheLengthOfTheFile) {
+  const std::vector<ExrChannel> one{{"R", ExrType::float32, float_samples({1})}};
+  const std::string wide = error_of(exr_file(one, {0, 0, 0, 0}, {0, 0, 16383, 4095}));
+  EXPECT_NE(wide.find("67108864 pixels, and only 1 of them are stored"), std::string::npos) << wide;
+  EXPECT_EQ(error_of(exr_file(one, {0, 0, 0, 0}, {0, 0, 1023, 1023})), "");
+  const std::vector<ExrChannel> none{{"R", ExrType::float32, {}}};
+  const std::string short_file = error_of(exr_header(none, {0, 0, 8191, 0}, {0, 0, 8191, 0}) + FileBytes(64, '\0'));
+  EXPECT_NE(short_file.find("too few for the image size in its header"), std::string::npos) << short_file;
+}
+
 TEST(Exr, ErrorsNameTheFile) {
   const TemporaryFile file("a.exr");
   EXPECT_FALSE(read_exr(file.path()));

@@ -107,6 +107,18 @@ TEST_F(UnlitScene, StateOfVersion1KeepsTheUniformEnvironment) {
   EXPECT_EQ(reopened->display, (Display{.exposure = 1, .curve = image::ToneCurve::none}));
 }
 
+// Values of unexpected types are errors or are ignored.
+TEST(DocumentState, DamagedStatesAreErrors) {
+  for (const char* text : {"", "[]", "5", R"({"program": 5})", R"({"program": "etendue", "scene": {}})",
+                           R"({"program": "etendue", "scene": "cornell", "settings": [1]})",
+                           R"({"program": "etendue", "scene": "cornell", "settings": {"film.width": {}}})"}) {
+    const auto document = document_from_state(text, "a.exr");
+    ASSERT_FALSE(document) << text;
+    EXPECT_NE(document.error().message.find("a.exr: the settings it carries are damaged"), std::string::npos) << text;
+    EXPECT_EQ(display_from_state(text), Display{}) << text;
+  }
+}
+
 TEST_F(UnlitScene, SavedSceneNamesItsEnvironment) {
   const auto sunset = *with_text(document_, "environment.preset", "sunset");
   ASSERT_TRUE(scene::save_gltf(scene_to_save(sunset), file_));

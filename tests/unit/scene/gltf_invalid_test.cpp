@@ -76,6 +76,10 @@ const Damage kDamages[] = {
      "meshes[0].primitives[0].indices: accessor 3 is SCALAR of shorts; SCALAR of unsigned integers is required"},
     {"IndicesOfNoAccessor", "/meshes/0/primitives/0/indices", "77",
      "meshes[0].primitives[0].indices: refers to accessors[77], which does not exist; the file has "},
+    {"IndicesAreText", "/meshes/0/primitives/0/indices", "\"x\"",
+     "meshes[0].primitives[0].indices: \"x\" has to be an integer between 0 and 2147483647"},
+    {"IndicesBeyondIntegers", "/meshes/0/primitives/0/indices", "1e30",
+     "meshes[0].primitives[0].indices: 1e+30 has to be an integer between 0 and 2147483647"},
     {"IndicesOfNoView", "/accessors/3/bufferView", "99",
      "meshes[0].primitives[0].indices: accessor 3 refers to bufferView 99, which does not exist"},
     {"IndicesWithoutView", "/accessors/3/bufferView", "",
@@ -198,7 +202,7 @@ TEST_F(InvalidValues, AnIndexBeyond32BitsRefersToNoAccessor) {
   json& primitive = gltf.triangle();
   primitive["indices"] = gltf.indices({0, 1, 2});
   primitive["indices"] = uint64_t{1} << 32;
-  EXPECT_NE(error_of(gltf).find("does not exist"), std::string::npos) << error_of(gltf);
+  EXPECT_NE(error_of(gltf).find("4294967296 has to be an integer"), std::string::npos) << error_of(gltf);
 }
 
 TEST_F(InvalidValues, SparseIndicesOutOfRange) {

@@ -360,7 +360,7 @@ TEST_F(Textures, MissingImagesFallBackToFactors) {
        {"images[0] 'broken.png': ", "images[1] 'text.png': ",
         "images[2] 'https://example.com/a.png': has a uri that is not a local file",
         "images[3]: has neither uri nor bufferView", "images[4]: ", "images[5]: bufferView 99 does not exist",
-        "images[6] 'data:image/png...': has a malformed data URI", "textures[7]: has no image in a supported format"})
+        "images[6] 'data:image/png...': has a malformed data URI", "textures[7]: has no image; constant factors"})
     EXPECT_TRUE(warns(scene, text)) << text << "\n" << all(scene.warnings);
 }
 
@@ -397,7 +397,8 @@ TEST_F(Textures, BasisUniversalFallsBack) {
   EXPECT_EQ(scene.textures[0].image->bytes, (std::vector<uint8_t>{9, 9, 9}));
   EXPECT_FALSE(scene.textures[1].image);
   EXPECT_TRUE(warns(
-      scene, "textures[1]: has no image in a supported format (PNG, JPEG, WebP); constant factors are used instead"));
+      scene, "KTX 2 (Basis Universal) is not supported; textures without an image in another format: 1; constant"));
+  EXPECT_EQ(scene.warnings.size(), 1u) << all(scene.warnings);
 }
 
 }  // namespace

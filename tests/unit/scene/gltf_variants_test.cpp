@@ -94,6 +94,16 @@ TEST_F(Variants, MeshesHaveTheTangentsThatVariantsNeed) {
   EXPECT_EQ(mesh_of(opened(gltf))->tangents.size(), 4U);
 }
 
+// tinygltf asserts that values whose members are read are objects.
+TEST_F(Variants, ValuesOfOtherTypesAreNoObjects) {
+  Gltf numbers = shop();
+  numbers.root["meshes"][0]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {1, 2};
+  EXPECT_NE(error_of(numbers).find("KHR_materials_variants.mappings[0].material"), std::string::npos);
+  Gltf names = shop();
+  names.root["extensions"]["KHR_materials_variants"]["variants"] = {5, "x"};
+  EXPECT_EQ(opened(names).variants, (std::vector<std::string>{"", ""}));
+}
+
 TEST_F(Variants, InvalidReferencesAreRejected) {
   const auto broken = [](const json& mapping) {
     Gltf gltf = shop();

@@ -1,4 +1,6 @@
 // Exports textures, samplers, and images as PNG.
+#include "image/tiled_image.h"
+#include "scene/gltf/color_textures.h"
 #include "scene/gltf/export/output_file.h"
 #include "scene/gltf/parallel_jobs.h"
 #include "spectrum/rgb.h"
@@ -25,16 +27,6 @@ Json sampler_of(const Texture& texture) {
   return sampler;
 }
 
-// The textures that are read as sRGB.
-std::set<int> color_textures(const Scene& scene) {
-  std::set<int> textures;
-  for (const Material& m : scene.materials)
-    for (const TextureUse* use : {&m.base_color_texture, &m.emission_texture, &m.specular_color_texture,
-                                  &m.sheen_color_texture, &m.diffuse_transmission_color_texture})
-      textures.insert(use->texture);
-  return textures;
-}
-
 // Encodes a linear float image as sRGB, except for its alpha channel.
 image::Image encoded_as_srgb(image::Image pixels) {
   const auto channels = static_cast<size_t>(pixels.channels);
@@ -46,15 +38,24 @@ image::Image encoded_as_srgb(image::Image pixels) {
 
 struct ImageFile {
   std::shared_ptr<const image::Image> pixels;
+  std::shared_ptr<const image::TiledImage> tiles;  // if `pixels` is null
   bool srgb = false;
   std::string name;
   std::vector<std::byte> png;
 };
 
+image::Image pixels_of_tiles(const ImageFile& image) {
+  auto pixels = image.tiles->pixels();
+  if (!pixels) throw FileError{image.name + ": " + pixels.error().message};
+  return std::move(*pixels);
+}
+
 void encode(ImageFile& image) {
-  const bool floats = image.pixels->type == image::PixelType::float32;
-  auto png =
-      floats && image.srgb ? image::encode_png(encoded_as_srgb(*image.pixels)) : image::encode_png(*image.pixels);
+  image::Image stored;
+  if (!image.pixels) stored = pixels_of_tiles(image);
+  const image::Image& pixels = image.pixels ? *image.pixels : stored;
+  const bool floats = pixels.type == image::PixelType::float32;
+  auto png = floats && image.srgb ? image::encode_png(encoded_as_srgb(pixels)) : image::encode_png(pixels);
   if (!png) throw FileError{image.name + ": " + png.error().message};
   image.png = std::move(*png);
 }
@@ -63,7 +64,7 @@ void encode(ImageFile& image) {
 
 void export_textures(OutputFile& out) {
   std::vector<ImageFile> images;
-  std::map<std::pair<const image::Image*, bool>, size_t> image_index;
+  std::map<std::pair<const void*, bool>, size_t> image_index;
   std::map<std::string, int> samplers;
   const std::set<int> colors = color_textures(out.scene);
   for (size_t t = 0; t < out.scene.textures.size(); ++t) {
@@ -75,11 +76,13 @@ void export_textures(OutputFile& out) {
       if (added) place->second = out.add("samplers", sampler);
       to["sampler"] = place->second;
     }
-    if (texture.image) {
-      const bool floats = texture.image->type == image::PixelType::float32;
+    if (texture.image || texture.tiles) {
+      const auto type = texture.image ? texture.image->type : texture.tiles->type;
+      const void* shared = texture.image ? static_cast<const void*>(texture.image.get()) : texture.tiles.get();
+      const bool floats = type == image::PixelType::float32;
       const bool srgb = floats && colors.contains(static_cast<int>(t));
-      const auto [place, added] = image_index.try_emplace({texture.image.get(), srgb}, images.size());
-      if (added) images.push_back({texture.image, srgb, at("textures", t), {}});
+      const auto [place, added] = image_index.try_emplace({shared, srgb}, images.size());
+      if (added) images.push_back({texture.image, texture.tiles, srgb, at("textures", t), {}});
       if (added && floats)
         out.warnings.push_back(at("textures", t) +
                                ": the floating-point image was clamped to [0, 1] and stored with 16 bits");

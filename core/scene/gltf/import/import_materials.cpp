@@ -274,18 +274,23 @@ const tinygltf::Value* find_extension(const tinygltf::ExtensionMap& extensions, 
   return found != extensions.end() && found->second.IsObject() ? &found->second : nullptr;
 }
 
+const tinygltf::Value& member_of(const tinygltf::Value& value, const char* name) {
+  static const tinygltf::Value kNull;
+  return value.IsObject() ? value.Get(name) : kNull;
+}
+
 float number_or(const tinygltf::Value& object, const char* member, float fallback) {
-  const auto& value = object.Get(member);
+  const auto& value = member_of(object, member);
   return value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : fallback;
 }
 
 int index_or(const tinygltf::Value& object, const char* member, int fallback) {
-  const auto& value = object.Get(member);
+  const auto& value = member_of(object, member);
   return value.IsInt() ? value.GetNumberAsInt() : fallback;
 }
 
 Rgb color_or(const tinygltf::Value& object, const char* member, const Rgb& fallback) {
-  const auto& value = object.Get(member);
+  const auto& value = member_of(object, member);
   if (value.ArrayLen() != 3) return fallback;
   Rgb color;
   for (int c = 0; c < 3; ++c) color[c] = static_cast<float>(value.Get(c).GetNumberAsDouble());

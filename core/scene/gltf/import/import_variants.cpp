@@ -13,7 +13,7 @@ void import_variants(const InputFile& input, Scene& scene) {
   if (!extension) return;
   const auto& variants = extension->Get("variants");
   for (size_t v = 0; v < variants.ArrayLen(); ++v) {
-    const auto& name = variants.Get(v).Get("name");
+    const auto& name = member_of(variants.Get(v), "name");
     scene.variants.push_back(name.IsString() ? name.Get<std::string>() : "");
   }
 }
@@ -29,7 +29,7 @@ std::vector<int> variant_materials(const InputFile& input, const Scene& scene, c
     const std::string at_mapping = where + ".extensions." + kVariants + "." + at("mappings", m);
     const auto mapped = checked_index(index_or(mapping, "material", -1), input.model.materials.size(),
                                       at_mapping + ".material", "materials");
-    const auto& variants = mapping.Get("variants");
+    const auto& variants = member_of(mapping, "variants");
     for (size_t v = 0; v < variants.ArrayLen(); ++v)
       choices[1 + checked_index(variants.Get(v).GetNumberAsInt(), scene.variants.size(),
                                 at_mapping + "." + at("variants", v), "variants")] = static_cast<int>(mapped);

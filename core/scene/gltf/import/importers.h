@@ -71,11 +71,18 @@ void remove_far_meshes(Scene& scene);
 // One image to decode. Images that no texture uses have no task.
 struct ImageTask {
   size_t image = 0;
-  std::shared_ptr<const image::Image> pixels;  // the result; null if it cannot be decoded
-  std::string warning;
+  bool srgb = false;  // read as colours by a material
+
+  // The result: one of them, or none if the image cannot be decoded.
+  std::shared_ptr<const image::Image> pixels = nullptr;
+  std::shared_ptr<const image::TiledImage> tiles = nullptr;
+  std::string warning = {};
 };
-std::vector<ImageTask> image_tasks(const InputFile& input);
-void read_image_task(const InputFile& input, ImageTask& task);
+std::vector<ImageTask> image_tasks(const InputFile& input, const Scene& scene);
+// Whether the decoded images need more memory than the budget (image/texture_memory.h).
+bool exceed_texture_memory(const InputFile& input, const std::vector<ImageTask>& tasks);
+// Decodes the image, or opens its tiles if `tiled`.
+void read_image_task(const InputFile& input, bool tiled, ImageTask& task);
 void add_images(const InputFile& input, const std::vector<ImageTask>& tasks, Scene& scene);
 
 // Morph targets and joint weights of a primitive; null if it has neither. `selection` is empty if all vertices are
@@ -86,6 +93,8 @@ std::shared_ptr<Deformation> read_deformation(const InputFile& input, const Mesh
 // Applies a new vertex order: vertex i becomes a copy of the old vertex sources[i].
 void reorder_vertices(Deformation& deformation, const std::vector<uint32_t>& sources, size_t old_vertices);
 
+// A member of a JSON value; a null value if there is none or the value is not an object.
+const tinygltf::Value& member_of(const tinygltf::Value& value, const char* name);
 // Members of JSON objects; `fallback` if they are missing or have another type.
 const tinygltf::Value* find_extension(const tinygltf::ExtensionMap& extensions, const char* name);
 float number_or(const tinygltf::Value& object, const char* member, float fallback);

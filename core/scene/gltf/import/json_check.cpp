@@ -181,7 +181,8 @@ void check_tree(json& value, std::string& where, bool in_sparse) {
     // These extensions reuse member names with other types; their readers check them.
     if (it.key() == "EXT_meshopt_compression" || it.key() == kTransport) continue;
     const auto rule = rules().find(it.key());
-    if (rule == rules().end() && !it->is_structured()) continue;
+    const bool special = it.key() == "indices" || it.key() == "values" || it.key() == "sparse";
+    if (rule == rules().end() && !special && !it->is_structured()) continue;
     where += (length ? "." : "") + it.key();
     // `indices` is an accessor index in a primitive and an object in `sparse`.
     if (it.key() == "indices" && !in_sparse) check_integer(*it, kMostIndex, where);

@@ -1,0 +1,238 @@
+// The viewer in a real window with a real pointer and keyboard: every kind of widget, every action by menu entry and by
+// shortcut, and sizes from 800 x 600 to 2560 x 1440. Skipped without Xvfb or xdotool.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+
+#include "window_user.h"
+
+namespace etendue {
+namespace {
+
+using json = nlohmann::json;
+namespace fs = std::filesystem;
+
+class Window : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!test::WindowUser::is_possible()) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    folder_ = fs::temp_directory_path() /
+              (std::string("etendue-window-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    user_ = std::make_unique<test::WindowUser>(ETENDUE_BINARY, folder_, "cornell");
+    user_->resize(1280, 720);
+  }
+  void TearDown() override {
+    const bool has_crashed = user_ && !has_ended_ && !user_->is_running();
+    EXPECT_FALSE(has_crashed);
+    user_.reset();
+    if (!HasFailure()) fs::remove_all(folder_);
+  }
+
+  // Selects the short box of the Cornell box, whose material appears in the Material panel.
+  std::string select_box() {
+    constexpr int kX = 500, kY = 550;  // in a window of 1280 x 720
+    user_->click_at(kX, kY);
+    EXPECT_TRUE(user_->wait_until([](const json& report) { return report["selection"]["material"] >= 0; }));
+    return "material." + std::to_string(user_->report()["selection"]["material"].get<int>());
+  }
+
+  json parameter(const std::string& name) { return user_->report()["parameters"][name]; }
+  bool becomes(const std::string& name, const json& value) {
+    return user_->wait_until([&](const json& report) { return report["parameters"][name] == value; });
+  }
+
+  fs::path folder_;
+  std::unique_ptr<test::WindowUser> user_;
+  bool has_ended_ = false;  // the test has closed the viewer
+};
+
+TEST_F(Window, NumberField) {
+  const std::string field = select_box() + ".roughness";
+  const double original = parameter(field);
+  user_->click(field, 1, 2);
+  for (const char* keys : {"ctrl+a", "ctrl+c", "ctrl+v", "ctrl+a"}) user_->press(keys);
+  user_->type("0.25");
+  user_->press("Return");
+  EXPECT_TRUE(becomes(field, 0.25)) << "a double click opens text input";
+  user_->drag(field, 40, 0);
+  EXPECT_NE(parameter(field), 0.25) << "a drag moves the slider";
+  user_->hold("ctrl", [&] { user_->click(field); });
+  EXPECT_TRUE(becomes(field, original)) << "Ctrl+click resets";
+  user_->click(field, 1, 2);
+  user_->press("Tab");
+  user_->press("Escape");
+  user_->scroll(field, -2);
+  user_->scroll(field, 2);
+  user_->drag(field, 30, 0);
+  user_->press("ctrl+z");
+  EXPECT_TRUE(becomes(field, original)) << "a drag is one step of undo";
+}
+
+TEST_F(Window, ContextMenuResetsAParameter) {
+  const std::string field = select_box() + ".roughness";
+  const double original = parameter(field);
+  user_->drag(field, -60, 0);
+  ASSERT_NE(parameter(field), original);
+  user_->click(field, 3);
+  user_->click("menu.reset");
+  EXPECT_TRUE(becomes(field, original));
+}
+
+TEST_F(Window, CheckboxComboTreeAndText) {
+  user_->click("tab.scene");
+  user_->click("scene.node.0.visible");
+  EXPECT_TRUE(becomes("node.0.visible", false));
+  user_->click("scene.node.6");
+  EXPECT_TRUE(user_->wait_until([](const json& report) { return report["selection"]["node"] == 6; }));
+  user_->click("scene.node.6", 3);
+  user_->press("Escape");
+  user_->click("tab.render");
+  user_->click("render.integrator");
+  user_->press("Escape");
+  user_->click("layout.filter");
+  user_->type("sampl");
+  user_->click("layout.filter.clear");
+  user_->click("tab.camera");
+  user_->click("camera.focus-by-click");
+}
+
+TEST_F(Window, PointerInTheViewport) {
+  const json before = parameter("camera.eye.x");
+  user_->click("tab.camera");
+  // The splitter of the column is at the right end of the viewport.
+  user_->drag("layout.column", -60, 0);
+  user_->click("layout.column", 1, 2);
+  const auto in_viewport = [&](int button) { user_->click("panel.convergence", button); };
+  in_viewport(1);
+  user_->drag("layout.bottom-panel", 0, -40);
+  in_viewport(1);
+  user_->press("Home");
+  EXPECT_TRUE(user_->wait_until([&](const json& report) { return report["undo_depth"] > 0; }));
+  user_->press("ctrl+z");
+  EXPECT_TRUE(becomes("camera.eye.x", before));
+}
+
+TEST_F(Window, PaletteFindsAndRunsACommand) {
+  user_->press("ctrl+k");
+  user_->type("light meter");
+  user_->press("Escape");
+  user_->press("ctrl+k");
+  user_->type("tone neutral");
+  user_->press("Return");
+  EXPECT_TRUE(becomes("display.curve", "neutral"));
+}
+
+// The actions of the program, from `etendue list widgets --json`.
+json all_actions() {
+  FILE* pipe = popen((std::string(ETENDUE_BINARY) + " list widgets --json").c_str(), "r");
+  std::string text;
+  char block[4096];
+  for (size_t n = 0; pipe && (n = fread(block, 1, sizeof block, pipe)) > 0;) text.append(block, n);
+  if (pipe) pclose(pipe);
+  json actions = json::array();
+  for (const auto& entry : json::parse(text))
+    if (entry.contains("shortcut")) actions.push_back(entry);
+  return actions;
+}
+
+// "Ctrl+Shift+Z" in the notation of xdotool.
+std::string xdotool_keys(std::string label) {
+  const std::pair<const char*, const char*> names[] = {{"Ctrl+", "ctrl+"},   {"Shift+", "shift+"},  {"Alt+", "alt+"},
+                                                       {"Space", "space"},   {"Enter", "Return"},   {"Esc", "Escape"},
+                                                       {"Page up", "Prior"}, {"Page down", "Next"}, {",", "comma"},
+                                                       {"[", "bracketleft"}, {"]", "bracketright"}, {"?", "question"}};
+  for (const auto& [from, to] : names)
+    if (const size_t at = label.find(from); at != std::string::npos) label.replace(at, std::string(from).size(), to);
+  const size_t key = label.rfind('+') == std::string::npos ? 0 : label.rfind('+') + 1;
+  if (label.size() - key == 1) label[key] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[key])));
+  return label;
+}
+
+// Closes whatever an action has opened.
+void close_popups(test::WindowUser& user) {
+  for (int i = 0; i < 2; ++i) user.press("Escape");
+}
+
+TEST_F(Window, EveryActionByShortcut) {
+  int pressed = 0;
+  for (const auto& action : all_actions()) {
+    if (action["name"] == "app.quit") continue;
+    for (const auto& shortcut : action["shortcut"]) {
+      user_->press(xdotool_keys(shortcut));
+      ++pressed;
+      ASSERT_TRUE(user_->is_running()) << "after " << action["name"] << ", " << shortcut;
+      close_popups(*user_);
+    }
+  }
+  EXPECT_GT(pressed, 25);
+}
+
+TEST_F(Window, EveryActionByMenu) {
+  const std::set<std::string> left_out{"app.quit"};
+  const json actions = all_actions();
+  int clicked = 0;
+  std::string last = "the start";
+  for (const char* menu :
+       {"menu.edit", "menu.view", "menu.compare", "menu.integrator", "menu.render", "menu.help", "menu.file"}) {
+    user_->click(menu);
+    std::vector<std::string> entries;
+    const json items = user_->report()["items"];
+    for (const auto& action : actions)
+      if (items.contains(action["name"].get<std::string>())) entries.push_back(action["name"]);
+    close_popups(*user_);
+    for (const auto& entry : entries) {
+      if (left_out.contains(entry)) continue;
+      ASSERT_TRUE(user_->wait_until([&](const json& report) { return report["items"].contains(menu); }))
+          << menu << " is not on screen after " << last;
+      last = entry;
+      user_->click(menu);
+      // Buttons of panels may have the same name; the entry of the open menu is drawn last and covers them.
+      if (!user_->has_item(entry)) {
+        close_popups(*user_);
+        continue;
+      }
+      user_->click(entry);
+      ++clicked;
+      ASSERT_TRUE(user_->is_running()) << "after " << entry;
+      close_popups(*user_);
+      if (user_->has_item("unsaved.discard")) user_->click("unsaved.discard");
+      if (!user_->has_item("menu.file")) user_->press("h");  // the interface was hidden
+    }
+  }
+  EXPECT_GT(clicked, 40);
+}
+
+TEST_F(Window, SizesFromSmallToLarge) {
+  for (const auto& [width, height] : {std::pair{800, 600}, {1024, 600}, {1280, 720}, {1920, 1080}, {2560, 1440}}) {
+    user_->resize(width, height);
+    user_->press("F1");
+    ASSERT_TRUE(user_->has_item("help.close")) << width << " x " << height;
+    const json close = user_->report()["items"]["help.close"];
+    EXPECT_LE(close[1].get<double>() + close[3].get<double>(), height) << "the list of shortcuts fits the window";
+    user_->press("F1");
+    user_->click("panel.convergence");
+    user_->click("panel.convergence");
+  }
+}
+
+TEST_F(Window, QuittingAsksAboutUnsavedEdits) {
+  user_->drag(select_box() + ".roughness", -60, 0);
+  user_->press("ctrl+q");
+  user_->click("unsaved.cancel");
+  EXPECT_TRUE(user_->is_running());
+  user_->press("ctrl+q");
+  user_->move_to("unsaved.discard");
+  has_ended_ = true;
+  try {
+    user_->click("unsaved.discard");
+  } catch (const std::exception&) {
+    // The window is gone before the pointer has been released.
+  }
+  EXPECT_EQ(user_->wait_for_exit(), 0);
+}
+
+}  // namespace
+}  // namespace etendue

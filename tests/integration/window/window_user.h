@@ -1,0 +1,63 @@
+// A user of the viewer in a window on a virtual display: moves a real pointer and presses real keys with xdotool. The
+// positions of items come from the viewer, which writes them to a file (the script step "follow").
+#pragma once
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace etendue::test {
+
+class WindowUser {
+ public:
+  using json = nlohmann::json;
+
+  // Whether Xvfb and xdotool are installed.
+  static bool is_possible();
+
+  // Starts a virtual display and the viewer with a scene. Throws std::runtime_error if no window appears.
+  WindowUser(const std::string& viewer, const std::filesystem::path& folder, const std::string& scene);
+  ~WindowUser();
+  WindowUser(const WindowUser&) = delete;
+  WindowUser& operator=(const WindowUser&) = delete;
+
+  // The latest state report, with the placements of all items as [x, y, width, height].
+  json report();
+  // Waits until a report fulfils a condition; returns false after ten seconds or if the viewer has ended.
+  bool wait_until(const std::function<bool(const json&)>& condition);
+  // Waits until the viewer has handled all events and has drawn some frames after them.
+  void settle();
+  bool has_item(const std::string& item);
+
+  // The pointer moves to the centre of the item; throws std::runtime_error if it does not appear on screen.
+  void move_to(const std::string& item);
+  // A position of the window in pixels.
+  void click_at(int x, int y);
+  void click(const std::string& item, int button = 1, int count = 1);
+  void drag(const std::string& item, int dx, int dy);
+  void scroll(const std::string& item, int notches);
+  void hold(const std::string& key, const std::function<void()>& action);
+  void press(const std::string& keys);  // "ctrl+a" in the notation of xdotool
+  void type(const std::string& text);
+  void resize(int width, int height);
+
+  bool is_running();
+  // Waits for the end of the viewer and returns its exit code; -1 if it crashed or has not ended after ten seconds.
+  int wait_for_exit();
+
+ private:
+  void xdotool(const std::string& arguments);
+  json placement(const std::string& item);
+
+  std::filesystem::path folder_;
+  std::filesystem::path report_file_;
+  std::string display_;
+  std::string window_;
+  pid_t server_ = -1;
+  pid_t viewer_ = -1;
+  int exit_code_ = -1;
+};
+
+}  // namespace etendue::test

@@ -1,0 +1,112 @@
+// Preferences, the command palette, the filter of panels, and messages.
+#include "scripted.h"
+#include "viewer/state/notices.h"
+
+namespace etendue {
+namespace {
+
+class Preferences : public Viewer {
+ protected:
+  int run_with_settings(const json& steps) {
+    std::ofstream(path("kept.json")) << steps.dump();
+    viewer::ViewOptions options;
+    options.offscreen = true;
+    options.script = path("kept.json");
+    options.settings = path("settings");
+    return viewer::run_viewer(options);
+  }
+  json settings() const { return state("settings/viewer.json"); }
+};
+
+TEST_F(Preferences, AreKeptAndAppliedAtTheNextStart) {
+  ASSERT_EQ(run_with_settings(json::array({set("preferences.theme", "light"), set("preferences.scale", "1.5"),
+                                           set("preferences.font-size", 18), set("preferences.environment", "overcast"),
+                                           click("preferences.close")})),
+            0);
+  EXPECT_EQ(settings()["dark"], false);
+  EXPECT_EQ(settings()["scale"], 1.5);
+  EXPECT_EQ(settings()["font_size"], 18);
+  EXPECT_EQ(settings()["environment"], "overcast");
+  // The right column is as wide as the settings say, times the scale.
+  ASSERT_EQ(run_with_settings(json::array({file_step("screenshot", path("scaled.png"))})), 0);
+  EXPECT_EQ(settings()["scale"], 1.5);
+}
+
+TEST_F(Preferences, ShortcutsCanBeReplaced) {
+  ASSERT_EQ(run_with_settings(json::array({click("app.preferences"),
+                                           {{"do", "wait"}, {"seconds", 0.2}},
+                                           click("preferences.keyboard"),
+                                           click("preferences.shortcut.render.restart"),
+                                           key("ctrl+shift+r"),
+                                           click("preferences.shortcut.display.next-aov"),
+                                           key("l"),
+                                           click("preferences.close")})),
+            0);
+  EXPECT_EQ(settings()["shortcuts"]["render.restart"], "ctrl+shift+r");
+  EXPECT_EQ(settings()["shortcuts"]["display.next-aov"], "l");
+  EXPECT_EQ(settings()["shortcuts"]["display.toggle-false-color"], "")
+      << "its former shortcut belongs to another action";
+}
+
+TEST_F(Preferences, UnreadableSettingsAreSetAside) {
+  fs::create_directories(path("settings"));
+  std::ofstream(path("settings/viewer.json")) << R"({"window": 3})";
+  ASSERT_EQ(run_with_settings(json::array({file_step("state", path("a.json"))})), 0);
+  EXPECT_TRUE(fs::exists(path("settings/viewer.json.damaged")));
+  EXPECT_GE(state("a.json")["messages"], 1);
+}
+
+TEST_F(Viewer, PaletteFindsParametersAndValues) {
+  ASSERT_EQ(run(json::array({key("ctrl+k"),
+                             {{"do", "wait"}, {"seconds", 0.2}},
+                             {{"do", "type"}, {"text", "tone neutral"}},
+                             key("enter"),
+                             file_step("state", path("value.json")),
+                             key("ctrl+k"),
+                             {{"do", "wait"}, {"seconds", 0.2}},
+                             {{"do", "type"}, {"text", "focus distance"}},
+                             key("enter"),
+                             {{"do", "wait"}, {"seconds", 0.2}},
+                             file_step("state", path("parameter.json"))})),
+            0);
+  EXPECT_EQ(state("value.json")["parameters"]["display.curve"], "neutral");
+  EXPECT_EQ(state("parameter.json")["tab"], "tab.camera");
+}
+
+TEST_F(Viewer, FilterHidesOtherParameters) {
+  const auto click_roughness = [](const std::string& filter) {
+    return json::array({set("material.0.roughness", 0.5), set("layout.filter", filter), click("material.0.roughness")});
+  };
+  EXPECT_NE(run(click_roughness("base colour")), 0) << "a hidden parameter cannot be clicked";
+  EXPECT_EQ(run(click_roughness("roughness")), 0);
+}
+
+TEST(Notices, WarningsOfAFileAreOneMessageAndAllAreInTheLog) {
+  viewer::Notices notices;
+  notices.add_warnings("a.glb", {"no texture 1", "no texture 2", "no texture 3"});
+  ASSERT_EQ(notices.all().size(), 1u);
+  EXPECT_TRUE(notices.all()[0].has_more);
+  EXPECT_EQ(notices.log().size(), 3u);
+  notices.close_all();
+  EXPECT_EQ(notices.log().size(), 3u);
+}
+
+TEST(Notices, EqualMessagesAreCounted) {
+  viewer::Notices notices;
+  for (int i = 0; i < 3; ++i) notices.add_error("the file cannot be read");
+  ASSERT_EQ(notices.all().size(), 1u);
+  EXPECT_EQ(notices.all()[0].count, 3);
+  EXPECT_EQ(notices.take_error(), "the file cannot be read");
+}
+
+// Crashes, failed assertions of Dear ImGui and hangs end the run; results are not checked.
+TEST_F(Viewer, RandomUserDoesNoHarm) {
+  const auto previous = fs::current_path();
+  fs::current_path(folder_);
+  const json steps = json::array({{{"do", "random"}, {"seed", 7}, {"actions", 200}, {"log", path("random.log")}}});
+  EXPECT_EQ(run(steps, "", 1024, 600), 0);
+  fs::current_path(previous);
+}
+
+}  // namespace
+}  // namespace etendue
