@@ -69,7 +69,7 @@ Result<void> write_by_plugin(const fs::path& path, PluginWrite request) {
 }  // namespace
 
 Result<const ImagePlugin*> load_image_plugin(const std::vector<fs::path>& folders) {
-  const auto unavailable = [](const std::string& reason) { return input_error("it needs OpenImageIO, " + reason); };
+  const auto unavailable = [](const std::string& reason) { return input_error("needs OpenImageIO, " + reason); };
   for (const fs::path& folder : folders) {
     const fs::path file = folder / kPluginFile;
     std::error_code code;
