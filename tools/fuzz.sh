@@ -18,17 +18,17 @@ corpus=build/fuzz/corpus
 findings=build/fuzz/findings
 
 # Target, share of the runs in percent, size limit of an input in bytes.
-targets="path 20 256
-hdr 15 4096
-png 12 4096
-jpeg 10 4096
-webp 8 4096
+targets="path 10 256
+hdr 20 4096
+png 15 4096
+jpeg 13 4096
+webp 10 4096
 brdf 13 4096
-exr 4 8192
-script 4 4096
+exr 2 8192
+script 5 4096
 state 2 4096
 glb 4 32768
-gltf 8 32768"
+gltf 6 32768"
 
 # Files of the test data that a target reads: small, because an input takes time in proportion to its size.
 files_of() {
