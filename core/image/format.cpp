@@ -31,13 +31,6 @@ std::string alternatives(const std::vector<std::string_view>& names) {
   return text;
 }
 
-// The formats that are read.
-std::string readable_labels() {
-  std::vector<std::string_view> labels;
-  for (const ImageFormat* format : formats()) labels.push_back(format->label);
-  return alternatives(labels);
-}
-
 std::string writable_extensions() {
   std::vector<std::string_view> extensions;
   for (const ImageFormat* format : formats())
@@ -48,6 +41,12 @@ std::string writable_extensions() {
 }  // namespace
 
 std::span<const ImageFormat* const> image_formats() { return formats(); }
+
+std::string readable_formats() {
+  std::vector<std::string_view> labels;
+  for (const ImageFormat* format : formats()) labels.push_back(format->label);
+  return alternatives(labels);
+}
 
 const ImageFormat* recognise_format(Bytes bytes) {
   for (const ImageFormat* format : formats())
@@ -73,15 +72,6 @@ Result<const ImageFormat*> require_writer(const std::filesystem::path& path) {
   if (!format->writes_by_plugin) return format;
   if (const auto plugin = image_plugin(); !plugin) return output_error(path.string() + ": " + plugin.error().message);
   return format;
-}
-
-Result<Image> decode_image(std::span<const std::byte> bytes, const std::string& name) {
-  const ImageFormat* format = recognise_format(bytes);
-  if (format) return format->decode ? format->decode(bytes, name) : decode_by_plugin(bytes, name);
-  if (bytes.empty()) return input_error(name + ": the file is empty");
-  if (starts_with(bytes, "\xabKTX 20\xbb"))
-    return input_error(name + ": KTX 2 images are not supported; convert the image to PNG or JPEG");
-  return input_error(name + ": unknown image format; expected " + readable_labels());
 }
 
 Result<void> check_image_size(uint64_t width, uint64_t height, const std::string& name) {

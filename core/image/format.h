@@ -57,6 +57,9 @@ struct ImageFormat {
 // All formats.
 std::span<const ImageFormat* const> image_formats();
 
+// The labels of all formats that are read: "PNG, JPEG or WebP".
+std::string readable_formats();
+
 // The format of this content, or null.
 const ImageFormat* recognise_format(Bytes bytes);
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "image/format.h"
-#include "image/plugin.h"
+#include "image/plugin_io.h"
 
 namespace etendue::image {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "image/format.h"
-#include "image/plugin.h"
+#include "image/plugin_io.h"
 
 namespace etendue::image {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "image/format.h"
-#include "image/plugin.h"
+#include "image/plugin_io.h"
 
 namespace etendue::image {
 namespace {

@@ -1,5 +1,6 @@
 // Formats that are read and written through OpenImageIO. Skipped where the plugin is not built.
 #include "image/plugin.h"
+#include "image/plugin_io.h"
 
 #include <gtest/gtest.h>
 

@@ -114,7 +114,7 @@ TEST(DocumentState, DamagedStatesAreErrors) {
                            R"({"program": "etendue", "scene": "cornell", "settings": {"film.width": {}}})"}) {
     const auto document = document_from_state(text, "a.exr");
     ASSERT_FALSE(document) << text;
-    EXPECT_NE(document.error().message.find("a.exr: the settings it carries are damaged"), std::string::npos) << text;
+    EXPECT_NE(document.error().message.find("a.exr: its settings are damaged"), std::string::npos) << text;
     EXPECT_EQ(display_from_state(text), Display{}) << text;
   }
 }

@@ -71,7 +71,7 @@ void add_images(const InputFile& input, const std::vector<ImageTask>& tasks, Sce
     if (image >= 0) {
       scene.textures[t].image = images[static_cast<size_t>(image)]->pixels;
       scene.textures[t].tiles = images[static_cast<size_t>(image)]->tiles;
-    } else if (find_extension(input.model.textures[t].extensions, "KHR_texture_basisu")) {
+    } else if (find_extension(input.model.textures[t].extensions, kBasisUniversal)) {
       ++basis_universal;
     } else {
       scene.warnings.push_back(at("textures", t) + ": has no image; constant factors are used instead");

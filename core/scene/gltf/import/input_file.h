@@ -56,6 +56,9 @@ size_t checked_index(int i, size_t size, const std::string& where, const char* a
 
 bool is_supported(const std::string& extension);
 
+// The extension of KTX 2 textures, which are not supported.
+inline constexpr const char* kBasisUniversal = "KHR_texture_basisu";
+
 // Checks what the importer relies on afterwards: all references exist, buffer views lie inside their buffers, accessors
 // inside their views and have types that their use allows, and nodes form trees. Throws FileError. Defects of objects
 // that nothing uses only get a warning.

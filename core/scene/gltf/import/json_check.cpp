@@ -140,6 +140,9 @@ void check_member(json& value, const Rule& rule, bool in_sparse, const std::stri
   }
 }
 
+// Whether the importer reads an extension. That of KTX 2 textures is read for a warning only.
+bool is_read(const std::string& extension) { return is_supported(extension) || extension == kBasisUniversal; }
+
 // Removes what the importer does not read.
 void drop_unread(json& object) {
   object.erase("extras");
@@ -150,7 +153,7 @@ void drop_unread(json& object) {
     return;
   }
   for (auto it = extensions->begin(); it != extensions->end();)
-    it = is_supported(it.key()) && it->is_object() ? std::next(it) : extensions->erase(it);
+    it = is_read(it.key()) && it->is_object() ? std::next(it) : extensions->erase(it);
 }
 
 void require(const json& object, const std::string& where, std::initializer_list<const char*> members) {
