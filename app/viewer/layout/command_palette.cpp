@@ -62,9 +62,20 @@ void CommandPalette::open(AppState& state) {
   text_.clear();
   selected_ = 0;
   entries_ = palette_entries(state);
+  labels_.clear();
   searched_.clear();
+  for (const PaletteEntry& entry : entries_) labels_.push_back(lower_case(entry.label));
   for (const PaletteEntry& entry : entries_)
     searched_.push_back(lower_case(entry.label + " " + entry.name + " " + entry.place + " " + entry.tooltip));
+}
+
+std::vector<const PaletteEntry*> CommandPalette::matching() const {
+  const auto words = words_of(text_);
+  std::vector<const PaletteEntry*> found;
+  for (const bool in_label : {true, false})
+    for (size_t i = 0; i < entries_.size() && found.size() < kMaxShown; ++i)
+      if (matches(searched_[i], words) && matches(labels_[i], words) == in_label) found.push_back(&entries_[i]);
+  return found;
 }
 
 void CommandPalette::draw(AppState& state) {
@@ -84,10 +95,7 @@ void CommandPalette::draw(AppState& state) {
   const bool entered = ImGui::InputTextWithHint("##text", "Find a command, a parameter or a value", &text_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) selected_ = 0;
-  const auto words = words_of(text_);
-  std::vector<const PaletteEntry*> found;
-  for (size_t i = 0; i < entries_.size() && found.size() < kMaxShown; ++i)
-    if (matches(searched_[i], words)) found.push_back(&entries_[i]);
+  const auto found = matching();
   if (key_pressed(ImGuiKey_DownArrow) && selected_ + 1 < found.size()) ++selected_;
   if (key_pressed(ImGuiKey_UpArrow) && selected_ > 0) --selected_;
   const PaletteEntry* chosen = entered && selected_ < found.size() ? found[selected_] : nullptr;

@@ -24,11 +24,14 @@ class CommandPalette {
 
  private:
   void open(AppState& state);
+  // The entries that contain all words of the text; those whose labels do come first.
+  std::vector<const PaletteEntry*> matching() const;
 
   std::string text_;
   size_t selected_ = 0;                // index into the matching entries
   std::vector<PaletteEntry> entries_;  // made when the palette opens
-  std::vector<std::string> searched_;  // lower-case text of each entry
+  std::vector<std::string> labels_;    // of each entry, in lower case
+  std::vector<std::string> searched_;  // label, name, place and tooltip of each entry, in lower case
 };
 
 }  // namespace etendue::viewer

@@ -5,6 +5,7 @@
 #include "render/document.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/state/app_state.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -43,13 +44,19 @@ void add_actions(const AppState& state, std::vector<PaletteEntry>& entries) {
   }
 }
 
+// Numbers with as many digits as a user needs.
+std::string short_value(const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number ? formatted("%.4g", *number) : to_string(value);
+}
+
 void add_parameter(const render::DocumentParameter& parameter, const std::string& place,
                    std::vector<PaletteEntry>& entries) {
   const ParameterInfo& info = parameter.info;
   entries.push_back({.name = info.name,
                      .label = info.label,
                      .place = place,
-                     .keys = to_string(info.default_value),
+                     .keys = short_value(info.default_value),
                      .tooltip = info.doc,
                      .run = [name = info.name](AppState& s) { show_parameter(s, name); }});
 }

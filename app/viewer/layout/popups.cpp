@@ -93,7 +93,7 @@ void draw_help(AppState& state) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20, 16});
   ImGui::Begin("##help", nullptr, kPopup);
-  constexpr float kMouseWidth = 26;  // font sizes
+  constexpr float kMouseWidth = 30;  // font sizes
   constexpr float kKeyWidth = 22;
   const float em = ImGui::GetFontSize();
   const auto integrators = actions_with_shortcuts(state, true);
