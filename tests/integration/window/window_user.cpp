@@ -123,10 +123,20 @@ void WindowUser::settle() {
 
 bool WindowUser::has_item(const std::string& item) { return report()["items"].contains(item); }
 
+// Panels change their layout when results arrive, so the placement has to stay the same for a moment.
 WindowUser::json WindowUser::placement(const std::string& item) {
-  if (!wait_until([&](const json& latest) { return latest["items"].contains(item); }))
-    throw std::runtime_error("'" + item + "' is not on screen");
-  return report()["items"][item];
+  constexpr auto kStable = std::chrono::milliseconds(250);
+  json last;
+  const bool is_stable = wait_for(kTimeout, [&] {
+    std::this_thread::sleep_for(kStable);
+    const json latest = report();
+    if (!latest.is_object() || !latest["items"].contains(item)) return false;
+    const bool is_same = latest["items"][item] == last;
+    last = latest["items"][item];
+    return is_same;
+  });
+  if (!is_stable) throw std::runtime_error("'" + item + "' is not on screen");
+  return last;
 }
 
 void WindowUser::xdotool(const std::string& arguments) {
