@@ -6,7 +6,7 @@
 #include <optional>
 #include <thread>
 
-#include "base/cache_folder.h"
+#include "base/user_folders.h"
 #include "base/number_text.h"
 #include "bench/benchmark.h"
 #include "bench/report.h"

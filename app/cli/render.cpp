@@ -358,7 +358,9 @@ Command render_command() {
                   {.names = "--resume",
                    .target = &a->resume,
                    .doc = "Continue from this checkpoint; other options may repeat its settings"},
-                  {.names = "--like", .target = &a->like, .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"}},
+                  {.names = "--like",
+                   .target = &a->like,
+                   .doc = "Use all settings of this .exr that etendue wrote, or of this session (.etendue)"}},
       .run = [a] { return run_render(*a); }};
 }
 

@@ -16,25 +16,24 @@ Command view_command() {
   const auto a = std::make_shared<ViewArguments>();
   return {.name = "view",
           .summary = "Open the viewer; the default without a subcommand",
-          .options = {{.names = "scene",
-                       .target = &a->view.scene,
-                       .doc = "A glTF file (.gltf or .glb), a session (.etendue), a snapshot (.exr), or a built-in scene: " +
-                              scene::builtin_names() + "; default: cornell"},
-                      {.names = "--offscreen", .target = &a->view.offscreen, .doc = "Run without a display"},
-                      {.names = "--script",
-                       .target = &a->view.script,
-                       .doc = "JSON file of user actions; the viewer closes after the last one"},
-                      {.names = "--size",
-                       .target = &a->size,
-                       .doc = "Size of the window in pixels, WIDTHxHEIGHT (1280x720)"},
-                      threads_option(a->view.threads),
-                      {.names = "--safe",
-                       .target = &a->view.safe,
-                       .doc = "Use default settings; neither read nor write the remembered ones"},
-                      {.names = "--settings",
-                       .target = &a->view.settings,
-                       .doc = "Folder for settings and unsaved edits; default: the folders of the user, and none with "
-                              "--script or --offscreen"}},
+          .options =
+              {{.names = "scene",
+                .target = &a->view.scene,
+                .doc = "A glTF file (.gltf or .glb), a session (.etendue), a snapshot (.exr), or a built-in scene: " +
+                       scene::builtin_names() + "; default: cornell"},
+               {.names = "--offscreen", .target = &a->view.offscreen, .doc = "Run without a display"},
+               {.names = "--script",
+                .target = &a->view.script,
+                .doc = "JSON file of user actions; the viewer closes after the last one"},
+               {.names = "--size", .target = &a->size, .doc = "Size of the window in pixels, WIDTHxHEIGHT (1280x720)"},
+               threads_option(a->view.threads),
+               {.names = "--safe",
+                .target = &a->view.safe,
+                .doc = "Use default settings; neither read nor write the remembered ones"},
+               {.names = "--settings",
+                .target = &a->view.settings,
+                .doc = "Folder for settings and unsaved edits; default: the folders of the user, and none with "
+                       "--script or --offscreen"}},
           .run = [a] {
             if (!a->size.empty()) {
               const auto size = parse_size(a->size);

@@ -3,8 +3,9 @@
 //   f = sum of T_k f_k
 //
 // f_k is lobe k. T_k is the part of its light that the coating layers above it transmit, 1 without layers. Sampling
-// selects one lobe with probability p_k, in proportion to its sampling_weight behind the layers above it, and draws a
-// direction from it. The density of a direction that is not a delta is the mixture sum of p_k pdf_k, whichever lobe generated it.
+// selects one lobe and draws a direction from it. The probability p_k of a lobe is proportional to its sampling_weight
+// times the light that the layers above it transmit. The density of a direction that is not a delta is the mixture sum
+// of p_k pdf_k, whichever lobe generated it.
 #pragma once
 #include <array>
 #include <variant>

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <mutex>
 
-#include "base/cache_folder.h"
+#include "base/user_folders.h"
 #include "base/file.h"
 #include "base/hash.h"
 #include "image/plugin.h"

@@ -16,8 +16,9 @@ inline Vec4 clamped(const Vec4& c) { return glm::min(glm::max(c, Vec4(0)), Vec4(
 struct TexturePoint {
   Vec2 uv[2]{};   // texture coordinates, by set
   Vec4 color{1};  // vertex colour, linear
-  // The width of a pixel of the rendered image in texture coordinates, by set; set only for tiled textures.
-  float footprint[2]{};
+  // The width of a pixel of the rendered image in texture coordinates, the smaller one of both sets; only for tiled
+  // textures.
+  float footprint = 0;
 };
 
 struct SurfaceMaterial {
@@ -30,7 +31,7 @@ struct SurfaceMaterial {
     explicit operator bool() const { return texture != nullptr; }
     Vec4 at(const TexturePoint& point, Encoding encoding) const {
       const Vec2 uv = point.uv[use.uv_set];
-      return lookup(*texture, encoding, identity ? uv : transformed(use, uv), point.footprint[use.uv_set] * scale);
+      return lookup(*texture, encoding, identity ? uv : transformed(use, uv), point.footprint * scale);
     }
   };
 

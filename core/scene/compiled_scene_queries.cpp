@@ -198,12 +198,13 @@ void CompiledScene::finish(const Vec3& wo, const Hit& hit, SurfacePoint& point) 
   const float straight = glm::distance(point.position, Vec3(camera_.to_world[3]));
   const float distance = std::isfinite(hit.t) ? std::max(hit.t, straight) : straight;
   const float width = pixel_width_ + pixel_angle_ * distance;
-  for (size_t set = 0; set < 2; ++set) {
-    const auto& uvs = mesh.uvs[set];
-    if (uvs.empty() || !(area > 0)) continue;
+  float smallest = kInfinity;
+  for (const auto& uvs : mesh.uvs) {
+    if (uvs.empty()) continue;
     const Vec2 a = uvs[t[1]] - uvs[t[0]], b = uvs[t[2]] - uvs[t[0]];
-    point.texture.footprint[set] = width * std::sqrt(std::abs(a.x * b.y - a.y * b.x) / area);
+    smallest = std::min(smallest, std::sqrt(std::abs(a.x * b.y - a.y * b.x) / area));
   }
+  point.texture.footprint = std::isfinite(smallest) ? width * smallest : 0;
 }
 
 void CompiledScene::bend(const Vec3& wo, const Hit& hit, const float* time, SurfacePoint& point) const {

@@ -63,6 +63,23 @@ TEST_F(Viewer, DroppedSnapshotRestoresEverything) {
   EXPECT_TRUE(same_pixels(saved_image("a.exr"), saved_image("b.exr")));
 }
 
+TEST_F(Viewer, DoubleClickKeepsTheValueAndEarlierSteps) {
+  const json double_click{{"do", "click"}, {"item", "material.5.roughness"}, {"double", true}};
+  const json drag{{"do", "drag"}, {"item", "material.5.roughness"}, {"by", {30, 0}}};
+  ASSERT_EQ(run(json::array({set("material.5.roughness", 0.9), double_click, key("tab"), key("escape"),
+                             file_step("state", path("kept.json")), drag, file_step("state", path("dragged.json")),
+                             double_click, key("escape"), file_step("state", path("again.json"))})),
+            0);
+  const auto roughness = [&](const char* file) {
+    return state(file)["parameters"]["material.5.roughness"].get<double>();
+  };
+  EXPECT_FLOAT_EQ(roughness("kept.json"), 0.9f);
+  EXPECT_EQ(state("kept.json")["undo_depth"], 1);
+  EXPECT_NE(roughness("dragged.json"), roughness("kept.json"));
+  EXPECT_EQ(roughness("again.json"), roughness("dragged.json"));
+  EXPECT_EQ(state("again.json")["undo_depth"], 2);
+}
+
 TEST_F(Viewer, UndoRestoresTheImageAndRedoTheEdit) {
   const auto steps = joined(small(), json::array({file_step("image", path("before.exr")),
                                                   file_step("state", path("before.json")),

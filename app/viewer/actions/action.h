@@ -21,8 +21,9 @@ struct Action {
   std::function<void(AppState&)> run;
   std::function<bool(const AppState&)> enabled{};  // null: always enabled
   std::function<bool(const AppState&)> checked{};  // null: not a switch
-  std::string group{};  // heading above the action in its menu; actions of the same group follow each other
+  std::string group{};                             // heading above the action in its menu
   std::string group_tooltip{};
+  std::string section{};           // entries of different sections are separated by a line
   std::string submenu{};           // of the menu that contains the action
   std::string default_shortcut{};  // set by ActionList::add
 

@@ -17,7 +17,7 @@ void add_panel_actions(ActionList& actions, const PanelSet& panels) {
                  .run = [panel](AppState& state) { state.panels.toggle(*panel); },
                  .enabled = has_document,
                  .checked = [panel](const AppState& state) { return state.panels.is_open(*panel); },
-                 .group = "-panels",
+                 .section = "panels",
                  .submenu = is_bottom ? "Bottom panel" : "Side panel"});
   }
 }

@@ -14,11 +14,11 @@
 namespace etendue::viewer {
 namespace {
 
-// Groups of the menu that are separated by lines.
-constexpr const char* kOpenGroup = "-open";
-constexpr const char* kSaveGroup = "-save";
-constexpr const char* kExportGroup = "-export";
-constexpr const char* kQuitGroup = "-quit";
+// Sections of the menu.
+constexpr const char* kOpenSection = "open";
+constexpr const char* kSaveSection = "save";
+constexpr const char* kExportSection = "export";
+constexpr const char* kQuitSection = "quit";
 
 // "SCENE-20240131-235959".
 std::string snapshot_name(const AppState& state) {
@@ -74,7 +74,7 @@ void add_open_actions(ActionList& actions) {
                          "(.exr, .hdr)",
                          {".gltf", ".glb", ".etendue", ".exr", ".hdr"});
                    },
-               .group = kOpenGroup});
+               .section = kOpenSection});
   actions.add({.name = "file.reload",
                .menu = "File",
                .label = "Reload",
@@ -82,14 +82,14 @@ void add_open_actions(ActionList& actions) {
                .shortcut = "f5",
                .run = [](AppState& state) { state.open_file(state.document().scene_name); },
                .enabled = has_document,
-               .group = kOpenGroup});
+               .section = kOpenSection});
   for (const scene::Builtin& builtin : scene::builtins())
     actions.add({.name = std::string("file.") + builtin.name,
                  .menu = "File",
                  .label = builtin.label,
                  .tooltip = builtin.doc,
                  .run = [name = builtin.name](AppState& state) { state.open_file(name); },
-                 .group = kOpenGroup,
+                 .section = kOpenSection,
                  .submenu = "Built-in scenes"});
   actions.add({.name = "file.cancel",
                .label = "Cancel opening",
@@ -105,7 +105,7 @@ void add_open_actions(ActionList& actions) {
                      request_open(state, "Load an environment map (.hdr, .exr)", {".hdr", ".exr"});
                    },
                .enabled = has_document,
-               .group = kOpenGroup,
+               .section = kOpenSection,
                .submenu = "Environment"});
   for (const BuiltinEnvironment& builtin : builtin_environments()) {
     const bool is_studio = std::string_view(builtin.name) == "studio";
@@ -116,7 +116,7 @@ void add_open_actions(ActionList& actions) {
                  .run = [name = std::string(builtin.name)](
                             AppState& state) { state.set_parameter("environment.preset", name); },
                  .enabled = has_document,
-                 .group = kOpenGroup,
+                 .section = kOpenSection,
                  .submenu = "Environment"});
   }
 }
@@ -132,7 +132,7 @@ void add_file_actions(ActionList& actions) {
                .shortcut = "ctrl+s",
                .run = [](AppState& state) { state.save_session(); },
                .enabled = has_document,
-               .group = kSaveGroup});
+               .section = kSaveSection});
   actions.add({.name = "session.save-as",
                .menu = "File",
                .label = "Save as...",
@@ -140,7 +140,7 @@ void add_file_actions(ActionList& actions) {
                .shortcut = "ctrl+shift+s",
                .run = [](AppState& state) { state.save_session_as(); },
                .enabled = has_document,
-               .group = kSaveGroup});
+               .section = kSaveSection});
   actions.add(
       {.name = "snapshot.save",
        .menu = "File",
@@ -150,7 +150,7 @@ void add_file_actions(ActionList& actions) {
        .shortcut = "f12",
        .run = save_snapshot,
        .enabled = has_document,
-       .group = kSaveGroup});
+       .section = kSaveSection});
   actions.add({.name = "snapshot.save-as",
                .menu = "File",
                .label = "Export image...",
@@ -158,7 +158,7 @@ void add_file_actions(ActionList& actions) {
                .shortcut = "ctrl+e",
                .run = request_image_export,
                .enabled = has_document,
-               .group = kExportGroup});
+               .section = kExportSection});
   actions.add(
       {.name = "scene.save",
        .menu = "File",
@@ -167,21 +167,21 @@ void add_file_actions(ActionList& actions) {
        .shortcut = "ctrl+shift+e",
        .run = request_scene_export,
        .enabled = [](const AppState& state) { return state.has_document() && !state.files.scene_export->is_busy(); },
-       .group = kExportGroup});
+       .section = kExportSection});
   actions.add({.name = "app.preferences",
                .menu = "File",
                .label = "Preferences...",
                .tooltip = "Scale and theme of the interface, threads, folders and keyboard shortcuts",
                .shortcut = "ctrl+,",
                .run = [](AppState& state) { state.interface.preferences_open = true; },
-               .group = kQuitGroup});
+               .section = kQuitSection});
   actions.add({.name = "app.quit",
                .menu = "File",
                .label = "Quit",
                .tooltip = "Closes the window; asks first if there are unsaved edits",
                .shortcut = "ctrl+q",
                .run = [](AppState& state) { state.after_unsaved_edits([](AppState& s) { s.quit = true; }); },
-               .group = kQuitGroup});
+               .section = kQuitSection});
 }
 
 }  // namespace etendue::viewer

@@ -54,7 +54,7 @@ void add_framing_actions(ActionList& actions) {
                .shortcut = "home",
                .run = frame_scene,
                .enabled = has_document,
-               .group = "-framing"});
+               .section = "framing"});
   actions.add({.name = "view.frame-selection",
                .menu = "View",
                .label = "Frame selection",
@@ -62,14 +62,14 @@ void add_framing_actions(ActionList& actions) {
                .shortcut = "f",
                .run = frame_selection,
                .enabled = has_document,
-               .group = "-framing"});
+               .section = "framing"});
   actions.add({.name = "view.fit",
                .menu = "View",
                .label = "Fit image to viewport",
                .tooltip = "Sets the resolution of the image to that of the viewport. Restarts the rendering",
                .run = fit_image_to_viewport,
                .enabled = has_document,
-               .group = "-framing"});
+               .section = "framing"});
 }
 
 void add_display_actions(ActionList& actions) {
@@ -80,7 +80,7 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "[",
                .run = [](AppState& state) { change_exposure(state, -kExposureStep); },
                .enabled = has_document,
-               .group = "-display"});
+               .section = "display"});
   actions.add({.name = "display.brighter",
                .menu = "View",
                .label = "Exposure up",
@@ -88,7 +88,7 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "]",
                .run = [](AppState& state) { change_exposure(state, kExposureStep); },
                .enabled = has_document,
-               .group = "-display"});
+               .section = "display"});
   actions.add({.name = "display.next-aov",
                .menu = "View",
                .label = "Next AOV",
@@ -96,7 +96,7 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "v",
                .run = show_next_aov,
                .enabled = has_document,
-               .group = "-display"});
+               .section = "display"});
   actions.add({.name = "display.toggle-false-color",
                .menu = "View",
                .label = "False colour",
@@ -104,7 +104,7 @@ void add_display_actions(ActionList& actions) {
                .shortcut = "l",
                .run = [](AppState& state) { state.viewport.false_color = !state.viewport.false_color; },
                .checked = [](const AppState& state) { return state.viewport.false_color; },
-               .group = "-display"});
+               .section = "display"});
   actions.add({.name = "view.reliability-map",
                .menu = "View",
                .label = "Show unreliable regions",
@@ -112,7 +112,7 @@ void add_display_actions(ActionList& actions) {
                .run = [](AppState& state) { state.viewport.show_reliability = !state.viewport.show_reliability; },
                .enabled = has_document,
                .checked = [](const AppState& state) { return state.viewport.show_reliability; },
-               .group = "-overlays"});
+               .section = "overlays"});
   actions.add(
       {.name = "view.points",
        .menu = "View",
@@ -121,7 +121,7 @@ void add_display_actions(ActionList& actions) {
        .run = [](AppState& state) { state.viewport.show_stored_points = !state.viewport.show_stored_points; },
        .enabled = has_document,
        .checked = [](const AppState& state) { return state.viewport.show_stored_points; },
-       .group = "-overlays"});
+       .section = "overlays"});
 }
 
 void add_interface_actions(ActionList& actions) {
@@ -132,14 +132,14 @@ void add_interface_actions(ActionList& actions) {
                .shortcut = "h",
                .run = [](AppState& state) { state.interface.visible = !state.interface.visible; },
                .checked = [](const AppState& state) { return state.interface.visible; },
-               .group = "-interface"});
+               .section = "interface"});
   actions.add({.name = "view.dark",
                .menu = "View",
                .label = "Dark theme",
                .tooltip = "Switches between the dark and the light theme",
                .run = toggle_theme,
                .checked = [](const AppState& state) { return state.settings.dark; },
-               .group = "-interface"});
+               .section = "interface"});
   actions.add({.name = "app.palette",
                .menu = "Help",
                .label = "Find a command...",

@@ -8,6 +8,7 @@
 
 #include "viewer/files/file_names.h"
 #include "viewer/state/app_state.h"
+#include "viewer/widgets/dialog.h"
 
 namespace etendue::viewer {
 namespace fs = std::filesystem;
@@ -21,7 +22,6 @@ void FileDialog::open(const AppState& state) {
   enter_folder(fs::is_directory(folder, code) ? folder : fs::current_path(code));
   name_ = request.name;
   is_open_ = true;
-  ImGui::OpenPopup("##files");
 }
 
 void FileDialog::enter_folder(const fs::path& folder) {
@@ -73,15 +73,7 @@ void FileDialog::draw(AppState& state) {
   if (!is_open_) open(state);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float line = ImGui::GetFrameHeightWithSpacing();
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, line * 24), std::min(screen.y * 0.85f, line * 19)});
-  if (!ImGui::BeginPopupModal("##files", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-    // Escape has closed the popup.
-    is_open_ = false;
-    state.files.request.reset();
-    return;
-  }
+  if (!begin_dialog("##files", {std::min(screen.x * 0.9f, line * 24), std::min(screen.y * 0.85f, line * 19)})) return;
   UiContext& ui = state.ui;
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(state.files.request->title.c_str());
@@ -101,7 +93,7 @@ void FileDialog::draw(AppState& state) {
   if (ImGui::Button(saves_ ? "Save" : "Open")) accepted = true;
   ui.items.add("files.accept");
   ImGui::SameLine();
-  bool closed = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  bool closed = ImGui::Button("Cancel") || escape_is_pressed();
   ui.items.add("files.cancel");
   if (!problem_.empty()) {
     ImGui::SameLine();

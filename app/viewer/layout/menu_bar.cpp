@@ -20,10 +20,10 @@ namespace {
 
 constexpr const char* kMenus[] = {"File", "Edit", "View", "Compare", "Integrator", "Render", "Help"};
 
-// A line, and the heading if the name of the group is to be shown: names that begin with a hyphen only separate.
+// A line, and the heading if there is one.
 void draw_group_heading(const UiContext& ui, const Action& action) {
   ImGui::Separator();
-  if (action.group.empty() || action.group.starts_with('-')) return;
+  if (action.group.empty()) return;
   ImGui::PushFont(ui.fonts.small);
   ImGui::TextColored(ui.theme.secondary_text, "%s", action.group.c_str());
   ImGui::PopFont();
@@ -69,11 +69,15 @@ void draw_menu(AppState& state, const char* menu) {
   std::vector<const Action*> entries;
   for (const auto& action : state.actions.all())
     if (action.menu == menu) entries.push_back(&action);
-  std::string group;
+  std::string group, section;
   for (size_t i = 0; i < entries.size();) {
     const Action& action = *entries[i];
-    if (action.group != group && (i > 0 || !action.group.starts_with('-'))) draw_group_heading(state.ui, action);
+    if (action.group != group)
+      draw_group_heading(state.ui, action);
+    else if (action.section != section && i > 0)
+      ImGui::Separator();
     group = action.group;
+    section = action.section;
     const auto same_submenu = [&](const Action* other) { return other->submenu == action.submenu; };
     const size_t count = action.submenu.empty() ? 1 : static_cast<size_t>(std::ranges::count_if(entries, same_submenu));
     draw_entries(state, std::span(entries).subspan(i, count));

@@ -9,6 +9,7 @@
 #include "viewer/state/app_state.h"
 #include "viewer/state/preferences.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/dialog.h"
 #include "viewer/widgets/number_widget.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/value_text.h"
@@ -129,16 +130,9 @@ void PreferencesDialog::draw_keyboard(AppState& state) {
 void PreferencesDialog::draw(AppState& state) {
   bool& open = state.interface.preferences_open;
   if (!open) return;
-  if (!ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.85f, em * 28)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  const bool is_drawn = ImGui::BeginPopupModal(
-      kName, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
-  ImGui::PopStyleVar();
-  if (!is_drawn) return;
+  if (!begin_dialog(kName, {std::min(screen.x * 0.9f, em * 34), std::min(screen.y * 0.85f, em * 28)})) return;
   ImGui::TextColored(state.ui.theme.accent, "Preferences");
   const bool was_capturing = !capturing_.empty();
   const float footer = ImGui::GetFrameHeightWithSpacing();
@@ -159,7 +153,7 @@ void PreferencesDialog::draw(AppState& state) {
     ImGui::EndTabBar();
   }
   ImGui::EndChild();
-  const bool escaped = !was_capturing && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+  const bool escaped = !was_capturing && escape_is_pressed();
   if (ImGui::Button("Close") || escaped) {
     open = false;
     capturing_.clear();

@@ -10,30 +10,16 @@
 #include "viewer/files/loader.h"
 #include "viewer/files/session_export.h"
 #include "viewer/state/app_state.h"
+#include "viewer/widgets/dialog.h"
 
 namespace etendue::viewer {
 namespace {
-
-// Begins a dialog in the middle of the window that is open while it is drawn. Returns whether to draw its content.
-bool begin_dialog(const char* name) {
-  if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  const bool is_open = ImGui::BeginPopupModal(name, nullptr,
-                                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
-                                                  ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PopStyleVar();
-  return is_open;
-}
 
 bool dialog_button(AppState& state, const char* label, const char* name) {
   const bool pressed = ImGui::Button(label);
   state.ui.items.add(name);
   return pressed;
 }
-
-bool escape_is_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
 
 enum class LostSessionChoice { none, recover, discard };
 

@@ -72,6 +72,7 @@ std::string state_report(AppState& state) {
   json j{{"parameters", document_parameters(state)},
          {"edited", editor.has_unsaved_scene_edits()},
          {"session", state.files.session_file},
+         {"ui_scale", state.ui.scale},
          {"messages", state.notices.log().size()},
          {"undo_depth", editor.undo_depth()},
          {"redo_depth", editor.redo_depth()},

@@ -1,10 +1,10 @@
 #include "viewer/state/settings.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
+#include "base/user_folders.h"
 
 namespace etendue::viewer {
 namespace {
@@ -13,15 +13,6 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr size_t kMaxRecent = 12;
-
-// The folder "etendue" in the XDG folder of this variable; its default is a folder in the home folder.
-fs::path user_folder(const char* variable, const char* default_folder) {
-  const char* chosen = std::getenv(variable);
-  const char* home = std::getenv("HOME");
-  // The XDG specification requires relative paths to be ignored.
-  if (chosen && fs::path(chosen).is_absolute()) return fs::path(chosen) / "etendue";
-  return home && *home ? fs::path(home) / default_folder / "etendue" : fs::path();
-}
 
 Settings from_json(const json& j) {
   Settings s;
@@ -62,12 +53,12 @@ json to_json(const Settings& s) {
 }  // namespace
 
 fs::path settings_file(const fs::path& folder) {
-  const fs::path used = folder.empty() ? user_folder("XDG_CONFIG_HOME", ".config") : folder;
+  const fs::path used = folder.empty() ? config_folder() : folder;
   return used.empty() ? used : used / "viewer.json";
 }
 
 fs::path recovery_folder(const fs::path& folder) {
-  const fs::path used = folder.empty() ? user_folder("XDG_STATE_HOME", ".local/state") : folder;
+  const fs::path used = folder.empty() ? state_folder() : folder;
   return used.empty() ? used : used / "recovery";
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/cache_folder.h"
+#include "base/user_folders.h"
 #include "render/session.h"
 #include "viewer/files/file_names.h"
 #include "viewer/state/document_info.h"

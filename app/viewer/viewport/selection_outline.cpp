@@ -10,6 +10,8 @@
 namespace etendue::viewer {
 namespace {
 
+// While the camera moves, each frame is another version of the document, and rendering needs the processor.
+constexpr auto kRest = std::chrono::milliseconds(200);
 constexpr int kCellSize = 4;  // pixels; thinner parts of an object may be missed
 
 // Which pixels show the node. Rays are traced at the corners of cells, and at each pixel of cells at the border.
@@ -101,8 +103,12 @@ std::vector<OutlineSegment> border_of(const VisibilityMask& mask, int width, int
 
 void SelectionOutline::update(int node) {
   node_ = node;
+  if (editor_.version() != version_) {
+    version_ = editor_.version();
+    last_change_ = Clock::now();
+  }
   if (auto outline = task_.take_result()) outline_ = std::move(*outline);
-  if (node < 0 || segments() || task_.running()) return;
+  if (node < 0 || segments() || task_.running() || Clock::now() - last_change_ < kRest) return;
   const auto scene = session_.scene();
   if (!scene || session_.status().version != editor_.version()) return;
   const auto work = [scene, document = editor_.document(), version = editor_.version(), node] {

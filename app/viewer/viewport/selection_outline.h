@@ -1,5 +1,7 @@
-// The outline of the selected object: where its visible surface borders on something else. Computed in the background.
+// The outline of the selected object: where its visible surface borders on something else. Computed in the background
+// when the camera has come to rest.
 #pragma once
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -32,6 +34,7 @@ class SelectionOutline {
   const std::vector<OutlineSegment>* segments() const;
 
  private:
+  using Clock = std::chrono::steady_clock;
   struct Outline {
     uint64_t version = 0;  // of the document
     int node = -1;
@@ -41,7 +44,9 @@ class SelectionOutline {
   render::Session& session_;
   const Editor& editor_;
   std::function<void()> wake_;
-  int node_ = -1;  // that is selected
+  int node_ = -1;                    // that is selected
+  uint64_t version_ = 0;             // of the document in the last frame
+  Clock::time_point last_change_{};  // of that version
   std::shared_ptr<const Outline> outline_;
   BackgroundTask<std::shared_ptr<const Outline>> task_;
 };

@@ -88,6 +88,13 @@ std::string shortened(std::string text, float max_width) {
   return text + "...";
 }
 
+// The value of a widget before the last press of the button on it. The first click of a double click moves a slider; the
+// text input starts from the value before.
+struct BeforePress {
+  ImGuiID widget = 0;
+  Value value = false;
+};
+
 // Between a label and its widget, in font sizes.
 constexpr float kLabelGap = 0.4f;
 
@@ -125,15 +132,20 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
   const bool starts_typing = hovered && ImGui::IsMouseDoubleClicked(0);
   edit.reset = hovered && ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0) && !starts_typing;
   edit.starts_typing = starts_typing;
+  edit.pressed = hovered && ImGui::IsMouseClicked(0) && !starts_typing;
 
+  const ImGuiID id = ImGui::GetID("##");
+  static BeforePress before_press;
+  if (edit.pressed) before_press = {id, info.default_value};
+  const Value& shown = starts_typing && before_press.widget == id ? before_press.value : info.default_value;
   const bool is_integer = info.type == ParameterType::integer;
   int64_t i = 0;
   double d = 0;
-  if (const auto* integer = std::get_if<int64_t>(&info.default_value)) {
+  if (const auto* integer = std::get_if<int64_t>(&shown)) {
     i = *integer;
     d = static_cast<double>(i);
   }
-  if (const auto* number = std::get_if<double>(&info.default_value)) d = *number;
+  if (const auto* number = std::get_if<double>(&shown)) d = *number;
   const auto i_min = static_cast<int64_t>(info.min);
   const auto i_max = static_cast<int64_t>(info.max);
   const std::string format = format_of(info, d);
@@ -148,7 +160,7 @@ WidgetEdit number_widget(const ParameterInfo& info, float drag_speed) {
   ImGui::PushItemFlag(ImGuiItemFlags_Disabled, edit.reset);
   bool changed = false;
   if (starts_typing) {
-    changed = text_input(ImGui::GetID("##"), type, value, format.c_str(), min, max);
+    changed = text_input(id, type, value, format.c_str(), min, max);
   } else if (drag_speed <= 0 && is_slider(info)) {
     changed = ImGui::SliderScalar("##", type, value, min, max, format.c_str(), flags);
   } else {

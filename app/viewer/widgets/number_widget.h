@@ -13,6 +13,7 @@ namespace etendue::viewer {
 struct WidgetEdit {
   std::optional<Value> value;  // if it was changed
   bool reset = false;          // Ctrl+click
+  bool pressed = false;        // a click that is not the second one of a double click
   bool starts_typing = false;  // double click
   bool ended = false;          // the drag or the text input has ended
   bool scripted = false;       // the value comes from a script

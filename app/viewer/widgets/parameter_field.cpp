@@ -106,11 +106,16 @@ bool parameter_menu(AppState& state, const ParameterInfo& info) {
   return reset;
 }
 
+void start_edit(AppState& state, const ParameterInfo& info, const WidgetEdit& edit, const std::string& gesture) {
+  if (edit.scripted) state.editor->end_gesture();
+  const bool changed = edit.value && *edit.value != info.default_value;
+  if (edit.pressed) state.ui.changed_by_press = changed ? gesture : "";
+  if (edit.starts_typing && state.ui.changed_by_press == gesture) state.editor->discard_step(gesture);
+}
+
 void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit) {
   const ParameterInfo& info = parameter.info;
-  if (edit.scripted) state.editor->end_gesture();
-  // The first click of a double click has moved the slider. That edit is discarded.
-  if (edit.starts_typing) state.editor->discard_step(info.name);
+  start_edit(state, info, edit, info.name);
   if (edit.reset) {
     const auto value = original_value(state, info.name);
     if (value && *value != info.default_value) state.edit(parameter, *value);

@@ -31,6 +31,10 @@ std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info,
 // called where the ID of the parameter is on the stack.
 bool parameter_menu(AppState& state, const ParameterInfo& info);
 
+// To be called before an edit is applied. Discards the step of the first click of a double click, which has moved the
+// slider.
+void start_edit(AppState& state, const ParameterInfo& info, const WidgetEdit& edit, const std::string& gesture);
+
 // Applies an edit of a widget to the document, and ends the gesture if the drag has ended.
 void apply_edit(AppState& state, const render::DocumentParameter& parameter, const WidgetEdit& edit);
 

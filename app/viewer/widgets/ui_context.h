@@ -34,6 +34,7 @@ struct UiContext {
   ItemRegistry items;
   ValidatedText validated_text;
   EnteredRotation entered_rotation;
+  std::string changed_by_press;  // the gesture of the parameter whose slider jumped at the last press of the button
 };
 
 }  // namespace etendue::viewer

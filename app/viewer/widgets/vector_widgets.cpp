@@ -74,8 +74,7 @@ void angle_field(AppState& state, Quaternion parameters, const std::string& gest
   EnteredRotation& entered = state.ui.entered_rotation;
   info.unit.clear();  // the label has the unit
   const WidgetEdit edit = number_field(state.ui, info, kDegreesPerPixel);
-  if (edit.scripted) state.editor->end_gesture();
-  if (edit.starts_typing) state.editor->discard_step(gesture);
+  start_edit(state, info, edit, gesture);
   if (edit.reset) {
     const auto original = original_rotation(state, parameters);
     if (original && *original != quaternion_of(parameters)) edit_rotation(state, parameters, *original, "");

@@ -68,8 +68,13 @@ TEST_F(Window, NumberField) {
   user_->click(field, 1, 2);
   user_->press("Tab");
   user_->press("Escape");
+  EXPECT_TRUE(becomes(field, original)) << "text input that is left without a change keeps the value";
   user_->scroll(field, -2);
   user_->scroll(field, 2);
+  user_->drag(field, 30, 0);
+  EXPECT_TRUE(differs(field, original));
+  user_->press("ctrl+z");
+  EXPECT_TRUE(becomes(field, original)) << "a drag is one step of undo";
 }
 
 TEST_F(Window, ContextMenuResetsAParameter) {

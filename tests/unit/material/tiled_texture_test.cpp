@@ -96,7 +96,7 @@ TEST(TiledTextures, MaterialsUseThem) {
   const SurfaceMaterial surface(material, textures);
   EXPECT_TRUE(surface.has_textures && surface.has_tiled_textures);
   TexturePoint point;
-  point.footprint[0] = 2.0f / 16 / 0.5f;
+  point.footprint = 2.0f / 16 / 0.5f;
   EXPECT_NEAR(surface.base_color_at(point).x, srgb_to_linear(1 / 255.0f), 1e-6f) << "level 1, by the smaller scale";
 }
 

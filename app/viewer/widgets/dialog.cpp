@@ -1,0 +1,22 @@
+#include "viewer/widgets/dialog.h"
+
+namespace etendue::viewer {
+
+bool begin_dialog(const char* name, const ImVec2& size) {
+  if (!ImGui::IsPopupOpen(name)) ImGui::OpenPopup(name);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize;
+  if (size.x > 0)
+    ImGui::SetNextWindowSize(size);
+  else
+    flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  const bool is_drawn = ImGui::BeginPopupModal(name, nullptr, flags);
+  ImGui::PopStyleVar();
+  return is_drawn;
+}
+
+bool escape_is_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
+
+}  // namespace etendue::viewer

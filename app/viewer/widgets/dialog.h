@@ -1,0 +1,13 @@
+// Modal dialogs in the middle of the window.
+#pragma once
+#include <imgui.h>
+
+namespace etendue::viewer {
+
+// Opens the dialog if it is closed, and begins it. It is as large as its content if `size` is zero. Returns whether to
+// draw the content, which ends with ImGui::EndPopup. Escape does not close it.
+bool begin_dialog(const char* name, const ImVec2& size = {0, 0});
+
+bool escape_is_pressed();
+
+}  // namespace etendue::viewer

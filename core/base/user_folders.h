@@ -1,0 +1,16 @@
+// The folders of the user for files of this program, by the XDG base directory specification.
+#pragma once
+#include <filesystem>
+
+namespace etendue {
+
+// Each is empty if neither its variable nor HOME is set.
+
+// Settings: $XDG_CONFIG_HOME/etendue or ~/.config/etendue.
+std::filesystem::path config_folder();
+// What is kept between runs but is not a setting: $XDG_STATE_HOME/etendue or ~/.local/state/etendue.
+std::filesystem::path state_folder();
+// Files that can be computed again: $XDG_CACHE_HOME/etendue or ~/.cache/etendue.
+std::filesystem::path cache_folder();
+
+}  // namespace etendue
