@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "advisor/advice_report.h"
+#include "base/number_text.h"
 #include "command.h"
 #include "interrupt.h"
 #include "progress_bar.h"
@@ -14,6 +15,7 @@ namespace {
 struct AdviseArguments {
   SceneArguments scene;
   advisor::AdviceRequest question;
+  std::string measure = "rmse";
   int threads = 0;
   bool json = false;
 };
@@ -22,13 +24,21 @@ int run_advise(const AdviseArguments& a) {
   const auto document = open_document(a.scene);
   if (!document) return fail(document.error());
   print_warnings(*document);
+  advisor::AdviceRequest request = a.question;
+  request.measure = measure_of(a.measure);
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::Session session({.threads = a.threads});
   Progress progress;
-  const auto ranking = advisor::advise(session, *document, a.question, [&](double done, const std::string& task) {
+  const auto show_progress = [&](double done, const std::string& task) {
     progress.show(done, task);
     return !interrupted;
-  });
+  };
+  const auto print_plan = [&](size_t pilots, double seconds) {
+    progress.finish();
+    std::fprintf(stderr, "%zu pilots take at most about %s%s\n", pilots, format_duration(seconds).c_str(),
+                 request.seconds > 0 ? "" : "; --time limits it");
+  };
+  const auto ranking = advisor::advise(session, *document, request, show_progress, {}, print_plan);
   progress.finish();
   const std::string text =
       a.json ? advisor::ranking_json(ranking, document->scene_name) + "\n" : advisor::ranking_text(ranking);
@@ -45,13 +55,18 @@ Command advise_command() {
           .options = {scene_option(a->scene.scene),
                       {.names = "--error",
                        .target = &a->question.target,
-                       .doc = "Target error (RMSE)",
+                       .doc = "Target error; 0.01 is 1 % of a relative or displayed error",
                        .required = true,
                        .bounds = kPositive},
+                      error_measure_option(a->measure, "Measure of --error: rmse, relative or displayed (rmse)"),
                       json_flag(a->json),
                       {.names = "--pilot",
                        .target = &a->question.pilot_seconds,
                        .doc = "Approximate duration of the pilot rendering of each method, in seconds",
+                       .bounds = kPositive},
+                      {.names = "--time",
+                       .target = &a->question.seconds,
+                       .doc = "Longest total time in seconds; less time gives less certain predictions",
                        .bounds = kPositive},
                       size_option(a->scene.size),
                       camera_option(a->scene.camera),

@@ -9,6 +9,7 @@
 #include "base/user_folders.h"
 #include "base/number_text.h"
 #include "bench/benchmark.h"
+#include "bench/reference_method.h"
 #include "bench/report.h"
 #include "command.h"
 #include "interrupt.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct BenchArguments {
   SceneArguments scene;
-  std::string methods, out, reference;
+  std::string methods, out, reference, measure = "rmse";
   double budget = 0, reference_time = 0;
   uint32_t samples = 0, reference_samples = 0;
   int repeats = 3, threads = 0;
@@ -28,11 +29,11 @@ struct BenchArguments {
   bool no_cache = false;
 };
 
-// Effort for computing the reference. The default is that of all methods together.
+// Effort for computing the reference. The default is twice the time, or the samples, of all methods together.
 bench::ReferenceBudget reference_effort(const BenchArguments& a, size_t methods) {
   if (a.reference_time > 0 || a.reference_samples > 0) return {a.reference_time, a.reference_samples};
   const double renderings = static_cast<double>(methods) * a.repeats;
-  if (a.budget > 0) return {a.budget * renderings, 0};
+  if (a.budget > 0) return {2 * a.budget * renderings, 0};
   return {0, static_cast<uint32_t>(std::min(a.samples * renderings, 1e9))};
 }
 
@@ -67,9 +68,10 @@ void print_reference_warning(const bench::Outcome& outcome, const bench::Referen
   std::string advice;
   if (seconds > 0) advice = "; use --reference-time " + std::to_string(std::lround(seconds) + 1);
   std::fprintf(stderr,
-               "etendue: reference too noisy: its standard error %s is not ten times smaller than the smallest "
-               "measured error%s\n",
-               format_number(reference.standard_error(), 2).c_str(), advice.c_str());
+               "etendue: reference too noisy: its standard error is %s, and errors below %s are uncertain by more than "
+               "5 %%%s\n",
+               format_number(reference.standard_error(), 2).c_str(),
+               format_number(metrics::smallest_certain_rmse(*reference.noise), 2).c_str(), advice.c_str());
 }
 
 // Everything that can be checked before rendering. Wrong arguments fail before anything is rendered or written.
@@ -112,7 +114,19 @@ Result<void> write_results(const BenchArguments& a, const Job& job, bench::Refer
     if (auto ok = image::write_exr(reference.file, reference.image); !ok) return ok;
   }
   const int threads = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
-  return bench::write_report(a.out, {job.document, job.plan, reference, outcome, threads});
+  return bench::write_report(a.out, {job.document, job.plan, reference, outcome, threads, measure_of(a.measure)});
+}
+
+bench::Reference computed_reference(const BenchArguments& a, const Job& job, render::Session& session,
+                                    const bench::Progress& progress) {
+  constexpr double kPilotShare = 0.05;  // of the reference's time, for each candidate
+  const bench::ReferenceBudget effort = reference_effort(a, job.plan.methods.size());
+  // With a number of samples, results are to be reproducible, and pilots are timed.
+  const std::string integrator =
+      effort.seconds > 0 ? bench::reference_integrator(session, job.document, job.plan.methods,
+                                                       std::clamp(kPilotShare * effort.seconds, 0.05, 5.0), progress)
+                         : "path";
+  return bench::render_reference(session, job.document, effort, a.no_cache ? "" : cache_folder(), progress, integrator);
 }
 
 int run_bench(const BenchArguments& a) {
@@ -121,11 +135,10 @@ int run_bench(const BenchArguments& a) {
   print_warnings(job->document);
   BenchProgress progress(watch_interrupts());
   render::Session session({.threads = a.threads});
-  const double methods_begin = job->given_reference ? 0 : 0.5;
-  auto reference = job->given_reference
-                       ? *job->given_reference
-                       : bench::render_reference(session, job->document, reference_effort(a, job->plan.methods.size()),
-                                                 a.no_cache ? "" : cache_folder(), progress.part(0, methods_begin));
+  const double methods_begin = job->given_reference ? 0 : 0.67;
+  auto reference = job->given_reference ? *job->given_reference
+                                        : computed_reference(a, *job, session, progress.part(0, methods_begin));
+  bench::set_display(reference, job->document.display.transform());
   const auto outcome = bench::run(session, job->plan, reference, progress.part(methods_begin, 1));
   progress.finish();
 
@@ -134,6 +147,10 @@ int run_bench(const BenchArguments& a) {
     std::fprintf(stderr, "etendue: interrupted; %s holds the results so far\n", a.out.c_str());
     return static_cast<int>(Fault::interrupted);
   }
+  for (const auto& method : outcome.methods)
+    if (!method.incompatibility.empty())
+      std::fprintf(stderr, "etendue: %s: not measured: %s\n", method.curves.name.c_str(),
+                   method.incompatibility.c_str());
   print_reference_warning(outcome, reference);
   return 0;
 }
@@ -163,13 +180,14 @@ Command bench_command() {
             .target = &a->repeats,
             .doc = "Independent repeats of each method, from which error bars are computed (3)",
             .bounds = between(1, 10'000)},
+           error_measure_option(a->measure, "Measure of the charts: rmse, relative or displayed (rmse)"),
            {.names = "-o,--out", .target = &a->out, .doc = "Folder for the results", .required = true},
            {.names = "--reference",
             .target = &a->reference,
             .doc = "Reference image, of the image's size or a multiple of it; by default it is computed and cached"},
            {.names = "--reference-time",
             .target = &a->reference_time,
-            .doc = "Rendering time of the reference in seconds; by default that of all methods together",
+            .doc = "Rendering time of the reference in seconds; by default twice that of all methods together",
             .bounds = kPositive},
            {.names = "--reference-samples",
             .target = &a->reference_samples,

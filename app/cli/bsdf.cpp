@@ -12,6 +12,7 @@
 #include "json.h"
 #include "scene/builtin/builtin.h"
 #include "scene_options.h"
+#include "subjects.h"
 
 namespace etendue::cli {
 namespace {
@@ -55,14 +56,13 @@ Result<render::Document> document_with_material(const BsdfArguments& a) {
 }
 
 // An unqualified name is a parameter of the model if there is one of that name, otherwise of the material.
-Result<render::Document> with_setting(const render::Document& d, const std::string& model, const std::string& setting) {
-  const size_t equals = setting.find('=');
-  if (equals == std::string::npos) return usage_error("'" + setting + "' has no '='; give NAME=VALUE");
-  const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
-  const std::string qualified = "material.0." + model + "." + name;
+Result<render::Document> with_setting(const render::Document& d, const std::string& model, const std::string& text) {
+  const auto setting = split_setting(text);
+  if (!setting) return setting.error();
+  const std::string qualified = "material.0." + model + "." + setting->name;
   for (const auto& parameter : render::section_parameters(d, "material.0"))
-    if (parameter.info.name == qualified) return render::with_text(d, qualified, value);
-  return render::with_text(d, "material.0." + name, value);
+    if (parameter.info.name == qualified) return render::with_text(d, qualified, setting->value);
+  return render::with_text(d, "material.0." + setting->name, setting->value);
 }
 
 Result<Subject> make_subject(const BsdfArguments& a, const std::string& model,
@@ -196,15 +196,10 @@ int run_bsdf(const BsdfArguments& a) {
     return fail(
         usage_error("bsdf: no model; give the name of one (see etendue list materials), or --scene and "
                     "--material"));
-  std::vector<Subject> subjects;
-  auto first = make_subject(a, a.model, a.settings);
-  if (!first) return fail(first.error());
-  subjects.push_back(std::move(*first));
-  if (!a.against.empty()) {
-    auto second = make_subject(a, a.against, a.settings_against);
-    if (!second) return fail(second.error());
-    subjects.push_back(std::move(*second));
-  }
+  auto made = make_subjects<Subject>({a.model, a.settings}, {a.against, a.settings_against},
+                                     [&](const NamedSettings& s) { return make_subject(a, s.name, s.settings); });
+  if (!made) return fail(made.error());
+  std::vector<Subject>& subjects = *made;
   if (!a.table.empty())
     if (const auto ok = write_table(subjects.front(), a); !ok) return fail(ok.error());
   const std::atomic<bool>& interrupted = watch_interrupts();
@@ -212,13 +207,8 @@ int run_bsdf(const BsdfArguments& a) {
   if (interrupted) return static_cast<int>(Fault::interrupted);
   if (!a.out.empty())
     if (const auto ok = write_drawings(subjects, a); !ok) return fail(ok.error());
-  if (a.json) {
-    json list = json::array();
-    for (const auto& s : subjects) list.push_back(subject_json(s));
-    std::printf("%s\n", (a.against.empty() ? list[0] : list).dump(2).c_str());
-  } else {
-    for (const auto& s : subjects) print(s);
-  }
+  if (a.json) return print_json_of(subjects, subject_json);
+  for (const auto& s : subjects) print(s);
   return 0;
 }
 

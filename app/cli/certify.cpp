@@ -40,16 +40,31 @@ json finding_json(const advisor::CertificationResult& f, const advisor::Certifie
           {"seconds_wanted", number_json(f.seconds_needed)}};
 }
 
+// "; give --time 12"; empty if the time is unknown.
+std::string time_text(double seconds, const char* introduction) {
+  if (!(seconds > 0) || !std::isfinite(seconds)) return "";
+  return introduction + format_text("%.0f", std::ceil(seconds));
+}
+
+// At the start, on standard error.
+void print_expected_time(double needed, double limit) {
+  std::string text = "a confirmation takes about " + format_duration(needed);
+  if (needed > limit)
+    text += "; the statement after " + format_duration(limit) + " (--time) will be weaker";
+  std::fprintf(stderr, "%s\n", text.c_str());
+}
+
 void print(const advisor::CertificationResult& f, const advisor::CertifiedImage& claim) {
   if (f.verdict == advisor::Verdict::confirmed) {
     std::printf("stands: true RMSE %.3g, stated %.3g .. %.3g; relMSE %.3g, stated %.3g .. %.3g\n", f.rmse.value,
                 claim.certificate.rmse->interval.low, claim.certificate.rmse->interval.high, f.relmse.value,
                 claim.certificate.relmse->interval.low, claim.certificate.relmse->interval.high);
+  } else if (f.verdict == advisor::Verdict::consistent) {
+    std::printf("consistent: true RMSE between %.3g and %.3g (99.7 %%), stated %.3g .. %.3g%s\n", f.rmse.interval.low,
+                f.rmse.interval.high, claim.certificate.rmse->interval.low, claim.certificate.rmse->interval.high,
+                time_text(f.seconds_needed, "; a confirmation takes --time ").c_str());
   } else if (f.verdict == advisor::Verdict::undecided) {
-    std::printf("undecided: the time is too short");
-    if (f.seconds_needed > 0 && std::isfinite(f.seconds_needed))
-      std::printf("; give --time %.0f", std::ceil(f.seconds_needed));
-    std::printf("\n");
+    std::printf("undecided: there was no time for a comparison%s\n", time_text(f.seconds_needed, "; give --time ").c_str());
   } else {
     for (const auto& reason : f.reasons) std::printf("does not stand: %s\n", reason.c_str());
   }
@@ -63,7 +78,12 @@ int run_certify(const CertifyArguments& a) {
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::Session session({.threads = a.threads});
   Progress progress;
-  const auto finding = advisor::certify(session, *claim, a.certify, [&](double done, const std::string& task) {
+  advisor::CertifyOptions options = a.certify;
+  options.on_estimate = [&](double seconds) {
+    progress.finish();
+    print_expected_time(seconds, options.seconds);
+  };
+  const auto finding = advisor::certify(session, *claim, options, [&](double done, const std::string& task) {
     progress.show(done, task);
     return !interrupted;
   });
@@ -73,7 +93,8 @@ int run_certify(const CertifyArguments& a) {
   else
     print(finding, *claim);
   if (finding.interrupted) return static_cast<int>(Fault::interrupted);
-  return finding.verdict == advisor::Verdict::confirmed ? 0 : 1;
+  const bool holds = finding.verdict == advisor::Verdict::confirmed || finding.verdict == advisor::Verdict::consistent;
+  return holds ? 0 : 1;
 }
 
 }  // namespace
@@ -88,7 +109,7 @@ Command certify_command() {
                        .required = true},
                       {.names = "--time",
                        .target = &a->certify.seconds,
-                       .doc = "Longest rendering time in seconds",
+                       .doc = "Longest rendering time in seconds (10); less time gives a weaker statement",
                        .bounds = kPositive},
                       seed_option(a->certify.seed),
                       threads_option(a->threads),

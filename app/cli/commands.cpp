@@ -15,12 +15,14 @@
   ENTRY(certify)                \
   ENTRY(inspect)                \
   ENTRY(bsdf)                   \
+  ENTRY(phase)                  \
   ENTRY(probe)                  \
   ENTRY(trace)                  \
   ENTRY(save)                   \
   ENTRY(list)                   \
   ENTRY(manual)                 \
   ENTRY(stress)                 \
+  ENTRY(completion)             \
   ENTRY(view)
 // clang-format on
 

@@ -41,13 +41,26 @@ std::vector<std::string> heat_map_names() {
   return names;
 }
 
-void print(const std::vector<std::pair<const char*, double>>& rows, bool as_json) {
+using Rows = std::vector<std::pair<const char*, double>>;
+
+// NaN stands for a value that is not available.
+void print(const Rows& rows, bool as_json, bool equal) {
   json j;
   for (const auto& [name, value] : rows) {
     j[name] = number_json(value);
-    if (!as_json) std::printf("%-7s %.6g\n", name, value);
+    if (as_json) continue;
+    if (std::isnan(value))
+      std::printf("%-9s n/a\n", name);
+    else
+      std::printf(name == std::string("bias") && value != 0 ? "%-9s %+.6g\n" : "%-9s %.6g\n", name, value);
   }
+  j["equal"] = equal;
   if (as_json) std::printf("%s\n", j.dump(2).c_str());
+  if (!as_json && equal) std::printf("the images are equal\n");
+}
+
+bool is_black_image(const image::LayeredImage& image) {
+  return std::ranges::all_of(image.find("")->pixels, [](float v) { return v == 0; });
 }
 
 int run_compare(const CompareArguments& a) {
@@ -65,15 +78,27 @@ int run_compare(const CompareArguments& a) {
         metric == metrics::HeatMap::flip ? metrics::color_mapped(*flip) : metrics::heat_map(*image, *reference, metric);
     if (auto ok = image::write_png(a.heat_map, image->width, image->height, map); !ok) return fail(ok.error());
   }
-  print({{"mse", m->mse},
-         {"rmse", m->rmse},
-         {"relmse", m->relmse},
-         {"mae", m->mae},
-         {"smape", m->smape},
-         {"psnr", m->psnr},
-         {"bias", m->bias},
-         {"flip", metrics::mean_of(*flip)}},
-        a.json);
+  const metrics::ViewingConditions look = look_of(*reference, a.pixels_per_degree);
+  const double displayed = std::sqrt(metrics::displayed_mse(image->find("")->pixels, reference->find("")->pixels,
+                                                            {look.exposure, look.curve}));
+  Rows rows{{"mse", m->mse},
+            {"rmse", m->rmse},
+            {"relmse", m->relmse},
+            {"relative", std::sqrt(m->relmse)},
+            {"displayed", displayed},
+            {"mae", m->mae},
+            {"smape", m->smape},
+            {"psnr", m->psnr},
+            {"bias", m->bias},
+            {"flip", metrics::mean_of(*flip)}};
+  // Two images without any light do not agree about anything.
+  const bool both_are_black = is_black_image(*image) && is_black_image(*reference);
+  if (both_are_black) {
+    for (auto& [name, value] : rows) value = NAN;
+    std::fprintf(stderr, "etendue: both images are black; there is nothing to compare\n");
+  }
+  print(rows, a.json, m->mse == 0 && !both_are_black);
+  if (both_are_black) return 1;
   return m->rmse <= a.max_rmse ? 0 : 1;
 }
 

@@ -7,6 +7,7 @@
 #include "command.h"
 #include "json.h"
 #include "scene/compiled_scene.h"
+#include "scene/light_counts.h"
 #include "scene_options.h"
 #include "transport/model.h"
 
@@ -33,6 +34,7 @@ json non_conserving_materials(const scene::CompiledScene& compiled) {
 
 json description_of(const render::Document& d, const scene::CompiledScene& compiled, const transport::Model& model) {
   json cameras = json::array(), flags = json::object();
+  const scene::LightCounts lights = scene::count_lights(compiled);
   for (const auto& camera : scene::placed_cameras(*d.scene)) cameras.push_back(camera.name);
   for (const auto& decision : model.decisions)
     flags[decision.flag] = {{"value", decision.value}, {"reason", decision.reason}};
@@ -41,8 +43,10 @@ json description_of(const render::Document& d, const scene::CompiledScene& compi
           {"instances", compiled.instances().size()},
           {"materials", d.scene->materials.size()},
           {"textures", d.scene->textures.size()},
-          {"lights", compiled.lights().size()},
-          {"emissive_triangles", compiled.lights().triangles().size()},
+          {"lights", lights.total()},
+          {"emissive_objects", lights.emissive_objects},
+          {"emissive_triangles", lights.emissive_triangles},
+          {"lights_text", scene::light_text(lights)},
           {"animations", d.scene->animations.size()},
           {"scenes", d.scene->scene_names},
           {"variants", d.scene->variants},
@@ -62,9 +66,9 @@ void print_list(const char* title, const json& items) {
 
 void print(const json& j) {
   const auto number = [&](const char* key) { return j[key].get<unsigned long long>(); };
-  std::printf("%s\n  %llu triangles, %llu instances, %llu materials, %llu textures, %llu lights\n",
+  std::printf("%s\n  %llu triangles, %llu instances, %llu materials, %llu textures\n  lights: %s\n",
               j["scene"].get<std::string>().c_str(), number("triangles"), number("instances"), number("materials"),
-              number("textures"), number("lights"));
+              number("textures"), j["lights_text"].get<std::string>().c_str());
   print_list("cameras", j["cameras"]);
   print_list("material variants (--set scene.variant=NAME)", j["variants"]);
   print_list("unsupported extensions", j["unsupported"]);

@@ -6,6 +6,7 @@
 #include "command.h"
 #include "integrator/integrator.h"
 #include "json.h"
+#include "medium/medium_presets.h"
 #include "render/document.h"
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
@@ -109,10 +110,38 @@ json lights_json() {
 }
 
 json media_json() {
-  return json::array({entry_json("absorbing", "Absorbing volume",
-                                 "Beer's law inside solids with KHR_materials_volume; the parameters are those of the "
-                                 "material",
-                                 {})});
+  json list = json::array({entry_json("absorbing", "Absorbing volume",
+                                      "Beer's law inside solids with KHR_materials_volume; the parameters are those of "
+                                      "the material",
+                                      {}),
+                           entry_json("atmosphere", "Atmosphere", "The medium around all solids",
+                                      section_infos(sample_document(), "atmosphere"))});
+  for (const MediumPreset& preset : medium_presets()) {
+    const MediumDescription& m = preset.medium;
+    json j = entry_json(preset.name, preset.label, preset.source, {});
+    j["scattering"] = color_json(m.scattering);
+    j["absorption"] = color_json(m.absorption);
+    j["unit"] = "1/m";
+    j["phase_function"] = m.phase->info().description.name;
+    j["mean_cosine"] = number_json(m.phase->mean_cosine());
+    list.push_back(j);
+  }
+  return list;
+}
+
+json phase_functions_json() {
+  json list = json::array();
+  for (const PhaseFunctionInfo& info : phase_function_infos()) {
+    const PhaseFunctionDescription& phase = info.description;
+    json j = entry_json(phase.name, phase.label, phase.summary, info.parameters);
+    j["formula"] = phase.formula;
+    j["mean_cosine"] = phase.mean_cosine;
+    j["sampling"] = phase.sampling;
+    j["limitations"] = phase.limitations;
+    j["source"] = phase.source;
+    list.push_back(j);
+  }
+  return list;
 }
 
 json scenes_json() {
@@ -129,7 +158,8 @@ struct Registry {
 };
 constexpr Registry kRegistries[] = {
     {"integrators", integrators_json}, {"samplers", samplers_json}, {"materials", materials_json},
-    {"lights", lights_json},           {"media", media_json},       {"scenes", scenes_json},
+    {"lights", lights_json},           {"media", media_json},       {"phase-functions", phase_functions_json},
+    {"scenes", scenes_json},
     {"widgets", widgets_json}};
 
 std::string registry_names() {
@@ -155,13 +185,17 @@ void print_parameter(const json& p) {
               range.c_str(), plain_text(p["default"]).c_str(), unit.empty() ? "" : (" " + unit).c_str());
 }
 
-void print(const json& list) {
+void print_entries(const json& list) {
   for (const auto& e : list) {
     std::printf("%s: %s\n  %s\n", plain_text(e["name"]).c_str(), plain_text(e["label"]).c_str(),
                 plain_text(e["doc"]).c_str());
     if (e.contains("paths"))
       std::printf("  %s; paths %s, %s\n  limitations: %s\n", plain_text(e["group"]).c_str(),
                   plain_text(e["paths"]).c_str(), plain_text(e["bias"]).c_str(), plain_text(e["fails"]).c_str());
+    if (e.contains("scattering"))
+      std::printf("  scattering %s, absorption %s 1/m; %s, mean cosine %s\n", e["scattering"].dump().c_str(),
+                  e["absorption"].dump().c_str(), plain_text(e["phase_function"]).c_str(),
+                  plain_text(e["mean_cosine"]).c_str());
     for (const auto& p : e["parameters"]) print_parameter(p);
   }
 }
@@ -185,7 +219,7 @@ Command list_command() {
               if (a->json)
                 std::printf("%s\n", list.dump(2).c_str());
               else
-                print(list);
+                print_entries(list);
               return 0;
             }
             return fail(usage_error("list: there is no registry '" + a->kind + "'; give one of " + registry_names()));

@@ -93,8 +93,8 @@ render::Document surface_stage(const BsdfModelRef& model) {
 
 // Intensities that give a similar exposure for all types.
 render::Document light_stage(const LightTypeInfo& type) {
-  const double intensity = type.description.quantity == &kRadiantIntensity    ? 40
-                           : type.description.quantity == &kIrradiance        ? 2.5
+  const double intensity = type.description.quantity == &kLuminousIntensity    ? 40
+                           : type.description.quantity == &kIlluminance        ? 2.5
                            : type.description.light_class == LightClass::area ? 14
                                                                               : 0.8;
   return stage(scene::diffuse(Rgb(0.7f)),

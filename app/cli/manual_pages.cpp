@@ -9,6 +9,8 @@
 #include "integrator/integrator.h"
 #include "light/environments/builtin_environment.h"
 #include "light/light.h"
+#include "man_page.h"
+#include "medium/phase_function.h"
 #include "render/document.h"
 #include "sampling/sampler.h"
 #include "scene/builtin/builtin.h"
@@ -183,6 +185,22 @@ ManualPage gltf_surface_page(const SourceFiles& sources) {
                                   source_line(sources, "gltf_surface.h")};
 }
 
+// ---- Media
+
+ManualPage phase_page(const SourceFiles& sources, const PhaseFunctionInfo& info) {
+  const PhaseFunctionDescription& phase = info.description;
+  PropertyTable properties;
+  properties.add("Name", code(phase.name));
+  properties.add("Mean cosine", phase.mean_cosine);
+  properties.add("Sampling", phase.sampling);
+  properties.add("Limitations", phase.limitations);
+  properties.add("References", markdown_prose(phase.source, kReferences));
+  return {std::string("phase-functions/") + phase.name + ".md",
+          title(phase.label, phase.summary) + properties.text() + "## Model\n\n" + code_block(phase.formula) +
+              sources.head_comment(phase.file).markdown + parameter_table(info.parameters) +
+              source_line(sources, phase.file)};
+}
+
 // ---- Lights, cameras, scenes
 
 ManualPage light_page(const SourceFiles& sources, const LightTypeInfo& info) {
@@ -293,9 +311,10 @@ struct Chapter {
   const char* label;
 };
 constexpr Chapter kChapters[] = {{"integrators", "Integrators"},   {"samplers", "Samplers"},
-                                 {"surfaces", "Surfaces"},         {"lights", "Lights"},
-                                 {"environments", "Environments"}, {"cameras", "Cameras"},
-                                 {"scenes", "Built-in scenes"},    {"stress", "Stability cases"}};
+                                 {"surfaces", "Surfaces"},         {"phase-functions", "Phase functions"},
+                                 {"lights", "Lights"},             {"environments", "Environments"},
+                                 {"cameras", "Cameras"},           {"scenes", "Built-in scenes"},
+                                 {"stress", "Stability cases"}};
 
 // The title of a page and the paragraph below it.
 std::string index_line(const ManualPage& page) {
@@ -329,6 +348,7 @@ std::vector<ManualPage> manual_pages(const SourceFiles& sources) {
   for (const auto& info : sampler_infos()) pages.push_back(sampler_page(sources, info));
   pages.push_back(gltf_surface_page(sources));
   for (const auto& info : bsdf_model_infos()) pages.push_back(surface_page(sources, info));
+  for (const auto& info : phase_function_infos()) pages.push_back(phase_page(sources, info));
   for (const auto& info : light_type_infos()) pages.push_back(light_page(sources, info));
   for (const auto& environment : builtin_environments()) pages.push_back(environment_page(sources, environment));
   std::ranges::move(camera_pages(sources), std::back_inserter(pages));
@@ -336,6 +356,7 @@ std::vector<ManualPage> manual_pages(const SourceFiles& sources) {
   for (const auto& c : stress::cases()) pages.push_back(stress_page(sources, c));
   pages.push_back(index_page(pages));
   pages.push_back(command_line_page());
+  pages.push_back({"etendue.1", man_page()});
   return pages;
 }
 

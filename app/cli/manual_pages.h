@@ -1,4 +1,4 @@
-// The reference manual: one Markdown page per entry of every registry.
+// The reference manual: one Markdown page per entry of every registry, and a page for man(1).
 #pragma once
 #include <string>
 #include <vector>

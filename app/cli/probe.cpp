@@ -1,10 +1,11 @@
-// etendue probe: radiance, irradiance and flux at a point of the image.
+// etendue probe: luminance, illuminance and flux at a point of the image, also in watts.
 #include <cstdio>
 #include <memory>
 
 #include "command.h"
 #include "interrupt.h"
 #include "json.h"
+#include "light/light_type.h"
 #include "render/light_meter.h"
 #include "scene/compiled_scene.h"
 #include "scene_options.h"
@@ -35,9 +36,11 @@ Result<Efficacy> efficacy_of(const std::string& name) {
 json vector_json(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 json reading_json(const render::MeterReading& r, Efficacy efficacy) {
+  const auto photometric = static_cast<double>(luminance(r.value));
   return {{"value", color_json(r.value)},
           {"standard_error", r.standard_error},
-          {"photometric", photometric(r.value, efficacy)}};
+          {"photometric", photometric},
+          {"radiometric", radiometric(photometric, efficacy)}};
 }
 
 json readings_json(const render::MeterReadings& m, Efficacy efficacy) {
@@ -50,11 +53,12 @@ json readings_json(const render::MeterReadings& m, Efficacy efficacy) {
           {"spp", m.samples}};
 }
 
-void print(const char* label, const render::MeterReading& r, const char* unit, const char* photometric_unit,
-           Efficacy efficacy) {
-  std::printf("%-14s %.5g %.5g %.5g %s ± %.2g   %.5g %s\n", label, static_cast<double>(r.value.r),
-              static_cast<double>(r.value.g), static_cast<double>(r.value.b), unit, r.standard_error,
-              photometric(r.value, efficacy), photometric_unit);
+void print(const LightQuantity& quantity, const render::MeterReading& r, Efficacy efficacy) {
+  const auto value = static_cast<double>(luminance(r.value));
+  std::printf("%-18s %.5g ± %.2g %s   RGB %.5g %.5g %.5g\n", quantity.name, value, r.standard_error, quantity.unit,
+              static_cast<double>(r.value.r), static_cast<double>(r.value.g), static_cast<double>(r.value.b));
+  std::printf("%-18s %.5g ± %.2g %s\n", quantity.radiometric_name, radiometric(value, efficacy),
+              radiometric(r.standard_error, efficacy), quantity.radiometric_unit);
 }
 
 int run_probe(const ProbeArguments& a) {
@@ -79,9 +83,10 @@ int run_probe(const ProbeArguments& a) {
   if (a.json) {
     std::printf("%s\n", readings_json(readings, *efficacy).dump(2).c_str());
   } else {
-    print("radiance", readings.radiance, "W/(m^2 sr)", "cd/m^2", *efficacy);
-    print("irradiance", readings.irradiance, "W/m^2", "lx", *efficacy);
-    if (!is_black(readings.emitted_flux)) print("emitted flux", {readings.emitted_flux, 0}, "W", "lm", *efficacy);
+    print(kLuminance, readings.radiance, *efficacy);
+    print(kIlluminance, readings.irradiance, *efficacy);
+    if (!is_black(readings.emitted_flux)) print(kLuminousFlux, {readings.emitted_flux, 0}, *efficacy);
+    std::printf("at %.4g lm/W (--efficacy)\n", lumens_per_watt(*efficacy));
   }
   return interrupted ? static_cast<int>(Fault::interrupted) : 0;
 }
@@ -91,7 +96,7 @@ int run_probe(const ProbeArguments& a) {
 Command probe_command() {
   const auto a = std::make_shared<ProbeArguments>();
   return {.name = "probe",
-          .summary = "Measure radiance, irradiance and flux at a point of the image",
+          .summary = "Measure luminance, illuminance and luminous flux at a point of the image",
           .options = {scene_option(a->scene.scene),
                       {.names = "--at",
                        .target = &a->at,
@@ -109,7 +114,7 @@ Command probe_command() {
                        .bounds = between(1, 1'000'000)},
                       {.names = "--efficacy",
                        .target = &a->efficacy,
-                       .doc = "Luminous efficacy for the conversion from watts to lumens: equal-energy, standard, "
+                       .doc = "Luminous efficacy for the conversion from lumens to watts: equal-energy, standard, "
                               "daylight or maximal"},
                       threads_option(a->threads),
                       json_flag(a->json)},

@@ -36,7 +36,7 @@ constexpr double kCertificateFraction = 0.1, kCertificateSeconds = 0.5;
 
 struct RenderArguments {
   SceneArguments scene;
-  std::string out, png, integrator, sampler, aovs, json, resume, like;
+  std::string out, png, integrator, sampler, aovs, json, resume, like, measure;
   uint32_t samples = 0;
   double seconds = 0, error = 0, checkpoint_interval = 0;
   int threads = 0, max_depth = -1;
@@ -137,8 +137,10 @@ Result<void> apply(const RenderArguments& a, render::Document& d) {
   if (d.method.adaptive != render::Adaptive::off && !reason.empty()) return usage_error("render.adaptive: " + reason);
   // Snapshots and checkpoints carry limits, which hold unless there are new ones.
   const bool carries_limits = !a.like.empty() || !a.resume.empty();
-  if (a.samples > 0 || a.seconds > 0 || a.error > 0 || !carries_limits) d.limits = {a.samples, a.seconds, a.error};
-  if (d.limits == render::Limits{}) d.limits.samples = kDefaultSamples;
+  if (a.samples > 0 || a.seconds > 0 || a.error > 0 || !carries_limits)
+    d.limits = {a.samples, a.seconds, a.error, d.limits.measure};
+  if (!a.measure.empty()) d.limits.measure = measure_of(a.measure);
+  if (!d.limits.any()) d.limits.samples = kDefaultSamples;
   return {};
 }
 
@@ -164,7 +166,8 @@ std::string progress_text(const render::Status& s) {
   std::string text = std::to_string(s.samples) + " spp  " + format_rate(s.paths_per_second, "samples") + "  " +
                      format_rate(s.rays_per_second, "rays");
   if (s.phase_progress > 0) text += "  " + s.phase + " " + format_percent(s.phase_progress);
-  if (s.error.known) text += "  RMSE " + format_number(s.error.rmse, 2);
+  if (s.measured_error.known)
+    text += std::string("  ") + film::measure_label(s.measure) + " " + film::error_text(s.measure, s.measured_error.value);
   return text;
 }
 
@@ -327,7 +330,11 @@ Command render_command() {
                    .doc = "Samples per pixel (64 if no limit is given)",
                    .bounds = between(1, 1'000'000)},
                   {.names = "--time", .target = &a->seconds, .doc = "Rendering time in seconds", .bounds = kPositive},
-                  {.names = "--error", .target = &a->error, .doc = "Stop at this estimated RMSE", .bounds = kPositive},
+                  {.names = "--error",
+                   .target = &a->error,
+                   .doc = "Stop at this estimated error; 0.01 is 1 % of a relative or displayed error",
+                   .bounds = kPositive},
+                  error_measure_option(a->measure, "Measure of --error: rmse, relative or displayed (rmse)"),
                   {.names = "--integrator",
                    .target = &a->integrator,
                    .doc = "Light transport algorithm; see etendue list integrators"},

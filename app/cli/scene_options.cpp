@@ -35,6 +35,19 @@ CommandOption paths_option(std::string& target) {
           .doc = "Path expression: restricts the image to matching light paths, e.g. 'E(D|G)L' or 'EDS+L'"};
 }
 
+CommandOption error_measure_option(std::string& target, const std::string& doc) {
+  std::vector<std::string> names;
+  for (const Option& option : Options<film::ErrorMeasure>::kOptions) names.emplace_back(option.name);
+  return {.names = "--error-measure", .target = &target, .doc = doc, .choices = names};
+}
+
+film::ErrorMeasure measure_of(const std::string& name) {
+  const auto& options = Options<film::ErrorMeasure>::kOptions;
+  for (size_t i = 0; i < options.size(); ++i)
+    if (name == options[i].name) return film::kErrorMeasures[i];
+  return film::ErrorMeasure::rmse;
+}
+
 CommandOption set_option(std::vector<std::string>& target) {
   return {.names = "--set", .target = &target, .doc = "NAME=VALUE: sets a parameter; may be repeated"};
 }
@@ -99,11 +112,17 @@ Result<void> set_environment(render::Document& document, const std::string& file
   return {};
 }
 
+Result<SettingText> split_setting(const std::string& text) {
+  const size_t equals = text.find('=');
+  if (equals == std::string::npos) return usage_error("--set: '" + text + "' has no '='; give NAME=VALUE");
+  return SettingText{text.substr(0, equals), text.substr(equals + 1)};
+}
+
 Result<void> set_parameters(render::Document& document, const std::vector<std::string>& settings) {
-  for (const auto& setting : settings) {
-    const size_t equals = setting.find('=');
-    if (equals == std::string::npos) return usage_error("--set: '" + setting + "' has no '='; give NAME=VALUE");
-    if (auto r = set_parameter(document, setting.substr(0, equals), setting.substr(equals + 1)); !r) return r;
+  for (const auto& text : settings) {
+    const auto setting = split_setting(text);
+    if (!setting) return setting.error();
+    if (auto r = set_parameter(document, setting->name, setting->value); !r) return r;
   }
   return {};
 }

@@ -19,6 +19,9 @@ CommandOption camera_option(std::string& target);
 CommandOption size_option(std::string& target);
 CommandOption environment_option(std::string& target);
 CommandOption paths_option(std::string& target);
+// Stores the name of a measure of film/error_measure.h; `measure_of` converts it.
+CommandOption error_measure_option(std::string& target, const std::string& doc);
+film::ErrorMeasure measure_of(const std::string& name);
 CommandOption set_option(std::vector<std::string>& target);
 template <class Integer>
 CommandOption seed_option(Integer& target) {
@@ -37,6 +40,12 @@ Result<void> set_parameter(render::Document& document, const std::string& name, 
 Result<void> set_size(render::Document& document, const std::string& size);  // "1280x720"
 Result<void> set_environment(render::Document& document, const std::string& file);
 Result<void> set_parameters(render::Document& document, const std::vector<std::string>& settings);  // "name=value"
+
+// The two parts of "NAME=VALUE".
+struct SettingText {
+  std::string name, value;
+};
+Result<SettingText> split_setting(const std::string& text);
 
 // The size in a text like "1280x720". A size that an image cannot have is a usage error.
 Result<Vec2i> parse_size(const std::string& text);

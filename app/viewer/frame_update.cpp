@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "light/environments/uniform.h"
+#include "render/default_light.h"
 #include "render/session.h"
 #include "viewer/files/file_names.h"
 #include "viewer/files/image_export.h"
@@ -14,10 +16,12 @@
 #include "viewer/state/app_state.h"
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
+#include "viewer/tasks/file_thumbnails.h"
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/comparison.h"
+#include "viewer/viewport/first_view.h"
 #include "viewer/viewport/image_view.h"
 #include "viewer/viewport/selection_outline.h"
 #include "viewer/viewport/stored_points.h"
@@ -59,6 +63,19 @@ void set_title(AppState& state) {
   state.platform.set_title(base_name(session.empty() ? state.document().scene_name : session) + " - \u00c9tendue");
 }
 
+// The environment that was added to a scene without lights is named in a message of its own.
+void add_warnings_of_scene(AppState& state) {
+  const render::Document& document = state.document();
+  auto warnings = document.scene->warnings;
+  if (std::erase(warnings, render::kNoLightWarning) > 0) {
+    const std::string& name = document.scene->environment.map ? document.scene->environment.file : kUniform.name;
+    const BuiltinEnvironment* environment = find_builtin_environment(name);
+    const std::string label = environment ? environment->label : name;
+    state.notices.add_message("No lights in the file: the environment \"" + label + "\" was added.", "tab.light");
+  }
+  state.notices.add_warnings(base_name(document.scene_name), warnings);
+}
+
 void open_document(AppState& state, OpenedFile opened) {
   render::Document& document = opened.document;
   if (opened.kind == OpenedFile::Kind::scene) fit_image(document, state.viewport.region.size);
@@ -68,11 +85,14 @@ void open_document(AppState& state, OpenedFile opened) {
   state.session->pause(false);
   state.editor->open(std::move(document), opened.kind == OpenedFile::Kind::recovered);
   state.viewport.pivot_is_outdated = true;
+  state.viewport.first_view =
+      opened.kind == OpenedFile::Kind::scene ? FirstView::camera_pending : FirstView::adjusted;
+  state.viewport.playback = {};
   if (opened.kind == OpenedFile::Kind::recovered) state.files.journal->adopt(opened.file);
   state.files.session_file = opened.kind == OpenedFile::Kind::session ? opened.file : "";
   set_title(state);
   state.notices.close_all();
-  state.notices.add_warnings(base_name(state.document().scene_name), state.document().scene->warnings);
+  add_warnings_of_scene(state);
 }
 
 void take_opened_file(AppState& state) {
@@ -164,8 +184,10 @@ void update_comparison_source(AppState& state) {
   const auto& method = state.document().method;
   const std::string spec = method.integrator + ":sampler=" + method.sampler;
   const std::string samples = formatted(", %u spp", frame->samples);
-  state.viewport.comparison->live = {
-      .name = short_method_name(spec) + samples, .label = method_label(spec) + samples, .frame = frame};
+  state.viewport.comparison->live = {.name = short_method_name(spec) + samples,
+                                     .label = method_label(spec) + samples,
+                                     .frame = frame,
+                                     .unavailable = state.incompatibility()};
 }
 
 void update_pivot(AppState& state) {
@@ -193,9 +215,11 @@ void update_state(AppState& state, ImageView& live_image) {
   const auto& display = state.document().display;
   state.viewport.comparison->update(display.exposure, display.curve);
   update_pivot(state);
+  adjust_first_view(state);
 }
 
 bool has_task_update(const AppState& state) {
+  if (state.tasks.thumbnails->has_result()) return true;
   return std::ranges::any_of(all_tasks(state), [](const Task* task) { return task->has_update(); });
 }
 

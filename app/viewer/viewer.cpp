@@ -30,6 +30,7 @@ using Clock = render::Clock;
 
 // Dear ImGui needs some frames until the layout has adapted to an event.
 constexpr int kFramesPerEvent = 3;
+constexpr float kMaxOffscreenFrame = 0.05f;  // seconds
 // The share of the time that the interface takes is measured over this many seconds.
 constexpr double kShareInterval = 2;
 
@@ -69,6 +70,7 @@ class Application {
     // The first frame determines the size of the viewport, which the scene needs.
     draw();
     state_.open_file(state_.options.scene.empty() ? "cornell" : state_.options.scene);
+    state_.interface.welcome_open = state_.options.scene.empty() && !script && state_.settings.show_welcome;
     last_draw_ = Clock::now();
     share_start_ = last_draw_;
     while (!state_.quit) {
@@ -98,13 +100,16 @@ class Application {
     request_frames(kFramesPerEvent);
   }
 
-  bool is_flying() const { return state_.ui.input.buttons[static_cast<size_t>(Button::right)]; }
+  // Whether the view or the time changes without further events.
+  bool is_moving() const {
+    return state_.ui.input.buttons[static_cast<size_t>(Button::right)] || state_.viewport.playback.is_playing;
+  }
 
   // Seconds to wait for an event.
   double max_wait(const Script* script) const {
     const bool has_input = !platform_.events().empty();
     if (frames_left_ > 0 || has_input || (script && script->is_in_progress())) return 0;
-    if (is_flying()) return 0.01;
+    if (is_moving()) return 0.01;
     if (state_.ui.pointer_rest < kTooltipDelay || state_.viewport.comparison->waits_for_shift()) return 0.05;
     if (is_file_active(state_)) return 0.05;
     if (script || notices_fade_ || image_waits_ || !state_.ui.items.pointed_out().empty()) return 0.02;
@@ -120,11 +125,11 @@ class Application {
     const auto now = Clock::now();
     if (script) script->advance(state_);
     take_events(now);
-    const bool drawing_is_due = frames_left_ > 0 || new_content_is_due(now) || is_file_active(state_) || is_flying() ||
+    const bool drawing_is_due = frames_left_ > 0 || new_content_is_due(now) || is_file_active(state_) || is_moving() ||
                                 (script && script->needs_frame());
     if (drawing_is_due) draw();
     if (state_.files.journal) state_.files.journal->update(*state_.editor);
-    update_interface_share(now);
+    update_interface_share(Clock::now());  // after drawing, so that the share is at most 1
   }
 
   void take_events(Clock::time_point now) {
@@ -169,7 +174,8 @@ class Application {
     if (state_.interface.style_is_outdated) update_style();
     update_state(state_, live_image_);
     notices_fade_ = state_.notices.advance(static_cast<double>(seconds));
-    host_.begin_frame(state_.ui.input, seconds);
+    // Off-screen, a slow frame must not separate the two clicks of a double click.
+    host_.begin_frame(state_.ui.input, platform_.has_display() ? seconds : std::min(seconds, kMaxOffscreenFrame));
     interface_.draw(state_, seconds);
     draw_window();
     if (state_.viewport.frame && state_.timing.first_image_seconds == 0)

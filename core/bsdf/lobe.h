@@ -33,8 +33,9 @@ namespace etendue {
 // The two differ by eta^2 where light is refracted, and for models that are not reciprocal.
 enum class TransportMode : uint8_t { radiance, importance };
 
-// The letters D, G and S of path expressions [Heckbert 1990].
-enum class ScatterType : uint8_t { diffuse, glossy, specular };
+// The letters D, G and S of path expressions [Heckbert 1990], and V for scattering in a medium. Lobes of surfaces do not
+// use `volume`.
+enum class ScatterType : uint8_t { diffuse, glossy, specular, volume };
 
 // The random numbers of one sample, uniform in [0, 1). `choice` selects a lobe, or reflection against transmission; `u`
 // selects the direction. `cosine_direction` is the cosine-distributed direction of the upper hemisphere that `u` maps

@@ -37,17 +37,18 @@ class Estimator {
         weights_(pixels()),
         sums_(pixels()),
         squares_(pixels()),
+        equal_weight_squares_(pixels()),
         slopes_(pixels()),
         difference_(pixels()),
         noise_(pixels()) {}
 
-  RelativeError estimate() {
+  // The sums over the rows [first, end).
+  RelativeErrorSum sums(int first, int end) {
     for_pairs([&](size_t p, size_t q, double w) {
       gather(p, q, w);
       gather(q, p, w);
     });
     divide();
-    if (!(total_ > 0)) return {};
     std::vector<double> similar_squares(pixels());
     std::vector<Numbers> similar_slopes(pixels());
     const auto add_similar = [&](size_t p, size_t q, double w) {
@@ -58,22 +59,20 @@ class Estimator {
       add_similar(p, q, w);
       add_similar(q, p, w);
     });
-    double missed = 0, divisor = 0;
-    for (size_t p = 0; p < pixels(); ++p) {
+    RelativeErrorSum sum;
+    for (size_t p = index(0, first); p < index(0, end); ++p) {
+      sum.squares += squares_[p];
+      sum.equal_weight_squares += equal_weight_squares_[p];
+      sum.fourth += sqr(squares_[p]);
       // The fourth moment of a normal variable is three times the square of its variance.
-      missed +=
+      sum.missed +=
           squares_[p] * (similar_squares[p] + kSelfSquareWeight * squares_[p] / 3) / (weights_[p] + kSelfSquareWeight);
       double step = 0;  // the errors of the channels are assumed fully correlated, the worst case
       for (size_t c = 0; c < 3; ++c)
         step += (similar_slopes[p][c] + kSelfWeight * slopes_[p][c]) * std::sqrt(double{variance_[3 * p + c]});
-      divisor += sqr(step);
+      sum.divisor += sqr(step);
     }
-    const double spread = std::sqrt(4 * missed + divisor) / total_;
-    const double bias = std::log(total_ / total_equal_weights_);
-    // Symmetric in the logarithm, because a mean square is positive and its distribution is skewed.
-    const double factor = std::exp(kNinetyFivePercent * std::hypot(spread, bias));
-    const double mean = total_ / (3.0 * static_cast<double>(pixels()));
-    return {mean, {mean / factor, mean * factor}};
+    return sum;
   }
 
  private:
@@ -143,8 +142,7 @@ class Estimator {
         squares_[p] += square / divisor;
         // The derivative of the sum with respect to the radiance of one similar pixel, negated.
         slopes_[p][c] = square * 2 * r / sqr(divisor) / (weights_[p] + kSelfWeight);
-        total_ += square / divisor;
-        total_equal_weights_ +=
+        equal_weight_squares_[p] +=
             square / (sqr((sums_[p][c] + kEqualSelfWeight * own) / (weights_[p] + kEqualSelfWeight)) + kRelmseOffset);
       }
   }
@@ -154,15 +152,47 @@ class Estimator {
   std::vector<double> weights_;  // sums over the other pixels
   std::vector<Numbers> sums_;    // of their weighted radiance
   std::vector<double> squares_;  // relative squared errors, summed over the channels
+  std::vector<double> equal_weight_squares_;
   std::vector<Numbers> slopes_;
   std::vector<double> difference_, noise_;
-  double total_ = 0, total_equal_weights_ = 0;
 };
 
 }  // namespace
 
+RelativeErrorSum relative_error_of_rows(int width, int height, std::span<const float> rgb,
+                                        std::span<const float> variance, int first, int end) {
+  // Similar pixels are searched twice, and their neighbours compared.
+  constexpr int kMargin = 2 * (kReach + 1);
+  const int top = std::max(0, first - kMargin), bottom = std::min(height, end + kMargin);
+  const size_t row = 3 * static_cast<size_t>(width), offset = row * static_cast<size_t>(top);
+  const size_t count = row * static_cast<size_t>(bottom - top);
+  return Estimator(width, bottom - top, rgb.subspan(offset, count), variance.subspan(offset, count))
+      .sums(first - top, end - top);
+}
+
+RelativeError relative_error(std::span<const RelativeErrorSum> sums, double values) {
+  RelativeErrorSum all;
+  for (const RelativeErrorSum& sum : sums) {
+    all.squares += sum.squares;
+    all.equal_weight_squares += sum.equal_weight_squares;
+    all.missed += sum.missed;
+    all.divisor += sum.divisor;
+    all.fourth += sum.fourth;
+  }
+  if (!(all.squares > 0)) return {};
+  const double spread = std::sqrt(4 * all.missed + all.divisor) / all.squares;
+  const double bias = std::log(all.squares / all.equal_weight_squares);
+  // Symmetric in the logarithm, because a mean square is positive and its distribution is skewed.
+  const double factor = std::exp(kNinetyFivePercent * std::hypot(spread, bias));
+  const double mean = all.squares / values;
+  // As in error.cpp.
+  const double variation = 0.5 * std::sqrt(2.0 / 3 * all.fourth) / all.squares;
+  return {.relmse = mean, .interval = {mean / factor, mean * factor}, .root_variation = variation};
+}
+
 RelativeError relative_error(int width, int height, std::span<const float> rgb, std::span<const float> variance) {
-  return Estimator(width, height, rgb, variance).estimate();
+  const RelativeErrorSum sum = relative_error_of_rows(width, height, rgb, variance, 0, height);
+  return relative_error({&sum, 1}, 3.0 * width * height);
 }
 
 std::optional<RelativeError> relative_error(const Film& film) {

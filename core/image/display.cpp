@@ -83,6 +83,10 @@ Rgb tone_mapped(const Rgb& radiance, ToneCurve curve) {
   return each(c, clamp_to_unit);
 }
 
+Rgb displayed(const Rgb& radiance, float exposure, ToneCurve curve) {
+  return each(tone_mapped(radiance * std::exp2(exposure), curve), [](float c) { return linear_to_srgb(c); });
+}
+
 std::vector<uint8_t> display_pixels(std::span<const float> rgb, float exposure, ToneCurve curve) {
   std::vector<uint8_t> bytes(rgb.size());
   const float scale = std::exp2(exposure);

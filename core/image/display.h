@@ -21,6 +21,9 @@ enum class ToneCurve { none, neutral, aces, agx };
 //   agx      fit of AgX [Sobotka 2022] by [Wrensch 2023]
 Rgb tone_mapped(const Rgb& radiance, ToneCurve curve);
 
+// The displayed value, from 0 to 1 and sRGB encoded. `exposure` is in stops.
+Rgb displayed(const Rgb& radiance, float exposure, ToneCurve curve);
+
 // 8-bit sRGB values of linear RGB pixels. `exposure` is in stops: values are multiplied by 2^exposure.
 std::vector<uint8_t> display_pixels(std::span<const float> rgb, float exposure, ToneCurve curve);
 

@@ -26,6 +26,7 @@
 #include <stdexcept>
 
 #include "base/file.h"
+#include "image/exr_attributes.h"
 #include "image/exr_limits.h"
 #include "image/format.h"
 
@@ -243,6 +244,7 @@ bool is_exr(Bytes bytes) { return starts_with(bytes, "\x76\x2f\x31\x01"); }
 
 Result<LayeredImage> decode_bytes(Bytes bytes, const std::string& name) {
   if (!is_exr(bytes)) return input_error(name + ": this is not an OpenEXR file");
+  if (auto checked = check_exr_attributes(bytes, name); !checked) return checked.error();
   try {
     MemoryStream stream(bytes, name);
     Imf::MultiPartInputFile file(stream, 0, false);

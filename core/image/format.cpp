@@ -48,6 +48,14 @@ std::string readable_formats() {
   return alternatives(labels);
 }
 
+std::vector<std::string> readable_extensions() {
+  std::vector<std::string> extensions;
+  for (const ImageFormat* format : formats())
+    for (const std::string_view extension : format->extensions)
+      if (!extension.empty()) extensions.emplace_back(extension);
+  return extensions;
+}
+
 const ImageFormat* recognise_format(Bytes bytes) {
   for (const ImageFormat* format : formats())
     if (format->recognises(bytes)) return format;

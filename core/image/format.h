@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "image/image.h"
@@ -59,6 +60,8 @@ std::span<const ImageFormat* const> image_formats();
 
 // The labels of all formats that are read: "PNG, JPEG or WebP".
 std::string readable_formats();
+// Their extensions, in lower case with the dot.
+std::vector<std::string> readable_extensions();
 
 // The format of this content, or null.
 const ImageFormat* recognise_format(Bytes bytes);

@@ -8,7 +8,7 @@
 
 namespace etendue {
 
-// Radiance from infinity, W/(m^2 sr): an equirectangular map times `tint`, or `tint` alone.
+// Radiance from infinity, cd/m^2: an equirectangular map times `tint`, or `tint` alone.
 //
 // Texture coordinates (u, v) of the map: u = 0.5 is the +x direction, v = 0 is +y. With phi = (u - 0.5) 2 pi the
 // direction is (cos phi sin(pi v), cos(pi v), sin phi sin(pi v)), rotated by `rotation` about +y.

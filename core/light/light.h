@@ -45,7 +45,7 @@ class LightModel {
 
   // The quantities below are those of a light of this colour.
 
-  // Emitted power, W; zero where it depends on the scene (light from infinity, ambient light).
+  // Emitted flux, lm; zero where it depends on the scene (light from infinity, ambient light).
   virtual Rgb flux(const Rgb& color) const = 0;
   // The surface of an area light; none of a light without extent.
   virtual std::optional<AreaLight> area_light(const Rgb& color) const = 0;

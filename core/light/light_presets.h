@@ -3,7 +3,6 @@
 #include <array>
 
 #include "light/light.h"
-#include "spectrum/photometry.h"
 
 namespace etendue {
 
@@ -34,10 +33,10 @@ inline bool fits(const LightPreset& preset, const Light& light) {
 }
 
 // The light with the preset's colour and amount.
-inline Light with_preset(Light light, const LightPreset& preset, Efficacy efficacy) {
+inline Light with_preset(Light light, const LightPreset& preset) {
   light.color = preset.color;
   light.set("intensity", 1.0);
-  const double one = photometric(preset.sun ? light.color : light.flux(), efficacy);
+  const double one = static_cast<double>(luminance(preset.sun ? light.color : light.flux()));
   if (one > 0) light.set("intensity", preset.amount / one);
   return light;
 }

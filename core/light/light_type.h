@@ -9,9 +9,9 @@
 //   struct Emitter {
 //     static constexpr bool kIsInfinite;  // without a position, which the light tree needs
 //
-//     // The whole emitted power, W; zero where it depends on the scene.
+//     // The whole emitted flux, lm; zero where it depends on the scene.
 //     Rgb flux() const;
-//     // The luminance of the power that enters a scene of this radius, W: the weight when lights are chosen.
+//     // The luminance of the power that enters a scene of this radius, lm: the weight when lights are chosen.
 //     float power(float scene_radius) const;
 //     // Position, directions and intensity for the light tree; unless kIsInfinite.
 //     LightBounds bounds(const LightPlace& place) const;
@@ -21,7 +21,7 @@
 //     // Light that arrives at `from`: direction, distance, density and radiance of `s`; false if none does.
 //     bool sample(const LightPlace& place, const Vec3& from, Vec2 u, LightSample& s) const;
 //
-//     // What the light emits in a direction, at a distance: W/sr from a point, W/m^2 along a beam. Includes the
+//     // What the light emits in a direction, at a distance: cd from a point, lx along a beam. Includes the
 //     // window of a finite range, not the inverse square.
 //     Rgb emitted(const LightPlace& place, const Vec3& direction, float distance) const;
 //     // The densities of `sample_emission`; `second` is zero if no ray can leave the light.
@@ -62,22 +62,25 @@ namespace etendue {
 // Delta lights are never hit by a ray, area lights are. Ambient light arrives from every direction and is never hit.
 enum class LightClass : uint8_t { delta_position, delta_direction, area, ambient };
 
-struct RadiometricQuantity {
+// A photometric quantity, and the radiometric one that follows by the luminous efficacy (spectrum/photometry.h).
+struct LightQuantity {
   const char* name;
   const char* unit;
-  const char* photometric_unit;
+  const char* radiometric_name;
+  const char* radiometric_unit;
 };
 
-inline constexpr RadiometricQuantity kRadiantIntensity{"Intensity", "W/sr", "cd"};
-inline constexpr RadiometricQuantity kIrradiance{"Irradiance", "W/m^2", "lx"};
-inline constexpr RadiometricQuantity kRadiance{"Radiance", "W/(m^2 sr)", "cd/m^2"};
+inline constexpr LightQuantity kLuminousIntensity{"Luminous intensity", "cd", "Radiant intensity", "W/sr"};
+inline constexpr LightQuantity kIlluminance{"Illuminance", "lx", "Irradiance", "W/m^2"};
+inline constexpr LightQuantity kLuminance{"Luminance", "cd/m^2", "Radiance", "W/(m^2 sr)"};
+inline constexpr LightQuantity kLuminousFlux{"Luminous flux", "lm", "Radiant flux", "W"};
 
 struct LightTypeDescription {
   const char* name;     // in files and commands
   const char* label;    // in menus
   const char* summary;  // one sentence
   LightClass light_class;
-  const RadiometricQuantity* quantity;  // of the intensity
+  const LightQuantity* quantity;  // of the intensity
   const char* formula;                  // irradiance E of a receiver with the angle theta between normal and light
   const char* sampling;                 // how a receiver samples it
   const char* source;                   // where the definition is from
@@ -87,7 +90,7 @@ struct LightTypeDescription {
 };
 
 // The parameter `intensity` of a light type.
-inline Number<float> intensity_parameter(const RadiometricQuantity& quantity, const char* doc) {
+inline Number<float> intensity_parameter(const LightQuantity& quantity, const char* doc) {
   return {"intensity", "Intensity", 1, {0, 1e9f}, doc, quantity.unit, Scale::logarithmic};
 }
 

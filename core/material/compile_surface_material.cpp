@@ -41,7 +41,8 @@ SurfaceMaterial::SurfaceMaterial(const Material& m, const std::vector<Texture>& 
   base_factor = Vec4(m.base_color.r, m.base_color.g, m.base_color.b, m.alpha);
   is_emissive = m.is_emissive() || m.unlit;
   has_alpha = m.alpha_mode != AlphaMode::opaque;
-  absorbs_inside = m.is_solid() && std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1));
+  absorbs_inside = m.is_solid() && ((std::isfinite(m.attenuation_distance) && !(m.attenuation_color == Rgb(1))) ||
+                                    !m.medium.is_clear());
   if (m.model && !m.unlit)
     classify_model();
   else

@@ -12,6 +12,7 @@
 #include "bsdf/bsdf_model.h"
 #include "bsdf/lobes/layered_base.h"
 #include "material/texture.h"
+#include "medium/medium.h"
 #include "spectrum/rgb.h"
 
 namespace etendue {
@@ -33,7 +34,7 @@ struct Material {
   TextureUse normal_texture;              // linear, tangent space
   float normal_scale = 1;
 
-  Rgb emission{0};              // emissiveFactor * emissiveStrength: radiance, W/(m^2 sr)
+  Rgb emission{0};              // emissiveFactor * emissiveStrength: radiance, cd/m^2
   TextureUse emission_texture;  // sRGB
 
   AlphaMode alpha_mode = AlphaMode::opaque;
@@ -53,6 +54,13 @@ struct Material {
   float thickness = 0;                // KHR_materials_volume; 0 is a thin wall, other values mean a solid
   Rgb attenuation_color{1};
   float attenuation_distance = kInfinity;         // m, in world space
+  // ETENDUE_transport. The medium inside a solid, in addition to the attenuation above, which is absorption.
+  MediumDescription medium;
+  // The surface only bounds the medium: light passes it without reflection or refraction, and its index of refraction
+  // is 1.
+  bool boundary_only = false;
+  // Where solids overlap, the one with the higher priority is the medium; equal priorities: see scene/solids.h.
+  int medium_priority = 0;
   float anisotropy = 0, anisotropy_rotation = 0;  // KHR_materials_anisotropy; [0, 1]; radians from the tangent, ccw
   TextureUse anisotropy_texture;                  // linear, RG direction, B strength
 
@@ -82,6 +90,7 @@ struct Material {
 
   // Whether light enters a solid body, whose inside attenuates it.
   bool is_solid() const {
+    if (boundary_only) return true;
     return model ? model->is_solid() : (transmission > 0 || diffuse_transmission > 0) && thickness > 0;
   }
   bool is_emissive() const { return !is_black(emission); }

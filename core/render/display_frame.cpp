@@ -1,7 +1,9 @@
 #include "render/display_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
+#include <optional>
 #include <span>
 
 namespace etendue::render {
@@ -9,22 +11,66 @@ namespace {
 
 using Row = std::span<Rgb>;
 
-// The row of preview pixels that covers row y of the image.
-std::span<const Rgb> preview_row(const Frame& preview, int y) {
-  const int row = std::min(y / preview.preview_scale, preview.height - 1);
-  const auto width = static_cast<size_t>(preview.width);
-  return std::span(*preview.pixels).subspan(static_cast<size_t>(row) * width, width);
+Rgb compressed(const Rgb& c) {
+  const auto compress = [](float x) {
+    const float bounded = x > 0 ? std::min(x, 1e4f) : 0.0f;  // NaN becomes 0
+    return bounded / (1 + bounded);
+  };
+  return Rgb(compress(c.r), compress(c.g), compress(c.b));
 }
 
-void enlarge(std::span<const Rgb> blocks, int preview_scale, Row row) {
-  const auto size = static_cast<size_t>(preview_scale);
-  size_t x = 0;
-  for (const Rgb& block : blocks) {
-    const size_t end = std::min(x + size, row.size());
-    while (x < end) row[x++] = block;
+// Rows of an image, interpolated between the centres of the blocks of a preview.
+class Enlarger {
+ public:
+  explicit Enlarger(const Preview& preview) : preview_(preview), blocks_(static_cast<size_t>(preview.width)) {}
+
+  void fill(int y, Row row) {
+    interpolate_blocks(y);
+    const int scale = preview_.scale, half = scale / 2;
+    // Pixels between the centres of two neighbouring blocks; before the first and after the last one it is a constant.
+    for (int x = 0; x < static_cast<int>(row.size());) {
+      const int block = (x + scale - half) / scale - 1;  // the block whose centre is on the left
+      const int end = std::min((block + 1) * scale + half, static_cast<int>(row.size()));
+      fill_between(block, x, row.subspan(static_cast<size_t>(x), static_cast<size_t>(end - x)));
+      x = end;
+    }
+    expand(row);
   }
-  while (x < row.size()) row[x++] = blocks.back();
-}
+
+ private:
+  const Rgb& block_at(int i) const { return blocks_[static_cast<size_t>(std::clamp(i, 0, preview_.width - 1))]; }
+  float centre_of(int block) const { return (static_cast<float>(block) + 0.5f) * static_cast<float>(preview_.scale); }
+
+  // The blocks of the two rows that row y of the image lies between.
+  void interpolate_blocks(int y) {
+    const float at = (static_cast<float>(y) + 0.5f) / static_cast<float>(preview_.scale) - 0.5f;
+    const int above = static_cast<int>(std::floor(at));
+    const float weight = at - static_cast<float>(above);
+    const auto row_of = [&](int i) {
+      return static_cast<size_t>(std::clamp(i, 0, preview_.height - 1)) * blocks_.size();
+    };
+    const Rgb *first = &preview_.blocks[row_of(above)], *second = &preview_.blocks[row_of(above + 1)];
+    for (size_t i = 0; i < blocks_.size(); ++i) blocks_[i] = first[i] + (second[i] - first[i]) * weight;
+  }
+
+  // Pixels from x on, between the centres of `block` and the next one.
+  void fill_between(int block, int x, Row row) const {
+    const Rgb left = block_at(block);
+    const Rgb step = (block_at(block + 1) - left) / static_cast<float>(preview_.scale);
+    const float offset = static_cast<float>(x) + 0.5f - centre_of(block);
+    for (size_t i = 0; i < row.size(); ++i) row[i] = left + step * (offset + static_cast<float>(i));
+  }
+
+  // The inverse of `compressed`, for all channels alike.
+  static void expand(Row row) {
+    float* values = &row[0].r;
+    const size_t count = 3 * row.size();
+    for (size_t i = 0; i < count; ++i) values[i] = values[i] / (1 - values[i]);
+  }
+
+  const Preview& preview_;
+  std::vector<Rgb> blocks_;  // of the current row
+};
 
 // With `keep_unsampled`, pixels without samples keep their values.
 void fill_with_means(const film::Film& film, int y, bool keep_unsampled, Row row) {
@@ -91,40 +137,36 @@ FrameMaker::Canvas FrameMaker::new_canvas(int width, int height) {
   return {std::move(frame), pixels.get()};
 }
 
-std::shared_ptr<const Frame> FrameMaker::preview(const film::Film& film, int preview_scale) {
-  auto frame = std::make_shared<Frame>();
-  auto pixels = std::make_shared<std::vector<Rgb>>(film.pixels().size());
-  frame->width = film.width();
-  frame->height = film.height();
-  frame->preview_scale = preview_scale;
-  frame->pixels = pixels;
-  const Canvas canvas{frame, pixels.get()};
-  for (int y = 0; y < frame->height; ++y) fill_with_means(film, y, false, canvas.row(y));
-  return frame;
+std::shared_ptr<const Preview> FrameMaker::preview(const film::Film& film, int scale) {
+  auto preview = std::make_shared<Preview>();
+  preview->width = film.width();
+  preview->height = film.height();
+  preview->scale = scale;
+  preview->blocks.reserve(film.pixels().size());
+  for (int y = 0; y < film.height(); ++y)
+    for (int x = 0; x < film.width(); ++x) preview->blocks.push_back(compressed(film.mean(x, y)));
+  return preview;
 }
 
-std::shared_ptr<Frame> FrameMaker::enlarged(const Frame& preview, int width, int height) {
+std::shared_ptr<Frame> FrameMaker::enlarged(const Preview& preview, int width, int height) {
   const Canvas canvas = new_canvas(width, height);
-  canvas.frame->preview_scale = preview.preview_scale;
+  canvas.frame->preview_scale = preview.scale;
   workers_.run_ranges(height, [&](int first, int end) {
-    for (int y = first; y < end; ++y) {
-      const bool repeats = y > first && preview_row(preview, y).data() == preview_row(preview, y - 1).data();
-      if (repeats)
-        std::ranges::copy(canvas.row(y - 1), canvas.row(y).begin());
-      else
-        enlarge(preview_row(preview, y), preview.preview_scale, canvas.row(y));
-    }
+    Enlarger enlarger(preview);
+    for (int y = first; y < end; ++y) enlarger.fill(y, canvas.row(y));
   });
   return canvas.frame;
 }
 
-std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Frame* preview,
+std::shared_ptr<Frame> FrameMaker::full(const film::Film& film, const Preview* preview,
                                         const film::FireflyReweighting* reweighting) {
   const Canvas canvas = new_canvas(film.width(), film.height());
-  canvas.frame->preview_scale = preview ? preview->preview_scale : 1;
+  canvas.frame->preview_scale = preview ? preview->scale : 1;
   workers_.run_ranges(film.height(), [&](int first, int end) {
+    std::optional<Enlarger> enlarger;
+    if (preview) enlarger.emplace(*preview);
     for (int y = first; y < end; ++y) {
-      if (preview) enlarge(preview_row(*preview, y), preview->preview_scale, canvas.row(y));
+      if (enlarger) enlarger->fill(y, canvas.row(y));
       fill_with_means(film, y, preview != nullptr, canvas.row(y));
       if (reweighting) fill_reweighted(*reweighting, film, y, canvas.row(y));
     }

@@ -16,7 +16,16 @@ struct Frame {
   std::shared_ptr<const std::vector<Rgb>> pixels;
   uint64_t version = 0;
   uint32_t samples = 0;   // complete samples of every pixel; 0 while a preview is visible
-  int preview_scale = 1;  // size in pixels of the blocks of a preview; 1 is full resolution
+  int preview_scale = 1;  // size in pixels of the blocks that a preview is interpolated from; 1 is full resolution
+};
+
+// A small image that is shown enlarged until there are samples.
+struct Preview {
+  int width = 0, height = 0;  // blocks
+  int scale = 1;              // size of a block in pixels
+  // x / (1 + x) of the radiance in each channel. Blocks are interpolated in this form, so that a bright block does not
+  // outshine its neighbours.
+  std::vector<Rgb> blocks;
 };
 
 // Makes frames on all workers. The pixel arrays of released frames are reused, because allocating fresh memory takes
@@ -25,13 +34,13 @@ class FrameMaker {
  public:
   explicit FrameMaker(ThreadPool& workers);
 
-  // The preview in a film of 1 / preview_scale of the image's size, with one pixel per block.
-  std::shared_ptr<const Frame> preview(const film::Film& film, int preview_scale);
-  // A preview enlarged to the size of the image.
-  std::shared_ptr<Frame> enlarged(const Frame& preview, int width, int height);
+  // The preview in a film of 1 / scale of the image's size.
+  static std::shared_ptr<const Preview> preview(const film::Film& film, int scale);
+  // A preview enlarged to the size of the image, with interpolation between the centres of the blocks.
+  std::shared_ptr<Frame> enlarged(const Preview& preview, int width, int height);
   // The means of a film. Pixels without samples show the preview, or are black if it is null. The means are re-weighted
   // if there are firefly reweighting.
-  std::shared_ptr<Frame> full(const film::Film& film, const Frame* preview,
+  std::shared_ptr<Frame> full(const film::Film& film, const Preview* preview,
                               const film::FireflyReweighting* reweighting);
 
  private:

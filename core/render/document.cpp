@@ -1,3 +1,4 @@
+#include "render/default_light.h"
 #include "render/document.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ Result<Document> new_document(const std::string& scene_file_or_name, const std::
     document.lit_by_default = true;
     document.display.curve = image::ToneCurve::neutral;
     s.environment = make_environment(builtin_environments().front());
-    s.warnings.push_back("no lights in the file: the studio environment was added");
+    s.warnings.emplace_back(kNoLightWarning);
   }
   document.scene_name = scene_file_or_name;
   document.camera_name = camera;

@@ -13,6 +13,7 @@
 
 #include "base/parameter.h"
 #include "camera/camera.h"
+#include "film/error_measure.h"
 #include "film/filter.h"
 #include "film/firefly_reweighting.h"
 #include "image/display.h"
@@ -25,8 +26,10 @@ namespace etendue::render {
 struct Limits {
   uint32_t samples = 0;  // per pixel
   double seconds = 0;
-  double rmse = 0;  // estimated
+  double error = 0;  // estimated, in this measure
+  film::ErrorMeasure measure = film::ErrorMeasure::rmse;
 
+  bool any() const { return samples > 0 || seconds > 0 || error > 0; }
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
@@ -50,6 +53,7 @@ struct Display {
   float exposure = 0;  // EV: displayed radiance is multiplied by 2^exposure
   image::ToneCurve curve = image::ToneCurve::none;
 
+  film::DisplayTransform transform() const { return {exposure, curve}; }
   friend bool operator==(const Display&, const Display&) = default;
 };
 

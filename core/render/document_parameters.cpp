@@ -44,7 +44,7 @@ std::optional<size_t> section_index(std::string_view section, std::string_view k
 }  // namespace
 
 std::vector<std::string> sections(const Document& document) {
-  std::vector<std::string> list{"render", "film", "camera", "display", "scene", "environment", "model"};
+  std::vector<std::string> list{"render", "film", "camera", "display", "scene", "environment", "atmosphere", "model"};
   for (const auto& info : integrator::integrator_infos()) list.push_back(info.name);
   for (const auto& info : sampler_infos()) list.push_back(info.name);
   const scene::Scene& scene = *document.scene;
@@ -62,6 +62,7 @@ std::vector<DocumentParameter> section_parameters(const Document& document, std:
   if (section == "model") return model_parameters(document);
   if (section == "camera") return camera_parameters(document);
   if (section == "environment") return environment_parameters(document);
+  if (section == "atmosphere") return atmosphere_parameters(document);
   if (const auto* info = integrator::find_integrator(section))
     return method_parameters(document, info->name, info->parameters);
   if (const auto* info = find_sampler(section)) return method_parameters(document, info->name, info->parameters);

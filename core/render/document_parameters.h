@@ -57,6 +57,18 @@ void add_triple(DocumentParameters& list, const std::string& section, const Trip
         [store, c](Document& document, float v) { store(document, c, v); }));
 }
 
+// A choice whose options, value and assignment are still to be set.
+inline DocumentParameter choice_parameter(const std::string& section, const std::string& name, const std::string& label,
+                                          const std::string& doc) {
+  DocumentParameter parameter;
+  parameter.section = section;
+  parameter.info.name = section + "." + name;
+  parameter.info.label = label;
+  parameter.info.doc = doc;
+  parameter.info.type = ParameterType::choice;
+  return parameter;
+}
+
 // One function per section, in the file of its name.
 DocumentParameters render_parameters(const Document& document);
 DocumentParameters film_parameters(const Document& document);
@@ -65,6 +77,7 @@ DocumentParameters scene_parameters(const Document& document);
 DocumentParameters model_parameters(const Document& document);
 DocumentParameters camera_parameters(const Document& document);
 DocumentParameters environment_parameters(const Document& document);
+DocumentParameters atmosphere_parameters(const Document& document);
 DocumentParameters material_parameters(const Document& document, size_t index, const std::string& section);
 DocumentParameters light_parameters(const Document& document, size_t index, const std::string& section);
 DocumentParameters node_parameters(const Document& document, size_t index, const std::string& section);

@@ -1,7 +1,7 @@
 // Sections "material.N": the reflection model with its parameters, and the glTF surface.
 #include <algorithm>
 
-#include "render/document_parameters.h"
+#include "render/document_parameters_medium.h"
 
 template <>
 struct etendue::Options<etendue::AlphaMode> {
@@ -158,6 +158,27 @@ void add_transmission(MaterialParameterList& parameters) {
                         Scale::logarithmic);
 }
 
+// The medium inside a solid.
+void add_medium(DocumentParameters& list, MaterialParameterList& parameters, const Material& m, size_t index,
+                const std::string& section) {
+  const size_t first = list.size();
+  add_medium_parameters(
+      list, {section, [index](scene::Scene& s) -> MediumDescription& { return s.materials[index].medium; }}, m.medium);
+  parameters.add(Toggle{"boundary-only", "Boundary of the medium only", m.boundary_only,
+                        "Light passes the surface without reflection or refraction; the index of refraction is 1"},
+                 &Material::boundary_only);
+  parameters.add(Number<int>{"medium-priority",
+                             "Medium priority",
+                             m.medium_priority,
+                             {-1000, 1000},
+                             "Where solids overlap, the one with the highest priority is the medium"},
+                 &Material::medium_priority);
+  for (size_t i = first; !m.is_solid() && i < list.size(); ++i)
+    if (list[i].info.name != section + ".boundary-only")
+      list[i].inactive_reason =
+          "The material encloses no solid: set transmission and thickness, or Boundary of the medium only";
+}
+
 void add_layers(MaterialParameterList& parameters, const Material& m) {
   parameters.add(Choice<Layering>{"layering", "Layering", m.layering,
                                   "Light that a layer leaves to the base below. As in glTF: gains energy at grazing "
@@ -195,7 +216,7 @@ void add_layers(MaterialParameterList& parameters, const Material& m) {
 
 void add_emission_and_opacity(MaterialParameterList& parameters, const Material& m) {
   parameters.add_color({"emission.r", "emission.g", "emission.b"}, "Emission", &Material::emission, 1e6f,
-                       "Emitted radiance in W/(m\u00b2 sr)", "W/(m\u00b2 sr)");
+                       "Emitted luminance; glTF: emissiveFactor times emissiveStrength", "cd/m\u00b2");
   parameters.add_number("alpha", "Opacity", &Material::alpha, {0, 1}, "Used by the alpha modes Mask and Blend");
   parameters.add(Choice<AlphaMode>{"alpha-mode", "Alpha mode", m.alpha_mode,
                                    "Opaque; Mask: cut out below the cutoff; Blend: partly transparent"},
@@ -222,7 +243,9 @@ DocumentParameters material_parameters(const Document& document, size_t index, c
   add_transmission(parameters);
   add_layers(parameters, m);
   add_emission_and_opacity(parameters, m);
-  for (size_t i = first_of_surface; m.model && i < list.size(); ++i)
+  const size_t end_of_surface = list.size();
+  add_medium(list, parameters, m, index, section);
+  for (size_t i = first_of_surface; m.model && i < end_of_surface; ++i)
     if (!applies_to_all_models(std::string_view(list[i].info.name).substr(section.size() + 1)))
       list[i].inactive_reason = std::string("The reflection model ") + m.model->info().description.label +
                                 " has parameters of its own; this one belongs to the glTF surface";

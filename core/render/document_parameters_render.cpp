@@ -57,16 +57,23 @@ void add_limits(DocumentParameters& list, const Limits& limits) {
                                               "s",
                                               Scale::logarithmic},
                                 [](Document& d, float v) { d.limits.seconds = static_cast<double>(v); }));
-  list.push_back(
-      make_parameter("render",
-                     Number<float>{"error",
-                                   "Error limit (RMSE)",
-                                   static_cast<float>(limits.rmse),
-                                   {0, 1e6f},
-                                   "Stops when the estimated root mean square error falls below this; 0: no limit",
-                                   "",
-                                   Scale::logarithmic},
-                     [](Document& d, float v) { d.limits.rmse = static_cast<double>(v); }));
+  list.push_back(make_parameter("render",
+                                Number<float>{"error",
+                                              "Error limit",
+                                              static_cast<float>(limits.error),
+                                              {0, 1e6f},
+                                              "Stops when the estimated error falls below this; 0: no limit. Relative "
+                                              "and displayed errors are fractions: 0.01 is 1 %",
+                                              "",
+                                              Scale::logarithmic},
+                                [](Document& d, float v) { d.limits.error = static_cast<double>(v); }));
+  list.push_back(make_parameter(
+      "render",
+      Choice<film::ErrorMeasure>{"error-measure", "Error measure", limits.measure,
+                                 "Measure of the error limit, the status bar and recommendations. RMSE: in the unit of "
+                                 "the image. Relative: relative to the true value. Displayed: after exposure, tone "
+                                 "mapping and sRGB encoding"},
+      [](Document& d, film::ErrorMeasure v) { d.limits.measure = v; }));
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
-// Sections "scene" and "environment".
+// Sections "scene", "environment" and "atmosphere".
 #include <algorithm>
 #include <filesystem>
 
 #include "light/environments/uniform.h"
-#include "render/document_parameters.h"
+#include "render/document_parameters_medium.h"
+#include "scene/animation.h"
 #include "scene/pose.h"
 #include "scene/variants.h"
 
@@ -20,12 +21,8 @@ void set_time(Document& document, float time) {
 }
 
 DocumentParameter variant_choice(const scene::Scene& scene) {
-  DocumentParameter parameter;
-  parameter.section = "scene";
-  parameter.info.name = "scene.variant";
-  parameter.info.label = "Material variant";
-  parameter.info.doc = "The set of materials that the file offers under this name";
-  parameter.info.type = ParameterType::choice;
+  DocumentParameter parameter = choice_parameter("scene", "variant", "Material variant",
+                                                 "The set of materials that the file offers under this name");
   parameter.info.options = scene::variant_labels(scene);
   parameter.info.option_labels = parameter.info.options;
   parameter.info.default_value = parameter.info.options[static_cast<size_t>(scene.variant + 1)];
@@ -55,15 +52,11 @@ void select_environment(Environment& environment, const std::string& name) {
 }
 
 DocumentParameter environment_choice(const Environment& environment) {
-  DocumentParameter parameter;
-  parameter.section = "environment";
+  DocumentParameter parameter =
+      choice_parameter("environment", "preset", "Environment", "Light from infinity. None: black.");
   ParameterInfo& info = parameter.info;
-  info.name = "environment.preset";
-  info.label = "Environment";
-  info.type = ParameterType::choice;
   info.options = {kNone};
   info.option_labels = {"None"};
-  info.doc = "Light from infinity. None: black.";
   for (const BuiltinEnvironment& e : builtin_environments()) {
     info.options.emplace_back(e.name);
     info.option_labels.emplace_back(e.label);
@@ -84,14 +77,37 @@ DocumentParameter environment_choice(const Environment& environment) {
 
 DocumentParameters scene_parameters(const Document& document) {
   const scene::Scene& scene = *document.scene;
-  float duration = 0;
-  for (const auto& animation : scene.animations) duration = std::max(duration, animation->duration);
+  const float duration = scene::animation_duration(scene);
   DocumentParameters list{make_parameter(
       "scene",
       Number<float>{
           "time", "Time", scene.time, {0, std::max(1e4f, duration)}, "Time at which animations are evaluated", "s"},
       [](Document& d, float v) { set_time(d, v); })};
   if (!scene.variants.empty()) list.push_back(variant_choice(scene));
+  return list;
+}
+
+DocumentParameters atmosphere_parameters(const Document& document) {
+  const std::string section = "atmosphere";
+  const scene::Atmosphere& a = document.scene->atmosphere;
+  DocumentParameters list;
+  add_medium_parameters(list, {section, [](scene::Scene& s) -> MediumDescription& { return s.atmosphere.medium; }},
+                        a.medium);
+  list.push_back(make_parameter(section,
+                                Number<float>{"radius",
+                                              "Radius",
+                                              std::min(a.radius, kLargestLength),
+                                              {1e-3f, kLargestLength},
+                                              "Extent of the medium around the centre of the scene; beyond is a vacuum. "
+                                              "The largest value stands for no bound, which light from infinity does "
+                                              "not pass",
+                                              "m",
+                                              Scale::logarithmic},
+                                [](Document& d, float v) {
+                                  edit_scene(d, [&](scene::Scene& s) {
+                                    s.atmosphere.radius = v >= kLargestLength ? kInfinity : v;
+                                  });
+                                }));
   return list;
 }
 
@@ -104,11 +120,11 @@ DocumentParameters environment_parameters(const Document& document) {
   DocumentParameters list{environment_choice(e)};
   add_triple(list, section,
              {.names = {"tint.r", "tint.g", "tint.b"},
-              .label = "Radiance",
+              .label = "Luminance",
               .value = Vec3(e.tint.r, e.tint.g, e.tint.b),
               .range = {0, 1e6f},
-              .doc = "Constant radiance of the environment, or a factor on its map",
-              .unit = "W/(m\u00b2 sr)"},
+              .doc = "Constant luminance of the environment, or a factor on its map",
+              .unit = "cd/m\u00b2"},
              [](Document& d, int c, float v) { edit_scene(d, [&](scene::Scene& s) { s.environment.tint[c] = v; }); });
   list.push_back(make_parameter(section,
                                 Number<float>{"rotation",

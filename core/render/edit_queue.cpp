@@ -5,9 +5,15 @@
 namespace etendue::render {
 namespace {
 
+// Whether two cameras have the same rays. The focus distance of a pinhole does not matter.
+bool same_rays(const Camera& a, Camera b) {
+  if (a.lens_radius <= 0 && b.lens_radius <= 0) b.focus_distance = a.focus_distance;
+  return a == b;
+}
+
 // Whether samples of one document are samples of the other. Limits and display settings do not matter.
 bool same_light(const Document& a, const Document& b) {
-  return a.scene == b.scene && a.camera == b.camera && a.width == b.width && a.height == b.height &&
+  return a.scene == b.scene && same_rays(a.camera, b.camera) && a.width == b.width && a.height == b.height &&
          a.filter == b.filter && a.fireflies == b.fireflies && a.method == b.method &&
          a.forced_flags == b.forced_flags && a.seed == b.seed;
 }

@@ -7,27 +7,50 @@
 namespace etendue::render {
 
 void ErrorMonitor::reset(bool independent) {
+  independent_ = independent;
   error_ = {};
+  measured_ = {};
   error_samples_ = 0;
   estimator_ = TimeEstimator(independent);
   reliability_ = nullptr;
   reliability_samples_ = 0;
 }
 
+void ErrorMonitor::set_measure(film::ErrorMeasure measure, const film::DisplayTransform& display) {
+  const bool depends_on_display = measure == film::ErrorMeasure::displayed;
+  const bool changed = measure != measure_ || (depends_on_display && display != display_);
+  measure_ = measure;
+  display_ = display;
+  if (!changed) return;
+  measured_ = {};
+  error_samples_ = 0;
+  estimator_ = TimeEstimator(independent_);
+}
+
 bool ErrorMonitor::is_error_due(uint32_t samples) const {
-  return samples >= 2 && samples >= error_samples_ + std::max(1u, error_samples_ / 8);
+  const uint32_t divisor = measure_ == film::ErrorMeasure::relative ? 4 : 8;
+  return samples >= 2 && samples >= error_samples_ + std::max(1u, error_samples_ / divisor);
 }
 
 void ErrorMonitor::measure_error(const film::Film& film, uint32_t samples, double seconds,
                                  const std::function<bool()>& keep_going) {
+  const film::RangeRunner run = [&](int count, const std::function<void(int, int)>& task) {
+    return workers_.run_ranges(count, task, keep_going);
+  };
   std::vector<film::RowError> rows(static_cast<size_t>(film.height()));
   const auto measure_rows = [&](int first, int end) {
     for (int y = first; y < end; ++y) rows[static_cast<size_t>(y)] = film.error_of_row(y);
   };
-  if (!workers_.run_ranges(film.height(), measure_rows, keep_going)) return;
-  error_ = film.error(rows);
+  if (!run(film.height(), measure_rows)) return;
+  const film::ErrorEstimate error = film.error(rows);
+  const film::MeasuredError measured = measure_ == film::ErrorMeasure::rmse
+                                           ? film::measured_rmse(error)
+                                           : film::measured_error(film, measure_, display_, run);
+  if (error.known && !measured.known) return;  // interrupted
+  error_ = error;
+  measured_ = measured;
   error_samples_ = samples;
-  estimator_.add(samples, seconds, error_);
+  estimator_.add(samples, seconds, measured_);
 }
 
 bool ErrorMonitor::is_reliability_due(uint32_t samples) const {

@@ -13,7 +13,8 @@ std::string incompatibility(const Document& document, const scene::CompiledScene
   // The scene outlives this call, so the pointer need not own it.
   const std::shared_ptr<const scene::CompiledScene> unowned(std::shared_ptr<const void>(), &scene);
   const PreparedDocument prepared(document, unowned);
-  const std::string reason = prepared.integrator().incompatibility(prepared.context());
+  std::string reason = prepared.refusal();
+  if (reason.empty()) reason = prepared.integrator().incompatibility(prepared.context());
   return reason.empty() ? "" : info.name + ": " + reason;
 }
 

@@ -91,7 +91,7 @@ class Meter {
   Session session_;
 };
 
-// The flux that an instance emits, in W.
+// The flux that an instance emits, in lm.
 Rgb flux_of(const scene::CompiledScene& scene, uint32_t instance) {
   Rgb flux(0);
   for (const AreaLightTriangle& t : scene.lights().triangles())

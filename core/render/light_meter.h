@@ -32,9 +32,9 @@ struct MeterReading {
 
 struct MeterReadings {
   MeterPoint point;
-  MeterReading radiance;    // W/(m^2 sr), from the point to the camera
-  MeterReading irradiance;  // W/m^2, at the point, on the side of the camera
-  // W, emitted by the object at the point. For textured emission this uses the mean radiance.
+  MeterReading radiance;    // luminance in cd/m^2, from the point to the camera
+  MeterReading irradiance;  // illuminance in lx, at the point, on the side of the camera
+  // lm, emitted by the object at the point. For textured emission this uses the mean radiance.
   Rgb emitted_flux{0};
   uint32_t samples = 0;  // per pixel, of 64 pixels
 };

@@ -26,8 +26,8 @@ double progress_to_limit(const Limits& limits, const SamplingState& state) {
   if (limits.samples > 0) progress = std::max(progress, static_cast<double>(state.samples) / limits.samples);
   if (limits.seconds > 0) progress = std::max(progress, state.seconds / limits.seconds);
   // The error falls about as the square root of the number of samples.
-  if (limits.rmse > 0 && state.error.known)
-    progress = std::max(progress, sqr(limits.rmse / std::max(state.error.rmse, 1e-30)));
+  if (limits.error > 0 && state.error.known)
+    progress = std::max(progress, sqr(limits.error / std::max(state.error.value, 1e-30)));
   return std::min(progress, 1.0);
 }
 
@@ -39,7 +39,7 @@ std::optional<Prediction> time_to_limit(const Limits& limits, const SamplingStat
   if (limits.samples > 0 && state.samples > 0)
     consider(certain(state.seconds / state.samples * (static_cast<double>(limits.samples) - state.samples)));
   if (limits.seconds > 0) consider(certain(limits.seconds - state.seconds));
-  if (limits.rmse > 0) consider(state.estimator.time_to(limits.rmse, state.seconds));
+  if (limits.error > 0) consider(state.estimator.time_to(limits.error, state.seconds));
   return nearest;
 }
 

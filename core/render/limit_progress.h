@@ -11,7 +11,7 @@ namespace etendue::render {
 struct SamplingState {
   uint32_t samples = 0;  // per pixel
   double seconds = 0;    // of rendering
-  const film::ErrorEstimate& error;
+  const film::MeasuredError& error;  // in the measure of the limits
   const TimeEstimator& estimator;
 };
 

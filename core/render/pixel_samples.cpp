@@ -22,7 +22,7 @@ PixelSamples::PixelSamples(const Document& document, std::shared_ptr<const scene
 
 bool PixelSamples::draw(uint32_t first, uint32_t replication, std::span<Rgb> samples,
                         const std::function<bool()>& keep_going) {
-  const auto state = prepared_.integrator().begin(prepared_.context(seed_of(prepared_.seed(), replication)), nullptr);
+  const auto state = prepared_.begin(prepared_.context(seed_of(prepared_.seed(), replication)));
   for (size_t i = 0; i < samples.size(); ++i) {
     const uint32_t sample = first + static_cast<uint32_t>(i);
     prepared_.prepare_sampler(sample / film::kHalfBuffers);

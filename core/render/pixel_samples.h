@@ -23,7 +23,7 @@ class PixelSamples {
   // The pixel must lie within the image, and the document be supported.
   PixelSamples(const Document& document, std::shared_ptr<const scene::CompiledScene> scene, Vec2i pixel);
 
-  // Computes the radiance of samples first, first + 1, ... in W/(m^2 sr). Invalid samples are zero, as in a film.
+  // Computes the radiance of samples first, first + 1, ... in cd/m^2. Invalid samples are zero, as in a film.
   // Replication 0 is that of the rendering; the others are independent repetitions with other seeds. False if it was
   // cancelled because `keep_going` returned false.
   bool draw(

@@ -37,7 +37,7 @@ Result<PixelTrace> trace_pixel(const Document& document, std::shared_ptr<const s
                        std::to_string(document.height) + " pixels");
   PreparedDocument prepared(document, scene);
   prepared.prepare_sampler(sample / film::kHalfBuffers);
-  const auto state = prepared.integrator().begin(prepared.context(), nullptr);
+  const auto state = prepared.begin(prepared.context());
   const auto block = integrator::block_containing(pixel.x, pixel.y, document.width, document.height, sample);
   std::array<Rgb, integrator::PixelBlock::kMostPixels> radiance;
   transport::PathRecorder recorder(pixel);

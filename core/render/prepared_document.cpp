@@ -1,6 +1,38 @@
 #include "render/prepared_document.h"
 
+#include <algorithm>
+
 namespace etendue::render {
+namespace {
+
+// Renders a black image.
+class BlackImage final : public integrator::RenderState {
+ public:
+  std::optional<uint64_t> sample(const integrator::PixelBlock&, std::span<Rgb> radiance,
+                                 const integrator::TaskContext&) override {
+    std::ranges::fill(radiance, Rgb(0));
+    return 0;
+  }
+};
+
+std::string integrators_with_scattering_media() {
+  std::string names;
+  for (const auto& info : integrator::integrator_infos())
+    if (info.scattering_media) names += (names.empty() ? "" : ", ") + info.name;
+  return names;
+}
+
+// Why the integrator cannot render the scene; empty if it can.
+std::string refusal_of(const std::string& integrator, const transport::Model& model) {
+  if (!model.scattering || integrator::find_integrator(integrator)->scattering_media) return {};
+  for (const transport::Decision& decision : model.decisions)
+    if (decision.flag == "media")
+      return "it does not support scattering media (" + decision.reason +
+             "), so the image will be black: use an integrator that does (" + integrators_with_scattering_media() + ")";
+  return {};
+}
+
+}  // namespace
 
 std::unique_ptr<Sampler> sampler_of(const Document& document) {
   const std::string& name = document.method.sampler;
@@ -17,12 +49,19 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
       sampler_(sampler_of(document)),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),
+      refusal_(refusal_of(document.method.integrator, model_)),
       accumulation_(integrator::find_integrator(document.method.integrator)->accumulation),
       camera_(document.camera, width, height, scene_->camera_motion()),
       filter_(document.filter),
       seed_(document.seed),
       width_(width),
       height_(height) {}
+
+std::unique_ptr<integrator::RenderState> PreparedDocument::begin(const integrator::RenderContext& context,
+                                                                 const integrator::RenderState* previous) const {
+  if (!refusal_.empty()) return std::make_unique<BlackImage>();
+  return integrator_->begin(context, previous);
+}
 
 integrator::RenderContext PreparedDocument::context(uint64_t seed) const {
   return {.scene = scene_.get(),

@@ -33,6 +33,12 @@ class PreparedDocument {
   const integrator::Integrator& integrator() const { return *integrator_; }
   integrator::Accumulation accumulation() const { return accumulation_; }
 
+  // Begins a rendering in this context. If the integrator does not support the scene, the image is black.
+  std::unique_ptr<integrator::RenderState> begin(const integrator::RenderContext& context,
+                                                 const integrator::RenderState* previous = nullptr) const;
+  // Why the integrator does not support the scene; empty if it does.
+  const std::string& refusal() const { return refusal_; }
+
   // The context of a rendering with the document's seed, or with another one. It is valid as long as this object.
   integrator::RenderContext context() const { return context(seed_); }
   integrator::RenderContext context(uint64_t seed) const;
@@ -46,6 +52,7 @@ class PreparedDocument {
   transport::Model model_;
   std::unique_ptr<Sampler> sampler_;
   std::unique_ptr<integrator::Integrator> integrator_;
+  std::string refusal_;
   integrator::Accumulation accumulation_;
   CameraRays camera_;
   film::Filter filter_;

@@ -47,6 +47,7 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   if (start) renderer_->begin(film_.film(), start->integrator_state);
   samples_ = renderer_->samples();
   error_monitor_.reset(find_sampler(document_.method.sampler)->independent);
+  error_monitor_.set_measure(document_.limits.measure, document_.display.transform());
 
   if (interactive_ && samples_ == 0)
     preview_resolution_.begin(pixel_count(), preview_seconds);
@@ -57,6 +58,11 @@ void ProgressiveRender::begin(Document document, std::shared_ptr<const scene::Co
   paths_in_frame_ = 0;
   samples_in_frame_ = 0;
   phase_ = nullptr;
+}
+
+void ProgressiveRender::set_document(const Document& document) {
+  document_ = document;
+  error_monitor_.set_measure(document_.limits.measure, document_.display.transform());
 }
 
 std::shared_ptr<Frame> ProgressiveRender::render_preview(const std::function<void(const Renderer&)>& on_progress) {
@@ -127,10 +133,10 @@ bool ProgressiveRender::clear_film() {
 bool ProgressiveRender::limit_reached(double seconds) {
   const Limits& limits = document_.limits;
   if (sample_or_time_limit_reached(limits, samples_, seconds)) return true;
-  if (limits.rmse <= 0) return false;
+  if (limits.error <= 0) return false;
   if (error_monitor_.is_error_due(samples_)) error_monitor_.measure_error(film_.film(), samples_, seconds, keep_going_);
-  const film::ErrorEstimate& error = error_monitor_.error();
-  return error.known && error.rmse <= limits.rmse;
+  const film::MeasuredError& error = error_monitor_.measured();
+  return error.known && error.value <= limits.error;
 }
 
 bool ProgressiveRender::update_statistics() {
@@ -166,7 +172,7 @@ void ProgressiveRender::write_initial_status(Status& status) const {
 void ProgressiveRender::write_status(Status& status, bool finished) {
   const SamplingState state{.samples = samples_,
                             .seconds = seconds_,
-                            .error = error_monitor_.error(),
+                            .error = error_monitor_.measured(),
                             .estimator = error_monitor_.estimator()};
   const auto per_second = [&](uint64_t count) { return seconds_ > 0 ? static_cast<double>(count) / seconds_ : 0; };
   status.samples = samples_;
@@ -176,6 +182,8 @@ void ProgressiveRender::write_status(Status& status, bool finished) {
   status.rays_per_second = per_second(status.rays);
   status.paths_per_second = per_second(status.paths);
   status.error = error_monitor_.error();
+  status.measure = document_.limits.measure;
+  status.measured_error = error_monitor_.measured();
   status.rejected = film_.film().invalid_samples();
   status.statistics = renderer_->statistics();
   status.reliability = status.error.known ? error_monitor_.reliability() : nullptr;

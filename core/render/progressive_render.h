@@ -28,7 +28,7 @@ class ProgressiveRender {
   bool has_begun() const { return renderer_ != nullptr; }
   const transport::Model& model() const { return renderer_->model(); }
   // Replaces the document by one whose samples are the same.
-  void set_document(const Document& document) { document_ = document; }
+  void set_document(const Document& document);
 
   // Whether the edit has no frame yet.
   bool awaits_first_frame() const { return awaits_first_frame_; }
@@ -83,7 +83,7 @@ class ProgressiveRender {
 
   PreviewResolution preview_resolution_;
   bool awaits_first_frame_ = false;
-  std::shared_ptr<const Frame> preview_;  // shown where the film has no samples yet
+  std::shared_ptr<const Preview> preview_;  // shown where the film has no samples yet
   uint64_t paths_in_frame_ = 0;           // paths and samples that the last frame was made of
   uint32_t samples_in_frame_ = 0;
 

@@ -24,7 +24,7 @@ Renderer::Renderer(const Document& document, std::shared_ptr<const scene::Compil
       height_(height),
       adaptive_(prepared_.accumulation() == integrator::Accumulation::per_pixel ? document.method.adaptive
                                                                                 : Adaptive::off),
-      state_(prepared_.integrator().begin(prepared_.context(), previous ? previous->state_.get() : nullptr)),
+      state_(prepared_.begin(prepared_.context(), previous ? previous->state_.get() : nullptr)),
       splat_image_(width, height) {}
 
 size_t Renderer::memory() const { return state_->memory() + splat_image_.memory(); }

@@ -35,6 +35,8 @@ struct Status {
   uint64_t rays = 0, paths = 0;
   double rays_per_second = 0, paths_per_second = 0;
   film::ErrorEstimate error;
+  film::ErrorMeasure measure = film::ErrorMeasure::rmse;  // of the document's limits
+  film::MeasuredError measured_error;                     // in this measure
   film::InvalidSamples rejected;
   std::shared_ptr<const Reliability> reliability;  // of the error, at its last measurement; null before the first
   std::vector<integrator::Statistic> statistics;   // reported by the integrator

@@ -20,18 +20,18 @@ constexpr double k95 = 1.96, k80 = 1.28;
 
 }  // namespace
 
-void TimeEstimator::add(uint32_t samples, double seconds, const film::ErrorEstimate& error) {
-  if (!error.known || !(error.rmse_interval.low > 0)) return;
+void TimeEstimator::add(uint32_t samples, double seconds, const film::MeasuredError& error) {
+  if (!error.known || !(error.interval.low > 0)) return;
   // The interval states how uncertain the error of this image is, `scatter` how much the errors of other images of the
   // same kind differ. With few bright pixels the first is small and the second large.
   const double log_error =
-      std::max(std::log(error.rmse_interval.high / error.rmse_interval.low) / (2 * k95), error.rmse_variation);
+      std::max(std::log(error.interval.high / error.interval.low) / (2 * k95), error.variation);
   // Errors of nearly the same samples are strongly correlated, so only one of them is kept.
   const size_t n = history_.size();
   if (n >= 2 && samples < 2 * history_[n - 2].samples) history_.pop_back();
   history_.push_back({.samples = static_cast<double>(samples),
                       .seconds = seconds,
-                      .log_rmse = std::log(error.rmse),
+                      .log_value = std::log(error.value),
                       .error = log_error});
 }
 
@@ -43,7 +43,7 @@ TimeEstimator::Line TimeEstimator::fit_line() const {
     const double weight = 1 / (sqr(p.error) + sqr(kLineDeviation));
     weights += weight;
     x += weight * std::log(p.samples);
-    y += weight * p.log_rmse;
+    y += weight * p.log_value;
   }
   x /= weights;
   y /= weights;
@@ -51,7 +51,7 @@ TimeEstimator::Line TimeEstimator::fit_line() const {
     const double weight = 1 / (sqr(p.error) + sqr(kLineDeviation));
     const double dx = std::log(p.samples) - x;
     xx += weight * dx * dx;
-    xy += weight * dx * (p.log_rmse - y);
+    xy += weight * dx * (p.log_value - y);
   }
   const double prior_weight = 1 / sqr(prior().error);
   const double s = (prior().value * prior_weight - xy) / (xx + prior_weight);
@@ -66,7 +66,7 @@ TimeEstimator::Exponent TimeEstimator::exponent() const { return history_.empty(
 std::optional<Prediction> TimeEstimator::time_to(double target, double seconds) const {
   if (history_.empty()) return {};
   const Point& last = history_.back();
-  if (last.log_rmse <= std::log(target)) return Prediction{};
+  if (last.log_value <= std::log(target)) return Prediction{};
   const Line line = fit_line();
   const double s = line.exponent.value;
   // Logarithms of the sample count at the target: relative to the middle of the line, and to the last measurement.

@@ -44,13 +44,14 @@ inline constexpr int kChoice = 5;     // 1: selection of the light
 inline constexpr int kLens = 6;       // 2: lens point for the connection of the light to the camera
 }  // namespace emission_dimension
 
-// Layout of block 1 + k, which belongs to path vertex k (0 is the first hit). One dimension is unused.
+// Layout of block 1 + k, which belongs to path vertex k (0 is the first hit).
 namespace vertex_dimension {
 inline constexpr int kBsdfDirection = 0;  // 2
 inline constexpr int kLightPoint = 2;     // 2; in light paths the lens point for the connection to the camera
 inline constexpr int kLightChoice = 4;    // 1
 inline constexpr int kBsdfLobe = 5;       // 1
 inline constexpr int kRoulette = 6;       // 1
+inline constexpr int kFreeFlight = 7;     // 1: distance to a collision in a medium, on the segment that ends at the vertex
 }  // namespace vertex_dimension
 
 // One block of many paths: values[k][i] is dimension k of path i.

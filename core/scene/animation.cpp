@@ -1,5 +1,7 @@
 #include "scene/animation.h"
 
+#include <algorithm>
+
 namespace etendue::scene {
 namespace {
 
@@ -52,6 +54,12 @@ void sample_channel(const AnimationChannel& channel, float time, std::span<float
     const float length = glm::length(q);
     for (size_t c = 0; c < 4; ++c) out[c] = length > 0 ? out[c] / length : (c == 3 ? 1.0f : 0.0f);
   }
+}
+
+float animation_duration(const Scene& scene) {
+  float duration = 0;
+  for (const auto& animation : scene.animations) duration = std::max(duration, animation->duration);
+  return duration;
 }
 
 }  // namespace etendue::scene

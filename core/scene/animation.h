@@ -10,4 +10,7 @@ namespace etendue::scene {
 // constant. Rotations use spherical linear interpolation and are unit quaternions (x y z w).
 void sample_channel(const AnimationChannel& channel, float time, std::span<float> out);
 
+// The duration in seconds of the longest animation of a scene; 0 if it has none.
+float animation_duration(const Scene& scene);
+
 }  // namespace etendue::scene

@@ -1,5 +1,9 @@
 #include "scene/solids.h"
 
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
 #include "scene/facet.h"
 
 namespace etendue::scene {
@@ -9,12 +13,29 @@ namespace {
 constexpr float kPerfectMirrorIor = 1e4f;
 
 float inner_index(const Material& m) {
+  if (m.boundary_only) return 1;
   if (m.model) return m.model->index_of_refraction();
   return m.ior == 0 ? kPerfectMirrorIor : m.ior;
 }
 
 bool is_solid(const InstanceData& instance, const SurfaceMaterial& material) {
   return !instance.round && material.description.is_solid() && !material.description.unlit;
+}
+
+// Absorption that corresponds to KHR_materials_volume, 1/m. Colours are bounded below, so that it stays finite.
+Rgb absorption_of_attenuation(const Material& m) {
+  constexpr float kDarkest = 1e-30f;
+  Rgb absorption(0);
+  for (int c = 0; c < 3; ++c)
+    if (std::isfinite(m.attenuation_distance))
+      absorption[c] = -std::log(std::clamp(m.attenuation_color[c], kDarkest, 1.0f)) / m.attenuation_distance;
+  return absorption;
+}
+
+HomogeneousMedium medium_inside(const Material& m) {
+  HomogeneousMedium medium(m.medium);
+  medium.extinction += absorption_of_attenuation(m);
+  return medium;
 }
 
 // Whether stochastic opacity may let rays pass the surface.
@@ -99,16 +120,26 @@ void count_boundary(std::vector<BoundaryCount>& counts, uint32_t solid, const Hi
 
 }  // namespace
 
+Rgb Solid::transmittance_of_medium(float distance) const {
+  if (medium.scatters()) return medium.transmittance(distance);
+  HomogeneousMedium absorbing;
+  absorbing.extinction = absorption;
+  const Rgb own = absorbing.transmittance(distance);
+  return std::isfinite(attenuation_distance) ? own * attenuation(distance) : own;
+}
+
 Solids::Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
-               std::shared_ptr<const Accel> accel)
-    : accel_(std::move(accel)) {
+               std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere)
+    : accel_(std::move(accel)), atmosphere_(std::move(atmosphere)), scatters_(atmosphere_ != nullptr) {
   assign_priorities(instances, materials);
 }
 
 void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials) {
-  constexpr auto same_inside = [](const Solid& a, const Solid& b) {
+  const auto same_inside = [&](const Solid& a, const Solid& b) {
     return a.eta == b.eta && a.attenuation_color == b.attenuation_color &&
-           a.attenuation_distance == b.attenuation_distance;
+           a.attenuation_distance == b.attenuation_distance && a.has_surface == b.has_surface &&
+           a.priority == b.priority &&
+           materials[a.material].description.medium == materials[b.material].description.medium;
   };
   std::vector<Solid> all;
   for (InstanceData& instance : instances) {
@@ -121,6 +152,10 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     inside.absorbs = material.absorbs_inside;
     inside.attenuation_color = material.description.attenuation_color;
     inside.attenuation_distance = material.description.attenuation_distance;
+    inside.absorption = material.description.medium.absorption;
+    if (material.description.medium.scatters()) inside.medium = medium_inside(material.description);
+    inside.has_surface = !material.description.boundary_only || material.is_emissive;
+    inside.priority = material.description.medium_priority;
     // The primitives of a node are adjacent.
     size_t at = all.size();
     for (size_t i = all.size(); i > 0 && all[i - 1].node == instance.node; --i)
@@ -141,17 +176,20 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
   find_overlaps();
   std::swap(all, solids_);
 
-  // Solids that neither absorb nor may overlap are left out.
   std::vector<uint32_t> order;
   for (uint32_t i = 0; i < all.size(); ++i)
-    if (all[i].absorbs || all[i].may_overlap) order.push_back(i);
-  std::ranges::stable_sort(
-      order, [&](uint32_t a, uint32_t b) { return surface_area(all[a].bounds) < surface_area(all[b].bounds); });
+    if (all[i].absorbs || all[i].may_overlap || !all[i].has_surface || atmosphere_) order.push_back(i);
+  std::ranges::stable_sort(order, [&](uint32_t a, uint32_t b) {
+    const auto key = [](const Solid& s) { return std::tuple(-s.priority, !s.has_surface, surface_area(s.bounds)); };
+    return key(all[a]) < key(all[b]);
+  });
   std::vector<uint32_t> numbers(all.size(), kNoSolid);
   for (const uint32_t i : order) {
     numbers[i] = static_cast<uint32_t>(solids_.size());
     solids_.push_back(all[i]);
     any_has_alpha_ = any_has_alpha_ || all[i].has_alpha;
+    any_without_surface_ = any_without_surface_ || !all[i].has_surface;
+    scatters_ = scatters_ || all[i].medium.scatters();
     if (all[i].may_overlap) may_overlap_ = true, offset_ = std::max(offset_, all[i].offset);
   }
   for (InstanceData& instance : instances)
@@ -211,12 +249,15 @@ bool Solids::find_interface(const std::vector<InstanceData>& instances, const Me
   const uint32_t hit_solid = instances[hit.instance].solid;
   interface.clear(stack);
   interface.add_boundary(hit_solid, true);
-  if (!solids_[hit_solid].may_overlap) return true;
+  if (!solids_[hit_solid].may_overlap) return solids_[hit_solid].has_surface;
   add_coincident(instances, time, hit, interface);
-  bool is_emissive = false;
-  for (size_t i = 0; i < interface.count; ++i)
-    is_emissive = is_emissive || solids_[interface.boundaries[i]].is_emissive;
-  return is_emissive || interface.top(true) != interface.top(false);
+  bool is_emissive = false, has_surface = false;
+  for (size_t i = 0; i < interface.count; ++i) {
+    const Solid& solid = solids_[interface.boundaries[i]];
+    is_emissive = is_emissive || solid.is_emissive;
+    has_surface = has_surface || solid.has_surface;
+  }
+  return is_emissive || (has_surface && interface.top(true) != interface.top(false));
 }
 
 // Finds boundaries within rounding errors of the hit by a short ray across the surface. Opposite boundaries of one
@@ -250,7 +291,8 @@ void Solids::add_coincident(const std::vector<InstanceData>& instances, float ti
 
   std::ranges::sort(counts, {}, &BoundaryCount::solid);
   const auto precedes = [&](uint32_t a, uint32_t b) {
-    return std::pair(!solids_[a].is_emissive, a) < std::pair(!solids_[b].is_emissive, b);
+    const auto key = [&](uint32_t i) { return std::tuple(!solids_[i].is_emissive, !solids_[i].has_surface, i); };
+    return key(a) < key(b);
   };
   uint32_t chosen = hit_solid;
   bool flipped = false;

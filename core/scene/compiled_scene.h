@@ -56,6 +56,8 @@ struct SurfacePoint {
   // The media on both sides, null for a vacuum. Set only by transport models with media.
   const Solid* outside = nullptr;
   const Solid* inside = nullptr;
+  // The point lies in a scattering medium, not on a surface. It has no instance; its geometric normal is arbitrary.
+  bool in_volume = false;
 
   // Emitted radiance towards `direction`, relative to the radiance along the normal.
   float beam(const Vec3& direction) const {
@@ -138,6 +140,8 @@ class CompiledScene final : public OpacityTest {
   const LightTable& lights() const { return *lights_; }
   // Empty if paths need no medium state.
   const Solids& solids() const { return *solids_; }
+  // Whether light can be scattered between surfaces.
+  bool scatters() const { return solids_->scatters(); }
   // See Solids::find_interface.
   bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& interface) const {
     return solids_->find_interface(*instances_, stack, time, hit, interface);

@@ -264,6 +264,7 @@ class Compiler {
   // Solids depend on the positions of their boundaries and on some parameters of their materials.
   bool same_solids() const {
     if (!previous_ || result_->report_.top_level_built) return false;
+    if (!(scene_->atmosphere == previous_->description().atmosphere)) return false;
     if (!result_->report_.materials_built) return true;
     const std::vector<SurfaceMaterial>&a = *result_->materials_, &b = *previous_->materials_;
     return std::ranges::equal(a, b, [](const SurfaceMaterial& x, const SurfaceMaterial& y) {
@@ -271,9 +272,20 @@ class Compiler {
       return m.is_solid() == n.is_solid() &&
              (!m.is_solid() || (m.model == n.model && m.ior == n.ior && m.unlit == n.unlit && m.alpha == n.alpha &&
                                 m.attenuation_color == n.attenuation_color &&
-                                m.attenuation_distance == n.attenuation_distance && x.is_emissive == y.is_emissive &&
+                                m.attenuation_distance == n.attenuation_distance && m.medium == n.medium &&
+                                m.boundary_only == n.boundary_only && m.medium_priority == n.medium_priority &&
+                                x.is_emissive == y.is_emissive &&
                                 x.has_alpha == y.has_alpha && bool{x.base_color} == bool{y.base_color}));
     });
+  }
+
+  std::shared_ptr<const AtmosphereMedium> atmosphere() const {
+    const Atmosphere& from = scene_->atmosphere;
+    if (from.medium.is_clear()) return nullptr;
+    AtmosphereMedium made{HomogeneousMedium(from.medium), Vec3(0), from.radius};
+    const Bounds& bounds = result_->bounds_;
+    if (bounds.min.x <= bounds.max.x) made.centre = 0.5f * (bounds.min + bounds.max);
+    return std::make_shared<const AtmosphereMedium>(std::move(made));
   }
 
   void solids() {
@@ -281,14 +293,15 @@ class Compiler {
       result_->solids_ = previous_->solids_;
       return;
     }
-    if (std::ranges::none_of(*result_->instances_, [&](const InstanceData& i) {
+    const auto atmosphere = this->atmosphere();
+    if (!atmosphere && std::ranges::none_of(*result_->instances_, [&](const InstanceData& i) {
           return i.solid != kNoSolid || (*result_->materials_)[i.material].description.is_solid();
         })) {
       result_->solids_ = std::make_shared<Solids>();
       return;
     }
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
-    result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_);
+    result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_, atmosphere);
     result_->instances_ = std::move(instances);
   }
 

@@ -14,6 +14,7 @@
 #include "geometry/mesh.h"
 #include "light/light.h"
 #include "material/material.h"
+#include "medium/medium.h"
 
 namespace etendue::scene {
 
@@ -96,6 +97,15 @@ struct Animation {
   float duration = 0;
 };
 
+// The medium around all solids, in a sphere about the centre of the scene's bounds. Outside of the sphere is a vacuum.
+// Light from infinity passes an unbounded medium only in colours that it does not attenuate.
+struct Atmosphere {
+  MediumDescription medium;
+  float radius = kInfinity;  // metres
+
+  friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
+};
+
 struct Scene {
   std::string name;
   std::string file;  // path; empty for a built-in scene
@@ -110,6 +120,7 @@ struct Scene {
   std::vector<std::shared_ptr<const Skin>> skins;
   std::vector<std::shared_ptr<const Animation>> animations;
   Environment environment;
+  Atmosphere atmosphere;
   float time = 0;                     // of animations, seconds
   std::vector<std::string> variants;  // names
   int variant = -1;                   // the selected one (scene/variants.h); -1 is none
@@ -118,6 +129,9 @@ struct Scene {
   std::vector<std::string> unsupported;  // extensions that the file uses and that are ignored
   std::vector<std::string> warnings;     // what was repaired or ignored, one line each
 };
+
+// Whether the atmosphere or a material of the scene scatters light between surfaces.
+bool has_scattering_media(const Scene& scene);
 
 // All cameras of the scene with their positions in the world at the scene's time.
 std::vector<Camera> placed_cameras(const Scene& scene);

@@ -1,11 +1,13 @@
 // Solids: closed regions of one medium, and which of them contain a point.                  [Schmidt and Budge 2002]
 //
-// A solid is the region enclosed by those primitives of one node that have the same index of refraction, attenuation
-// colour and attenuation distance. Thin-walled materials enclose no solid.
+// A solid is the region enclosed by those primitives of one node that have the same index of refraction and the same
+// medium. Thin-walled materials enclose no solid.
 //
-// Solids are numbered by priority. Where solids overlap, the smallest number is the medium. The solid with the smaller
-// bounding box (by surface area) has the smaller number; among equal boxes the order of the file decides.
+// Solids are numbered by priority. Where solids overlap, the smallest number is the medium. A higher
+// Material::medium_priority has a smaller number; among equal ones, solids with a surface precede those that only bound a
+// medium, then the solid with the smaller bounding box (by surface area), then the order of the file.
 //
+// Light passes the boundary of a solid without a surface (Material::boundary_only) without scattering.
 // Light passes a boundary inside a solid of higher priority without scattering, since the medium is the same on both
 // sides. Boundaries of different solids that coincide up to rounding form one interface between the media in front of
 // and behind all of them. Its scattering function is that of the solid with the highest priority.
@@ -20,6 +22,7 @@
 #include "geometry/accel.h"
 #include "geometry/mesh.h"
 #include "material/surface_material.h"
+#include "scene/atmosphere_medium.h"
 #include "scene/medium_stack.h"
 
 namespace etendue::scene {
@@ -32,6 +35,10 @@ struct Solid {
   Rgb attenuation_color{1};
   float attenuation_distance = kInfinity;  // metres
   bool absorbs = false;
+  Rgb absorption{0};         // in addition to the attenuation colour, 1/m
+  HomogeneousMedium medium;  // if it scatters: with the absorption of both
+  bool has_surface = true;   // false: light passes the boundary without scattering
+  int priority = 0;          // Material::medium_priority
   bool may_overlap = false;  // its bounds intersect or touch those of another solid
   bool is_emissive = false;  // light is sampled on its boundary, so every path that reaches it has a vertex there
   bool has_alpha = false;    // rays may pass its boundary by opacity
@@ -44,19 +51,27 @@ struct Solid {
   // Beer's law: the transmittance of a segment of this length in metres.                       [KHR_materials_volume]
   Rgb transmittance(float distance) const {
     if (!absorbs) return Rgb(1);
+    if (medium.scatters() || !is_black(absorption)) return transmittance_of_medium(distance);
+    return attenuation(distance);
+  }
+
+ private:
+  Rgb attenuation(float distance) const {
     const float x = distance / attenuation_distance;
     return {std::pow(attenuation_color.r, x), std::pow(attenuation_color.g, x), std::pow(attenuation_color.b, x)};
   }
+  Rgb transmittance_of_medium(float distance) const;
 };
 
-// The solids of a scene by number. Solids that neither absorb nor touch another one are left out: refraction against a
-// vacuum is exact for them.
+// The solids of a scene by number. Solids that have no medium and touch no other one are left out in a scene without an
+// atmosphere: refraction against a vacuum is exact for them.
 class Solids {
  public:
   Solids() = default;
-  // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances.
+  // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances. `atmosphere` may
+  // be null.
   Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
-         std::shared_ptr<const Accel> accel);
+         std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere = nullptr);
 
   bool empty() const { return solids_.empty(); }
   size_t size() const { return solids_.size(); }
@@ -68,6 +83,12 @@ class Solids {
   bool may_overlap() const { return may_overlap_; }
   // Whether stochastic opacity may let rays into a solid.
   bool any_has_alpha() const { return any_has_alpha_; }
+  // Whether a segment between two vertices may pass from one medium into another.
+  bool segments_may_cross_media() const { return any_has_alpha_ || any_without_surface_; }
+  // The medium around all solids, or null for a vacuum.
+  const AtmosphereMedium* atmosphere() const { return atmosphere_.get(); }
+  // Whether light can be scattered between surfaces.
+  bool scatters() const { return scatters_; }
 
   // The solids that contain a point, except for one of them. Counts the boundaries along two rays in fixed directions.
   // They can disagree if a ray hits an edge or a mesh is open; a third ray decides then.
@@ -88,8 +109,11 @@ class Solids {
 
   std::vector<Solid> solids_;
   std::shared_ptr<const Accel> accel_;
+  std::shared_ptr<const AtmosphereMedium> atmosphere_;
   bool may_overlap_ = false;
   bool any_has_alpha_ = false;
+  bool any_without_surface_ = false;
+  bool scatters_ = false;
   float offset_ = 0;  // the largest offset of solids that may overlap
 };
 

@@ -1,7 +1,9 @@
-// Conversion of radiometric to photometric quantities                              [Lang, sec. 3.4, table 3.2]
+// Units of light, and the conversion between photometric and radiometric quantities      [Lang, sec. 3.4, table 3.2]
 //
-// A photometric quantity is the luminance Y of the radiometric quantity times a luminous efficacy. The efficacy is a
-// property of the whole spectrum, which RGB values do not determine. It is therefore a choice of the user.
+// The numbers of scenes and images are photometric, as in glTF: the luminance Y of a linear RGB value is in cd/m^2, in
+// lx, in cd, or in lm. No computation of light transport depends on this choice, because it is linear. A radiometric
+// quantity is the luminance Y divided by a luminous efficacy. The efficacy is a property of the whole spectrum, which
+// RGB values do not determine. It is therefore a choice of the user.
 #pragma once
 #include <array>
 
@@ -27,19 +29,17 @@ constexpr double lumens_per_watt(Efficacy efficacy) {
   return 683;
 }
 
-// Radiance in W/(m^2 sr) to luminance in cd/m^2, irradiance in W/m^2 to illuminance in lx, power in W to luminous flux
-// in lm, or intensity in W/sr to luminous intensity in cd.
-constexpr double photometric(const Rgb& radiometric, Efficacy efficacy) {
-  return static_cast<double>(luminance(radiometric)) * lumens_per_watt(efficacy);
-}
+// Luminance in cd/m^2 to radiance in W/(m^2 sr), illuminance in lx to irradiance in W/m^2, luminous flux in lm to power
+// in W, or luminous intensity in cd to radiant intensity in W/sr.
+constexpr double radiometric(double photometric, Efficacy efficacy) { return photometric / lumens_per_watt(efficacy); }
 
 }  // namespace etendue
 
 template <>
 struct etendue::Options<etendue::Efficacy> {
   static constexpr std::array<etendue::Option, 4> kOptions{
-      {{"equal-energy", "Equal-energy spectrum, 300-800 nm (146 lm/W)"},
-       {"standard", "Visible white light (179 lm/W)"},
-       {"daylight", "Daylight including infrared (115 lm/W)"},
-       {"maximal", "Monochromatic light of 555 nm (683 lm/W)"}}};
+      {{"equal-energy", "146 lm/W, equal energy"},
+       {"standard", "179 lm/W, white light"},
+       {"daylight", "115 lm/W, daylight"},
+       {"maximal", "683 lm/W, 555 nm"}}};
 };

@@ -50,17 +50,32 @@ Decision decide_surfaces(const CompiledScene& scene, bool forced) {
 // A clear solid that touches no other one refracts against a vacuum, from either side.
 std::string reason_for_media(const CompiledScene& scene) {
   const scene::Solids& solids = scene.solids();
+  if (solids.atmosphere()) return "the scene has an atmosphere";
+  for (uint32_t i = 0; i < solids.size(); ++i)
+    if (solids[i].medium.scatters()) return named(scene.materials()[solids[i].material]) + " scatters inside";
   for (uint32_t i = 0; i < solids.size(); ++i)
     if (solids[i].absorbs) return named(scene.materials()[solids[i].material]) + " absorbs inside";
   for (uint32_t i = 0; i < solids.size(); ++i)
     if (solids[i].may_overlap)
       return "the bounds of " + node_name(scene, solids[i].node) + " intersect those of another solid";
+  for (uint32_t i = 0; i < solids.size(); ++i)
+    if (!solids[i].has_surface) return named(scene.materials()[solids[i].material]) + " is the boundary of a medium only";
   return "no solid absorbs or touches another one";
 }
 
-// Whether the expression excludes any path.
-bool filters(std::string_view paths) {
-  return !paths.empty() && PathExpression::parse_paths(paths)->automaton() != PathExpression::all().automaton();
+// Media between surfaces: none, those of solids, or scattering media.
+Decision decide_media(const CompiledScene& scene, bool forced) {
+  Decision d = decide("media", !scene.solids().empty(), "vacuum", "solids", reason_for_media(scene), forced);
+  if (scene.scatters()) d.value = d.needed = "homogeneous scattering";
+  return d;
+}
+
+// Whether the expression excludes any path of the scene.
+bool filters(std::string_view paths, bool has_scattering_media) {
+  if (paths.empty()) return false;
+  const Automaton& all = PathExpression::all_of(has_scattering_media).automaton();
+  const auto excluded = Automaton::difference(all, PathExpression::parse_paths(paths)->automaton());
+  return !excluded || !excluded->empty();
 }
 
 std::string reason_for_classes(std::string_view paths, bool filtered) {
@@ -93,8 +108,7 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   out.push_back({"colour", "RGB", "RGB", "no material disperses light"});
 
   out.push_back(decide_surfaces(scene, is_forced("surfaces")));
-  out.push_back(
-      decide("media", !scene.solids().empty(), "vacuum", "solids", reason_for_media(scene), is_forced("media")));
+  out.push_back(decide_media(scene, is_forced("media")));
   const auto* clear = find_used(scene, [](const auto& m) { return m.has_alpha; });
   out.push_back({"transparency", clear ? "stochastic" : "opaque", clear ? "stochastic" : "opaque",
                  clear ? named(*clear) + " has an alpha mode" : "no material has an alpha mode"});
@@ -107,7 +121,7 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   out.push_back({"lens", lens ? "thin lens" : "pinhole", lens ? "thin lens" : "pinhole",
                  lens ? "the camera's lens has a radius" : "the camera's lens radius is 0"});
 
-  const bool filtered = filters(paths);
+  const bool filtered = filters(paths, scene.scatters());
   out.push_back(decide("classes", filtered, "all paths", "path classes", reason_for_classes(paths, filtered),
                        is_forced("classes")));
 
@@ -116,7 +130,8 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
   if (model.classes)
     model.paths =
         std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
-  model.media = out[2].value == "solids";
+  model.media = out[2].value != "vacuum";
+  model.scattering = scene.scatters();
   model.diffuse = out[1].value == "diffuse" && !model.media;
   model.wide = out[1].value == "any";
   return model;

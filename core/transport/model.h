@@ -28,6 +28,7 @@ struct Model {
   bool diffuse = false;                         // every surface is Lambertian
   bool wide = false;                            // some surface has rarely used lobes
   bool media = false;                           // paths store the solids that contain them
+  bool scattering = false;                      // light is scattered between surfaces; implies `media`
   bool moving = false;                          // something moves while the shutter is open: paths have times
   bool classes = false;                         // only some path classes count
   std::shared_ptr<const PathExpression> paths;  // the selected paths, if `classes`

@@ -6,28 +6,39 @@
 
 namespace etendue::transport {
 
+// The media between surfaces.
+enum class MediaType : uint8_t {
+  vacuum,      // around every solid
+  solids,      // paths store the solids that contain them, whose media absorb (wavefront/path_media.h)
+  scattering,  // these media and the atmosphere also scatter, at vertices in volumes
+};
+
 // Colour: Rgb; the parameter is reserved for spectral samples. Surfaces: DiffuseOnly, StandardLobes for most glTF
-// files, or AllLobes. Media: vacuum around
-// every solid, or paths that store the solids that contain them (wavefront/path_media.h). Classes: all paths, or those of a path
-// expression (path_expression/class_shares.h).
-template <class ColorType, template <class> class LobeSet, bool media, bool classes>
+// files, or AllLobes. Classes: all paths, or those of a path expression (path_expression/class_shares.h).
+template <class ColorType, template <class> class LobeSet, MediaType media, bool classes>
 struct ModelType {
   using Color = ColorType;
   using Lobes = LobeSet<ColorType>;
   static constexpr bool kDiffuse = std::is_same_v<Lobes, DiffuseOnly<Color>>;
-  static constexpr bool kMedia = media;
+  static constexpr bool kMedia = media != MediaType::vacuum;
+  static constexpr bool kScattering = media == MediaType::scattering;
   static constexpr bool kClasses = classes;
+  // The model of scattering at surfaces.
+  using Surfaces = ModelType<ColorType, LobeSet, kScattering ? MediaType::solids : media, classes>;
 };
 
 template <bool classes>
-using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, false, classes>;
+using DiffuseVacuum = ModelType<Rgb, DiffuseOnly, MediaType::vacuum, classes>;
 template <bool classes>
-using StandardVacuum = ModelType<Rgb, StandardLobes, false, classes>;
+using StandardVacuum = ModelType<Rgb, StandardLobes, MediaType::vacuum, classes>;
 template <bool classes>
-using StandardMedia = ModelType<Rgb, StandardLobes, true, classes>;
+using StandardMedia = ModelType<Rgb, StandardLobes, MediaType::solids, classes>;
 // Used by all scenes with rare lobes, including those without media.
 template <bool classes>
-using AnyMedia = ModelType<Rgb, AllLobes, true, classes>;
+using AnyMedia = ModelType<Rgb, AllLobes, MediaType::solids, classes>;
+// Used by all scenes with scattering media, by integrators that support them.
+template <bool classes>
+using ScatteringMedia = ModelType<Rgb, AllLobes, MediaType::scattering, classes>;
 
 template <bool classes, class F>
 decltype(auto) with_surfaces(const Model& model, F& f) {
@@ -44,6 +55,14 @@ template <class F>
 decltype(auto) with_model(const Model& model, F&& f) {
   if (model.classes) return with_surfaces<true>(model, f);
   return with_surfaces<false>(model, f);
+}
+
+// The same for integrators that support scattering media.
+template <class F>
+decltype(auto) with_scattering_model(const Model& model, F&& f) {
+  if (!model.scattering) return with_model(model, f);
+  if (model.classes) return f(ScatteringMedia<true>{});
+  return f(ScatteringMedia<false>{});
 }
 
 }  // namespace etendue::transport

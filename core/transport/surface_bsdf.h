@@ -3,6 +3,7 @@
 #include "bsdf/bsdf.h"
 #include "material/gltf_surface.h"
 #include "scene/compiled_scene.h"
+#include "transport/vertex_bsdf.h"
 
 namespace etendue::transport {
 
@@ -18,6 +19,7 @@ void set_media(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
 // M is a transport model (model_types.h). The BSDF refers to the normals of the point, which must outlive it at the
 // same address.
 template <class M>
+  requires(!M::kScattering)
 void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
   bsdf.reset(point.shading, point.ng);
   if constexpr (std::is_same_v<typename M::Lobes, AllLobes<typename M::Color>>)
@@ -25,6 +27,11 @@ void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
   else
     add_lobes(*point.material, point.texture, bsdf.lobes);
   if constexpr (M::kMedia) set_media(point, bsdf);
+}
+template <class M>
+  requires(M::kScattering)
+void build_bsdf(const scene::SurfacePoint& point, Bsdf<M>& bsdf) {
+  build_bsdf<typename M::Surfaces>(point, bsdf.begin_surface());
 }
 
 }  // namespace etendue::transport

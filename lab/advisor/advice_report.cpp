@@ -41,6 +41,7 @@ json method_json(const Advice& advice) {
          {"reason", advice.reason},
          {"missing_share", advice.misses.share},
          {"missing_rmse", advice.misses.rms},
+         {"missing_error", advice.missing_error},
          {"missing", missing_json(advice.misses)},
          {"seconds", nullptr},
          {"seconds_interval", nullptr},
@@ -52,7 +53,7 @@ json method_json(const Advice& advice) {
   if (advice.pilot_samples > 0)
     j["pilot"] = {{"spp", advice.pilot_samples},
                   {"seconds", advice.pilot_seconds},
-                  {"rmse", advice.pilot_rmse},
+                  {"error", advice.pilot_error},
                   {"exponent", advice.exponent.value},
                   {"exponent_stderr", advice.exponent.error}};
   return j;
@@ -77,6 +78,11 @@ void print_table(std::string& text, const ClassTable& table) {
   text += '\n';
 }
 
+std::string time_heading(const Ranking& ranking) {
+  return std::string("time to ") + film::measure_label(ranking.measure) + " " +
+         error_number(ranking.measure, ranking.target);
+}
+
 std::string time_text(const Advice& advice) {
   if (!advice.time) return "-";
   return seconds_text(advice.time->seconds) + " (" + seconds_text(advice.time->interval.low) + " to " +
@@ -90,6 +96,7 @@ std::string ranking_json(const Ranking& ranking, const std::string& scene) {
   for (const auto& advice : ranking.methods) methods.push_back(method_json(advice));
   return json{{"scene", scene},
               {"target", ranking.target},
+              {"measure", Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(ranking.measure)].name},
               {"table", table_json(ranking.table)},
               {"methods", methods},
               {"beyond_all_methods", ranking.beyond_methods}}
@@ -103,9 +110,9 @@ std::string ranking_text(const Ranking& ranking) {
   size_t widest = 0;
   for (const auto& advice : ranking.methods) widest = std::max(widest, advice.method.name.size());
   const auto column = static_cast<int>(widest);
-  print(text, "\n%-*s  %-26s  %s\n", column, "method", ("time to RMSE " + number(ranking.target)).c_str(), "reason");
+  print(text, "\n%-*s  %-30s  %s\n", column, "method", time_heading(ranking).c_str(), "reason");
   for (const auto& advice : ranking.methods)
-    print(text, "%-*s  %-26s  %s\n", column, advice.method.name.c_str(), time_text(advice).c_str(),
+    print(text, "%-*s  %-30s  %s\n", column, advice.method.name.c_str(), time_text(advice).c_str(),
           advice.reason.c_str());
   return text;
 }

@@ -15,41 +15,53 @@ using integrator::Bias;
 // The fraction of the reported progress assigned to the path class table.
 constexpr double kTableProgress = 0.2;
 
+double missing_error(const MissingPaths& misses, const ClassTable& table, film::ErrorMeasure measure,
+                     const film::DisplayTransform& display) {
+  if (measure == film::ErrorMeasure::rmse) return misses.rms;
+  std::vector<ClassEnergy> energies;
+  for (const MissingPathClass& c : misses.classes) energies.push_back(c.energy);
+  return std::sqrt(measure == film::ErrorMeasure::relative ? relative_square_of(energies, table.total.energy)
+                                                           : displayed_square_of(energies, table.total.energy, display));
+}
+
 // Why a method is not suitable; empty if it is.
-std::string exclusion_reason(const bench::MethodSpec& method, const scene::CompiledScene& scene,
-                             const MissingPaths& misses, double target) {
+std::string exclusion_reason(const Advice& advice, const scene::CompiledScene& scene, const AdviceRequest& request) {
+  const bench::MethodSpec& method = advice.method;
+  const MissingPaths& misses = advice.misses;
   if (std::string incompatibility = render::incompatibility(method.document, scene); !incompatibility.empty())
     return incompatibility;
   const auto& info = *integrator::find_integrator(method.document.method.integrator);
   if (info.bias == Bias::biased) return "biased: more samples do not reduce its error below the bias";
   if (selects_techniques(method.document.method))
     return "its settings disable or isolate sampling techniques: the energy of the missing paths is unknown";
-  if (misses.rms > kNegligible * target)
-    return missing_paths_text(misses) + ": its RMSE stays above " + number(misses.rms) + " for any rendering time";
+  if (advice.missing_error > kNegligible * request.target)
+    return missing_paths_text(misses) + ": its " + film::measure_label(request.measure) + " stays above " +
+           error_number(request.measure, advice.missing_error) + " for any rendering time";
   return {};
 }
 
 Advice advice_of(const bench::MethodSpec& method, const scene::CompiledScene& scene, const ClassTable& table,
-                 double target) {
+                 const AdviceRequest& request) {
   Advice advice;
   advice.method = method;
   advice.misses = missing_paths(declared_paths(method.document, scene), table);
-  advice.reason = exclusion_reason(method, scene, advice.misses, target);
+  advice.missing_error = missing_error(advice.misses, table, request.measure, method.document.display.transform());
+  advice.reason = exclusion_reason(advice, scene, request);
   advice.suitable = advice.reason.empty();
   return advice;
 }
 
-// The RMSE of the noise at which the total error, including missing paths, reaches the target.
+// The error from noise at which the total error, including missing paths, reaches the target.
 double noise_target(const Advice& advice, double target) {
-  return std::sqrt(std::max(0.0, sqr(target) - sqr(advice.misses.rms)));
+  return std::sqrt(std::max(0.0, sqr(target) - sqr(advice.missing_error)));
 }
 
 void apply_pilot(Advice& advice, const Pilot& pilot, const SizeRatio& ratio, double target) {
   advice.pilot_samples = pilot.samples;
   advice.pilot_seconds = pilot.seconds;
-  advice.pilot_rmse = pilot.error.rmse * ratio.rmse;
+  advice.pilot_error = pilot.error.value * ratio.error;
   advice.exponent = pilot.estimator.exponent();
-  advice.time = pilot.time_to(noise_target(advice, target) / ratio.rmse);
+  advice.time = pilot.time_to(noise_target(advice, target) / ratio.error);
   if (!advice.time) return;
   advice.time->seconds *= ratio.seconds;
   advice.time->interval.low *= ratio.seconds;
@@ -95,16 +107,19 @@ std::vector<bench::MethodSpec> candidates(const render::Document& document) {
 }
 
 Ranking advise(render::Session& session, const render::Document& document, const AdviceRequest& request,
-               const bench::Progress& progress, const RankingPublisher& publish) {
+               const bench::Progress& progress, const RankingPublisher& publish, const PlanPublisher& on_plan) {
   Ranking ranking;
   ranking.target = request.target;
+  ranking.measure = request.measure;
   const auto publish_ranking = [&] {
     if (publish) publish(ranking);
   };
   const bench::Progress table_progress = [&](double done, const std::string& what) {
     return progress(kTableProgress * done, what);
   };
-  ranking.table = class_table(session, document, request.table, table_progress, [&](const ClassTable& table) {
+  TableOptions table_options = request.table;
+  if (request.seconds > 0 && table_options.seconds <= 0) table_options.seconds = kTableProgress * request.seconds;
+  ranking.table = class_table(session, document, table_options, table_progress, [&](const ClassTable& table) {
     ranking.table = table;
     publish_ranking();
   });
@@ -116,7 +131,7 @@ Ranking advise(render::Session& session, const render::Document& document, const
 
   std::vector<bench::MethodSpec> suitable;
   for (const auto& method : candidates(document)) {
-    ranking.methods.push_back(advice_of(method, *scene, ranking.table, request.target));
+    ranking.methods.push_back(advice_of(method, *scene, ranking.table, request));
     if (ranking.methods.back().suitable) suitable.push_back(method);
   }
   const bench::Progress pilot_progress = [&](double done, const std::string& what) {
@@ -129,7 +144,15 @@ Ranking advise(render::Session& session, const render::Document& document, const
     rank(ranking);
     publish_ranking();
   };
-  const PilotPlan plan{.seconds = request.pilot_seconds, .target = request.target, .seed = request.seed};
+  double pilot_seconds = request.pilot_seconds;
+  const auto count = static_cast<double>(std::max<size_t>(1, suitable.size()));
+  if (request.seconds > 0)
+    pilot_seconds = std::min(pilot_seconds, std::max(0.0, request.seconds - ranking.table.seconds) / count);
+  if (on_plan) on_plan(suitable.size(), pilot_seconds * count);
+  const PilotPlan plan{.seconds = pilot_seconds,
+                       .target = request.target,
+                       .seed = request.seed,
+                       .measure = request.measure};
   const auto pilots = run_pilots(session, suitable, plan, pilot_progress, update);
   update(pilots);
   ranking.interrupted = pilots.interrupted;

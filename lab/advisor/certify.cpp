@@ -117,8 +117,13 @@ class Certifier {
     if (const auto text = contradiction(image_); !text.empty()) return refute(text);
     for (uint32_t samples = kFirstSamples;; samples *= 2) {
       const bool has_time = render(samples);
+      if (samples == kFirstSamples && options_.on_estimate && !result_.interrupted)
+        options_.on_estimate(seconds_for_samples_of_image());
       if (result_.samples < film::kHalfBuffers) return without_comparison();
-      if (compare_with_truth() || !has_time) return result_;
+      if (compare_with_truth()) return result_;
+      if (has_time) continue;
+      if (!result_.interrupted && !contradicted_) result_.verdict = Verdict::consistent;
+      return result_;
     }
   }
 
@@ -129,11 +134,15 @@ class Certifier {
     return result_;
   }
 
-  // Estimates the needed time from the sample count of the image, which suffices in most cases.
   CertificationResult without_comparison() {
-    const double seconds_per_sample = result_.seconds / std::max(1u, result_.samples);
-    result_.seconds_needed = seconds_per_sample * std::max(kFirstSamples, image_.samples);
+    result_.seconds_needed = seconds_for_samples_of_image();
     return result_;
+  }
+
+  // The time of an independent rendering with the sample count of the image, which suffices in most cases.
+  double seconds_for_samples_of_image() const {
+    const double seconds_per_sample = result_.seconds / std::max(1u, result_.samples);
+    return seconds_per_sample * std::max(kFirstSamples, image_.samples);
   }
 
   // Continues the independent rendering to this sample count; false if the time is used up or it was interrupted.
@@ -160,7 +169,12 @@ class Certifier {
     const double margin = kTrueErrorSigmas * truth.relative.standard_error;
     result_.relmse = {truth.relative.value,
                       {std::max(0.0, truth.relative.value - margin), truth.relative.value + margin}};
-    const auto compared = compare(truth.absolute, *image_.certificate.rmse);
+    Comparison compared = compare(truth.absolute, *image_.certificate.rmse);
+    // With few samples, a few pixels dominate the comparison, and its errors are not normally distributed. A contradiction
+    // has to hold for twice the samples as well.
+    const bool contradicts = compared.verdict == Verdict::refuted;
+    if (contradicts && !contradicted_ && result_.samples < image_.samples) compared = {Verdict::undecided};
+    contradicted_ = contradicts;
     result_.verdict = compared.verdict;
     result_.reasons.clear();
     if (compared.verdict == Verdict::refuted) {
@@ -170,8 +184,11 @@ class Certifier {
                                 interval_text(image_.certificate.rmse->interval));
     }
     find_changed_blocks();
-    // The standard error of the true RMSE falls at least as 1 / sqrt(time).
-    result_.seconds_needed = result_.seconds * sqr(std::max(1.0, compared.precision_factor));
+    // The noise of the comparison is unknown before it is below that of the image. Later, the standard error of the true
+    // RMSE falls at least as 1 / sqrt(time).
+    result_.seconds_needed = result_.samples < image_.samples
+                                 ? seconds_for_samples_of_image()
+                                 : result_.seconds * sqr(std::max(1.0, compared.precision_factor));
     return compared.verdict != Verdict::undecided;
   }
 
@@ -198,6 +215,7 @@ class Certifier {
   const bench::Progress& progress_;
   render::Document document_;
   film::Film film_;
+  bool contradicted_ = false;  // by the last comparison
   CertificationResult result_;
 };
 
@@ -210,7 +228,8 @@ std::span<const float> CertifiedImage::variance() const {
 }
 
 std::string_view verdict_name(Verdict verdict) {
-  return verdict == Verdict::confirmed ? "stands" : verdict == Verdict::refuted ? "does not stand" : "cannot tell";
+  constexpr std::string_view kNames[] = {"stands", "consistent", "does not stand", "cannot tell"};
+  return kNames[static_cast<size_t>(verdict)];
 }
 
 Result<CertifiedImage> read_certified_image(const std::string& file) {

@@ -5,6 +5,7 @@
 // error lies outside the interval that holds for 999 of 1000 correct certificates, if its parts contradict each other,
 // or if blocks of pixels were modified (block_test.h).
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,10 @@ struct CertifiedImage {
 // settings or that has pixels which are not finite.
 Result<CertifiedImage> read_certified_image(const std::string& file);
 
-enum class Verdict { confirmed, refuted, undecided };
-// "stands", "does not stand" or "cannot tell", as in the JSON output.
+// consistent: the true error is known less precisely than a confirmation requires, and does not contradict the
+// statement. undecided: there was no time for a comparison.
+enum class Verdict { confirmed, consistent, refuted, undecided };
+// "stands", "consistent", "does not stand" or "cannot tell", as in the JSON output.
 std::string_view verdict_name(Verdict verdict);
 
 struct CertificationResult {
@@ -44,13 +47,15 @@ struct CertificationResult {
   // The true error of the image; the intervals cover three standard errors on either side.
   IntervalEstimate rmse, relmse;
   std::vector<Block> changed;
-  double seconds_needed = 0;  // approximate total time until a verdict, if undecided
+  double seconds_needed = 0;  // approximate total time until a confirmation, if consistent or undecided
   bool interrupted = false;
 };
 
 struct CertifyOptions {
-  double seconds = 10;  // maximum rendering time
+  double seconds = 10;  // maximum rendering time; less time gives a weaker statement
   uint64_t seed = 0;    // selects other random numbers for the independent rendering
+  // Receives the time in seconds that a confirmation is expected to take, once the first samples have been timed.
+  std::function<void(double seconds)> on_estimate = {};
 };
 
 // Returns as soon as a verdict is reached.

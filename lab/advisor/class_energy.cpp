@@ -68,4 +68,21 @@ double relative_square_of(std::span<const ClassEnergy> energies, const ClassEner
   return std::max(0.0, squares / static_cast<double>(sum.first.size()));
 }
 
+double displayed_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& total,
+                           const film::DisplayTransform& display) {
+  const auto sum = sum_of(energies);
+  if (sum.first.empty() || !total.image) return 0;
+  // The change in one half-buffer; the product of both is free of noise in its expectation.
+  const auto change = [&](const std::vector<float>& all, const std::vector<float>& missing, size_t i) {
+    const Rgb complete(all[i], all[i + 1], all[i + 2]);
+    return display(complete) - display(complete - Rgb(missing[i], missing[i + 1], missing[i + 2]));
+  };
+  double squares = 0;
+  for (size_t i = 0; i + 2 < sum.first.size(); i += 3) {
+    const Rgb a = change(total.image->first, sum.first, i), b = change(total.image->second, sum.second, i);
+    for (int c = 0; c < 3; ++c) squares += double{a[c]} * double{b[c]};
+  }
+  return std::max(0.0, squares / static_cast<double>(sum.first.size()));
+}
+
 }  // namespace etendue::advisor

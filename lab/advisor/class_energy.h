@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "film/error_measure.h"
 #include "film/film.h"
 
 namespace etendue::advisor {
@@ -36,5 +37,9 @@ double rms_of(std::span<const ClassEnergy> energies);
 
 // The mean square of the sum, divided per pixel by the squared radiance of the complete image plus 0.01, as in relMSE.
 double relative_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& total);
+
+// The mean square of the change of the displayed values if the sum is missing from the complete image.
+double displayed_square_of(std::span<const ClassEnergy> energies, const ClassEnergy& total,
+                           const film::DisplayTransform& display);
 
 }  // namespace etendue::advisor

@@ -68,10 +68,12 @@ class TableBuilder {
         progress_(progress),
         publish_(publish),
         small_(small_image(document, options)),
+        volumes_(scene::has_scattering_media(*document.scene)),
         only_(common(requested_paths(document), only)),
         split_sets_(declared_sets(has_point_lights(*small_.scene))) {
     split_sets_.insert(split_sets_.end(), options.split_sets.begin(), options.split_sets.end());
-    table_.paths = only_ == PathExpression::all().automaton() ? "" : expression_of(only_);
+    table_.paths = only_ == space() ? "" : expression_of(only_, volumes_);
+    table_.volumes = volumes_;
     table_.width = small_.width;
     table_.height = small_.height;
     table_.samples = small_.limits.samples;
@@ -93,6 +95,9 @@ class TableBuilder {
   }
 
  private:
+  // All paths of the scene.
+  const Automaton& space() const { return PathExpression::all_of(volumes_).automaton(); }
+
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   bool out_of_time() const { return options_.seconds > 0 && seconds() > options_.seconds; }
 
@@ -110,10 +115,10 @@ class TableBuilder {
 
   // The paths of `within` in a coarse class as a leaf; nothing if there are none or they have no path expression.
   std::optional<Leaf> leaf(const PathClass& coarse, const Automaton& within) const {
-    const Automaton all = PathExpression::parse_paths(coarse.name())->automaton();
+    const Automaton all = common(PathExpression::parse_paths(coarse.name())->automaton(), space());
     Leaf leaf{coarse, common(all, within), {}};
     if (leaf.paths.empty()) return {};
-    leaf.text = leaf.paths == all ? coarse.name() : expression_of(leaf.paths);
+    leaf.text = leaf.paths == all ? coarse.name() : expression_of(leaf.paths, volumes_);
     if (!PathExpression::parse_paths(leaf.text)) return {};
     return leaf;
   }
@@ -134,9 +139,9 @@ class TableBuilder {
 
   // The coarsest partition: directly visible light, and the other paths by their first scattering event.
   bool measure_coarsest() {
-    const PathClass directly_visible = PathClass::of({}, options_.naming, 0);
+    const PathClass directly_visible = PathClass::of({}, options_.naming, 0, volumes_);
     const Event any[] = {Event::diffuse};
-    std::vector<PathClass> classes = PathClass::of(any, options_.naming, 0).parts();
+    std::vector<PathClass> classes = PathClass::of(any, options_.naming, 0, volumes_).parts();
     classes.insert(classes.begin(), directly_visible);
     std::vector<Leaf> leaves;
     for (const PathClass& c : classes)
@@ -223,6 +228,7 @@ class TableBuilder {
   const bench::Progress& progress_;
   const TablePublisher& publish_;
   render::Document small_;
+  bool volumes_;  // the scene has scattering media
   Automaton only_;
   std::vector<Automaton> split_sets_;
   Clock::time_point start_ = Clock::now();

@@ -33,6 +33,7 @@ struct ClassTable {
   // Classes in which no sample found energy: they carry none, too little, or are too hard to sample.
   std::vector<std::string> unseen;
   bool point_lights = false;  // the scene has lights without extent
+  bool volumes = false;       // the scene has scattering media; without them, expressions match no V
   bool finished = false;      // no class is left to split within the limits
   double seconds = 0;         // the time the table took
 };

@@ -36,7 +36,9 @@ Automaton common(const Automaton& a, const Automaton& b) { return Automaton::int
 Automaton without(const Automaton& a, const Automaton& b) { return Automaton::difference(a, b).value_or(a); }
 
 DeclaredPaths declared_paths(const integrator::IntegratorInfo& info) {
-  return {automaton_of(info.paths), automaton_of(info.point_paths)};
+  // In the declaration of an integrator without scattering media, '.' does not stand for V.
+  const Automaton& space = PathExpression::all_of(info.scattering_media).automaton();
+  return {common(automaton_of(info.paths), space), common(automaton_of(info.point_paths), space)};
 }
 
 DeclaredPaths declared_paths(const render::MethodSettings& method) {
@@ -53,7 +55,8 @@ DeclaredPaths declared_paths(const render::Document& document, const scene::Comp
 }
 
 Automaton requested_paths(const render::Document& document) {
-  return document.method.paths.empty() ? PathExpression::all().automaton() : automaton_of(document.method.paths);
+  const Automaton& all = PathExpression::all_of(scene::has_scattering_media(*document.scene)).automaton();
+  return document.method.paths.empty() ? all : common(automaton_of(document.method.paths), all);
 }
 
 bool selects_techniques(const render::MethodSettings& method) {

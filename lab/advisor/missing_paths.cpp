@@ -18,12 +18,13 @@ using transport::PathExpression;
 // The part of a row that is not declared; nothing if all of it is. `measurable` are the paths that the reference
 // integrator finds and that can therefore appear in the table.
 std::optional<MissingPathClass> missing_part(const std::string& paths, const ClassEnergy& energy,
-                                             const Automaton& measurable, const Automaton& declared, double total) {
+                                             const Automaton& measurable, const Automaton& declared, double total,
+                                             bool volumes) {
   if (!energy.found()) return {};
   const Automaton row = common(PathExpression::parse_paths(paths)->automaton(), measurable);
   const Automaton rest = without(row, declared);
   if (rest.empty()) return {};
-  return MissingPathClass{.paths = rest == row ? paths : expression_of(rest),
+  return MissingPathClass{.paths = rest == row ? paths : expression_of(rest, volumes),
                           .energy = energy,
                           .share = energy.mean / total,
                           .partial = rest != row};
@@ -57,7 +58,9 @@ std::string name_of(const SurfaceMaterial& m) {
 
 MissingPaths missing_paths(const DeclaredPaths& declared, const ClassTable& table) {
   MissingPaths missing;
-  const DeclaredPaths measurable = declared_paths(render::MethodSettings());
+  const Automaton& space = PathExpression::all_of(table.volumes).automaton();
+  const DeclaredPaths found = declared_paths(render::MethodSettings()),
+                      measurable{common(found.paths, space), common(found.point_paths, space)};
   const double total = table.total.energy.mean;
   std::vector<ClassEnergy> energies;
   const auto add = [&](const MissingPathClass& c) {
@@ -65,9 +68,9 @@ MissingPaths missing_paths(const DeclaredPaths& declared, const ClassTable& tabl
     energies.push_back(c.energy);
   };
   for (const ClassRow& row : table.rows) {
-    if (const auto c = missing_part(row.paths, row.energy, measurable.paths, declared.paths, total)) {
+    if (const auto c = missing_part(row.paths, row.energy, measurable.paths, declared.paths, total, table.volumes)) {
       add(*c);
-    } else if (auto p = missing_part(row.paths, row.from_points, measurable.point_paths, declared.point_paths, total)) {
+    } else if (auto p = missing_part(row.paths, row.from_points, measurable.point_paths, declared.point_paths, total, table.volumes)) {
       p->from_point_lights = true;
       add(*p);
     }
@@ -85,8 +88,8 @@ MeasuredMissingPaths measure_missing_paths(render::Session& session, const rende
   const Automaton missing = without(requested, declared.paths);
   Automaton missing_from_points;  // declared, but not for lights without extent
   if (has_point_lights(*document.scene)) {
-    const Automaton measurable = declared_paths(render::MethodSettings()).point_paths;
-    missing_from_points = without(common(common(requested, declared.paths), measurable), declared.point_paths);
+    const Automaton measurable = common(declared_paths(render::MethodSettings()).point_paths, requested);
+    missing_from_points = without(common(declared.paths, measurable), declared.point_paths);
   }
   if (missing.empty() && missing_from_points.empty()) return measured;
   const auto total = total_energy(session, document, options, progress);

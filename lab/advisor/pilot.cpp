@@ -42,7 +42,7 @@ class Runner {
     Pilot at_large({"", large}), at_small({"", small});
     if (!advance(at_small, 2) || !advance(at_large, 2)) return false;
     all_.size_ratio.seconds = at_large.seconds / at_small.seconds;
-    if (at_small.error.rmse > 0) all_.size_ratio.rmse = at_large.error.rmse / at_small.error.rmse;
+    if (at_small.error.value > 0) all_.size_ratio.error = at_large.error.value / at_small.error.value;
     return true;
   }
 
@@ -63,7 +63,7 @@ class Runner {
 
   // The next round takes as long as all previous ones together, so a pilot ends once 60 % of its time are used.
   bool is_done(const Pilot& pilot) const {
-    const bool reached = pilot.error.known && pilot.error.rmse_interval.high * all_.size_ratio.rmse <= plan_.target;
+    const bool reached = pilot.error.known && pilot.error.interval.high * all_.size_ratio.error <= plan_.target;
     return pilot.abandoned || reached || pilot.seconds >= 0.6 * plan_.seconds;
   }
 
@@ -78,11 +78,11 @@ class Runner {
     pilot.seconds += status.seconds;
     total_seconds_ += status.seconds;
     pilot.samples = status.samples;
-    pilot.error = pilot.film.error();
+    pilot.error = film::measured_error(pilot.film, plan_.measure, d.display.transform());
     // The error drops when adaptive sampling starts; that drop must not enter the predicted convergence rate.
     if (d.method.adaptive == render::Adaptive::off || pilot.samples >= kAdaptiveSteady)
       pilot.estimator.add(pilot.samples, pilot.seconds, pilot.error);
-    if (pilot.error.known) pilot.measurements.push_back({pilot.seconds, pilot.error.rmse});
+    if (pilot.error.known) pilot.measurements.push_back({pilot.seconds, pilot.error.value});
     return completed;
   }
 
@@ -92,7 +92,7 @@ class Runner {
   }
 
   void abandon_slow_pilots() {
-    const double target = plan_.target / all_.size_ratio.rmse;
+    const double target = plan_.target / all_.size_ratio.error;
     double best = INFINITY;
     for (const Pilot& pilot : all_.pilots)
       if (const auto time = pilot.time_to(target)) best = std::min(best, time->interval.high);
@@ -111,10 +111,10 @@ class Runner {
 
 }  // namespace
 
-std::optional<render::Prediction> Pilot::time_to(double rmse) const {
+std::optional<render::Prediction> Pilot::time_to(double target) const {
   for (const Measurement& m : measurements)
-    if (m.rmse <= rmse) return render::Prediction{m.seconds, {m.seconds, m.seconds}};
-  return estimator.time_to(rmse, 0);
+    if (m.error <= target) return render::Prediction{m.seconds, {m.seconds, m.seconds}};
+  return estimator.time_to(target, 0);
 }
 
 Pilots run_pilots(render::Session& session, const std::vector<bench::MethodSpec>& methods, const PilotPlan& plan,

@@ -23,28 +23,29 @@ struct Pilot {
   film::Film film;
   uint32_t samples = 0;
   double seconds = 0;
-  film::ErrorEstimate error;
+  film::MeasuredError error;
   render::TimeEstimator estimator;
   struct Measurement {
-    double seconds, rmse;
+    double seconds, error;
   };
   std::vector<Measurement> measurements;
   bool abandoned = false;  // stopped early because another method is much faster
 
-  // Seconds of rendering, from the first sample on, until the RMSE is reached; nothing if it cannot be predicted yet.
-  std::optional<render::Prediction> time_to(double rmse) const;
+  // Seconds of rendering, from the first sample on, until the error is reached; nothing if it cannot be predicted yet.
+  std::optional<render::Prediction> time_to(double target) const;
 };
 
 struct PilotPlan {
   double seconds = 1;  // approximate rendering time per method
-  double target = 0;   // RMSE; decides which methods are abandoned
+  double target = 0;   // error; decides which methods are abandoned
   uint64_t seed = 0;
   int max_pixels = 40000;
+  film::ErrorMeasure measure = film::ErrorMeasure::rmse;  // of `target`
 };
 
-// Time and RMSE of the full-size image divided by those of the reduced image.
+// Time and error of the full-size image divided by those of the reduced image.
 struct SizeRatio {
-  double seconds = 1, rmse = 1;
+  double seconds = 1, error = 1;
 };
 
 struct Pilots {

@@ -17,6 +17,10 @@ std::string printed(const char* format, T... values) {
 
 std::string number(double value) { return printed("%.3g", value); }
 
+std::string error_number(film::ErrorMeasure measure, double error) {
+  return measure == film::ErrorMeasure::rmse ? number(error) : number(100 * error) + " %";
+}
+
 std::string percent(double share) { return printed(share >= 0.0995 ? "%.0f %%" : "%.2g %%", 100 * share); }
 
 std::string times(double ratio) { return printed(ratio < 9.95 ? "%.1f" : "%.0f", ratio); }

@@ -2,6 +2,8 @@
 
 #include "bench/measurement_schedule.h"
 #include "film/film_image.h"
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
 
 namespace etendue::bench {
 namespace {
@@ -10,13 +12,17 @@ class Runner {
  public:
   Runner(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress)
       : session_(session), plan_(plan), reference_(reference), progress_(progress) {
-    for (const auto& method : plan.methods) outcome_.methods.emplace_back().curves.name = method.name;
+    for (const auto& method : plan.methods) {
+      MethodResult& result = outcome_.methods.emplace_back();
+      result.curves.name = method.name;
+      result.incompatibility = incompatibility_of(method);
+    }
   }
 
   Outcome run() {
     for (int repeat = 0; repeat < plan_.repeats; ++repeat)
       for (size_t method = 0; method < plan_.methods.size(); ++method)
-        if (!run_repeat(method, repeat)) {
+        if (outcome_.methods[method].incompatibility.empty() && !run_repeat(method, repeat)) {
           outcome_.interrupted = true;
           return std::move(outcome_);
         }
@@ -24,6 +30,12 @@ class Runner {
   }
 
  private:
+  std::string incompatibility_of(const MethodSpec& method) {
+    const render::Document& d = method.document;
+    scene_ = scene::compile(d.scene, d.camera, scene_ ? scene_ : session_.scene(), d.height);
+    return render::incompatibility(d, *scene_);
+  }
+
   // One repeat of one method. Returns false if it was interrupted; its results are then discarded.
   bool run_repeat(size_t method, int repeat) {
     render::Document d = plan_.methods[method].document;
@@ -76,6 +88,7 @@ class Runner {
   const Plan& plan_;
   const Reference& reference_;
   const Progress& progress_;
+  std::shared_ptr<const scene::CompiledScene> scene_;
   Outcome outcome_;
 };
 

@@ -21,6 +21,7 @@ struct Plan {
 };
 
 struct MethodResult {
+  std::string incompatibility;    // why the method cannot render the scene; it then has no curves and no image
   metrics::MethodCurves curves;  // as measured, including the noise of the reference
   std::vector<double> rays_per_second;
   std::vector<float> image;  // of the last repeat, linear

@@ -10,6 +10,7 @@
 #include "bench/measurement_schedule.h"
 #include "bench/timed_render.h"
 #include "film/film_image.h"
+#include "render/incompatibility.h"
 
 namespace etendue::bench {
 namespace {
@@ -61,7 +62,7 @@ struct Repeat {
 class LiveBenchmark::Impl {
  public:
   Impl(LiveBenchmarkPlan plan, std::function<void()> wake)
-      : plan_(std::move(plan)), wake_(std::move(wake)), frames_(plan_.methods.size()), workers_(plan_.threads) {
+      : plan_(std::move(plan)), wake_(std::move(wake)), frames_(plan_.methods.size()), incompatibilities_(plan_.methods.size()), workers_(plan_.threads) {
     const auto& d = plan_.methods.front().document;
     const size_t film = static_cast<size_t>(d.width) * static_cast<size_t>(d.height) * sizeof(film::Film::Pixel);
     const auto max_repeats = static_cast<int>(std::min<size_t>(kMaxFilmBytes / (film * plan_.methods.size()), 10000));
@@ -133,6 +134,8 @@ class LiveBenchmark::Impl {
   void prepare() {
     const auto& d = plan_.methods.front().document;
     scene_ = scene::compile(d.scene, d.camera, plan_.compiled, d.height);
+    for (size_t m = 0; m < plan_.methods.size(); ++m)
+      incompatibilities_[m] = render::incompatibility(plan_.methods[m].document, *scene_);
     if (plan_.reference) return set_reference(std::move(*plan_.reference));
     store_.emplace(d, plan_.cache);
     auto cached = store_->load();
@@ -190,6 +193,7 @@ class LiveBenchmark::Impl {
 
   void set_reference(Reference reference) {
     reference_ = std::move(reference);
+    set_display(reference_, plan_.methods.front().document.display.transform());
     const auto& image = reference_.image;
     reference_frame_ = frame_of(reference_.rgb(), image.width, image.height, reference_.samples);
   }
@@ -202,6 +206,7 @@ class LiveBenchmark::Impl {
     };
     Repeat* next = nullptr;
     for (const auto& repeat : repeats_) {
+      if (!incompatibilities_[repeat->method].empty()) continue;
       const bool done = timed ? repeat->rendering.has_reached(seconds) : repeat->rendering.samples() >= samples;
       if (!done && (!next || used(*repeat) < used(*next))) next = repeat.get();
     }
@@ -248,6 +253,7 @@ class LiveBenchmark::Impl {
     s->repeat = static_cast<int>(repeats_.size() / plan_.methods.size());
     s->reference = reference_frame_;
     s->reference_error = reference_.standard_error();
+    s->reference_noise = reference_.noise;
     s->reference_samples = reference_render_ ? reference_render_->samples() : reference_.samples;
     s->reference_seconds = reference_render_ ? reference_render_->seconds() : reference_.seconds;
     for (size_t m = 0; m < plan_.methods.size(); ++m) {
@@ -263,6 +269,7 @@ class LiveBenchmark::Impl {
   MethodStatus method_status(size_t method) const {
     MethodStatus s;
     s.name = s.measured.name = s.corrected.name = plan_.methods[method].name;
+    s.incompatibility = incompatibilities_[method];
     s.frame = frames_[method];
     if (repeats_.empty() || repeats_[method]->corrected.points.empty()) return s;
     const Repeat& first = *repeats_[method];
@@ -289,7 +296,7 @@ class LiveBenchmark::Impl {
   double progress(const LiveBenchmarkSnapshot& s) const {
     double sum = 0;
     for (const auto& repeat : repeats_)
-      sum +=
+      sum += !incompatibilities_[repeat->method].empty() ? 1 :
           std::min(1.0, plan_.rule == Rule::equal_time ? repeat->rendering.seconds() / s.seconds
                                                        : static_cast<double>(repeat->rendering.samples()) / s.samples);
     return s.phase == Phase::done ? 1 : sum / (static_cast<double>(plan_.methods.size()) * plan_.repeats);
@@ -314,6 +321,7 @@ class LiveBenchmark::Impl {
   std::shared_ptr<const render::Frame> reference_frame_;
   std::vector<std::unique_ptr<Repeat>> repeats_;              // the first repeats of all methods, then the second ones
   std::vector<std::shared_ptr<const render::Frame>> frames_;  // one per method
+  std::vector<std::string> incompatibilities_;                // one per method
   render::ThreadPool workers_;
   std::thread thread_;  // last member, because it uses all others
 };

@@ -42,6 +42,7 @@ inline constexpr size_t kMaxFilmBytes = size_t{2} << 30;
 // others.
 struct MethodStatus {
   std::string name;
+  std::string incompatibility;  // why the method cannot render the scene; it then has no curves and no image
   metrics::MethodCurves measured, corrected;  // with the noise of the reference, and after its subtraction
   // Over the repeats with at least half as many samples as the first one, from corrected curves.
   metrics::Estimate slope, slope_over_samples, efficiency;
@@ -61,10 +62,11 @@ struct LiveBenchmarkSnapshot {
   uint32_t samples = 0;
   std::vector<MethodStatus> methods;
   std::shared_ptr<const render::Frame> reference;
+  std::optional<metrics::ReferenceNoise> reference_noise;  // nothing if unknown
   double reference_error = 0;  // standard error of the reference, radiance; NaN if unknown
   double reference_seconds = 0;
   uint32_t reference_samples = 0;
-  bool too_noisy = false;  // the error of the reference is more than a tenth of the smallest measured error
+  bool too_noisy = false;  // metrics::is_reference_too_noisy
 };
 
 class LiveBenchmark {

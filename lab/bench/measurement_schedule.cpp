@@ -19,7 +19,12 @@ uint32_t next_sample_count(uint32_t count) {
 metrics::ErrorPoint measure_error(std::span<const float> image, const Reference& reference, double seconds,
                                   uint32_t samples) {
   const auto m = metrics::metrics_of(image, reference.rgb());
-  return {.seconds = seconds, .spp = static_cast<double>(samples), .mse = m.mse, .relmse = m.relmse, .bias = m.bias};
+  return {.seconds = seconds,
+          .spp = static_cast<double>(samples),
+          .mse = m.mse,
+          .relmse = m.relmse,
+          .bias = m.bias,
+          .displayed_mse = metrics::displayed_mse(image, reference.rgb(), reference.display)};
 }
 
 }  // namespace etendue::bench

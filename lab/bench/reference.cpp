@@ -19,12 +19,19 @@ void estimate_noise(Reference& reference) {
   const auto& r = reference.rgb();
   if (!variance || variance->pixels.size() != r.size() || r.empty()) return;
   metrics::ReferenceNoise noise;
+  double squares = 0, in_pixel = 0;  // the errors of the channels of a pixel are assumed fully correlated
   for (size_t i = 0; i < r.size(); ++i) {
     const double v = variance->pixels[i], x = r[i];
     noise.mse += v;
     noise.relmse += v / (x * x + 0.01);
+    in_pixel += v;
+    if (i % 3 != 2) continue;
+    squares += in_pixel * in_pixel;
+    in_pixel = 0;
   }
   const auto n = static_cast<double>(r.size());
+  // A squared normal variable of variance s has the variance 2 s^2 and the second moment 3 s^2.
+  noise.relative_error = noise.mse > 0 ? std::sqrt(2.0 / 3 * squares) / noise.mse : 0;
   noise.mse /= n;
   noise.relmse /= n;
   if (!std::isfinite(noise.mse)) return;
@@ -61,9 +68,9 @@ fs::path cache_file(const fs::path& cache, uint64_t key) {
   return cache / "references" / name;
 }
 
-render::Document reference_document(const render::Document& base) {
+render::Document reference_document(const render::Document& base, const std::string& integrator) {
   render::Document d = base;
-  d.method.integrator = "path";
+  d.method.integrator = integrator;
   d.method.sampler = "sobol";
   d.method.adaptive = render::Adaptive::off;
   d.limits = {};
@@ -99,6 +106,22 @@ void extend(render::Session& session, render::Document d, const ReferenceBudget&
 }
 
 }  // namespace
+
+void set_display(Reference& reference, const film::DisplayTransform& display) {
+  reference.display = display;
+  const image::Layer* variance = reference.image.find("variance");
+  if (!reference.noise || !variance) return;
+  const auto& r = reference.rgb();
+  double sum = 0;
+  for (size_t i = 0; i + 2 < r.size(); i += 3) {
+    const Rgb mean(r[i], r[i + 1], r[i + 2]);
+    const Rgb error(std::sqrt(variance->pixels[i]), std::sqrt(variance->pixels[i + 1]),
+                    std::sqrt(variance->pixels[i + 2]));
+    const Rgb above = display(mean + error), below = display(mean - error);
+    for (int c = 0; c < 3; ++c) sum += sqr(0.5 * (double{above[c]} - double{below[c]}));
+  }
+  reference.noise->displayed_mse = sum / static_cast<double>(r.size());
+}
 
 double Reference::standard_error() const { return noise ? std::sqrt(noise->mse) : NAN; }
 
@@ -141,8 +164,8 @@ Result<Reference> resized_reference(Reference reference, int width, int height) 
   return reference;
 }
 
-ReferenceStore::ReferenceStore(const render::Document& base, const fs::path& cache)
-    : document_(reference_document(base)) {
+ReferenceStore::ReferenceStore(const render::Document& base, const fs::path& cache, const std::string& integrator)
+    : document_(reference_document(base, integrator)) {
   const uint64_t key = image_key(document_);
   document_.seed = reference_seed(key);
   if (!cache.empty()) file_ = cache_file(cache, key);
@@ -169,6 +192,7 @@ Reference ReferenceStore::reference_of(const film::Film& film, double seconds) c
   Reference reference;
   reference.file = file_.string();
   reference.image = film::layered_image_of(film);
+  reference.integrator = document_.method.integrator;
   reference.samples = samples_of(film);
   reference.seconds = seconds;
   // The variance is estimated from both half-buffers; with samples in only one of them it is unknown.
@@ -178,8 +202,8 @@ Reference ReferenceStore::reference_of(const film::Film& film, double seconds) c
 }
 
 Reference render_reference(render::Session& session, const render::Document& base, const ReferenceBudget& budget,
-                           const fs::path& cache, const Progress& progress) {
-  const ReferenceStore store(base, cache);
+                           const fs::path& cache, const Progress& progress, const std::string& integrator) {
+  const ReferenceStore store(base, cache, integrator);
   render::Checkpoint state = store.load();
   if (!is_sufficient(state, budget)) {
     extend(session, store.document(), budget, progress, state);

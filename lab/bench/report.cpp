@@ -42,8 +42,9 @@ json method_json(const MethodSummary& s) {
           {"bias_stderr", error_of(s.bias)},
           {"squared_bias", s.bias_variance ? number(s.bias_variance->squared_bias) : json()},
           {"variance", s.bias_variance ? number(s.bias_variance->variance) : json()},
-          {"rmse", number(s.rmse)},
-          {"relmse", number(s.relmse)},
+          {"rmse", s.spp > 0 ? number(s.rmse) : json()},
+          {"relmse", s.spp > 0 ? number(s.relmse) : json()},
+          {"displayed", s.spp > 0 ? number(s.displayed) : json()},
           {"flip", number(s.flip)},
           {"spp", number(s.spp)},
           {"seconds", number(s.seconds)},
@@ -64,7 +65,8 @@ Result<void> write_charts(const fs::path& folder, const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
   metrics::ChartOptions options{chart_title(r)};
   options.noise = r.reference.noise.value_or(metrics::ReferenceNoise{});
-  options.reference_error = std::sqrt(options.noise.mse);
+  options.measure = r.measure;
+  options.reference_error = options.noise.error(r.measure);
   const auto drawing = metrics::convergence_chart(curves, options);
   if (auto ok = write_text(folder / "chart.svg", metrics::to_svg(drawing)); !ok) return ok;
   return image::write_png(folder / "chart.png", drawing.width, drawing.height, metrics::rasterize(drawing));
@@ -142,13 +144,13 @@ class ImageWriter {
 }  // namespace
 
 std::string curves_csv(const Report& report) {
-  std::string csv = "method,repeat,seconds,spp,mse,relmse,bias\n";
+  std::string csv = "method,repeat,seconds,spp,mse,relmse,bias,displayed_mse\n";
   char line[160];
   for (const auto& method : report.outcome.methods)
     for (const auto& curve : method.curves.repeats)
       for (const auto& p : curve.points) {
-        std::snprintf(line, sizeof line, ",%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", curve.repeat, p.seconds, p.spp, p.mse,
-                      p.relmse, p.bias);
+        std::snprintf(line, sizeof line, ",%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", curve.repeat, p.seconds, p.spp, p.mse,
+                      p.relmse, p.bias, p.displayed_mse);
         csv += csv_field(method.curves.name) + line;
       }
   return csv;
@@ -164,6 +166,7 @@ std::string summary_json(const Report& r) {
   }
   const json reference{{"file", r.reference.file},
                        {"standard_error", number(r.reference.standard_error())},
+                       {"integrator", r.reference.integrator.empty() ? json() : json(r.reference.integrator)},
                        {"spp", r.reference.samples},
                        {"seconds", r.reference.seconds},
                        {"too_noisy", too_noisy}};

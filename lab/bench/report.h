@@ -14,9 +14,10 @@ struct Report {
   const Reference& reference;
   const Outcome& outcome;
   int threads = 0;
+  film::ErrorMeasure measure = film::ErrorMeasure::rmse;  // of the charts
 };
 
-// Columns method,repeat,seconds,spp,mse,relmse,bias: as measured, including the noise of the reference.
+// Columns method,repeat,seconds,spp,mse,relmse,bias,displayed_mse: as measured, including the noise of the reference.
 std::string curves_csv(const Report& report);
 
 std::string summary_json(const Report& report);

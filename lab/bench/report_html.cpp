@@ -77,14 +77,14 @@ std::string speed_table(const Summaries& all) {
   for (size_t i = 0; i < all.size(); ++i) {
     const MethodSummary& s = all[i];
     if (s.spp <= 0) {
-      rows.push_back({name_of(all, i), kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone});
+      rows.push_back({name_of(all, i), kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone});
       continue;
     }
     rows.push_back({name_of(all, i), cell(s.spp), cell(s.seconds), cell(s.rays_per_second * 1e-6), cell(s.rmse),
-                    cell(s.relmse), cell(s.flip), estimate_text(s.efficiency),
+                    cell(s.relmse), cell(s.displayed), cell(s.flip), estimate_text(s.efficiency),
                     i == 0 ? "1" : estimate_text(ratio(s.efficiency, all[0].efficiency))});
   }
-  return table({"method", "spp", "seconds", "Mrays/s", "RMSE", "relMSE", "FLIP", "efficiency", "relative efficiency"},
+  return table({"method", "spp", "seconds", "Mrays/s", "RMSE", "relMSE", "displayed error", "FLIP", "efficiency", "relative efficiency"},
                rows);
 }
 
@@ -133,7 +133,8 @@ std::string plan_text(const Report& r) {
 }
 
 std::string reference_text(const Report& r) {
-  std::string text = r.reference.samples > 0 ? std::to_string(r.reference.samples) + " samples per pixel"
+  std::string text = r.reference.samples > 0 ? r.reference.integrator + ", " +
+                                                   std::to_string(r.reference.samples) + " samples per pixel"
                                              : "<code>" + escape_markup(r.reference.file) + "</code>";
   if (r.reference.reduction > 1)
     text += ", each pixel the mean of " + std::to_string(r.reference.reduction) + " &times; " +
@@ -154,14 +155,17 @@ std::string warnings(const Report& r) {
   std::string html;
   const auto warn = [&](const std::string& text) { html += "<p class=\"warning\">" + text + "</p>\n"; };
   if (r.outcome.interrupted) warn("The benchmark was interrupted; only complete repeats are shown.");
+  for (const auto& method : r.outcome.methods)
+    if (!method.incompatibility.empty())
+      warn(escape_markup(method.curves.name) + " was not measured: " + escape_markup(method.incompatibility));
   if (r.plan.repeats == 1)
     warn("Only one repeat was measured: there are no error bars, and bias cannot be distinguished from noise.");
   if (!r.reference.noise) warn("The error of the reference is unknown: small errors may be those of the reference.");
   const double required = required_reference_seconds(r.outcome, r.reference);
   if (reference_too_noisy(r.outcome, r.reference))
     warn(
-        "The reference is too noisy: its standard error is more than a tenth of the smallest measured error. It has "
-        "been subtracted, but the lower ends of the curves are uncertain." +
+        "The reference is too noisy: errors below " + short_number(metrics::smallest_certain_rmse(*r.reference.noise)) +
+        " are uncertain by more than 5 %, although its own error has been subtracted." +
         (required > 0
              ? " A reference of " + std::to_string(std::lround(required) + 1) + " s rendering time would suffice."
              : std::string()));
@@ -171,17 +175,16 @@ std::string warnings(const Report& r) {
 std::string charts(const Report& r) {
   const auto curves = corrected_curves(r.outcome, r.reference);
   const auto noise = r.reference.noise.value_or(metrics::ReferenceNoise{});
-  const double reference_error = std::sqrt(noise.mse);
-  using metrics::Abscissa, metrics::ErrorKind;
+  using metrics::Abscissa;
   std::string html = "<div class=\"charts\">\n";
   for (const auto& [title, abscissa] :
        {std::pair{"Error over time", Abscissa::seconds}, {"Error over samples", Abscissa::samples}}) {
     const metrics::ChartOptions options{.title = title,
                                         .abscissa = abscissa,
-                                        .kind = ErrorKind::rmse,
+                                        .measure = r.measure,
                                         .width = 640,
                                         .height = 420,
-                                        .reference_error = reference_error,
+                                        .reference_error = noise.error(r.measure),
                                         .noise = noise};
     html += "<figure class=\"chart\" tabindex=\"0\" aria-label=\"" + std::string(title) +
             "; use the arrow keys to read values\"><div class=\"inverts\">" +

@@ -24,7 +24,8 @@ std::string option(const char* name, const std::string& value) {
 // Options for the settings that differ from those of the scene file. Size, seed and limits have separate options.
 std::string changed_settings(const render::Document& d) {
   static const std::set<std::string> kSeparateOptions{"film.width",     "film.height",    "render.seed",
-                                                      "render.samples", "render.seconds", "render.rmse"};
+                                                      "render.samples", "render.seconds", "render.error",
+                                                      "render.error-measure"};
   if (!d.origin) return "";
   std::string text;
   for (const auto& section : render::sections(d)) {
@@ -58,6 +59,8 @@ std::string reproduction_command(const Report& r) {
   if (r.plan.samples > 0) text += option("--samples", std::to_string(r.plan.samples));
   text += option("--repeats", std::to_string(r.plan.repeats)) + option("--seed", std::to_string(r.plan.seed)) +
           option("--threads", std::to_string(r.threads));
+  if (r.measure != film::ErrorMeasure::rmse)
+    text += option("--error-measure", Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(r.measure)].name);
   if (!d.camera_name.empty()) text += option("--camera", d.camera_name);
   text += environment_option(d) + changed_settings(d);
   // A reference without a sample count was read from a file.

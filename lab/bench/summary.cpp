@@ -55,6 +55,7 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.bias_variance = bias_variance_of(result, reference);
   s.rmse = median_at_end(corrected, [](const ErrorPoint& p) { return std::sqrt(p.mse); });
   s.relmse = median_at_end(corrected, [](const ErrorPoint& p) { return p.relmse; });
+  s.displayed = median_at_end(corrected, [](const ErrorPoint& p) { return std::sqrt(p.displayed_mse); });
   s.spp = median_at_end(corrected, [](const ErrorPoint& p) { return p.spp; });
   s.seconds = median_at_end(corrected, [](const ErrorPoint& p) { return p.seconds; });
   s.rays_per_second = metrics::quantile(result.rays_per_second, 0.5);
@@ -81,12 +82,14 @@ bool reference_too_noisy(const Outcome& outcome, const Reference& reference) {
 }
 
 double required_reference_seconds(const Outcome& outcome, const Reference& reference) {
-  const double noise = noise_of(reference).mse;
-  // An RMSE ten times that of the reference requires 1/100 of its MSE; the variance falls as 1 / seconds.
+  const metrics::ReferenceNoise noise = noise_of(reference);
+  const double smallest = metrics::smallest_certain_rmse(noise);
+  // The squared error of the reference, and with it the smallest certain MSE, falls as 1 / seconds.
   double factor = 1;
   for (const auto& method : outcome.methods)
     for (const auto& curve : method.curves.repeats)
-      for (const auto& p : curve.points) factor = std::max(factor, 100 * noise / std::max(p.mse - noise, 0.01 * p.mse));
+      for (const auto& p : curve.points)
+        factor = std::max(factor, smallest * smallest / std::max(p.mse - noise.mse, 0.01 * p.mse));
   return factor > 1 ? factor * reference.seconds : 0;
 }
 

@@ -17,10 +17,11 @@ struct MethodSummary {
   std::optional<metrics::BiasVariance> bias_variance;  // with at least two repeats
   double rmse = 0, relmse = 0;                         // medians over the repeats
   double spp = 0, seconds = 0, rays_per_second = 0;    // medians over the repeats
+  double displayed = 0;                                // root mean square error of displayed values, median
   double flip = 0;                                     // mean FLIP of the last repeat with the document's display
   std::optional<double> khat;        // Pareto tail index of the samples (film/tail.h); nothing if there is no tail
   bool has_heavy_tail = false;       // the error estimate is unreliable (render/reliability.h)
-  bool reference_too_noisy = false;  // the smallest error is less than ten times the error of the reference
+  bool reference_too_noisy = false;  // metrics::is_reference_too_noisy
 };
 
 MethodSummary summary_of(const MethodResult& result, const Reference& reference, const render::Display& display);
@@ -28,7 +29,7 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
 // The curves after subtraction of the reference's noise, as drawn in charts.
 std::vector<metrics::MethodCurves> corrected_curves(const Outcome& outcome, const Reference& reference);
 
-// True if the error of the reference is known and more than a tenth of the smallest measured error.
+// True if the error of the reference is known and makes a measured error uncertain (metrics::is_reference_too_noisy).
 bool reference_too_noisy(const Outcome& outcome, const Reference& reference);
 
 // The rendering time of the reference that would suffice for all methods, in seconds; 0 if the present one suffices or

@@ -31,7 +31,7 @@ class Polar {
     center_ = {0.5 * options.width, has_lower_side_ ? 0.5 * options.height : options.height - kMargin};
     drawing_.width = options.width;
     drawing_.height = options.height;
-    drawing_.title = "Slices of f cos in the plane of incidence";
+    drawing_.title = options.title.empty() ? "Slices of f cos in the plane of incidence" : options.title;
   }
 
   Drawing draw() {

@@ -20,6 +20,7 @@ struct DrawingOptions {
   metrics::ChartPalette palette = {};
   LengthScale length_scale = LengthScale::linear;
   double azimuth = 145, elevation = 25;  // of the viewpoint of lobe_drawing, degrees
+  std::string title = {};                // of polar_drawing; empty: that of slices of f cos
 };
 
 // Polar plot of slices around the normal, one colour each, with the direction wo of the first slice.

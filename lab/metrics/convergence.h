@@ -5,14 +5,15 @@
 // come from the spread of several repeats with different seeds. The points of a single curve cannot provide them: they
 // are running sums of the same samples, so their errors are correlated.
 //
-// Errors are defined in metrics/metrics.h and computed on linear pixels, over pixels and channels: mse in squared
-// radiance, relmse without unit, bias in radiance.
+// Errors are means over pixels and channels (metrics/metrics.h): the squares of the three measures of
+// film/error_measure.h, and the bias in the unit of the image.
 #pragma once
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "film/error_measure.h"
 #include "metrics/line_fit.h"
 
 namespace etendue::metrics {
@@ -21,7 +22,11 @@ struct ErrorPoint {
   double seconds = 0;  // rendering time
   double spp = 0;      // samples per pixel
   double mse = 0, relmse = 0;
-  double bias = 0;  // mean of image - reference
+  double bias = 0;           // mean of image - reference
+  double displayed_mse = 0;  // of the displayed values
+
+  // The root mean square error in a measure.
+  double error(film::ErrorMeasure measure) const;
 };
 
 struct ErrorCurve {
@@ -35,14 +40,17 @@ struct MethodCurves {
 };
 
 enum class Abscissa { seconds, samples };
-enum class ErrorKind { rmse, relmse };
 
 // --- Error of the reference ----------------------------------------------------------------------------------------
 
 // The squared standard error of the reference, averaged over pixels and channels; for relmse each term is divided by
 // r^2 + 0.01.
 struct ReferenceNoise {
-  double mse = 0, relmse = 0;
+  double mse = 0, relmse = 0, displayed_mse = 0;
+  double relative_error = 0;  // relative standard error of `mse`, as far as it follows from the variances of the values
+
+  // The root of the noise in a measure.
+  double error(film::ErrorMeasure measure) const;
 };
 
 // If image and reference are independent, a measured MSE is the sum of the image's MSE and that of the reference.
@@ -50,7 +58,12 @@ struct ReferenceNoise {
 ErrorPoint without_noise(ErrorPoint measured, const ReferenceNoise& noise);
 MethodCurves without_noise(const MethodCurves& method, const ReferenceNoise& noise);
 
-// True if the smallest RMSE on the corrected curves is less than ten times the standard error of the reference.
+// The smallest RMSE that the reference determines within 5 %. With m the MSE of an image, r that of the reference and d the
+// relative error of r, the corrected MSE has the variance d^2 (r^2 + 2 m r): the first term is the error of r, the second
+// the product of both noises. It is at least the standard error of the reference.
+double smallest_certain_rmse(const ReferenceNoise& noise);
+
+// True if an RMSE on the corrected curves is smaller than that.
 bool is_reference_too_noisy(const MethodCurves& corrected, const ReferenceNoise& noise);
 
 // --- Interpolation and bands ---------------------------------------------------------------------------------------
@@ -58,22 +71,33 @@ bool is_reference_too_noisy(const MethodCurves& corrected, const ReferenceNoise&
 // `count` numbers from first to last in equal ratios, both ends included. 0 < first <= last, count >= 2.
 std::vector<double> log_grid(double first, double last, int count);
 
-// The smallest and the largest positive abscissa with an error above zero on any curve; nothing without such points.
+// The repeats whose last point lies at nine tenths of the longest one's abscissa or beyond it. Medians and slopes use
+// these alone, along the whole curve, so that a repeat that ended early or is still running does not bend the curve.
+MethodCurves complete_repeats(const MethodCurves& method, Abscissa abscissa);
+
+// The abscissas at which all complete repeats have an error above zero; nothing without such points.
 struct Range {
   double first, last;
 };
-std::optional<Range> abscissa_range(const MethodCurves& method, Abscissa abscissa);
+std::optional<Range> abscissa_range(const MethodCurves& method, Abscissa abscissa, film::ErrorMeasure measure);
 
 // The error at `x`, interpolated linearly between the logarithms of the neighbouring points; nothing outside the curve.
-// ErrorKind::rmse is the root of mse; relmse is returned as it is stored.
-std::optional<double> error_at(const ErrorCurve& curve, Abscissa abscissa, ErrorKind kind, double x);
+std::optional<double> error_at(const ErrorCurve& curve, Abscissa abscissa, film::ErrorMeasure measure, double x);
 
-// Median and 10 % to 90 % quantiles over the repeats, at the abscissas that at least half of the repeats reach.
+// Median and 10 % to 90 % quantiles over the complete repeats, at the abscissas that all of them reach.
 struct BandPoint {
   double x, low, median, high;
 };
-std::vector<BandPoint> error_band(const MethodCurves& method, Abscissa abscissa, ErrorKind kind,
+std::vector<BandPoint> error_band(const MethodCurves& method, Abscissa abscissa, film::ErrorMeasure measure,
                                   std::span<const double> grid);
+
+// The last point of the curve that a chart draws, and the medians of the complete repeats at their ends.
+struct CurveEnd {
+  std::optional<BandPoint> point;  // none if no error is left after subtraction of the reference's noise
+  double seconds = 0, spp = 0;
+  size_t repeats = 0;  // number of complete repeats
+};
+CurveEnd curve_end(const MethodCurves& method, Abscissa abscissa, film::ErrorMeasure measure);
 
 // The q-quantile, 0 <= q <= 1, interpolated linearly between order statistics; NaN for no values.
 double quantile(std::vector<double> values, double q);
@@ -89,16 +113,17 @@ struct Estimate {
 };
 Estimate estimate_of(std::span<const double> values);
 
-// The slope of log RMSE over log time or log samples: -1/2 for Monte Carlo, steeper for quasi-Monte Carlo, zero where
+// The slope of the logarithm of the error over log time or log samples: -1/2 for Monte Carlo, steeper for quasi-Monte Carlo, zero where
 // only bias remains. A weighted line is fitted to each repeat; the slopes are averaged over repeats. The weight of a
 // point is the length of the logarithmic axis it represents, so that densely sampled ends do not dominate. On corrected
 // curves it is reduced by the uncertainty of the correction. For one repeat the standard error is that of the line fit,
 // which ignores correlation and is too small; `degrees` is 0 to mark this.
-Estimate slope_of(const MethodCurves& corrected, Abscissa abscissa, const ReferenceNoise& noise = {});
+Estimate slope_of(const MethodCurves& corrected, Abscissa abscissa, const ReferenceNoise& noise = {},
+                  film::ErrorMeasure measure = film::ErrorMeasure::rmse);
 
-// 1 over the mean of MSE * seconds at the end of the repeats. For Monte Carlo it does not depend on their duration.
+// 1 over the mean of squared error * seconds at the end of the repeats. For Monte Carlo it does not depend on their duration.
 // Averaging the inverses instead would favour methods with scattered errors. Unknown if no error is left.
-Estimate efficiency_of(const MethodCurves& corrected);
+Estimate efficiency_of(const MethodCurves& corrected, film::ErrorMeasure measure = film::ErrorMeasure::rmse);
 
 // The mean bias at the end of the repeats. `reference_error` is the standard error of the mean of the reference image.
 // All repeats share it, so it is added in quadrature to the standard error.

@@ -83,13 +83,13 @@ class Chart {
     Bands all;
     const int steps = options_.embedded ? kEmbeddedSteps : kSteps;
     for (const auto& method : methods_) {
-      const auto range = abscissa_range(method, options_.abscissa);
+      const auto range = abscissa_range(method, options_.abscissa, options_.measure);
       if (!range)
         all.emplace_back();
       else if (range->first < range->last)
-        all.push_back(error_band(method, options_.abscissa, options_.kind, log_grid(range->first, range->last, steps)));
+        all.push_back(error_band(method, options_.abscissa, options_.measure, log_grid(range->first, range->last, steps)));
       else
-        all.push_back(error_band(method, options_.abscissa, options_.kind, std::array{range->first}));
+        all.push_back(error_band(method, options_.abscissa, options_.measure, std::array{range->first}));
     }
     return all;
   }
@@ -144,7 +144,7 @@ class Chart {
     drawing_.shapes.push_back(
         Polyline{.points = {{margins_.left, margins_.top}, {margins_.left, bottom()}, {right(), bottom()}},
                  .color = options_.palette.text});
-    const std::string kind = options_.kind == ErrorKind::rmse ? "RMSE" : "relMSE";
+    const std::string kind = film::measure_label(options_.measure);
     const std::string x_label = options_.abscissa == Abscissa::seconds ? "seconds" : "samples per pixel";
     // Curves fall, so the upper right corner is free.
     if (options_.embedded) return add_text(right() - 8, margins_.top + 18, kind + " over " + x_label, Anchor::right);
@@ -159,10 +159,8 @@ class Chart {
       add_line({margins_.left, y}, {right(), y}, options_.palette.text, true);
       add_text(right() - 4, y - 4, "error of the reference", Anchor::right, options_.palette.secondary_text, kText - 1);
     }
-    // relMSE is a squared error, so its slopes are twice those of the RMSE.
-    const bool is_squared = options_.kind == ErrorKind::relmse;
-    draw_guide(is_squared ? -1 : -0.5, is_squared ? "-1" : "-1/2");
-    draw_guide(is_squared ? -2 : -1, is_squared ? "-2" : "-1");
+    draw_guide(-0.5, "-1/2");
+    draw_guide(-1, "-1");
   }
 
   // A line with the given slope from the upper left corner to the border of the plot area.
@@ -197,8 +195,12 @@ class Chart {
   std::string tooltip(size_t i, const BandPoint& p) const {
     const std::string unit = options_.abscissa == Abscissa::seconds ? " s" : " spp";
     return methods_[i].name + "\n" + short_number(p.x) + unit + "\n" +
-           (options_.kind == ErrorKind::rmse ? "RMSE " : "relMSE ") + short_number(p.median) + " (" +
-           short_number(p.low) + " to " + short_number(p.high) + ")";
+           film::measure_label(options_.measure) + " " + error_number(p.median) + " (" + error_number(p.low) + " to " +
+           error_number(p.high) + ")";
+  }
+
+  std::string error_number(double error) const {
+    return options_.measure == film::ErrorMeasure::rmse ? short_number(error) : short_number(100 * error) + " %";
   }
 
   void draw_legend(size_t i) {
@@ -208,18 +210,22 @@ class Chart {
     std::string name = methods_[i].name;
     const auto max_length = static_cast<size_t>((right() - margins_.left - 38 - kSlopeWidth) / kLetterWidth);
     if (name.size() > max_length) name = name.substr(0, max_length) + "..";
+    const size_t complete = complete_repeats(methods_[i], options_.abscissa).repeats.size();
+    if (complete > 0 && complete < methods_[i].repeats.size())
+      name += ", median of " + std::to_string(complete) + " of " + std::to_string(methods_[i].repeats.size()) + " repeats";
     add_text(margins_.left + 38, y + 4, name);
     add_text(right(), y + 4, slope_text(methods_[i]), Anchor::right, options_.palette.secondary_text);
   }
 
   std::string slope_text(const MethodCurves& method) const {
-    const Estimate slope = slope_of(method, options_.abscissa, options_.noise);
+    const Estimate slope = slope_of(complete_repeats(method, options_.abscissa), options_.abscissa, options_.noise,
+                                    options_.measure);
     if (!slope.known) return "no error to draw";
     char text[64];
     if (slope.degrees > 0)
-      std::snprintf(text, sizeof text, "slope of RMSE %.3f +- %.3f", slope.value, slope.standard_error);
+      std::snprintf(text, sizeof text, "slope %.3f \u00b1 %.3f", slope.value, slope.standard_error);
     else
-      std::snprintf(text, sizeof text, "slope of RMSE %.3f", slope.value);
+      std::snprintf(text, sizeof text, "slope %.3f", slope.value);
     return text;
   }
 

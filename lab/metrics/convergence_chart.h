@@ -17,7 +17,7 @@ struct ChartPalette {
 struct ChartOptions {
   std::string title;
   Abscissa abscissa = Abscissa::seconds;
-  ErrorKind kind = ErrorKind::rmse;
+  film::ErrorMeasure measure = film::ErrorMeasure::rmse;
   int width = 900, height = 520;  // pixels, without the legend below
   // The standard error of the reference in the unit of the chart, drawn as a horizontal line; 0 draws none.
   double reference_error = 0;
@@ -38,8 +38,8 @@ struct ChartFrame {
 };
 ChartFrame chart_frame(std::span<const MethodCurves> methods, const ChartOptions& options);
 
-// Median lines, bands from the 10 % to the 90 % quantile, dots with tooltips (method, time or samples, error), and a
-// legend with fitted slopes. Methods without a point that has a logarithm appear in the legend only.
+// Median lines and bands from the 10 % to the 90 % quantile of the complete repeats, dots with tooltips (method, time or
+// samples, error), and a legend with fitted slopes, which states how many repeats are complete unless all are. Methods without a point that has a logarithm appear in the legend only.
 Drawing convergence_chart(std::span<const MethodCurves> methods, const ChartOptions& options);
 
 }  // namespace etendue::metrics

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "metrics/text_raster.h"
+
 namespace etendue::metrics {
 namespace {
 
@@ -111,7 +113,7 @@ std::string to_svg(const Drawing& drawing) {
   const std::string h = std::to_string(drawing.height);
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h +
                     "\" viewBox=\"0 0 " + w + " " + h + "\" role=\"img\" aria-label=\"" + escape_markup(drawing.title) +
-                    "\" font-family=\"sans-serif\">\n<rect width=\"" + w + "\" height=\"" + h +
+                    "\" font-family=\"" + kTypefaces + "\">\n<rect width=\"" + w + "\" height=\"" + h +
                     "\" fill=\"#ffffff\"/>\n";
   for (const auto& shape : drawing.shapes) svg += std::visit([](const auto& s) { return element(s); }, shape);
   return svg + "</svg>\n";

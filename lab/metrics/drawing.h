@@ -70,7 +70,7 @@ std::vector<std::array<Point, 2>> dash_segments(const Polyline& line);
 // coordinates that are not finite are left out.
 std::string to_svg(const Drawing& drawing);
 
-// 8-bit sRGB, row by row, on white. Text is drawn in capitals of 3 x 5 dots (image/bitmap_font.h).
+// 8-bit sRGB, row by row, on white. Text is drawn with FreeType, in the typeface of the SVG.
 std::vector<uint8_t> rasterize(const Drawing& drawing);
 
 // Escapes text for XML and HTML, between tags and in quoted attributes.

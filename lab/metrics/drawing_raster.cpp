@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "image/bitmap_font.h"
 #include "metrics/drawing.h"
+#include "metrics/text_raster.h"
 
 namespace etendue::metrics {
 namespace {
@@ -106,27 +106,12 @@ void paint(Canvas& canvas, const Dot& d) {
                [&](const Point& p) { return d.radius + 0.5 - distance(p, d.at); });
 }
 
-void paint_glyph(Canvas& canvas, char c, int left, int top, int scale, const Color& color) {
-  const uint16_t bits = image::bitmap_glyph(c);
-  constexpr int kBits = image::kGlyphWidth * image::kGlyphHeight;
-  for (int i = 0; i < kBits; ++i) {
-    if (!(bits >> (kBits - 1 - i) & 1)) continue;
-    for (int v = 0; v < scale; ++v)
-      for (int u = 0; u < scale; ++u)
-        canvas.blend(left + i % image::kGlyphWidth * scale + u, top + i / image::kGlyphWidth * scale + v, color, 1);
-  }
-}
-
 void paint(Canvas& canvas, const Text& t) {
   if (!is_finite(t.at)) return;
-  const int scale = std::max(1, static_cast<int>(t.size / 6)), advance = image::kGlyphAdvance * scale;
-  const int length = static_cast<int>(t.text.size()) * advance - scale;
-  int x = static_cast<int>(t.at.x);
-  if (t.anchor != Anchor::left) x -= t.anchor == Anchor::right ? length : length / 2;
-  for (const char c : t.text) {
-    paint_glyph(canvas, c, x, static_cast<int>(t.at.y) - image::kGlyphHeight * scale, scale, t.color);
-    x += advance;
-  }
+  const double width = text_width(t.text, t.size);
+  const double x = t.anchor == Anchor::left ? t.at.x : t.at.x - (t.anchor == Anchor::right ? width : width / 2);
+  rasterize_text(t.text, t.size, x, t.at.y,
+                 [&](int column, int row, double coverage) { canvas.blend(column, row, t.color, coverage); });
 }
 
 }  // namespace

@@ -42,6 +42,17 @@ Metrics metrics_of(std::span<const float> x, std::span<const float> r) {
   return m;
 }
 
+double displayed_mse(std::span<const float> image, std::span<const float> reference,
+                     const film::DisplayTransform& display) {
+  double sum = 0;
+  for (size_t i = 0; i + 2 < image.size(); i += 3) {
+    const Rgb a = display({image[i], image[i + 1], image[i + 2]});
+    const Rgb b = display({reference[i], reference[i + 1], reference[i + 2]});
+    for (int c = 0; c < 3; ++c) sum += sqr(double{a[c]} - double{b[c]});
+  }
+  return sum / static_cast<double>(image.size());
+}
+
 Result<Metrics> compare(const image::LayeredImage& image, const image::LayeredImage& reference) {
   if (!has_rgb(image) || !has_rgb(reference)) return input_error("compare: an image has no R, G and B channels");
   if (image.width != reference.width || image.height != reference.height)

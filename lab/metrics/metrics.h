@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/result.h"
+#include "film/error_measure.h"
 #include "image/image.h"
 
 namespace etendue::metrics {
@@ -20,6 +21,10 @@ struct Metrics {
 
 // Compares values in the same order. Values that are not finite make the results not finite.
 Metrics metrics_of(std::span<const float> image, std::span<const float> reference);
+
+// The mean over pixels and channels of the squared difference of displayed values (film/error_measure.h).
+double displayed_mse(std::span<const float> image, std::span<const float> reference,
+                     const film::DisplayTransform& display);
 
 // Compares two beauty layers of equal size; anything else is an input error. A pixel that is not finite is an input
 // error too, because a mean over the remaining pixels would hide it.

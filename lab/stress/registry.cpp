@@ -49,6 +49,7 @@
 #include "stress/cases/roughness_at_its_ends.h"
 #include "stress/cases/roulette_below_the_square.h"
 #include "stress/cases/roulette_of_a_bright_room.h"
+#include "stress/cases/scattering_furnace.h"
 #include "stress/cases/seeds_and_pixels.h"
 #include "stress/cases/settings_that_are_no_numbers.h"
 #include "stress/cases/shadows_ignored.h"
@@ -151,6 +152,7 @@ const std::vector<Case>& cases() {
       kAlbedoOfOne,
       kClosedRoomOfAlbedoOne,
       kOpticalDepth,
+      kScatteringFurnace,
       kPhotonsInAnEstimate,
       kPhotonsTooFew,
       kLightOfAMicrometre,

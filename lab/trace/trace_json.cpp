@@ -62,7 +62,7 @@ json scattering_json(const RecordedScattering& s) {
 
 void add_surface(const scene::CompiledScene& scene, const RecordedVertex& v, json& j) {
   const scene::SurfacePoint& p = v.point;
-  j["node"] = node_name(scene, p.instance->node);
+  j["node"] = place_name(scene, p);
   j["material"] = material_name(scene, p);
   j["triangle"] = p.triangle;
   j["position"] = vector_json(p.position);
@@ -71,6 +71,7 @@ void add_surface(const scene::CompiledScene& scene, const RecordedVertex& v, jso
   j["shading_normal"] = vector_json(p.shading.z);
   j["front"] = p.front;
   j["lobes"] = lobe_names(v);
+  if (p.in_volume) j["in_volume"] = true;
   if (p.inside || p.outside)
     j["media"] = {{"inside", medium_name(scene, p.inside)}, {"outside", medium_name(scene, p.outside)}};
 }

@@ -24,12 +24,18 @@ std::string node_name(const scene::CompiledScene& scene, uint32_t node) {
 }
 
 std::string material_name(const scene::CompiledScene& scene, const scene::SurfacePoint& point) {
+  if (point.in_volume) return "medium";
   const uint32_t index = point.instance->material;
   return named(scene.description().materials[index].name, "material", index);
 }
 
 std::string medium_name(const scene::CompiledScene& scene, const scene::Solid* solid) {
-  return solid ? node_name(scene, solid->node) : "vacuum";
+  if (solid) return node_name(scene, solid->node);
+  return scene.solids().atmosphere() ? "atmosphere" : "vacuum";
+}
+
+std::string place_name(const scene::CompiledScene& scene, const scene::SurfacePoint& point) {
+  return point.in_volume ? medium_name(scene, point.inside) : node_name(scene, point.instance->node);
 }
 
 std::string light_name(const scene::CompiledScene& scene, const LightSample& sample) {
@@ -44,6 +50,7 @@ std::string light_name(const scene::CompiledScene& scene, const LightSample& sam
 
 std::vector<std::string> lobe_names(const transport::RecordedVertex& vertex) {
   std::vector<std::string> names;
+  if (vertex.point.in_volume) names.push_back("volume");
   if (vertex.diffuse) names.push_back("diffuse");
   if (vertex.glossy) names.push_back("glossy");
   if (vertex.specular) names.push_back("specular");
@@ -51,6 +58,7 @@ std::vector<std::string> lobe_names(const transport::RecordedVertex& vertex) {
 }
 
 std::string scattering_name(const LobeSample<Rgb>& sample) {
+  if (sample.type == ScatterType::volume) return "volume scattering";
   const char* type = sample.type == ScatterType::diffuse  ? "diffuse"
                      : sample.type == ScatterType::glossy ? "glossy"
                                                           : "specular";

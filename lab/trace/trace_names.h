@@ -10,11 +10,13 @@ namespace etendue::trace {
 // "Floor", or "node 3" for a node without a name.
 std::string node_name(const scene::CompiledScene& scene, uint32_t node);
 std::string material_name(const scene::CompiledScene& scene, const scene::SurfacePoint& point);
-// The medium on one side of a surface: "vacuum", or the name of the solid.
+// The medium on one side of a surface: "vacuum", "atmosphere", or the name of the solid.
 std::string medium_name(const scene::CompiledScene& scene, const scene::Solid* solid);
+// The node of a surface, or the medium in which the point lies.
+std::string place_name(const scene::CompiledScene& scene, const scene::SurfacePoint& point);
 std::string light_name(const scene::CompiledScene& scene, const LightSample& sample);
 
-// The types of the lobes at a vertex: "diffuse", "glossy", "specular".
+// The types of the lobes at a vertex: "diffuse", "glossy", "specular", "volume".
 std::vector<std::string> lobe_names(const transport::RecordedVertex& vertex);
 // "diffuse reflection", "specular transmission"
 std::string scattering_name(const LobeSample<Rgb>& sample);

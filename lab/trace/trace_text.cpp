@@ -27,9 +27,11 @@ std::string lobes(const RecordedVertex& v) {
 
 std::string surface_details(const scene::CompiledScene& scene, const RecordedVertex& v) {
   const scene::SurfacePoint& p = v.point;
-  std::string text = node_name(scene, p.instance->node) + ", " + material_name(scene, p) + " (" + lobes(v) +
-                     "), position " + vector(p.position) + ", normal " + vector(p.shading.z) + ", distance " +
-                     number(glm::distance(v.origin, p.position)) + " m, throughput " + color(v.throughput);
+  std::string text =
+      place_name(scene, p) + ", " + material_name(scene, p) + " (" + lobes(v) + "), position " + vector(p.position);
+  if (!p.in_volume) text += ", normal " + vector(p.shading.z);
+  text += ", distance " + number(glm::distance(v.origin, p.position)) + " m, throughput " + color(v.throughput);
+  if (p.in_volume) return text;
   if (!p.front) text += ", back side";
   if (p.inside || p.outside)
     text += ", between " + medium_name(scene, p.inside) + " and " + medium_name(scene, p.outside);
@@ -121,7 +123,7 @@ std::string to_text(const render::PixelTrace& trace) {
     text += '\n';
   }
   const bool equal = trace.record.radiance == trace.radiance;
-  return text + "\nsum of the contributions: " + color(trace.record.radiance) + " W/(m^2 sr), " +
+  return text + "\nsum of the contributions: " + color(trace.record.radiance) + " cd/m^2, " +
          (equal ? "equal to" : "different from") + " the sample of the film\n";
 }
 

@@ -14,7 +14,7 @@ struct TraceRow {
   std::string details = {};
   std::string pdf = {};  // with its unit; empty if there is none
   std::string mis_weight = {};
-  std::string contribution = {};  // W/(m^2 sr); empty if the event cannot contribute
+  std::string contribution = {};  // cd/m^2; empty if the event cannot contribute
   bool rejected = false;          // an occluded shadow ray, the end of a path
 };
 

@@ -160,6 +160,7 @@ class Comparison {
   void environment() {
     const Environment &x = a_.environment, &y = b_.environment;
     same("environment", std::tuple(x.tint, x.rotation, x.visible), std::tuple(y.tint, y.rotation, y.visible));
+    same("atmosphere", a_.atmosphere, b_.atmosphere);
     same("environment.map", !x.map, !y.map);
     place_ = "environment";
     if (x.map && y.map) image(*x.map, *y.map);

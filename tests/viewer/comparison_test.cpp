@@ -12,6 +12,38 @@ namespace {
 
 constexpr int kWidth = 400, kHeight = 300;  // a dialog has room in it
 
+// Equal images, and differences whose mean is small, are not shown as "+0".
+TEST(DifferenceText, ShowsSignAndDigits) {
+  using viewer::CompareMode, viewer::make_difference_map;
+  const auto image = [](float value) { return std::make_shared<const std::vector<Rgb>>(16, Rgb(value)); };
+  const auto text = [&](float left, float right) {
+    return viewer::difference_text(
+        *make_difference_map({.mode = CompareMode::difference, .left = image(left), .right = image(right)}, 4, 4));
+  };
+  EXPECT_EQ(text(1, 1), "equal");
+  EXPECT_EQ(text(1, 1 - 1e-6f).substr(0, 8), "mean +9.");
+  EXPECT_EQ(text(0.5f, 1).substr(0, 9), "mean -0.5");
+  auto mixed = std::vector<Rgb>(16, Rgb(1));
+  mixed[0] = Rgb(2);
+  mixed[1] = Rgb(0);
+  const viewer::DifferenceInput input{.mode = CompareMode::difference,
+                                      .left = std::make_shared<const std::vector<Rgb>>(mixed),
+                                      .right = image(1)};
+  EXPECT_EQ(viewer::difference_text(*make_difference_map(input, 4, 4)), "mean 0, RMS 0.3536");
+}
+
+TEST(ComparisonProblem, AMissingImageIsNotCompared) {
+  viewer::Comparison comparison([] {});
+  const auto frame = std::make_shared<render::Frame>();
+  comparison.mode = viewer::CompareMode::difference;
+  comparison.live = {.name = "a", .label = "a", .frame = frame};
+  comparison.pin();
+  EXPECT_TRUE(comparison.is_active());
+  comparison.live.unavailable = "no light can reach a pinhole";
+  EXPECT_FALSE(comparison.is_active());
+  EXPECT_EQ(comparison.problem(), "A has no image: no light can reach a pinhole");
+}
+
 // Hides the interface and makes a screenshot.
 json bare_shot(const std::string& file) { return json::array({key("h"), file_step("screenshot", file), key("h")}); }
 

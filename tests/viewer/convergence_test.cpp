@@ -1,4 +1,6 @@
 // The Convergence panel: comparison of methods, its curves, and their export.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
@@ -34,6 +36,45 @@ class ConvergencePanel : public Viewer {
     return all.str();
   }
 };
+
+// The table shows the median of the complete repeats at the end of the curve, in the chosen measure. A method that cannot
+// render the scene has no error.
+TEST_F(ConvergencePanel, TableShowsTheEndOfTheCurveInTheChosenMeasure) {
+  const auto steps = joined(
+      small(), json::array({click("panel.convergence"), set("compare.rule", "samples"), set("compare.samples", 8),
+                            set("compare.repeats", 3), set("compare.integrator", "light-pure"), click("compare.add"),
+                            set("compare.axis", "samples"), click("compare.start"), kAtRest,
+                            file_step("state", path("rmse.json")), set("compare.error", "relative"),
+                            file_step("state", path("relative.json")), file_step("screenshot", path("chart.png"))}));
+  const auto all = joined(steps, exported("a.csv"));
+  ASSERT_EQ(run(all), 0);
+  const auto rmse = state("rmse.json")["contest"]["methods"], relative = state("relative.json")["contest"]["methods"];
+  ASSERT_EQ(rmse.size(), 3u);
+  EXPECT_EQ(rmse[0]["incompatibility"], "");
+  EXPECT_NE(rmse[2]["incompatibility"], "");
+  EXPECT_TRUE(rmse[2]["error"].is_null());
+  EXPECT_EQ(rmse[2]["repeats"], 0);
+  for (size_t m = 0; m < 2; ++m) {
+    EXPECT_EQ(rmse[m]["repeats"], 3);
+    // The errors of all repeats at 8 samples per pixel.
+    std::vector<double> ends, relative_ends;
+    std::istringstream csv(text("a.csv"));
+    for (std::string line; std::getline(csv, line);) {
+      if (line.find(rmse[m]["name"].get<std::string>()) == std::string::npos) continue;
+      std::vector<double> numbers;
+      std::istringstream fields(line.substr(line.rfind('"') + 2));
+      for (std::string field; std::getline(fields, field, ',');) numbers.push_back(std::stod(field));
+      if (numbers[2] != 8) continue;
+      ends.push_back(std::sqrt(numbers[3]));
+      relative_ends.push_back(std::sqrt(numbers[4]));
+    }
+    ASSERT_EQ(ends.size(), 3u);
+    std::ranges::sort(ends);
+    std::ranges::sort(relative_ends);
+    EXPECT_NEAR(rmse[m]["error"].get<double>(), ends[1], 1e-6 * ends[1]);
+    EXPECT_NEAR(relative[m]["error"].get<double>(), relative_ends[1], 1e-6 * relative_ends[1]);
+  }
+}
 
 TEST_F(ConvergencePanel, MethodsAreRenderedInTurnsAndCurvesAreExported) {
   auto steps =

@@ -155,6 +155,12 @@ TEST_F(Techniques, ImagesAddUpToTheImageOfTheIntegrator) {
   for (const auto& cell : a["techniques"]["cells"]) sum += cell["mean"].get<double>();
   // The same random numbers give the same paths.
   EXPECT_NEAR(sum, a["techniques"]["mean"].get<double>(), 1e-3 * sum);
+  EXPECT_NEAR(a["techniques"]["sum"]["share"].get<double>(), 1, 1e-3);
+  double variance = 0;
+  for (const auto& cell : a["techniques"]["cells"])
+    if (cell.contains("share")) variance += std::pow(cell["standard_error"].get<double>() / a["techniques"]["mean"].get<double>(), 2);
+  EXPECT_GT(a["techniques"]["sum"]["error"].get<double>(), std::sqrt(variance));
+  EXPECT_LT(a["techniques"]["sum"]["error"].get<double>(), 0.5);
   // Without MIS weights, each technique estimates the whole image.
   for (const auto& [s, t] : {std::pair(0, 3), {1, 2}, {2, 1}}) EXPECT_GT(mean_of(b, s, t), mean_of(a, s, t)) << s << t;
   // No light path can hit a pinhole.

@@ -48,10 +48,39 @@ TEST_F(LightMeterPanel, PresetSetsIntensityAndColour) {
   const double inner = std::cos(number("inner-cone")), outer = std::cos(number("outer-cone"));
   const double cones = 1 - inner + (inner - outer) / 3;
   const double y = 0.212671 * number("color.r") + 0.71516 * number("color.g") + 0.072169 * number("color.b");
-  EXPECT_NEAR(683.0 * 107 / 500 * y * number("intensity") * 2 * 3.14159265 * cones, 710, 0.5);
+  EXPECT_NEAR(y * number("intensity") * 2 * 3.14159265 * cones, 710, 0.5);
   EXPECT_EQ(state("bulb.json")["undo_depth"].get<int>(), state("before.json")["undo_depth"].get<int>() + 1);
   EXPECT_EQ(state("after.json")["parameters"]["light.0.intensity"],
             state("before.json")["parameters"]["light.0.intensity"]);
+}
+
+// The stored intensity is in candela; the field shows and takes it in the selected unit.
+TEST_F(LightMeterPanel, IntensityIsEditedInTheSelectedUnit) {
+  const auto steps = joined(
+      small(1), steps_of({click("tab.light"), click("light.choose.0"), set("light.0.intensity", 30),
+                          file_step("state", path("candela.json")), set("light.unit", "radiometric"),
+                          set("meter.efficacy", "maximal"), file_step("screenshot", path("watts.png")),
+                          set("light.0.intensity", 2), file_step("state", path("watts.json"))}));
+  ASSERT_EQ(run(steps, "spot-indirect"), 0);
+  EXPECT_EQ(state("candela.json")["parameters"]["light.0.intensity"], 30);
+  EXPECT_NEAR(state("watts.json")["parameters"]["light.0.intensity"].get<double>(), 2 * 683, 1e-3);
+}
+
+TEST_F(LightMeterPanel, TemperatureSetsTheColour) {
+  const auto steps = joined(
+      small(1), steps_of({click("tab.light"), click("light.choose.0"), file_step("state", path("before.json")),
+                          set("light.temperature", 2856), file_step("state", path("warm.json")),
+                          file_step("screenshot", path("warm.png")), key("ctrl+z"), file_step("state", path("after.json"))}));
+  ASSERT_EQ(run(steps, "spot-indirect"), 0);
+  const auto warm = state("warm.json")["parameters"], before = state("before.json")["parameters"],
+             after = state("after.json")["parameters"];
+  // CIE illuminant A.
+  EXPECT_NEAR(warm["light.0.color.r"].get<double>(), 1, 1e-6);
+  EXPECT_NEAR(warm["light.0.color.g"].get<double>(), 0.448, 2e-3);
+  EXPECT_NEAR(warm["light.0.color.b"].get<double>(), 0.126, 2e-3);
+  EXPECT_EQ(state("warm.json")["undo_depth"].get<int>(), state("before.json")["undo_depth"].get<int>() + 1);
+  for (const char* name : {"light.0.color.r", "light.0.color.g", "light.0.color.b"})
+    EXPECT_EQ(after[name], before[name]) << name;
 }
 
 TEST_F(LightMeterPanel, WaitFailsWithoutAMeasurement) {

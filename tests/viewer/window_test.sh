@@ -15,7 +15,7 @@ trap 'kill "${viewer:-}" 2>/dev/null || true; rm -rf "$folder"' EXIT
 export XDG_CONFIG_HOME=$folder XDG_STATE_HOME=$folder XDG_DATA_HOME=$folder XDG_CACHE_HOME=$folder
 cd "$folder"
 
-"$etendue" & viewer=$!
+"$etendue" cornell & viewer=$!
 window=$(timeout 30 xdotool search --sync --onlyvisible --name "tendue" | head -1)
 sleep 1
 xdotool windowfocus "$window" mousemove --window "$window" 300 400 mousedown 1

@@ -1,4 +1,5 @@
 // Comparison of images in the viewport.
+#include "image/format.h"
 #include "viewer/actions/all_actions.h"
 #include "viewer/actions/conditions.h"
 #include "viewer/viewport/comparison.h"
@@ -33,7 +34,7 @@ void request_image(AppState& state, Comparison::Target target) {
   const bool is_b = target == Comparison::Target::b;
   state.files.request = FileRequest{
       .title = std::string(is_b ? "Load image B" : "Load the reference image") + " (.exr, .hdr, .png, .tif, ...)",
-      .extensions = {".exr", ".hdr", ".png"},
+      .extensions = image::readable_extensions(),
       .accept = [&state, target](const std::string& file) { state.viewport.comparison->load(file, target); }};
 }
 

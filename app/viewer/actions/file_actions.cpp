@@ -1,6 +1,7 @@
 // Opening and saving files.
 #include <ctime>
 
+#include "image/format.h"
 #include "light/environments/builtin_environment.h"
 #include "render/document.h"
 #include "scene/builtin/builtin.h"
@@ -99,10 +100,11 @@ void add_open_actions(ActionList& actions) {
   actions.add({.name = "environment.load",
                .menu = "File",
                .label = "Load environment map...",
-               .tooltip = "Lights the scene with an equirectangular environment map (.hdr, .exr)",
+               .tooltip = "Lights the scene with an equirectangular environment map (.hdr, .exr, ...)",
                .run =
                    [](AppState& state) {
-                     request_open(state, "Load an environment map (.hdr, .exr)", {".hdr", ".exr"});
+                     request_open(state, "Load an environment map (.hdr, .exr or another image format)",
+                                  image::readable_extensions());
                    },
                .enabled = has_document,
                .section = kOpenSection,

@@ -1,10 +1,14 @@
 // What the window shows: framing, display and interface.
 #include <algorithm>
 
+#include "render/automatic_exposure.h"
+#include "render/display_frame.h"
 #include "render/document.h"
+#include "render/session.h"
 #include "viewer/actions/all_actions.h"
 #include "viewer/actions/conditions.h"
 #include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
 #include "viewer/viewport/aov_layer.h"
 #include "viewer/viewport/viewport.h"
 
@@ -18,6 +22,16 @@ void change_exposure(AppState& state, double stops) {
   const auto parameter = document_parameter(state.document(), "camera.exposure");
   const double exposure = std::get<double>(parameter->info.default_value) + stops;
   state.edit(*parameter, std::clamp(exposure, parameter->info.min, parameter->info.max), "keys.exposure");
+}
+
+void set_automatic_exposure(AppState& state) {
+  const auto scene = state.session->scene();
+  const auto& frame = state.viewport.frame;
+  if (!scene || !frame || frame->version != state.editor->version()) return;
+  const auto luminances = render::surface_luminances(state.document(), *scene, *frame->pixels);
+  const auto exposure = render::automatic_exposure(luminances);
+  if (!exposure) return state.notices.add_message("The visible surfaces are black, so no exposure shows them.");
+  state.edit(*document_parameter(state.document(), "camera.exposure"), static_cast<double>(*exposure));
 }
 
 // After the last AOV follows the image itself.
@@ -89,6 +103,14 @@ void add_display_actions(ActionList& actions) {
                .run = [](AppState& state) { change_exposure(state, kExposureStep); },
                .enabled = has_document,
                .section = "display"});
+  actions.add({.name = "display.auto-exposure",
+               .menu = "View",
+               .label = "Automatic exposure",
+               .tooltip = "Sets the exposure so that the bright surfaces in the image are just below white",
+               .shortcut = "a",
+               .run = set_automatic_exposure,
+               .enabled = has_document,
+               .section = "display"});
   actions.add({.name = "display.next-aov",
                .menu = "View",
                .label = "Next AOV",
@@ -124,6 +146,18 @@ void add_display_actions(ActionList& actions) {
        .section = "overlays"});
 }
 
+void add_animation_actions(ActionList& actions) {
+  actions.add({.name = "animation.play",
+               .menu = "View",
+               .label = "Play",
+               .tooltip = "Plays the animations of the file, or stops them",
+               .shortcut = "p",
+               .run = toggle_playback,
+               .enabled = is_animated,
+               .checked = [](const AppState& state) { return state.viewport.playback.is_playing; },
+               .section = "animation"});
+}
+
 void add_interface_actions(ActionList& actions) {
   actions.add({.name = "view.interface",
                .menu = "View",
@@ -146,6 +180,11 @@ void add_interface_actions(ActionList& actions) {
                .tooltip = "Searches all commands by name",
                .shortcut = "ctrl+k",
                .run = [](AppState& state) { state.interface.palette_open = true; }});
+  actions.add({.name = "app.welcome",
+               .menu = "Help",
+               .label = "Welcome page",
+               .tooltip = "Shows the built-in scenes and recent files",
+               .run = [](AppState& state) { state.interface.welcome_open = true; }});
   actions.add({.name = "app.help",
                .menu = "Help",
                .label = "Keyboard and mouse shortcuts",
@@ -160,6 +199,7 @@ void add_interface_actions(ActionList& actions) {
 void add_view_actions(ActionList& actions) {
   add_framing_actions(actions);
   add_display_actions(actions);
+  add_animation_actions(actions);
   add_interface_actions(actions);
 }
 

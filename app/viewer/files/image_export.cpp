@@ -51,7 +51,7 @@ void ImageExport::finish_pass() {
   } else {
     session_.pause(false);
     const uint32_t samples = is_current ? std::max(1u, status.samples) : 1;
-    version_ = editor_.submit_with_limits({.samples = samples, .seconds = 0, .rmse = 0});
+    version_ = editor_.submit_with_limits({.samples = samples, .seconds = 0, .error = 0});
   }
   stage_ = Stage::finishing_pass;
 }

@@ -1,5 +1,8 @@
 #include "viewer/files/loader.h"
 
+#include <algorithm>
+
+#include "image/format.h"
 #include "image/image.h"
 #include "render/image_output.h"
 #include "render/session_file.h"
@@ -18,9 +21,13 @@ Result<OpenedFile> read_environment(const std::string& file, const render::Docum
   return OpenedFile{.kind = Kind::environment, .file = file, .document = std::move(*document)};
 }
 
+bool is_image(const std::string& extension) {
+  const auto extensions = image::readable_extensions();
+  return std::ranges::find(extensions, extension) != extensions.end();
+}
+
 Result<OpenedFile> read(const std::string& file, const render::Document& current, const std::string& environment) {
   const std::string extension = lower_extension(file);
-  if (extension == ".hdr") return read_environment(file, current);
   if (extension == ".exr") {
     const auto image = image::read_exr(file);
     if (!image) return image.error();
@@ -35,6 +42,7 @@ Result<OpenedFile> read(const std::string& file, const render::Document& current
     if (!document) return document.error();
     return OpenedFile{.kind = Kind::session, .file = file, .document = std::move(*document)};
   }
+  if (is_image(extension)) return read_environment(file, current);
   auto document = render::new_document(file);
   if (!document) return document.error();
   if (document->lit_by_default && !environment.empty()) document = render::with_environment(*document, environment);

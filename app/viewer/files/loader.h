@@ -1,7 +1,7 @@
 // Opens files in the background.
 //
 // The content of a file decides what it is: a scene, a session (.etendue), a snapshot (an .exr with a stored document),
-// or an environment map (any other .exr, or .hdr).
+// or an environment map (any other .exr, or another image).
 #pragma once
 #include <chrono>
 #include <functional>

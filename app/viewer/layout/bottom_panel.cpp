@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/layout/window_flags.h"
+#include "viewer/layout/layout_parts.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
 
@@ -52,10 +52,13 @@ void draw_resize_grip(AppState& state, float top, float right, float bottom) {
   state.ui.items.add("layout.bottom-panel");
   const bool active = ImGui::IsItemActive();
   const bool hovered = ImGui::IsItemHovered();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
   if (active || hovered) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    const ImU32 color = ImGui::GetColorU32(state.ui.theme.accent);
-    ImGui::GetWindowDrawList()->AddLine({0, top + 1}, {right, top + 1}, color, 2);
+    draw->AddLine({0, top + 1}, {right, top + 1}, ImGui::GetColorU32(state.ui.theme.accent), 2);
+    if (hovered) tooltip(state.ui, "Drag to change the height; double-click to reset it");
+  } else {
+    draw_grip_dots(draw, {right / 2, top + 2.5f * state.ui.scale}, {6 * state.ui.scale, 0}, state.ui.theme);
   }
   if (active) state.settings.bottom_panel_height = (bottom - state.ui.input.mouse.y) / state.ui.scale;
   if (hovered && ImGui::IsMouseDoubleClicked(0)) state.settings.bottom_panel_height = 0;

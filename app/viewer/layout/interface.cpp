@@ -48,14 +48,16 @@ void Interface::draw(AppState& state, float seconds) {
   const bool closes_popup = interface.popup_open && input.keys_pressed[kEscape];
   const bool flying = input.buttons[static_cast<size_t>(Button::right)];  // W, A, S, D, Q and E move the camera
   const bool has_dialog = state.files.request || state.files.after_unsaved_edits ||
-                          !state.files.lost_sessions.empty() || interface.preferences_open;
+                          !state.files.lost_sessions.empty() || interface.preferences_open || interface.welcome_open;
   if (!interface.typing && !closes_popup && !has_dialog && !flying) state.actions.run_pressed(state, input);
 
   viewport.region = draw_frame(state);
   if (state.has_document())
     viewport.image = fit_inside(viewport.region, {state.document().width, state.document().height});
   viewport_.handle_input(state, seconds);
+  advance_playback(state, seconds);
   draw_viewport_overlays(state);
+  if (interface.visible) draw_timeline(state);
   draw_viewport_menu(state);
   draw_loading(state);
   draw_notices(state);
@@ -63,6 +65,7 @@ void Interface::draw(AppState& state, float seconds) {
   palette_.draw(state);
   preferences_.draw(state);
   file_dialog_.draw(state);
+  welcome_.draw(state);
   draw_unsaved_edits_dialog(state);
   draw_recovery_dialog(state);
   // Dear ImGui closes popups on Escape only with keyboard navigation, which is off.

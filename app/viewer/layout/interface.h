@@ -3,6 +3,7 @@
 #include "viewer/layout/command_palette.h"
 #include "viewer/layout/file_dialog.h"
 #include "viewer/layout/preferences_dialog.h"
+#include "viewer/layout/welcome_dialog.h"
 #include "viewer/viewport/viewport.h"
 
 namespace etendue::viewer {
@@ -19,6 +20,7 @@ class Interface {
   CommandPalette palette_;
   PreferencesDialog preferences_;
   FileDialog file_dialog_;
+  WelcomeDialog welcome_;
 };
 
 }  // namespace etendue::viewer

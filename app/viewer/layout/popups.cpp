@@ -151,9 +151,10 @@ void draw_loading(AppState& state) {
 void draw_notices(AppState& state) {
   const Placement& region = state.viewport.region;
   const Theme& theme = state.ui.theme;
-  float bottom = region.corner.y + region.size.y - 10;
+  float bottom = region.corner.y + region.size.y - 10 - state.viewport.playback.bar_height;
   std::optional<size_t> closed;
   bool opens_log = false;
+  std::string opened_panel;
   const auto& notices = state.notices.all();
   // The newest notice is at the bottom.
   for (size_t i = notices.size(); i-- > 0;) {
@@ -172,6 +173,10 @@ void draw_notices(AppState& state) {
       if (ImGui::SmallButton("Show all")) opens_log = true;
       state.ui.items.add("notice.show-all");
     }
+    if (!notice.panel.empty()) {
+      if (ImGui::SmallButton("Change...")) opened_panel = notice.panel;
+      state.ui.items.add("notice.change");
+    }
     ImGui::SameLine();
     if (ImGui::SmallButton("Close")) closed = i;
     state.ui.items.add("notice.close");
@@ -180,6 +185,7 @@ void draw_notices(AppState& state) {
     ImGui::PopStyleVar();
   }
   if (closed) state.notices.close(*closed);
+  if (Panel* panel = opened_panel.empty() ? nullptr : state.panels.find(opened_panel)) state.panels.open(*panel);
   if (opens_log) state.panels.open(*state.panels.find("panel.messages"));
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "viewer/files/loader.h"
-#include "viewer/layout/window_flags.h"
+#include "viewer/layout/layout_parts.h"
 #include "viewer/state/app_state.h"
 #include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/value_text.h"
@@ -99,10 +99,14 @@ void draw_splitter(AppState& state, float x, float top, float height) {
   ImGui::Begin("##splitter", nullptr, kFixedWindow | ImGuiWindowFlags_NoBackground);
   ImGui::InvisibleButton("##grip", {grip, height});
   state.ui.items.add("layout.column");
-  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+  const bool pointed_at = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  if (pointed_at) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    const ImU32 color = ImGui::GetColorU32(state.ui.theme.accent);
-    ImGui::GetWindowDrawList()->AddRectFilled({x - 1, top}, {x + 1, top + height}, color);
+    draw->AddRectFilled({x - 1, top}, {x + 1, top + height}, ImGui::GetColorU32(state.ui.theme.accent));
+    tooltip(state.ui, "Drag to change the width; double-click to reset it");
+  } else {
+    draw_grip_dots(draw, {x, top + height / 2}, {0, 6 * state.ui.scale}, state.ui.theme);
   }
   if (ImGui::IsItemActive())
     state.settings.column_width = (ImGui::GetIO().DisplaySize.x - state.ui.input.mouse.x) / state.ui.scale;

@@ -42,10 +42,9 @@ class StatusLine {
     return true;
   }
 
-  void add(const std::string& text, const char* tooltip_text, bool is_warning = false) {
+  void add(const std::string& text, const char* tooltip_text) {
     if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
-    const Theme& theme = state_.ui.theme;
-    ImGui::TextColored(is_warning ? theme.warning : theme.text, "%s", text.c_str());
+    ImGui::TextUnformatted(text.c_str());
     if (ImGui::IsItemHovered()) tooltip(state_.ui, tooltip_text);
   }
 
@@ -60,12 +59,47 @@ class StatusLine {
     ImGui::EndGroup();
     state_.ui.items.add("status.reliability");
     if (ImGui::IsItemHovered())
-      tooltip(state_.ui, "Whether the stated RMSE can be trusted, not how small it is: " + reliability.reason);
+      tooltip(state_.ui, "Whether the stated error can be trusted, not how small it is: " + reliability.reason);
+    open_reliability_if_clicked();
+  }
+
+  // The error in the measure of the document's limits. A click opens the list of measures.
+  void add_error(const std::string& text, film::ErrorMeasure measure) {
+    if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
+    ImGui::TextUnformatted(text.c_str());
+    state_.ui.items.add("status.error");
+    if (ImGui::IsItemHovered())
+      tooltip(state_.ui, std::string(film::measure_description(measure)) +
+                             ". Estimated from the two half-buffers of the film; ? until every pixel has samples in both "
+                             "and the image is not black; n/a if the integrator cannot render the scene. Click to choose "
+                             "another measure");
+    if (ImGui::IsItemClicked()) ImGui::OpenPopup("##measures");
+    if (!ImGui::BeginPopup("##measures")) return;
+    for (const film::ErrorMeasure choice : film::kErrorMeasures) {
+      const Option& option = Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(choice)];
+      if (ImGui::MenuItem(option.label, nullptr, choice == measure))
+        state_.set_parameter("render.error-measure", std::string(option.name));
+      state_.ui.items.add(std::string("status.error.") + option.name);
+    }
+    ImGui::EndPopup();
+  }
+
+  // The number of invalid samples. A click opens the Reliability panel.
+  void add_invalid(uint64_t count) {
+    const std::string text = formatted("%llu invalid", static_cast<unsigned long long>(count));
+    if (!next(ImGui::CalcTextSize(text.c_str()).x)) return;
+    ImGui::TextColored(state_.ui.theme.warning, "%s", text.c_str());
+    if (ImGui::IsItemHovered())
+      tooltip(state_.ui, "Samples that were not finite or negative; they are left out. Click for their pixels");
+    open_reliability_if_clicked();
+  }
+
+ private:
+  void open_reliability_if_clicked() {
     const Action* action = state_.actions.find("view.panel.reliability");
     if (ImGui::IsItemClicked() && action) action->run(state_);
   }
 
- private:
   AppState& state_;
   float end_;
   bool first_ = true;
@@ -79,9 +113,11 @@ std::string phase_text(const AppState& state, const render::Status& status) {
   return text;
 }
 
-std::string rmse_text(const render::Status& status) {
-  if (!status.incompatibility.empty()) return "RMSE n/a";
-  return status.error.known ? formatted("RMSE %.2g", status.error.rmse) : "RMSE ?";
+std::string error_text(const render::Status& status) {
+  const std::string label = film::measure_label(status.measure);
+  if (!status.incompatibility.empty()) return label + " n/a";
+  const film::MeasuredError& error = status.measured_error;
+  return label + " " + (error.known ? film::error_text(status.measure, error.value) : "?");
 }
 
 void draw_parts(AppState& state, StatusLine& line) {
@@ -94,17 +130,12 @@ void draw_parts(AppState& state, StatusLine& line) {
   if (status.time_left && !status.finished)
     line.add(remaining_time(*status.time_left),
              "Predicted time to the limit. With an error limit, the range is an 80 % prediction interval");
+  line.add_error(error_text(status), status.measure);
+  if (status.reliability) line.add_reliability(*status.reliability);
+  if (status.rejected.total() > 0) line.add_invalid(status.rejected.total());
   line.add(formatted("%.2f Ms/s", status.paths_per_second / 1e6), "Million samples per second");
   line.add(formatted("%.1f Mr/s", status.rays_per_second / 1e6), "Million rays per second");
   line.add(memory_text(status.memory), "Memory of the scene, its acceleration structures, the film and the integrator");
-  line.add(
-      rmse_text(status),
-      "Root mean square error, estimated from the two half-buffers of the film. Known when all pixels have samples "
-      "in both and the image is not black; n/a if the integrator cannot render the scene");
-  if (status.reliability) line.add_reliability(*status.reliability);
-  if (status.rejected.total() > 0)
-    line.add(formatted("%llu invalid", static_cast<unsigned long long>(status.rejected.total())),
-             "Samples that were not finite or negative; they are left out", true);
   if (state.settings.show_timing)
     line.add(formatted("UI %.0f %%", 100 * state.timing.interface_share),
              "Share of the time that drawing the interface takes");

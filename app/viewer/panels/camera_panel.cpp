@@ -58,6 +58,7 @@ void projection_widgets(AppState& state) {
   section_widgets_for(state, "camera", {"projection"});
   if (perspective || items.is_requested("camera.yfov")) section_widgets_for(state, "camera", {"yfov"});
   if (!perspective || items.is_requested("camera.ymag")) section_widgets_for(state, "camera", {"ymag"});
+  section_widgets_for(state, "camera", {"near-clip"});
 }
 
 void focus_checkbox(AppState& state) {

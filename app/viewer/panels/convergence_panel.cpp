@@ -74,13 +74,15 @@ struct Column {
 constexpr Column kColumns[] = {
     {"", ""},
     {"method", "Integrator, sampler and parameters. The tooltip has the name for `etendue bench`"},
-    {"RMSE", "Root mean square error of the first repeat; the error of the reference is subtracted"},
+    {"error",
+     "End of the curve: the median of the complete repeats, in the measure chosen below. The error of the reference is "
+     "subtracted"},
     {"slope",
-     "Slope of log RMSE over the logarithm of the horizontal axis, with its standard error over repeats. Independent "
+     "Slope of the logarithm of the error over the logarithm of the horizontal axis, with its standard error over repeats. Independent "
      "random numbers give -0.5, low-discrepancy points are steeper, bias makes the curve flat"},
-    {"eff.", "Efficiency 1 / (MSE x time), relative to the best method"},
-    {"spp", "Samples per pixel of the first repeat"},
-    {"s", "Rendering time of the first repeat in seconds"},
+    {"eff.", "Efficiency 1 / (squared error x time), relative to the best method"},
+    {"spp", "Samples per pixel of the complete repeats, median"},
+    {"s", "Rendering time of the complete repeats in seconds, median"},
     {"", ""},
 };
 constexpr size_t kValueColumns = 5;
@@ -106,24 +108,58 @@ std::string slope_text(const metrics::Estimate& slope) {
   return formatted("%.2f \u00b1%.2f", slope.value, slope.standard_error);
 }
 
-double best_efficiency(const bench::LiveBenchmarkSnapshot& snapshot) {
+// What the table shows of a method: the same repeats and the same error as the curve.
+struct Figures {
+  metrics::CurveEnd end;
+  metrics::Estimate slope, efficiency;
+};
+
+Figures figures_of(const bench::MethodStatus& method, const bench::LiveBenchmarkSnapshot& snapshot,
+                   metrics::Abscissa axis, film::ErrorMeasure measure) {
+  const metrics::MethodCurves complete = metrics::complete_repeats(method.corrected, axis);
+  const auto noise = snapshot.reference_noise.value_or(metrics::ReferenceNoise{});
+  return {.end = metrics::curve_end(method.corrected, axis, measure),
+          .slope = metrics::slope_of(complete, axis, noise, measure),
+          .efficiency = metrics::efficiency_of(complete, measure)};
+}
+
+double best_efficiency(const bench::LiveBenchmarkSnapshot& snapshot, metrics::Abscissa axis,
+                       film::ErrorMeasure measure) {
   double best = 0;
-  for (const auto& method : snapshot.methods)
-    if (method.efficiency.known) best = std::max(best, method.efficiency.value);
+  for (const auto& method : snapshot.methods) {
+    const auto efficiency = metrics::efficiency_of(metrics::complete_repeats(method.corrected, axis), measure);
+    if (efficiency.known) best = std::max(best, efficiency.value);
+  }
   return best;
 }
 
-void value_cells(const bench::LiveBenchmarkSnapshot& snapshot, const bench::MethodStatus& method,
-                 metrics::Abscissa axis) {
-  if (method.samples == 0) {
+std::string end_error_text(film::ErrorMeasure measure, double error) {
+  return measure == film::ErrorMeasure::rmse ? formatted("%.3g", error) : formatted("%.3g %%", 100 * error);
+}
+
+void value_cells(const UiContext& ui, const bench::LiveBenchmarkSnapshot& snapshot, const bench::MethodStatus& method,
+                 metrics::Abscissa axis, film::ErrorMeasure measure) {
+  if (!method.incompatibility.empty()) {
+    cell("n/a");
+    if (ImGui::IsItemHovered()) tooltip(ui, method.incompatibility);
+    for (size_t i = 1; i < kValueColumns; ++i) cell("");
+    return;
+  }
+  const Figures figures = figures_of(method, snapshot, axis, measure);
+  if (figures.end.repeats == 0) {
     for (size_t i = 0; i < kValueColumns; ++i) cell("");
     return;
   }
-  cell(method.rmse > 0 ? formatted("%.3g", method.rmse) : "< ref.");
-  cell(slope_text(axis == metrics::Abscissa::seconds ? method.slope : method.slope_over_samples));
-  cell(method.efficiency.known ? formatted("%.2f", method.efficiency.value / best_efficiency(snapshot)) : "");
-  cell(formatted("%u", method.samples));
-  cell(formatted("%.1f", method.seconds));
+  const auto& end = figures.end.point;
+  cell(end ? end_error_text(measure, end->median) : "< ref.");
+  if (ImGui::IsItemHovered())
+    tooltip(ui, formatted("Median of %zu of %zu repeats", figures.end.repeats, method.corrected.repeats.size()));
+  cell(slope_text(figures.slope));
+  cell(figures.efficiency.known
+           ? formatted("%.2f", figures.efficiency.value / best_efficiency(snapshot, axis, measure))
+           : "");
+  cell(formatted("%.0f", figures.end.spp));
+  cell(formatted("%.1f", figures.end.seconds));
 }
 
 class ConvergencePanel final : public Panel {
@@ -191,15 +227,16 @@ class ConvergencePanel final : public Panel {
       ImGui::SameLine();
       action_button(state, "compare.continue");
     }
-    ImGui::SameLine();
-    compact_parameter(state, parameters.rule, em * 8.2f);
+    const float rule_width = em * 8.2f, budget_width = em * 5.6f, repeats_width = em * 3;
+    same_line_if_fits(rule_width + budget_width + repeats_width + 2 * ImGui::GetStyle().ItemSpacing.x);
+    compact_parameter(state, parameters.rule, rule_width);
     ImGui::SameLine();
     if (parameters.rule == bench::Rule::equal_time)
-      compact_parameter(state, parameters.seconds, em * 4.6f);
+      compact_parameter(state, parameters.seconds, budget_width);
     else
-      compact_parameter(state, parameters.samples, em * 5.6f);
+      compact_parameter(state, parameters.samples, budget_width);
     ImGui::SameLine();
-    compact_parameter(state, parameters.repeats, em * 3);
+    compact_parameter(state, parameters.repeats, repeats_width);
   }
 
   void draw_progress(const UiContext& ui) const {
@@ -253,7 +290,7 @@ class ConvergencePanel final : public Panel {
     ImGui::TextUnformatted(method_label(spec).c_str());
     if (ImGui::IsItemHovered()) tooltip(ui, method_label(spec) + "\n" + spec);
     if (index)
-      value_cells(*task_.result(), task_.result()->methods[*index], parameters.axis);
+      value_cells(ui, *task_.result(), task_.result()->methods[*index], parameters.axis, parameters.error);
     else
       for (size_t i = 0; i < kValueColumns; ++i) cell("");
     ImGui::TableNextColumn();
@@ -295,7 +332,7 @@ class ConvergencePanel final : public Panel {
 
   void draw_chart_parameters(AppState& state) {
     const float em = ImGui::GetFontSize();
-    compact_parameter(state, task_.parameters.error, em * 6);
+    compact_parameter(state, task_.parameters.error, em * 9.2f);
     ImGui::SameLine();
     compact_parameter(state, task_.parameters.axis, em * 7.6f);
     ImGui::SameLine();
@@ -315,7 +352,7 @@ class ConvergencePanel final : public Panel {
     note(ui, text);
     if (snapshot->too_noisy)
       warning(ui, formatted("Reference too noisy: errors below about %.2g are uncertain. Continue to refine it.",
-                            10 * snapshot->reference_error));
+                            metrics::smallest_certain_rmse(snapshot->reference_noise.value_or(metrics::ReferenceNoise{}))));
     ImGui::PopFont();
   }
 
@@ -409,6 +446,10 @@ void ConvergencePanel::report(AppState&, nlohmann::json& json) {
     nlohmann::json method{
         {"name", m.name}, {"samples", m.samples}, {"seconds", m.seconds}, {"rmse", m.rmse}, {"slope", nullptr}};
     if (m.slope.known) method["slope"] = m.slope.value;
+    const auto end = metrics::curve_end(m.corrected, task_.parameters.axis, task_.parameters.error);
+    method["error"] = end.point ? nlohmann::json(end.point->median) : nlohmann::json();
+    method["repeats"] = end.repeats;
+    method["incompatibility"] = m.incompatibility;
     report["methods"].push_back(std::move(method));
   }
 }

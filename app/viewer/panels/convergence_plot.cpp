@@ -48,7 +48,7 @@ std::vector<Reading> read_curves(const std::vector<MethodCurves>& curves, const 
                                  double x) {
   std::vector<Reading> readings;
   for (size_t i = 0; i < curves.size(); ++i) {
-    const auto points = metrics::error_band(curves[i], options.abscissa, options.kind, std::array{x});
+    const auto points = metrics::error_band(curves[i], options.abscissa, options.measure, std::array{x});
     if (!points.empty()) readings.push_back({.method = i, .point = points.front()});
   }
   return readings;

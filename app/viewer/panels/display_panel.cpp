@@ -85,6 +85,7 @@ class DisplayPanel final : public Panel {
     action_button(state, "display.darker");
     ImGui::SameLine();
     action_button(state, "display.brighter");
+    action_button(state, "display.auto-exposure");
     section_widgets(state, "display");
   }
 

@@ -9,6 +9,7 @@
 #include "light/light_presets.h"
 #include "render/document.h"
 #include "viewer/actions/action.h"
+#include "viewer/panels/environment_images.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
 #include "viewer/state/app_state.h"
@@ -16,6 +17,7 @@
 #include "viewer/tools/light_meter_tool.h"
 #include "viewer/widgets/action_widgets.h"
 #include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/color_widget.h"
 #include "viewer/widgets/parameter_widgets.h"
 #include "viewer/widgets/value_text.h"
 
@@ -23,6 +25,9 @@ namespace etendue::viewer {
 namespace {
 
 constexpr const char* kPresetItem = "light.preset";
+const std::vector<std::string> kColor{"color.r", "color.g", "color.b"};
+constexpr const char* kTemperatureItem = "light.temperature";
+constexpr const char* kUnitItem = "light.unit";
 
 void list_lights(AppState& state, const scene::Scene& scene) {
   for (size_t i = 0; i < scene.lights.size(); ++i) {
@@ -51,7 +56,7 @@ void list_emissive_materials(AppState& state, const scene::Scene& scene) {
 }
 
 // Colour and power of well-known light sources.
-void preset_widget(AppState& state, size_t index, Efficacy efficacy) {
+void preset_widget(AppState& state, size_t index) {
   const Light& light = state.document().scene->lights[index];
   ParameterInfo info;
   info.name = kPresetItem;
@@ -72,30 +77,44 @@ void preset_widget(AppState& state, size_t index, Efficacy efficacy) {
     if (!chosen || *chosen != Value(std::string(preset.name))) continue;
     render::Document changed = state.document();
     auto scene = std::make_shared<scene::Scene>(*changed.scene);
-    scene->lights[index] = with_preset(light, preset, efficacy);
+    scene->lights[index] = with_preset(light, preset);
     changed.scene = std::move(scene);
     state.edit(std::move(changed), preset.label);
   }
 }
 
-// Returns "W/m\u00b2" for "W/m^2".
-std::string with_superscripts(std::string unit) {
-  if (const size_t position = unit.find("^2"); position != std::string::npos) unit.replace(position, 2, "\u00b2");
-  return unit;
+enum class UnitSystem : uint8_t { photometric, radiometric };
+
+// The quantity that the intensity of a light gives.
+const LightQuantity& intensity_quantity(const Light& light) {
+  const auto quantity = light.parameter("quantity");
+  return quantity && *quantity == Value(std::string("power")) ? kLuminousFlux : *light.info().description.quantity;
 }
 
-// The power of a light in radiometric and photometric units.
-void light_values(const UiContext& ui, const Light& light, Efficacy efficacy) {
-  const auto both = [&](const char* label, const Rgb& value, const std::string& unit,
-                        const std::string& photometric_unit) {
-    labelled_value(ui, label, formatted("%.4g %s", static_cast<double>(luminance(value)), unit.c_str()));
-    labelled_value(ui, "", formatted("%.4g %s", photometric(value, efficacy), photometric_unit.c_str()));
-  };
-  const RadiometricQuantity& quantity = *light.info().description.quantity;
-  const auto surface = light.model->area_light(light.color);
-  both(quantity.name, surface ? surface->radiance : light.color * light.intensity(), with_superscripts(quantity.unit),
-       with_superscripts(quantity.photometric_unit));
-  if (const Rgb flux = light.flux(); !is_black(flux)) both("Flux", flux, "W", "lm");
+// The unit of the intensity. One choice holds for all lights.
+ParameterInfo unit_parameter(UnitSystem system, const LightQuantity& quantity) {
+  ParameterInfo info;
+  info.name = kUnitItem;
+  info.label = "Unit";
+  info.doc =
+      "Unit in which the intensity is shown and edited. Files contain the photometric unit, as glTF does; watts follow "
+      "by the luminous efficacy below";
+  info.type = ParameterType::choice;
+  info.default_value = std::string(system == UnitSystem::photometric ? "photometric" : "radiometric");
+  info.options = {"photometric", "radiometric"};
+  info.option_labels = {with_superscripts(quantity.unit) + ", " + lower_case(quantity.name),
+                        with_superscripts(quantity.radiometric_unit) + ", " + lower_case(quantity.radiometric_name)};
+  return info;
+}
+
+// The emitted flux of a light in both units.
+void flux_values(const UiContext& ui, const Light& light, Efficacy efficacy) {
+  const Rgb flux = light.flux();
+  if (is_black(flux)) return;
+  const auto lumens = static_cast<double>(luminance(flux));
+  labelled_value(ui, kLuminousFlux.name, formatted("%.4g lm", lumens), "Emitted in all directions");
+  labelled_value(ui, kLuminousFlux.radiometric_name, formatted("%.4g W", radiometric(lumens, efficacy)),
+                 "The luminous flux divided by the luminous efficacy");
 }
 
 class LightPanel final : public Panel {
@@ -103,7 +122,7 @@ class LightPanel final : public Panel {
   PanelInfo info() const override {
     return {.name = "tab.light",
             .label = "Light",
-            .description = "Light sources, light meter and environment",
+            .description = "Light sources, light meter, environment and atmosphere",
             .place = PanelPlace::right_column};
   }
 
@@ -112,16 +131,23 @@ class LightPanel final : public Panel {
     if (group(state.ui, "Lights", "light.")) draw_lights(state, *scene);
     if (group(state.ui, "Light meter", "meter.")) meter_.draw(state);
     if (group(state.ui, "Environment", "environment.")) draw_environment(state, scene->environment);
+    if (group(state.ui, "Atmosphere", "atmosphere.", !scene->atmosphere.medium.is_clear()))
+      section_widgets(state, "atmosphere");
   }
 
   std::vector<ParameterInfo> parameters() const override {
-    return describe_all(LightMeter::Parameters(meter_.parameters).all());
+    auto list = describe_all(LightMeter::Parameters(meter_.parameters).all());
+    list.push_back(unit_parameter(UnitSystem::photometric, kLuminousIntensity));
+    return list;
   }
 
   std::vector<ItemInfo> items() const override {
     return {
         {"light.choose.N", "Light N", "Selects light N"},
         {"light.surface.N", "Emissive material N", "Opens material N, which emits light, in the Material panel"},
+        {"environment.image.N", "Environment N", "Lights the scene with built-in environment N"},
+        {kTemperatureItem, "Temperature",
+         "Sets the colour of the selected light to that of a black body of this temperature"},
         {kPresetItem, "Preset", "Sets colour and power of the selected light to those of a well-known light source"}};
   }
 
@@ -156,7 +182,8 @@ class LightPanel final : public Panel {
   }
 
   bool reveal_parameter(AppState& state, const std::string& name) override {
-    if (name == kPresetItem || name.starts_with("environment.")) return true;
+    const bool is_own = name == kPresetItem || name == kTemperatureItem || name == kUnitItem;
+    if (is_own || name.starts_with("environment.") || name.starts_with("atmosphere.")) return true;
     if (const auto index = object_index(name, "light")) {
       state.selection.light = *index;
       return true;
@@ -188,18 +215,37 @@ class LightPanel final : public Panel {
     const auto index = static_cast<size_t>(selected);
     const Efficacy efficacy = meter_.parameters.efficacy;
     ImGui::Separator();
-    preset_widget(state, index, efficacy);
-    section_widgets(state, "light." + std::to_string(index));
-    light_values(state.ui, scene.lights[index], efficacy);
+    preset_widget(state, index);
+    draw_intensity(state, index, efficacy);
+    const std::string section = "light." + std::to_string(index);
+    section_widgets_for(state, section, kColor);
+    temperature_widget(state, section + ".color", kTemperatureItem);
+    section_widgets_except(state, section, {"intensity", "color.r", "color.g", "color.b"});
+    flux_values(state.ui, state.document().scene->lights[index], efficacy);
   }
 
-  static void draw_environment(AppState& state, const Environment& environment) {
+  // The intensity in the chosen unit.
+  void draw_intensity(AppState& state, size_t index, Efficacy efficacy) {
+    const LightQuantity& quantity = intensity_quantity(state.document().scene->lights[index]);
+    const std::string name = "light." + std::to_string(index) + ".intensity";
+    const bool in_watts = units_ == UnitSystem::radiometric;
+    const UnitScale scale{.factor = in_watts ? radiometric(1, efficacy) : 1,
+                          .unit = with_superscripts(in_watts ? quantity.radiometric_unit : quantity.unit)};
+    scaled_widget(state, name, scale);
+    if (const auto unit = parameter_widget(state, unit_parameter(units_, quantity)))
+      units_ = *unit == Value(std::string("radiometric")) ? UnitSystem::radiometric : UnitSystem::photometric;
+  }
+
+  void draw_environment(AppState& state, const Environment& environment) {
+    environment_images_.draw(state);
     if (environment.map && !find_builtin_environment(environment.file)) note(state.ui, environment.file);
     section_widgets(state, "environment");
     action_button(state, "environment.load");
   }
 
   LightMeter meter_;
+  EnvironmentImages environment_images_;
+  UnitSystem units_ = UnitSystem::photometric;
 };
 
 }  // namespace

@@ -25,6 +25,9 @@ const Names kTransmissionNames{"transmission",        "thickness",           "at
                                "attenuation-color.g", "attenuation-color.b", "attenuation-distance"};
 const Names kOpacityNames{"alpha", "alpha-mode", "alpha-cutoff", "normal-scale", "double-sided", "unlit"};
 
+// Prefixes of the parameters of the medium inside a solid.
+constexpr const char* kMediumPrefixes[] = {"medium", "scattering.", "absorption.", "phase", "boundary-only"};
+
 // A layer of the glTF surface. Its group is open if the material has the layer.
 struct Layer {
   const char* label;
@@ -89,9 +92,15 @@ void material_combo(AppState& state, const scene::Scene& scene, bool has_selecti
     tooltip(state.ui, "The material to edit. A click in the image selects the material under the pointer");
 }
 
+Names medium_names(const AppState& state, const std::string& section) {
+  Names names;
+  for (const char* prefix : kMediumPrefixes) append(names, names_with_prefix(state, section, prefix));
+  return names;
+}
+
 void model_widgets(AppState& state, const std::string& section, const BsdfModelRef& model) {
   section_widgets_for(state, section, {"model"});
-  if (const auto* measurement = state.tasks.surface_analysis->result(0)) draw_surface_checks(state.ui, *measurement);
+  draw_surface_checks(state.ui, state.tasks.surface_analysis->result(0));
   if (!model) return;
   const BsdfModelDescription& description = model->info().description;
   note(state.ui, description.summary);
@@ -106,6 +115,7 @@ void gltf_widgets(AppState& state, const std::string& section, const Material& m
   Names in_other_groups{"model"};
   append(in_other_groups, kTransmissionNames);
   append(in_other_groups, kOpacityNames);
+  append(in_other_groups, medium_names(state, section));
   for (const Layer& layer : kLayers) append(in_other_groups, names_with_prefix(state, section, layer.prefix));
   if (group(state.ui, "Base layer", prefix)) section_widgets_except(state, section, in_other_groups);
   if (group(state.ui, "Transmission", prefix)) section_widgets_for(state, section, kTransmissionNames);
@@ -142,6 +152,8 @@ class MaterialPanel final : public Panel {
     } else {
       gltf_widgets(state, section, material);
     }
+    if (group(state.ui, "Medium", prefix, !material.medium.is_clear() || material.boundary_only))
+      section_widgets_for(state, section, medium_names(state, section));
     if (group(state.ui, "Opacity and sidedness", prefix)) section_widgets_for(state, section, kOpacityNames);
   }
 

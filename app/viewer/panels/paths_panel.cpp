@@ -33,7 +33,7 @@ constexpr Column kColumns[] = {
      "A class of light paths as an expression from the camera to the light. Click a class to render only these paths; "
      "click again for all paths"},
     {"share", "Share of the light in this view"},
-    {"luminance", "Mean luminance over the image with its standard error, W/(m\u00b2 sr)"},
+    {"luminance", "Mean luminance over the image with its standard error, cd/m\u00b2"},
     {"found", "Whether the current integrator finds these paths"},
 };
 

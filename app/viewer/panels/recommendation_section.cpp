@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "advisor/report_numbers.h"
 #include "render/display_frame.h"
@@ -19,6 +21,8 @@
 
 namespace etendue::viewer {
 namespace {
+
+constexpr size_t kListed = 5;  // of the ranking, unless all are shown
 
 // The predicted time, or why the integrator is unsuitable, in few words. The tooltip has the full reason.
 std::string short_result(const advisor::Advice& advice, bool running) {
@@ -35,7 +39,9 @@ std::string short_result(const advisor::Advice& advice, bool running) {
 }  // namespace
 
 void RecommendationSection::draw(AppState& state) {
+  if (scrolls_to_) ImGui::SetNextItemOpen(true);
   if (!group(state.ui, "Recommendation", "advice.")) return;
+  if (std::exchange(scrolls_to_, false)) ImGui::SetScrollHereY(0);
   if (state.viewport.frame) task_.measure_luminance(*state.viewport.frame, state.editor->version());
   draw_parameters(state);
   const advisor::Ranking* ranking = task_.result();
@@ -54,7 +60,15 @@ void RecommendationSection::draw_parameters(AppState& state) {
   if (const auto error = parameter_widget(state, infos[0]))
     task_.parameters.error = static_cast<float>(std::get<double>(*error));
   if (const auto pilot = parameter_widget(state, infos[1])) assign(task_.parameters.pilot, *pilot);
-  if (!task_.running()) return action_button(state, "advice.ask");
+  if (!task_.running()) {
+    const size_t methods = advisor::candidates(state.document()).size();
+    note(state.ui, formatted("Takes at most %s: a pilot for each of up to %zu methods. A shorter pilot time gives less "
+                             "certain predictions.",
+                             advisor::seconds_text(static_cast<double>(methods) *
+                                                   static_cast<double>(task_.parameters.pilot.value)).c_str(),
+                             methods));
+    return action_button(state, "advice.ask");
+  }
   action_button(state, "advice.stop");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
@@ -74,9 +88,11 @@ void RecommendationSection::draw_ranking(AppState& state, const advisor::Ranking
     ImGui::TableNextColumn();
     ImGui::TextDisabled("method");
     ImGui::TableNextColumn();
-    ImGui::TextDisabled("time to RMSE %s", advisor::number(ranking.target).c_str());
+    ImGui::TextDisabled("time to %s %s", film::measure_label(ranking.measure),
+                        advisor::error_number(ranking.measure, ranking.target).c_str());
     if (ImGui::IsItemHovered()) tooltip(state.ui, "Predicted from the pilot, with the 80 % prediction interval");
-    for (size_t row = 0; row < ranking.methods.size(); ++row) {
+    const size_t listed = shows_all_ ? ranking.methods.size() : std::min(kListed, ranking.methods.size());
+    for (size_t row = 0; row < listed; ++row) {
       ImGui::PushID(static_cast<int>(row));
       if (draw_method(state, ranking.methods[row], row)) used = row;
       ImGui::PopID();
@@ -84,6 +100,10 @@ void RecommendationSection::draw_ranking(AppState& state, const advisor::Ranking
     ImGui::EndTable();
   }
   ImGui::PopStyleVar();
+  if (ranking.methods.size() > kListed) {
+    if (ImGui::SmallButton(shows_all_ ? "Show the best" : "Show all")) shows_all_ = !shows_all_;
+    state.ui.items.add("advice.all");
+  }
   for (const auto& light : ranking.beyond_methods) note(state.ui, "Not found by any integrator: " + light + ".");
   ImGui::PopFont();
   if (!used) return;
@@ -117,7 +137,12 @@ void RecommendationSection::add_actions(ActionList& actions) {
                .menu = "Render",
                .label = "Recommend a method",
                .tooltip = "Runs a short pilot of each integrator and ranks them by the time to the target error",
-               .run = [this](AppState& state) { task_.start(state.task_context); },
+               .run =
+                   [this](AppState& state) {
+                     if (Panel* panel = state.panels.find("tab.render")) state.panels.open(*panel);
+                     scrolls_to_ = true;
+                     task_.start(state.task_context);
+                   },
                .enabled = [this](const AppState& state) { return state.has_document() && !task_.running(); }});
   actions.add({.name = "advice.stop",
                .menu = "Render",
@@ -128,7 +153,8 @@ void RecommendationSection::add_actions(ActionList& actions) {
 }
 
 std::vector<ItemInfo> RecommendationSection::items() const {
-  return {{"advice.use.N", "Use", "Uses method N of the ranking and stops at its target error"}};
+  return {{"advice.all", "Show all", "Shows all methods of the ranking, or the best ones"},
+          {"advice.use.N", "Use", "Uses method N of the ranking and stops at its target error"}};
 }
 
 WaitCondition RecommendationSection::wait_condition() {

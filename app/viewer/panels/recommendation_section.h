@@ -25,6 +25,8 @@ class RecommendationSection {
   bool draw_method(AppState& state, const advisor::Advice& advice, size_t row) const;
 
   RecommendationTask task_;
+  bool shows_all_ = false;   // of the ranking, otherwise the best ones
+  bool scrolls_to_ = false;  // the section is to be brought on screen
 };
 
 }  // namespace etendue::viewer

@@ -16,7 +16,9 @@ namespace {
 
 using Count = unsigned long long;
 
-void verdict_line(const UiContext& ui, const render::Reliability* reliability) {
+void verdict_line(const UiContext& ui, const render::Status& status) {
+  const render::Reliability* reliability = status.reliability.get();
+  if (!status.incompatibility.empty()) return warning(ui, "There is no image to assess: " + status.incompatibility);
   if (!reliability)
     return note(
         ui, "Not known yet: the first assessment needs about ten samples per pixel and an image that is not black.");
@@ -29,16 +31,21 @@ void verdict_line(const UiContext& ui, const render::Reliability* reliability) {
   ImGui::PopTextWrapPos();
 }
 
-void error_values(const UiContext& ui, const film::ErrorEstimate& error) {
-  const char* unknown = "not known yet";
+void error_values(const UiContext& ui, const render::Status& status) {
+  const film::ErrorEstimate& error = status.error;
+  const char* unknown = status.incompatibility.empty() ? "not known yet" : "n/a";
+  if (status.measure != film::ErrorMeasure::rmse) {
+    const film::MeasuredError& e = status.measured_error;
+    const auto text = [&](double value) { return film::error_text(status.measure, value); };
+    labelled_value(ui, Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(status.measure)].label,
+                   e.known ? text(e.value) + " (" + text(e.interval.low) + " to " + text(e.interval.high) + ")" : unknown,
+                   film::measure_description(status.measure));
+  }
   labelled_value(
       ui, "RMSE",
       error.known ? formatted("%.3g (%.3g to %.3g)", error.rmse, error.rmse_interval.low, error.rmse_interval.high)
                   : unknown,
       "Root mean square error, estimated from the two half-buffers of the film, with its 95 % confidence interval");
-  labelled_value(ui, "relMSE", error.known ? formatted("about %.1g", error.approximate_relmse) : unknown,
-                 "Relative mean square error. A rough estimate, up to a third too low, because it is relative to the "
-                 "noisy image. The certificate of `etendue render` states it with a confidence interval");
 }
 
 void tail_values(const UiContext& ui, const render::Reliability& reliability) {
@@ -80,11 +87,11 @@ class ReliabilityPanel final : public Panel {
   void draw(AppState& state) override {
     const UiContext& ui = state.ui;
     const render::Status status = state.session->status();
-    verdict_line(ui, status.reliability.get());
+    verdict_line(ui, status);
     ImGui::Spacing();
     if (!ImGui::BeginTable("##reliability", 2, ImGuiTableFlags_SizingStretchSame)) return;
     ImGui::TableNextColumn();
-    error_values(ui, status.error);
+    error_values(ui, status);
     invalid_sample_values(ui, status.rejected);
     ImGui::TableNextColumn();
     if (status.reliability) tail_values(ui, *status.reliability);
@@ -95,6 +102,8 @@ class ReliabilityPanel final : public Panel {
   void report(AppState& state, nlohmann::json& json) override {
     const render::Status status = state.session->status();
     if (status.error.known) json["rmse"] = status.error.rmse;
+    if (status.measured_error.known) json["error"] = status.measured_error.value;
+    json["error_measure"] = Options<film::ErrorMeasure>::kOptions[static_cast<size_t>(status.measure)].name;
     if (!status.reliability) return;
     const auto& reliability = *status.reliability;
     json["health"] = {{"verdict", render::verdict_name(reliability.verdict)}, {"reason", reliability.reason}};

@@ -24,7 +24,7 @@
 namespace etendue::viewer {
 namespace {
 
-const std::vector<std::string> kLimits{"samples", "seconds", "error"};
+const std::vector<std::string> kLimits{"samples", "seconds", "error", "error-measure"};
 
 // "accepted-share" as "Accepted share".
 std::string label_of(std::string name) {
@@ -95,7 +95,9 @@ class RenderPanel final : public Panel {
 
   bool reveal_parameter(AppState& state, const std::string& name) override {
     const std::string section = name.substr(0, name.find('.'));
-    const bool is_method = integrator::find_integrator(section) || find_sampler(section);
+    // The integrator "light" has the name of the section of the Light panel's own parameters.
+    const bool is_method = (integrator::find_integrator(section) || find_sampler(section)) && state.has_document() &&
+                           render::get(state.document(), name);
     return is_method || section == "render" || section == "film" || section == "model" ||
            Panel::reveal_parameter(state, name);
   }
@@ -133,7 +135,7 @@ class RenderPanel final : public Panel {
       note(state.ui, info->doc);
       section_widgets(state, info->name);
     }
-    section_widgets_except(state, "render", {"integrator", "sampler", "samples", "seconds", "error"});
+    section_widgets_except(state, "render", {"integrator", "sampler", "samples", "seconds", "error", "error-measure"});
   }
 
   void draw_integrator_description(AppState& state, const integrator::IntegratorInfo& info) {

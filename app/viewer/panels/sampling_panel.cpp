@@ -133,7 +133,7 @@ void draw_values(const UiContext& ui, const PixelStatistics& s) {
   line.add("n", incomplete ? formatted("%u of %u", s.samples(), s.target_samples) : formatted("%u", s.samples()),
            "Number of samples");
   line.add("mean", formatted("%.4g \u00b1 %.2g", last.mean, last.confidence),
-           "Mean luminance with its 95 % confidence interval, W/(m\u00b2 sr)");
+           "Mean luminance with its 95 % confidence interval, cd/m\u00b2");
   line.add("std. dev.", formatted("%.3g", s.standard_deviation), "Standard deviation of one sample");
   line.add("max", formatted("%.3g", s.maximum), "Luminance of the brightest sample");
   line.add("zero", formatted("%.3g %%", 100 * s.histogram.zeros / static_cast<double>(s.samples())),

@@ -2,8 +2,13 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "render/document.h"
+#include "render/session.h"
+#include "scene/compiled_scene.h"
+#include "scene/light_counts.h"
 #include "scene/rotation.h"
 #include "viewer/panels/object_names.h"
 #include "viewer/panels/panel.h"
@@ -79,8 +84,8 @@ void draw_node_menu(AppState& state, const scene::Node& node, int index) {
   ImGui::EndPopup();
 }
 
-// A node and its children.
-void draw_node(AppState& state, const scene::Scene& scene, int index) {
+// A node and its children. The node `scroll_to` is brought on screen; -1: none.
+void draw_node(AppState& state, const scene::Scene& scene, int index, int scroll_to) {
   const auto& node = scene.nodes[static_cast<size_t>(index)];
   const std::string section = "node." + std::to_string(index);
   const int selected = state.selection.node;
@@ -96,11 +101,12 @@ void draw_node(AppState& state, const scene::Scene& scene, int index) {
   const bool open = ImGui::TreeNodeEx("##node", flags, "%s", node_name(scene, index).c_str());
   if (!node.visible) ImGui::PopStyleColor();
   if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) state.select(index, -1);
+  if (index == scroll_to && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
   state.ui.items.add("scene." + section);
   draw_node_menu(state, node, index);
   if (ImGui::IsItemHovered() && *kind_of(node)) tooltip(state.ui, std::string(kind_of(node)) + ", " + section);
   if (open && !node.children.empty()) {
-    for (const int child : node.children) draw_node(state, scene, child);
+    for (const int child : node.children) draw_node(state, scene, child, scroll_to);
     ImGui::TreePop();
   }
   ImGui::PopID();
@@ -119,17 +125,24 @@ class ScenePanel final : public Panel {
     // The widgets may replace the scene of the document while the tree is drawn.
     const auto scene = state.document().scene;
     section_widgets(state, "scene");
+    if (const auto compiled = state.session->scene()) draw_counts(state.ui, compiled);
     const int selected = state.selection.node;
     const bool has_selection = selected >= 0 && static_cast<size_t>(selected) < scene->nodes.size();
     const float space_below = has_selection ? ImGui::GetFrameHeightWithSpacing() * 6.5f : 0;
     if (group(state.ui, "Objects", "")) {
       const float available = ImGui::GetContentRegionAvail().y - space_below;
       ImGui::BeginChild("##tree", {0, std::max(available, ImGui::GetFrameHeight() * 6)});
-      for (const int root : scene->roots) draw_node(state, *scene, root);
+      const int scroll_to = std::exchange(last_selected_, selected) != selected ? selected : -1;
+      for (const int root : scene->roots) draw_node(state, *scene, root, scroll_to);
       ImGui::EndChild();
     }
     if (!has_selection) return;
     if (group(state.ui, node_name(*scene, selected).c_str(), "node.")) draw_selected_node(state, *scene, selected);
+  }
+
+  void report(AppState& state, nlohmann::json& json) override {
+    const auto compiled = state.has_document() ? state.session->scene() : nullptr;
+    json["lights"] = compiled ? nlohmann::json(scene::light_text(scene::count_lights(*compiled))) : nlohmann::json();
   }
 
   std::vector<ItemInfo> items() const override {
@@ -142,6 +155,20 @@ class ScenePanel final : public Panel {
     if (index) state.selection.node = *index;
     return index.has_value();
   }
+
+ private:
+  void draw_counts(const UiContext& ui, const std::shared_ptr<const scene::CompiledScene>& compiled) {
+    if (counted_.lock() != compiled) {
+      counted_ = compiled;
+      light_text_ = scene::light_text(scene::count_lights(*compiled));
+    }
+    labelled_value(ui, "Triangles", std::to_string(compiled->triangle_count()), "Triangles of all visible objects");
+    labelled_value(ui, "Lights", light_text_, "Each object counts once, however many emissive triangles it has");
+  }
+
+  std::weak_ptr<const scene::CompiledScene> counted_;  // the scene of light_text_
+  std::string light_text_;
+  int last_selected_ = -1;  // node
 };
 
 }  // namespace

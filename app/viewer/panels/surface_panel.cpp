@@ -222,7 +222,7 @@ class SurfacePanel final : public Panel {
   }
 
   static void draw_values(UiContext& ui, const SurfaceMeasurement& measurement) {
-    draw_surface_checks(ui, measurement);
+    draw_surface_checks(ui, &measurement);
     labelled_value(ui, "Hemispherical albedo",
                    formatted("%.4f", bsdf_analysis::hemispherical_albedo(measurement.audit.albedo)),
                    "Share of uniform light from all directions that is scattered");

@@ -126,11 +126,14 @@ class TechniquesPanel final : public Panel {
     const TechniqueImages* techniques = task_.result();
     if (!techniques) return;
     report["mean"] = techniques->combined.mean;
+    const TechniqueImages::Sum sum = techniques->sum();
+    report["sum"] = {{"share", sum.share}, {"error", sum.error}};
     for (const auto& image : techniques->images) {
       report["cells"].push_back({{"s", image.s},
                                  {"t", image.t},
                                  {"samples", image.samples},
                                  {"mean", image.mean},
+                                 {"standard_error", image.standard_error},
                                  {"absent", image.unavailable}});
       if (const auto share = techniques->share(image)) report["cells"].back()["share"] = *share;
     }
@@ -244,13 +247,14 @@ class TechniquesPanel final : public Panel {
 
   void draw_status(const AppState& state, const TechniqueImages& techniques) const {
     const UiContext& ui = state.ui;
-    double total = 0;
-    for (const auto& image : techniques.images) total += techniques.share(image).value_or(0);
+    const TechniqueImages::Sum sum = techniques.sum();
     if (task_.running()) note(ui, "Rendering: more samples in each round.");
     if (!task_.is_current(state.document())) warning(ui, "Outdated: rendered before the last edit.");
-    const char* remark = task_.parameters.weighted ? ". Longer paths contribute the rest."
-                                                   : ". Without weights, paths are counted once per technique.";
-    note(ui, "Sum: " + advisor::percent(total) + " of the light" + remark);
+    const char* remark = task_.parameters.weighted
+                             ? ". Longer paths contribute the rest. Shares are estimates: their sum may exceed 100 % "
+                               "within its standard error."
+                             : ". Without weights, paths are counted once per technique.";
+    note(ui, formatted("Sum: %.1f \u00b1 %.1f %% of the light", 100 * sum.share, 100 * sum.error) + remark);
   }
 
   TechniqueTask task_;

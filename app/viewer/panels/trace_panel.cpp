@@ -47,7 +47,7 @@ constexpr Column kColumns[] = {{"Event", "Vertices are numbered in the order in 
                                {"Details", "Surface, direction, distance, throughput"},
                                {"Density", "Per solid angle at the vertex, or the measure of a delta"},
                                {"MIS weight", "Weight of this technique for this path"},
-                               {"Contribution", "Added to the radiance of the sample, W/(m\u00b2 sr)"}};
+                               {"Contribution", "Added to the radiance of the sample, cd/m\u00b2"}};
 constexpr int kDetails = 1;
 
 class TracePanel final : public Panel {

@@ -97,6 +97,8 @@ void ImguiHost::begin_frame(const Input& input, float seconds) {
   for (size_t b = 0; b < input.buttons.size(); ++b) io.MouseDown[b] = input.buttons[b];
   io.MouseWheel = input.wheel;
   for (size_t k = 0; k < static_cast<size_t>(kKeys); ++k) io.KeysDown[k] = input.keys[k];
+  // Tab leads from one text field to the next. Otherwise it is a shortcut and must not activate a text field.
+  if (!io.WantTextInput) io.KeysDown[GLFW_KEY_TAB] = false;
   io.KeyCtrl = input.control();
   io.KeyShift = input.shift();
   io.KeyAlt = input.alt();

@@ -29,6 +29,14 @@ json percentiles(std::vector<double> values) {
   return j;
 }
 
+// The errors since the start, oldest first.
+json error_messages(const AppState& state) {
+  json errors = json::array();
+  for (const auto& entry : state.notices.log())
+    if (entry.is_error) errors.push_back(entry.text);
+  return errors;
+}
+
 json document_parameters(const AppState& state) {
   json parameters = json::object();
   if (!state.has_document()) return parameters;
@@ -74,6 +82,7 @@ std::string state_report(AppState& state) {
          {"session", state.files.session_file},
          {"ui_scale", state.ui.scale},
          {"messages", state.notices.log().size()},
+         {"errors", error_messages(state)},
          {"undo_depth", editor.undo_depth()},
          {"redo_depth", editor.redo_depth()},
          {"undo", editor.undo_name()},

@@ -10,6 +10,7 @@
 #include "viewer/state/document_info.h"
 #include "viewer/state/editor.h"
 #include "viewer/tasks/exclusive_task.h"
+#include "viewer/tasks/file_thumbnails.h"
 #include "viewer/tasks/path_class_task.h"
 #include "viewer/tasks/surface_analysis.h"
 #include "viewer/viewport/aov_layer.h"
@@ -48,7 +49,8 @@ AppState::AppState(Platform& p, const ViewOptions& o)
       editor(std::make_unique<Editor>(*session)),
       tasks{.exclusive = std::make_unique<ExclusiveTask>(*session),
             .path_classes = std::make_unique<PathClassTask>(),
-            .surface_analysis = std::make_unique<SurfaceAnalysis>()},
+            .surface_analysis = std::make_unique<SurfaceAnalysis>(),
+            .thumbnails = std::make_unique<FileThumbnails>([&p] { p.wake(); })},
       task_context{.session = *session,
                    .editor = *editor,
                    .exclusive = *tasks.exclusive,

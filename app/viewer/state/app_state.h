@@ -22,7 +22,9 @@
 #include "viewer/tools/camera_controller.h"
 #include "viewer/viewer.h"
 #include "viewer/viewport/dark_image.h"
+#include "viewer/viewport/first_view.h"
 #include "viewer/viewport/placement.h"
+#include "viewer/viewport/timeline.h"
 #include "viewer/widgets/ui_context.h"
 
 namespace etendue::render {
@@ -38,6 +40,7 @@ class AovLayer;
 class Comparison;
 class Editor;
 class ExclusiveTask;
+class FileThumbnails;
 class ImageExport;
 class Loader;
 class PathClassTask;
@@ -82,6 +85,8 @@ struct ViewportState {
 
   CameraController camera_controller;
   bool pivot_is_outdated = false;  // it belongs to the previous document
+  FirstView first_view = FirstView::adjusted;
+  Playback playback;
   std::optional<ClickTool> click_tool;
 };
 
@@ -90,6 +95,7 @@ struct InterfaceState {
   bool help_open = false;
   bool palette_open = false;
   bool preferences_open = false;
+  bool welcome_open = false;
   bool style_is_outdated = false;     // scale, font size or theme have changed
   std::string panel_filter;           // of the open panel; empty: all parameters are shown
   std::optional<Vec2> menu_position;  // where the context menu of the viewport is to be opened
@@ -119,6 +125,7 @@ struct SharedTasks {
   std::unique_ptr<ExclusiveTask> exclusive;
   std::unique_ptr<PathClassTask> path_classes;
   std::unique_ptr<SurfaceAnalysis> surface_analysis;
+  std::unique_ptr<FileThumbnails> thumbnails;
 };
 
 struct Timing {

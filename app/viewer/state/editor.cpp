@@ -42,6 +42,15 @@ void Editor::apply(render::Document changed, const std::string& name, const std:
   submit();
 }
 
+void Editor::amend(render::Document changed) {
+  const bool is_saved = !has_unsaved_changes(), scene_is_saved = !has_unsaved_scene_edits();
+  document_ = std::move(changed);
+  ++revision_;
+  if (is_saved) saved_revision_ = revision_;
+  if (scene_is_saved) saved_scene_ = document_.scene;
+  submit();
+}
+
 void Editor::discard_step(const std::string& gesture) {
   if (undo_steps_.empty() || undo_steps_.back().gesture != gesture) return;
   document_ = std::move(undo_steps_.back().document);

@@ -39,6 +39,8 @@ class Editor {
   // gesture make one step, until `end_gesture`; an empty gesture always makes a step of its own.
   void apply(render::Document changed, const std::string& name, const std::string& gesture = "");
   void end_gesture() { gesture_.clear(); }
+  // Replaces the document without a step. Whether there are unsaved changes does not depend on it.
+  void amend(render::Document changed);
   // Reverts the last step if it was made by this gesture. The step cannot be redone.
   void discard_step(const std::string& gesture);
 

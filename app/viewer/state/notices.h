@@ -12,6 +12,7 @@ class Notices {
     std::string text;
     bool is_error = false;
     bool has_more = false;  // the log has the rest of these messages
+    std::string panel{};    // that the button "Change..." opens; empty: there is no button
     int count = 1;          // how often the text was added
     double seconds_left = 0;
   };
@@ -22,6 +23,8 @@ class Notices {
   };
 
   void add_message(const std::string& text) { add({.text = text}); }
+  // A message about something that can be changed in a panel.
+  void add_message(const std::string& text, const std::string& panel) { add({.text = text, .panel = panel}); }
   void add_error(const std::string& text) { add({.text = text, .is_error = true}); }
   // Warnings about one file: a single notice with their number and the first of them. The log has all.
   void add_warnings(const std::string& file, const std::vector<std::string>& warnings);

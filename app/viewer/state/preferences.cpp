@@ -65,6 +65,8 @@ std::vector<ParameterInfo> interface_preferences(const Settings& settings) {
                           "Size of the interface. Automatic: from the resolution of the display", kScales,
                           index_of_scale(settings.ui_scale)),
           font_size(settings),
+          describe(Toggle{"preferences.welcome", "Show the welcome page", settings.show_welcome,
+                          "Shows built-in scenes and recent files when the viewer is started without a scene"}),
           describe(Toggle{"preferences.timing", "Show interface timing", settings.show_timing,
                           "Shows in the status bar which share of the time drawing the interface takes"})};
 }
@@ -82,6 +84,7 @@ void assign_preference(Settings& settings, const std::string& name, const Value&
     settings.ui_scale = scale == kScales[0].name ? 0 : std::stof(scale);
   }
   if (name == "preferences.font-size") settings.font_size = static_cast<float>(std::get<int64_t>(value));
+  if (name == "preferences.welcome") settings.show_welcome = std::get<bool>(value);
   if (name == "preferences.timing") settings.show_timing = std::get<bool>(value);
   if (name == "preferences.threads") settings.threads = static_cast<int>(std::get<int64_t>(value));
   if (name == "preferences.environment") settings.environment = std::get<std::string>(value);

@@ -26,6 +26,7 @@ Settings from_json(const json& j) {
   s.folder = j.at("folder").get<std::string>();
   if (const float scale = j.value("scale", 0.0f); scale > 0) s.ui_scale = std::clamp(scale, kMinScale, kMaxScale);
   s.font_size = std::clamp(j.value("font_size", s.font_size), kMinFontSize, kMaxFontSize);
+  s.show_welcome = j.value("show_welcome", true);
   s.show_timing = j.value("show_timing", false);
   s.threads = std::clamp(j.value("threads", 0), 0, kMaxThreads);
   s.environment = j.value("environment", "");
@@ -43,6 +44,7 @@ json to_json(const Settings& s) {
           {"folder", s.folder},
           {"scale", s.ui_scale},
           {"font_size", s.font_size},
+          {"show_welcome", s.show_welcome},
           {"show_timing", s.show_timing},
           {"threads", s.threads},
           {"environment", s.environment},

@@ -23,6 +23,7 @@ struct Settings {
 
   float ui_scale = 0;                            // pixels per unit of the interface; 0: that of the display
   float font_size = 16;                          // units of the interface
+  bool show_welcome = true;                      // the welcome page, when no scene is named
   bool show_timing = false;                      // of the interface, in the status bar
   int threads = 0;                               // 0: one per hardware thread; applied at the next start
   std::string environment;                       // built-in environment for scenes without lights; empty: the first one

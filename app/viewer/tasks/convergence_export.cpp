@@ -14,18 +14,19 @@ std::string csv_quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-// One row per point. The error of the reference is subtracted from mse and relmse, but not from the measured_ columns.
+// One row per point. The error of the reference is not subtracted from the measured_ columns.
 std::string csv_of(const bench::LiveBenchmarkSnapshot& snapshot) {
-  std::string csv = "method,repeat,seconds,spp,mse,relmse,bias,measured_mse,measured_relmse\n";
+  std::string csv = "method,repeat,seconds,spp,mse,relmse,bias,displayed_mse,measured_mse,measured_relmse,measured_displayed_mse\n";
   for (const auto& method : snapshot.methods)
     for (size_t r = 0; r < method.corrected.repeats.size(); ++r) {
       const auto& corrected = method.corrected.repeats[r];
       const auto& measured = method.measured.repeats[r];
       for (size_t i = 0; i < corrected.points.size(); ++i) {
         const auto& point = corrected.points[i];
-        csv += csv_quoted(method.name) + formatted(",%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", corrected.repeat,
-                                                   point.seconds, point.spp, point.mse, point.relmse, point.bias,
-                                                   measured.points[i].mse, measured.points[i].relmse);
+        csv += csv_quoted(method.name) + formatted(",%d,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", corrected.repeat,
+                                                   point.seconds, point.spp, point.mse, point.relmse, point.bias, point.displayed_mse,
+                                                   measured.points[i].mse, measured.points[i].relmse,
+                                                   measured.points[i].displayed_mse);
       }
     }
   return csv;

@@ -162,15 +162,14 @@ void ConvergenceTask::show_images(Comparison& comparison) const {
 metrics::ChartOptions ConvergenceTask::chart_options() const {
   metrics::ChartOptions options;
   options.abscissa = parameters.axis;
-  options.kind = parameters.error;
+  options.measure = parameters.error;
   if (!snapshot_) return options;
   const bool equal_time = snapshot_->rule == bench::Rule::equal_time;
   const std::string budget =
       equal_time ? formatted("%g s each", snapshot_->seconds) : formatted("%u spp each", snapshot_->samples);
   options.title =
       base_name(document_.scene_name) + formatted(", %d x %d, ", document_.width, document_.height) + budget;
-  if (options.kind == metrics::ErrorKind::rmse && std::isfinite(snapshot_->reference_error))
-    options.reference_error = snapshot_->reference_error;
+  if (snapshot_->reference_noise) options.reference_error = snapshot_->reference_noise->error(options.measure);
   return options;
 }
 

@@ -26,10 +26,6 @@ template <>
 struct Options<metrics::Abscissa> {
   static constexpr std::array<Option, 2> kOptions{{{"seconds", "over time"}, {"samples", "over samples"}}};
 };
-template <>
-struct Options<metrics::ErrorKind> {
-  static constexpr std::array<Option, 2> kOptions{{{"rmse", "RMSE"}, {"relmse", "relMSE"}}};
-};
 
 }  // namespace etendue
 
@@ -63,8 +59,10 @@ class ConvergenceTask final : public Task {
                         "x"};
     Choice<metrics::Abscissa> axis{"compare.axis", "Horizontal axis", metrics::Abscissa::seconds,
                                    "Whether errors are drawn over rendering time or over samples per pixel"};
-    Choice<metrics::ErrorKind> error{"compare.error", "Error metric", metrics::ErrorKind::rmse,
-                                     "RMSE in radiance, or relMSE: squared error relative to the reference"};
+    Choice<film::ErrorMeasure> error{"compare.error", "Error measure", film::ErrorMeasure::rmse,
+                                     "Measure of the chart and the table. RMSE: in the unit of the image. Relative: "
+                                     "relative to the reference. Displayed: after exposure, tone mapping and sRGB "
+                                     "encoding"};
     auto all() { return std::tie(rule, seconds, samples, repeats, axis, error); }
   };
   Parameters parameters;

@@ -1,4 +1,4 @@
-// Statistics of the samples of one pixel. All luminances are in W/(m^2 sr).
+// Statistics of the samples of one pixel. All luminances are in cd/m^2.
 #pragma once
 #include <array>
 #include <cstdint>

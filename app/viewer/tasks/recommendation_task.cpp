@@ -17,7 +17,7 @@ constexpr float kMaxError = 100;
 constexpr float kDefaultError = 0.01f;
 
 // Whether a ranking for one document is valid for the other. Integrator and sampler may differ.
-bool same_question(const render::Document& a, const render::Document& b) {
+bool same_advice_request(const render::Document& a, const render::Document& b) {
   return same_view(a, b) && a.method.paths == b.method.paths && a.method.settings == b.method.settings &&
          a.method.adaptive == b.method.adaptive;
 }
@@ -31,8 +31,10 @@ float rounded_to_one_digit(double value) {
 
 float RecommendationTask::target_error(const render::Document& document) const {
   if (parameters.error) return *parameters.error;
-  const double limit = document.limits.rmse;
-  const float error = limit > 0 ? static_cast<float>(limit) : default_error_.value_or(kDefaultError);
+  const double limit = document.limits.error;
+  const bool is_rmse = document.limits.measure == film::ErrorMeasure::rmse;
+  const float usual = is_rmse ? default_error_.value_or(kDefaultError) : kDefaultError;
+  const float error = limit > 0 ? static_cast<float>(limit) : usual;
   return std::clamp(error, kMinError, kMaxError);
 }
 
@@ -47,11 +49,11 @@ void RecommendationTask::measure_luminance(const render::Frame& frame, uint64_t 
 std::vector<ParameterInfo> RecommendationTask::describe_parameters(const render::Document* document) const {
   const Number<float> error{
       "advice.error",
-      "Target RMSE",
+      "Target error",
       document ? target_error(*document) : kDefaultError,
       {kMinError, kMaxError},
-      "Root mean square error of the image in radiance, W/(m\u00b2 sr). Integrators are ranked by "
-      "the time to reach it",
+      "Error to reach, in the measure chosen under Stop at. Integrators are ranked by the time to reach it. Relative and "
+      "displayed errors are fractions: 0.01 is 1 %",
       "",
       Scale::logarithmic};
   return {describe(error), describe(parameters.pilot)};
@@ -66,6 +68,7 @@ void RecommendationTask::start(const TaskContext& context) {
   task_.reset();
   advisor::AdviceRequest question;
   question.target = double{target_error(document_)};
+  question.measure = document_.limits.measure;
   question.pilot_seconds = double{parameters.pilot.value};
   question.seed = document_.seed;
   const auto work = [document = document_, question, threads = context.threads, scene = context.session.scene()](
@@ -84,7 +87,7 @@ void RecommendationTask::cancel(const TaskContext& context) {
 
 void RecommendationTask::update(const TaskContext& context) {
   if (task_.update()) context.exclusive.end();
-  if (!running() || same_question(context.editor.document(), document_)) return;
+  if (!running() || same_advice_request(context.editor.document(), document_)) return;
   cancel(context);
   context.notices.add_message("The scene was edited. The recommendation was cancelled.");
 }
@@ -97,7 +100,7 @@ void RecommendationTask::reset(const TaskContext& context) {
 }
 
 bool RecommendationTask::is_current(const render::Document& document) const {
-  return result() && same_question(document, document_);
+  return result() && same_advice_request(document, document_);
 }
 
 void RecommendationTask::apply(Editor& editor, size_t row) const {
@@ -107,7 +110,8 @@ void RecommendationTask::apply(Editor& editor, size_t row) const {
   std::string path_filter = std::move(changed.method.paths);
   changed.method = result()->methods[row].method.document.method;
   changed.method.paths = std::move(path_filter);
-  changed.limits.rmse = result()->target;
+  changed.limits.error = result()->target;
+  changed.limits.measure = result()->measure;
   editor.apply(std::move(changed), "Recommended method");
 }
 

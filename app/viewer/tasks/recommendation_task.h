@@ -19,7 +19,7 @@ namespace etendue::viewer {
 class RecommendationTask final : public Task {
  public:
   struct Parameters {
-    std::optional<float> error;  // RMSE in radiance; if unset, see target_error
+    std::optional<float> error;  // in the measure of the document's limits; if unset, see target_error
     Number<float> pilot{"advice.pilot",
                         "Pilot time",
                         1,
@@ -30,8 +30,8 @@ class RecommendationTask final : public Task {
   };
   Parameters parameters;
 
-  // The error to reach: the parameter if it is set, else the error limit of the document, else one percent of the mean
-  // luminance.
+  // The error to reach, in the measure of the document's limits: the parameter if it is set, else the error limit of the
+  // document, else one percent of the mean luminance, of the true value, or of the displayed range.
   float target_error(const render::Document& document) const;
   // Takes the mean luminance from a frame of the current document, once per document.
   void measure_luminance(const render::Frame& frame, uint64_t document_version);
@@ -55,7 +55,7 @@ class RecommendationTask final : public Task {
   void apply(Editor& editor, size_t row) const;
 
  private:
-  std::optional<float> default_error_;  // from the mean luminance
+  std::optional<float> default_error_;  // RMSE, from the mean luminance
   render::Document document_;           // of the ranking
   ProgressiveTask<advisor::Ranking> task_;
 };

@@ -1,6 +1,7 @@
 #include "viewer/tasks/technique_task.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "advisor/class_energy.h"
@@ -23,7 +24,7 @@ using integrator::Techniques;
 constexpr int kWidth = 96;  // of the small images
 constexpr int kMaxHeight = 192;
 // Seconds after an edit in which the main rendering has the processor to itself.
-constexpr double kDelay = 0.3;
+constexpr double kRestDelay = 0.3;
 // The number of samples per pixel grows by this factor from round to round.
 constexpr uint32_t kGrowth = 4;
 
@@ -109,7 +110,7 @@ class TechniqueRenderer {
 
   // Continues an image to this number of samples. Returns false if the task was cancelled.
   bool render(render::Document d, TechniqueImage& image, film::Film& film, uint32_t samples) {
-    d.limits = {.samples = samples, .seconds = 0, .rmse = 0};
+    d.limits = {.samples = samples, .seconds = 0, .error = 0};
     const uint64_t version = image.samples > 0 ? session_.submit(d, std::move(film)) : session_.submit(d);
     const auto keep_going = [&](const render::Status&) { return progress_(0, "techniques"); };
     if (!bench::wait_for(session_, version, keep_going)) return false;
@@ -139,6 +140,19 @@ std::string vertices(int count) { return std::to_string(count) + (count == 1 ? "
 std::optional<double> TechniqueImages::share(const TechniqueImage& image) const {
   if (!image.pixels || !(combined.mean > 0)) return {};
   return image.mean / combined.mean;
+}
+
+TechniqueImages::Sum TechniqueImages::sum() const {
+  Sum sum;
+  double variance = 0;
+  for (const TechniqueImage& image : images) {
+    if (!share(image)) continue;
+    sum.share += *share(image);
+    variance += sqr(image.standard_error / combined.mean);
+  }
+  if (combined.mean > 0) variance += sqr(sum.share * combined.standard_error / combined.mean);
+  sum.error = std::sqrt(variance);
+  return sum;
 }
 
 bool TechniqueTask::is_available(const render::Document& document) {
@@ -177,7 +191,7 @@ void TechniqueTask::update(const TaskContext& context, bool allowed) {
   const bool same = same_question(editor.document());
   if (running() && !(allowed && same)) task_.cancel();
   const double since_edit = std::chrono::duration<double>(Clock::now() - edit_time_).count();
-  const bool can_start = allowed && is_available(editor.document()) && !running() && since_edit >= kDelay;
+  const bool can_start = allowed && is_available(editor.document()) && !running() && since_edit >= kRestDelay;
   if (!can_start || (complete_ && same)) return;
   document_ = editor.document();
   rendered_parameters_ = parameters;

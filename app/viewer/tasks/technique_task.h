@@ -22,7 +22,7 @@ struct TechniqueImage {
   int t = 0;
   std::string unavailable{};  // why there is no image; empty if there is or will be one
   uint32_t samples = 0;       // per pixel
-  double mean = 0;            // luminance of the image, W/(m^2 sr)
+  double mean = 0;            // luminance of the image, cd/m^2
   double standard_error = 0;  // of `mean`
   std::shared_ptr<const std::vector<float>> pixels = nullptr;  // linear radiance, three numbers per pixel
 
@@ -37,6 +37,12 @@ struct TechniqueImages {
 
   // The mean of an image relative to that of the combined image; nothing while one of them is unknown.
   std::optional<double> share(const TechniqueImage& image) const;
+  // The sum of all shares with its standard error, an upper bound that holds also where the images have independent
+  // noise: during rendering they have different numbers of samples.
+  struct Sum {
+    double share = 0, error = 0;
+  };
+  Sum sum() const;
 };
 
 class TechniqueTask final : public Task {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "light/light_type.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
 #include "viewer/widgets/action_widgets.h"
@@ -16,12 +17,16 @@ namespace {
 
 constexpr uint32_t kSamples = 2048;
 
-void draw_reading(const UiContext& ui, const char* label, const render::MeterReading& reading, double lumens,
-                  const char* unit, const char* photometric_unit, const char* tooltip_text) {
+void draw_reading(const UiContext& ui, const LightQuantity& quantity, const render::MeterReading& reading,
+                  Efficacy efficacy, const char* tooltip_text) {
   const auto value = static_cast<double>(luminance(reading.value));
   const double error = reading.standard_error;
-  labelled_value(ui, label, formatted("%.4g \u00b1 %.1g %s", value, error, unit), tooltip_text);
-  labelled_value(ui, "", formatted("%.4g \u00b1 %.1g %s", lumens * value, lumens * error, photometric_unit));
+  labelled_value(ui, quantity.name,
+                 formatted("%.4g \u00b1 %.1g %s", value, error, with_superscripts(quantity.unit).c_str()), tooltip_text);
+  labelled_value(ui, quantity.radiometric_name,
+                 formatted("%.4g \u00b1 %.1g %s", radiometric(value, efficacy), radiometric(error, efficacy),
+                           with_superscripts(quantity.radiometric_unit).c_str()),
+                 tooltip_text);
 }
 
 }  // namespace
@@ -66,14 +71,14 @@ void LightMeter::draw(AppState& state) {
     if (raster_) note(ui, "There is no surface at this pixel, or the measurement is still running.");
     return;
   }
-  const double lumens = lumens_per_watt(parameters.efficacy);
-  draw_reading(ui, "Radiance", readings->radiance, lumens, "W/(m\u00b2 sr)", "cd/m\u00b2",
-               "Radiance and luminance from the surface towards the camera");
-  draw_reading(ui, "Irradiance", readings->irradiance, lumens, "W/m\u00b2", "lx",
-               "Irradiance and illuminance on the side of the surface that faces the camera");
+  draw_reading(ui, kLuminance, readings->radiance, parameters.efficacy,
+               "From the surface towards the camera. The radiance is the luminance divided by the luminous efficacy");
+  draw_reading(ui, kIlluminance, readings->irradiance, parameters.efficacy,
+               "On the side of the surface that faces the camera. The irradiance is the illuminance divided by the "
+               "luminous efficacy");
   if (!is_black(readings->emitted_flux))
-    draw_reading(ui, "Emitted flux", {readings->emitted_flux, 0}, lumens, "W", "lm",
-                 "Radiant and luminous flux that the whole object emits");
+    draw_reading(ui, kLuminousFlux, {readings->emitted_flux, 0}, parameters.efficacy,
+                 "Emitted by the whole object. The power in watts is the luminous flux divided by the luminous efficacy");
   if (!is_complete(state.editor->version())) note(ui, "Measuring: the errors decrease with more samples.");
 }
 

@@ -20,7 +20,7 @@ class LightMeter final : public Task {
  public:
   struct Parameters {
     Choice<Efficacy> efficacy{"meter.efficacy", "Luminous efficacy", Efficacy::equal_energy,
-                              "Spectrum assumed when converting watts to lumens. RGB radiance does not determine it"};
+                              "Spectrum assumed when converting lumens to watts. RGB values do not determine it"};
     auto all() { return std::tie(efficacy); }
   };
   Parameters parameters;

@@ -24,6 +24,7 @@ struct Side {
   std::string name{};                          // for scripts: "path, sobol, 64 spp", or a file name
   std::string label{};                         // for the user: "Path tracing, Sobol', 64 spp"
   std::shared_ptr<const render::Frame> frame;  // null if there is no such image
+  std::string unavailable{};                   // why the integrator cannot render the image, which is then black; or empty
 };
 
 class Comparison {

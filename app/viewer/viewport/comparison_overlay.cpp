@@ -81,7 +81,7 @@ void draw_map_labels(const AppState& state, ImDrawList* draw) {
   if (!map)
     title += ": computing";
   else
-    title += formatted(is_flip ? ", mean %.4f" : ", mean %+.3g", map->mean);
+    title += ", " + difference_text(*map);
   draw_corner_labels(state, draw, {title, left_title(c), right_title(c)});
   if (!map) return;
   const UiContext& ui = state.ui;
@@ -98,7 +98,7 @@ void draw_map_labels(const AppState& state, ImDrawList* draw) {
     labels[i] = i == 2 ? "0" : formatted("%+.3g", value);
   }
   const auto color = [](float x) { return diverging_color(2 * x - 1); };
-  draw_scale_bar(ui, draw, image, color, labels, "luminance, W/(m\u00b2 sr)");
+  draw_scale_bar(ui, draw, image, color, labels, "luminance, cd/m\u00b2");
 }
 
 // The pixel under the pointer.

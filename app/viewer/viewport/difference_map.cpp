@@ -8,6 +8,7 @@
 #include "metrics/flip.h"
 #include "spectrum/colormap.h"
 #include "viewer/viewport/srgb.h"
+#include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
 namespace {
@@ -78,6 +79,13 @@ const char* name_of(CompareMode mode) {
   return kNames[static_cast<size_t>(mode)];
 }
 
+std::string difference_text(const DifferenceMap& map) {
+  if (map.rms == 0) return "equal";
+  if (map.input.mode == CompareMode::flip) return formatted("mean %.4g", map.mean);
+  if (map.mean == 0) return formatted("mean 0, RMS %.4g", map.rms);
+  return formatted("mean %+.4g, RMS %.4g", map.mean, map.rms);
+}
+
 std::shared_ptr<const DifferenceMap> make_difference_map(const DifferenceInput& input, int width, int height) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -89,6 +97,9 @@ std::shared_ptr<const DifferenceMap> make_difference_map(const DifferenceInput& 
   else
     compute_difference(*map);
   map->mean = metrics::mean_of(map->values);
+  double squares = 0;
+  for (const float v : map->values) squares += double{v} * double{v};
+  map->rms = std::sqrt(squares / static_cast<double>(std::max<size_t>(1, map->values.size())));
   map->seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return map;
 }

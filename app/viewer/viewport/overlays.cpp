@@ -85,7 +85,7 @@ void draw_false_color_scale(const AppState& state, ImDrawList* draw) {
     const float stops = range.x + (range.y - range.x) * static_cast<float>(i) / 4;
     labels[i] = formatted("%.2g", static_cast<double>(std::exp2(stops)));
   }
-  draw_scale_bar(state.ui, draw, state.viewport.image, viridis, labels, "luminance, W/(m\u00b2 sr)");
+  draw_scale_bar(state.ui, draw, state.viewport.image, viridis, labels, "luminance, cd/m\u00b2");
 }
 
 std::string aov_title(const AppState& state) {
@@ -126,8 +126,8 @@ void draw_darkness(AppState& state) {
   if (viewport.comparison->mode != CompareMode::off || !state.incompatibility().empty()) return;
   const Placement& region = viewport.region;
   const float em = ImGui::GetFontSize();
-  ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - em}, ImGuiCond_Always,
-                          {0.5f, 1});
+  const float bottom = region.corner.y + region.size.y - em - viewport.playback.bar_height;
+  ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, bottom}, ImGuiCond_Always, {0.5f, 1});
   ImGui::Begin("##dark image", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing);

@@ -22,15 +22,41 @@ void wrapped_text(const std::string& text, const ImVec4& color) {
 
 }  // namespace
 
+namespace {
+
+// Places the next tooltip below the last item, or above it in the lower half of the window, so that it does not cover
+// the item. Next to the pointer if the item is larger than a few lines.
+void place_tooltip(const std::string& text, float wrap_width) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  if (high.y - low.y > ImGui::GetFrameHeight() * 2) return;
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  const float width = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap_width).x + 2 * padding.x;
+  const float gap = ImGui::GetFontSize() * 0.3f;
+  const bool above = low.y > screen.y / 2;
+  const float left = std::min(std::max(low.x, ImGui::GetMousePos().x - width / 2), screen.x - width - gap);
+  ImGui::SetNextWindowPos({std::max(0.0f, left), above ? low.y - gap : high.y + gap}, ImGuiCond_Always,
+                          {0, above ? 1.0f : 0.0f});
+}
+
+}  // namespace
+
 void tooltip(const UiContext& ui, const std::string& text) {
   if (ui.pointer_rest < kTooltipDelay || text.empty()) return;
   ImGui::PushFont(ui.fonts.text);
+  const float wrap_width = ImGui::GetFontSize() * kTooltipWidth;
+  place_tooltip(text, wrap_width);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * kTooltipWidth);
+  ImGui::PushTextWrapPos(wrap_width);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
   ImGui::PopFont();
+}
+
+void same_line_if_fits(float width) {
+  ImGui::SameLine();
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }
 
 void note(const UiContext& ui, const std::string& text) { wrapped_text(text, ui.theme.secondary_text); }

@@ -29,6 +29,9 @@ void progress_line(float share, float width, float height, const ImVec4& color);
 // The usual width of `controls` below, times the font size.
 constexpr float kControlColumnWidth = 20;
 
+// Continues the line if an item of this width fits.
+void same_line_if_fits(float width);
+
 // Places `controls` of this width to the right of `content`, or below it in windows of less than three times the width.
 void with_controls(const UiContext& ui, float width, const std::function<void()>& content,
                    const std::function<void()>& controls);

@@ -3,10 +3,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "render/document.h"
+#include "spectrum/blackbody.h"
 #include "spectrum/rgb.h"
 #include "viewer/state/app_state.h"
 #include "viewer/state/editor.h"
@@ -121,6 +123,43 @@ void radiance_swatch(AppState& state, ColorParameters rgb) {
 }
 
 }  // namespace
+
+void temperature_widget(AppState& state, const std::string& name, const std::string& item) {
+  const auto list = render::section_parameters(state.document(), name.substr(0, name.rfind('.')));
+  const auto first = std::ranges::find_if(list, [&](const auto& p) { return p.info.name == name + ".r"; });
+  if (list.end() - first < 3) return;
+  const ColorParameters rgb = std::span(list).subspan(static_cast<size_t>(first - list.begin()), 3);
+  ParameterInfo info;
+  info.name = item;
+  info.label = "Temperature";
+  info.doc =
+      "Temperature of the black body whose colour is nearest to this one. Sets the colour; higher temperatures are bluer";
+  info.unit = "K";
+  info.min = kMinTemperature;
+  info.max = kMaxTemperature;
+  info.logarithmic = true;
+  // The search takes a fraction of a millisecond, so its result is kept.
+  TemperatureCache& cache = state.ui.temperature;
+  const Rgb color = value_of(rgb);
+  if (cache.color != color) {
+    cache.color = color;
+    cache.kelvin = nearest_temperature(color);
+  }
+  info.default_value = std::round(cache.kelvin);
+  ImGui::PushID(info.name.c_str());
+  label_column(info.label);
+  const WidgetEdit edit = number_field(state.ui, info);
+  ImGui::PopID();
+  start_edit(state, info, edit, name);
+  if (edit.reset)
+    set_color(state, rgb, original_color(state, rgb));
+  else if (edit.value && *edit.value != info.default_value) {
+    cache.kelvin = std::get<double>(*edit.value);
+    cache.color = blackbody_color(cache.kelvin);
+    set_color(state, rgb, cache.color);
+  }
+  if (edit.ended || edit.scripted || edit.reset) state.editor->end_gesture();
+}
 
 void color_widget(AppState& state, ColorParameters rgb) {
   if (rgb[0].info.max <= 1) return factor_widget(state, rgb);

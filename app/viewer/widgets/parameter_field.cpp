@@ -66,11 +66,31 @@ WidgetEdit number_field(UiContext& ui, const ParameterInfo& info, float drag_spe
   return edit;
 }
 
+namespace {
+
+struct ListedOption {
+  size_t index;  // in ParameterInfo::options
+  OptionDescription description;
+};
+
+// The options in their order, but those of a group together, where its first one is.
+std::vector<ListedOption> options_by_group(const ParameterInfo& info) {
+  std::vector<ListedOption> list;
+  for (size_t i = 0; i < info.options.size(); ++i) {
+    const ListedOption option{i, describe_option(info, info.options[i])};
+    const auto in_same_group = [&](const ListedOption& o) { return o.description.group == option.description.group; };
+    const auto last = std::find_if(list.rbegin(), list.rend(), in_same_group);
+    list.insert(option.description.group && last != list.rend() ? last.base() : list.end(), option);
+  }
+  return list;
+}
+
+}  // namespace
+
 std::optional<Value> option_list(const UiContext& ui, const ParameterInfo& info, size_t selected) {
   std::optional<Value> chosen;
   const char* group = nullptr;
-  for (size_t i = 0; i < info.options.size(); ++i) {
-    const OptionDescription option = describe_option(info, info.options[i]);
+  for (const auto& [i, option] : options_by_group(info)) {
     if (option.group && std::exchange(group, option.group) != option.group) {
       ImGui::TextColored(ui.theme.secondary_text, "%s", option.group);
       if (ImGui::IsItemHovered()) tooltip(ui, option.group_tooltip);

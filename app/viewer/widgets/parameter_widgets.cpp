@@ -77,7 +77,8 @@ WidgetEdit toggle_widget(UiContext& ui, const ParameterInfo& info) {
   return edit;
 }
 
-WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
+// `stored` describes the value in the document, which the context menu copies and resets.
+WidgetEdit any_widget(AppState& state, const ParameterInfo& info, const ParameterInfo& stored) {
   WidgetEdit edit;
   ImGui::PushID(info.name.c_str());
   label_column(info.label);
@@ -93,7 +94,7 @@ WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
       edit = number_field(state.ui, info);
       break;
   }
-  if (parameter_menu(state, info)) edit.reset = true;
+  if (parameter_menu(state, stored)) edit.reset = true;
   ImGui::PopID();
   if (!edit.value) {
     edit.value = take_requested_value(state.ui, info);
@@ -101,6 +102,8 @@ WidgetEdit any_widget(AppState& state, const ParameterInfo& info) {
   }
   return edit;
 }
+
+WidgetEdit any_widget(AppState& state, const ParameterInfo& info) { return any_widget(state, info, info); }
 
 // A parameter without effect: its widget is disabled, and the tooltip says why.
 void disabled_widget(AppState& state, const render::DocumentParameter& parameter) {
@@ -184,6 +187,22 @@ void section_widgets_for(AppState& state, const std::string& section, const std:
 
 void section_widgets_except(AppState& state, const std::string& section, const std::vector<std::string>& names) {
   widgets_if(state, section, [&](const std::string& name) { return !contains(names, name); });
+}
+
+void scaled_widget(AppState& state, const std::string& name, const UnitScale& scale) {
+  for (const auto& parameter : render::section_parameters(state.document(), name.substr(0, name.rfind('.')))) {
+    if (parameter.info.name != name || !passes_filter(state.ui, parameter.info)) continue;
+    render::DocumentParameter shown = parameter;
+    shown.info.unit = scale.unit;
+    shown.info.default_value = std::get<double>(parameter.info.default_value) * scale.factor;
+    shown.info.min *= scale.factor;
+    shown.info.max *= scale.factor;
+    shown.assign = [assign = parameter.assign, factor = scale.factor](render::Document& d, const Value& v) {
+      assign(d, std::get<double>(v) / factor);
+    };
+    const WidgetEdit edit = any_widget(state, shown.info, parameter.info);
+    apply_edit(state, edit.reset ? parameter : shown, edit);
+  }
 }
 
 std::optional<Value> parameter_widget(AppState& state, const ParameterInfo& info) {

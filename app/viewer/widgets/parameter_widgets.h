@@ -18,6 +18,14 @@ void section_widgets(AppState& state, const std::string& section);
 void section_widgets_for(AppState& state, const std::string& section, const std::vector<std::string>& names);
 void section_widgets_except(AppState& state, const std::string& section, const std::vector<std::string>& names);
 
+// A unit in which a number is shown and edited: the stored value times `factor`.
+struct UnitScale {
+  double factor = 1;
+  std::string unit;
+};
+// A number of the document in another unit. `name` is its qualified name.
+void scaled_widget(AppState& state, const std::string& name, const UnitScale& scale);
+
 // A parameter that is not part of the document. Returns the new value if it was changed.
 std::optional<Value> parameter_widget(AppState& state, const ParameterInfo& info);
 

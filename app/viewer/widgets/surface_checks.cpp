@@ -8,8 +8,13 @@
 
 namespace etendue::viewer {
 
-void draw_surface_checks(UiContext& ui, const SurfaceMeasurement& measurement) {
-  for (const bsdf_analysis::Check& check : measurement.audit.checks) {
+void draw_surface_checks(UiContext& ui, const SurfaceMeasurement* measurement) {
+  if (!measurement) {
+    constexpr int kChecks = 4;
+    for (int i = 0; i < kChecks; ++i) ImGui::TextDisabled("%s", i == 0 ? "Checking the surface..." : "");
+    return;
+  }
+  for (const bsdf_analysis::Check& check : measurement->audit.checks) {
     status_icon(ui, check.holds ? Status::good : Status::doubtful);
     ImGui::SameLine();
     ImGui::TextColored(check.holds ? ui.theme.text : ui.theme.warning, "%s", check.label());

@@ -6,7 +6,8 @@ namespace etendue::viewer {
 struct SurfaceMeasurement;
 struct UiContext;
 
-// One line per check, with an icon; the tooltip states the measured values.
-void draw_surface_checks(UiContext& ui, const SurfaceMeasurement& measurement);
+// One line per check, with an icon; the tooltip states the measured values. While `measurement` is null, the lines are
+// reserved, so that what follows does not move.
+void draw_surface_checks(UiContext& ui, const SurfaceMeasurement* measurement);
 
 }  // namespace etendue::viewer

@@ -2,24 +2,12 @@
 #pragma once
 #include <imgui.h>
 
-#include <memory>
 #include <vector>
 
-#include "image/display.h"
 #include "viewer/platform/gl.h"
+#include "viewer/widgets/thumbnail_image.h"
 
 namespace etendue::viewer {
-
-// Linear radiance, three numbers per pixel, and how it is displayed.
-struct ThumbnailImage {
-  int width = 0;
-  int height = 0;
-  std::shared_ptr<const std::vector<float>> pixels;
-  float exposure = 0;
-  image::ToneCurve curve = image::ToneCurve::none;
-
-  friend bool operator==(const ThumbnailImage&, const ThumbnailImage&) = default;
-};
 
 class Thumbnails {
  public:

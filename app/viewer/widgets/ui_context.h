@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "spectrum/rgb.h"
 #include "viewer/platform/input.h"
 #include "viewer/platform/theme.h"
 #include "viewer/script/item_registry.h"
@@ -14,6 +15,12 @@ struct ValidatedText {
   std::string parameter;
   std::string text;
   Result<void> result;
+};
+
+// The temperature that a colour was given, or that is nearest to it.
+struct TemperatureCache {
+  Rgb color{-1};
+  double kelvin = 0;
 };
 
 // The angles that the user has entered for a rotation. Euler angles are not unique: 120 degrees about y could be shown
@@ -33,6 +40,7 @@ struct UiContext {
   std::string filter;       // lower case; only parameters that contain it are shown
   ItemRegistry items;
   ValidatedText validated_text;
+  TemperatureCache temperature;
   EnteredRotation entered_rotation;
   std::string changed_by_press;  // the gesture of the parameter whose slider jumped at the last press of the button
 };

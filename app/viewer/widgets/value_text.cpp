@@ -28,6 +28,11 @@ std::string memory_text(size_t bytes) {
   return formatted("%.1f GB", mebibytes / 1024);
 }
 
+std::string with_superscripts(std::string unit) {
+  if (const size_t position = unit.find("^2"); position != std::string::npos) unit.replace(position, 2, "\u00b2");
+  return unit;
+}
+
 std::string lower_case(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;

@@ -13,6 +13,9 @@ std::string clock_text(double seconds);
 // A number of bytes: "312 kB", "1.4 GB".
 std::string memory_text(size_t bytes);
 
+// A unit with typeset exponents: "W/m\u00b2" for "W/m^2".
+std::string with_superscripts(std::string unit);
+
 std::string lower_case(std::string text);
 
 }  // namespace etendue::viewer

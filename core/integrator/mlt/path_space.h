@@ -268,7 +268,7 @@ class PathSpace {
       const bool from_camera = i < path.edges() - 1;
       const uint32_t medium =
           from_camera ? medium_at(path[i + 1], -x.direction).top() : medium_to_camera(i, x.direction, path).top();
-      if (from_camera && !solids.any_has_alpha() && medium != medium_to_camera(i, x.direction, path).top())
+      if (from_camera && !solids.segments_may_cross_media() && medium != medium_to_camera(i, x.direction, path).top())
         return false;
       const scene::Solid* solid = solids.find(medium);
       x.media.transmittance = solid ? solid->transmittance(length) : Color(1);
@@ -286,7 +286,7 @@ class PathSpace {
     const Color transmittance =
         transport::connection_transmittance(*scene_, ray, length, seed, path.time, medium, rays_);
     if (is_black(transmittance)) return false;
-    if (!scene_->solids().any_has_alpha()) return true;
+    if (!scene_->solids().segments_may_cross_media()) return true;
     path[i].media.transmittance = transmittance;
     return evaluate_color(path);
   }

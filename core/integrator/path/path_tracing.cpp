@@ -8,7 +8,7 @@
 //
 // w_l and w_b are weights of multiple importance sampling [Lang, sec. 6.6.9; Veach and Guibas 1995].
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L
 //   Bias          none; Russian roulette on the throughput, survival probability at most 0.95
 //   Cost          two rays per vertex, no memory beyond the path
 //   Limitations   Caustics of small lights are noisy: EDS+L is found only if a path happens to hit the light.
@@ -20,14 +20,16 @@ namespace etendue::integrator {
 
 class PathTracing final : public CameraPathIntegrator<PathTracing> {
  public:
+  static constexpr bool kScatteringMedia = true;
+
   static IntegratorInfo info() {
     return {
         .name = "path",
         .label = "Path tracing",
         .summary = "Random paths from the camera with direct light at every vertex",
         .group = Group::gathering,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G)L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V)L",
         .bias = Bias::unbiased,
         .cost = "2 rays per vertex; no memory beyond the path",
         .limitations =
@@ -35,6 +37,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
             "behind glass are never found.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '4',
+        .scattering_media = kScatteringMedia,
     };
   }
 

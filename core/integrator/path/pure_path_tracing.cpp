@@ -6,7 +6,7 @@
 //
 // Emitters may reflect: the sum of eq. 9.3 is used, not the product form that assumes black emitters.
 //
-//   Paths         E(D|G|S)*L; point lights: none
+//   Paths         E(D|G|S|V)*L; point lights: none
 //   Bias          none; Russian roulette on the throughput
 //   Cost          one ray per vertex, no memory beyond the path
 //   Limitations   Noise grows with the inverse root of the lights' solid angle.
@@ -18,13 +18,15 @@ namespace etendue::integrator {
 
 class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
  public:
+  static constexpr bool kScatteringMedia = true;
+
   static IntegratorInfo info() {
     return {
         .name = "path-pure",
         .label = "Pure path tracing",
         .summary = "Random paths from the camera that count light only where they hit an emitter",
         .group = Group::gathering,
-        .paths = "E(D|G|S)*L",
+        .paths = "E(D|G|S|V)*L",
         .point_paths = "",
         .bias = Bias::unbiased,
         .cost = "1 ray per vertex; no memory beyond the path",
@@ -33,6 +35,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
             "directional lights are never found.",
         .accumulation = Accumulation::per_pixel,
         .shortcut = '3',
+        .scattering_media = kScatteringMedia,
     };
   }
 

@@ -1,7 +1,8 @@
 // The base of integrators that trace paths from the camera: a wavefront of camera rays, one path per pixel.
 //
 // Derived is an IntegratorBase that also offers `template <class M> void estimate(transport::PathWavefront<M>&) const`,
-// which traces the paths and adds their contributions to their radiance.
+// which traces the paths and adds their contributions to their radiance. If `estimate` is correct at vertices in
+// scattering media, Derived defines `static constexpr bool kScatteringMedia = true` and states it in its IntegratorInfo.
 #pragma once
 #include "integrator/integrator_base.h"
 #include "integrator/shared/camera_paths.h"
@@ -38,14 +39,18 @@ class CameraPathIntegrator : public IntegratorBase<Derived> {
 
     std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                    const TaskContext& task_context) override {
-      return transport::with_model(*context_.model, [&]<class M>(M) {
+      const auto render = [&]<class M>(M) {
         transport::PathWavefront<M>& paths = thread_wavefront<M>();
         const PixelOrder order(block);
         launch_camera_paths(context_, block, order, task_context, paths);
         integrator_.template estimate<M>(paths);
         if (task_context.recorder) task_context.recorder->collect(paths.size());
         return collect(paths, order, radiance);
-      });
+      };
+      if constexpr (requires { Derived::kScatteringMedia; })
+        return transport::with_scattering_model(*context_.model, render);
+      else
+        return transport::with_model(*context_.model, render);
     }
 
    private:

@@ -14,7 +14,7 @@ struct BuiltinEnvironment {
   const char* name;
   const char* label;
   const char* doc;
-  // W/(m^2 sr), from a unit direction; +y is up and +z is the front of an object. Null: 1 from all directions.
+  // cd/m^2, from a unit direction; +y is up and +z is the front of an object. Null: 1 from all directions.
   Rgb (*radiance)(const Vec3& direction);
 };
 

@@ -14,7 +14,7 @@ struct AreaLightTriangle {
 
   Vec3 p0, e1, e2;  // a corner and two edges, m
   uint32_t instance = 0, triangle = 0;
-  Rgb radiance{0};  // along the normal, W/(m^2 sr); of textured emission the mean, for choosing lights
+  Rgb radiance{0};  // along the normal, cd/m^2; of textured emission the mean, for choosing lights
   bool double_sided = false;
   bool textured = false;      // the radiance varies over the triangle; the scene has the value at a point
   bool moving = false;        // this is the triangle at the middle of the shutter interval

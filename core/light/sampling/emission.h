@@ -28,7 +28,7 @@ struct Emission {
   Vec3 position{0};       // of a point light; of a light at infinity a point outside the scene
   Vec3 direction{0};      // unit; of an area light in the frame of the side that it leaves
   bool textured = false;  // `radiance` is the mean of the triangle's texture; the scene has the value at the point
-  Rgb radiance{0};        // W/(m^2 sr); of a point light intensity, W/sr; of a directional light irradiance, W/m^2
+  Rgb radiance{0};        // cd/m^2; of a point light intensity, cd; of a directional light irradiance, lx
   float time = 0;         // 0 at the opening of the shutter, 1 at its closing
   float weight = 0;       // the cosine over both densities: radiance times weight is the flux of the ray, W
   EmissionDensity density;

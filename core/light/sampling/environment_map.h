@@ -19,7 +19,7 @@ class EnvironmentMap {
 
   bool black() const { return environment_.black(); }
   bool visible() const { return environment_.visible; }
-  // W/(m^2 sr), from a unit direction.
+  // cd/m^2, from a unit direction.
   Rgb radiance(const Vec3& direction) const;
   struct Sample {
     Vec3 direction;

@@ -12,7 +12,7 @@ struct LightBounds {
   float normals = kPi;       // the largest angle between the axis and a normal, radians
   float emission = kPi / 2;  // the largest angle between a normal and an emitted direction, radians
   bool two_sided = false;    // the same holds about the opposite axis
-  float intensity = 0;       // the sum of the largest intensities, W/sr
+  float intensity = 0;       // the sum of the largest intensities, cd
   float range = kInfinity;   // nothing arrives at larger distances, m
 
   // Unites the bounds of two sets of lights.

@@ -18,7 +18,7 @@ struct LightSample {
   float pdf = 0;               // of the choice and of the sample: per solid angle, or discrete if `delta`
   bool delta = false;          // no other technique can find this light
   bool textured = false;       // `radiance` is the mean of the triangle's texture; the scene has the value at the point
-  Rgb radiance{0};             // unoccluded, W/(m^2 sr); of a delta light irradiance on a facing surface, W/m^2
+  Rgb radiance{0};             // unoccluded, cd/m^2; of a delta light irradiance on a facing surface, lx
   uint32_t light = 0;
   Vec2 barycentric{0};  // weights of vertices 1 and 2 of a triangle; surface coordinates of a sphere or disk
 };

@@ -80,7 +80,7 @@ class LightTable {
   }
   EmissionDensity environment_emission_density(const Vec3& direction) const;
 
-  // What a light without extent emits in a direction: W/sr of a point light with its range window at a distance, W/m^2
+  // What a light without extent emits in a direction: cd of a point light with its range window at a distance, lx
   // of a directional light.
   Rgb emitted_by_placed(uint32_t light, const Vec3& direction, float distance, float time) const;
   // The share of a light's emission that remains after a distance in metres (KHR_lights_punctual); 1 of most lights.

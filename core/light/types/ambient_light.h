@@ -19,21 +19,21 @@ struct AmbientLight {
       .label = "Ambient light",
       .summary = "The same radiance from every direction, without shadows. Not physical; light tracing cannot find it",
       .light_class = LightClass::ambient,
-      .quantity = &kRadiance,
+      .quantity = &kLuminance,
       .formula = "E = pi L; a Lambertian surface shows albedo L",
       .sampling = "directions uniform over the sphere; no rays leave it",
       .source = "[Lang, Definition 4.36]",
   };
 
   Number<float> intensity =
-      intensity_parameter(kRadiance, "Radiance from every direction. No physical light: it casts no shadows");
+      intensity_parameter(kLuminance, "Luminance from every direction. No physical light: it casts no shadows");
   auto parameters() { return std::tie(intensity); }
 
   struct Emitter {
     static constexpr bool kIsInfinite = true;
 
     Rgb color{1};
-    float radiance = 1;  // W/(m^2 sr)
+    float radiance = 1;  // cd/m^2
 
     Rgb flux() const { return Rgb(0); }
     float power(float scene_radius) const { return 4 * sqr(kPi * scene_radius) * (luminance(color) * radiance); }

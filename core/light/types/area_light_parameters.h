@@ -23,14 +23,14 @@ enum class AreaLightQuantity : uint8_t { radiance, power };
 
 template <>
 struct etendue::Options<etendue::AreaLightQuantity> {
-  static constexpr std::array<etendue::Option, 2> kOptions{{{"radiance", "Radiance"}, {"power", "Power"}}};
+  static constexpr std::array<etendue::Option, 2> kOptions{{{"radiance", "Luminance"}, {"power", "Luminous flux"}}};
 };
 
 namespace etendue {
 
 struct AreaLightParameters {
   Number<float> intensity =
-      intensity_parameter(kRadiance, "Radiance along the normal, or the power of all sides (see Quantity)");
+      intensity_parameter(kLuminance, "Luminance along the normal, or the luminous flux of all sides (see Quantity)");
   Choice<AreaLightQuantity> quantity{"quantity", "Quantity", AreaLightQuantity::radiance,
                                      "Quantity that the intensity gives"};
   Number<float> cosine_exponent{
@@ -55,19 +55,19 @@ struct AreaLightParameters {
   float power_per_radiance(float area) const {
     return 2 * kPi / (cosine_exponent + 2) * area * static_cast<float>(sides());
   }
-  // Along the normal, W/(m^2 sr).
+  // Along the normal, cd/m^2.
   Rgb radiance(const Rgb& color, float area) const {
     const float divisor = quantity == AreaLightQuantity::power ? power_per_radiance(area) : 1;
     return divisor > 0 ? color * (intensity / divisor) : Rgb(0);
   }
-  // Power of all sides, W.
+  // Flux of all sides, lm.
   Rgb flux(const Rgb& color, float area) const { return radiance(color, area) * power_per_radiance(area); }
 
  protected:
   // The unit of the intensity follows the quantity.
   template <class... Size>
   auto parameters_with_size(Size&... size) {
-    intensity.unit = quantity == AreaLightQuantity::power ? "W" : kRadiance.unit;
+    intensity.unit = quantity == AreaLightQuantity::power ? kLuminousFlux.unit : kLuminance.unit;
     return std::tie(intensity, size..., quantity, cosine_exponent);
   }
 };

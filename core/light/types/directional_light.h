@@ -16,21 +16,21 @@ struct DirectionalLight {
       .label = "Directional light",
       .summary = "A parallel beam from infinity, like that of the sun",
       .light_class = LightClass::delta_direction,
-      .quantity = &kIrradiance,
+      .quantity = &kIlluminance,
       .formula = "E = E_b cos, with the irradiance E_b of a surface that faces the beam",
       .sampling = "its direction; rays that leave it are uniform over a disk that covers the scene",
       .source = "[Lang, eq. 4.374, corrected]; KHR_lights_punctual",
       .punctual = true,
   };
 
-  Number<float> intensity = intensity_parameter(kIrradiance, "Irradiance of a surface that faces the light");
+  Number<float> intensity = intensity_parameter(kIlluminance, "Illuminance of a surface that faces the light");
   auto parameters() { return std::tie(intensity); }
 
   struct Emitter {
     static constexpr bool kIsInfinite = true;
 
     Rgb color{1};
-    float irradiance = 1;  // W/m^2
+    float irradiance = 1;  // lx
 
     Rgb flux() const { return Rgb(0); }
     float power(float scene_radius) const { return kPi * sqr(scene_radius) * (luminance(color) * irradiance); }

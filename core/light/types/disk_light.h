@@ -15,7 +15,7 @@ struct DiskLight : AreaLightParameters {
       .label = "Disk light",
       .summary = "A disk that emits; black and visible to rays",
       .light_class = LightClass::area,
-      .quantity = &kRadiance,
+      .quantity = &kLuminance,
       .formula = "L(theta) = L0 cos^k theta; power 2 pi A L0 / (k + 2) per side, A = pi R^2",
       .sampling = "points uniform over its area",
       .source = "[Lang, sec. 4.3]",

@@ -1,4 +1,4 @@
-// Point light: the same radiant intensity in every direction.                        [Lang, eq. 4.366;
+// Point light: the same intensity in every direction.                        [Lang, eq. 4.366;
 // KHR_lights_punctual]
 //
 //   E = I cos(theta) / r^2,    Phi = 4 pi I
@@ -11,16 +11,16 @@ struct PointLight {
   static constexpr LightTypeDescription kDescription{
       .name = "point",
       .label = "Point light",
-      .summary = "The same radiant intensity in every direction, from a point",
+      .summary = "The same intensity in every direction, from a point",
       .light_class = LightClass::delta_position,
-      .quantity = &kRadiantIntensity,
+      .quantity = &kLuminousIntensity,
       .formula = "E = I cos / r^2",
       .sampling = "its position; rays that leave it are uniform over the sphere",
       .source = "[Lang, eq. 4.366]; KHR_lights_punctual",
       .punctual = true,
   };
 
-  Number<float> intensity = intensity_parameter(kRadiantIntensity, "Radiant intensity, the same in every direction");
+  Number<float> intensity = intensity_parameter(kLuminousIntensity, "Luminous intensity, the same in every direction");
   Number<float> range = range_parameter();
   auto parameters() { return std::tie(intensity, range); }
 

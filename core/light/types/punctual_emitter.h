@@ -12,7 +12,7 @@ struct PunctualEmitter {
   static constexpr bool kIsInfinite = false;
 
   Rgb color{1};
-  float intensity = 1;      // W/sr
+  float intensity = 1;      // cd
   float range = kInfinity;  // m
 
   Rgb radiant_intensity() const { return color * intensity; }

@@ -15,7 +15,7 @@ struct QuadLight : AreaLightParameters {
       .label = "Quad light",
       .summary = "A rectangle that emits; black and visible to rays",
       .light_class = LightClass::area,
-      .quantity = &kRadiance,
+      .quantity = &kLuminance,
       .formula = "L(theta) = L0 cos^k theta; power 2 pi A L0 / (k + 2) per side, A = width height",
       .sampling = "two triangles, by solid angle where they are near, else by area",
       .source = "[Lang, sec. 4.3]",

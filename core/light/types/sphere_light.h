@@ -16,7 +16,7 @@ struct SphereLight : AreaLightParameters {
       .label = "Sphere light",
       .summary = "A sphere that emits; black and visible to rays",
       .light_class = LightClass::area,
-      .quantity = &kRadiance,
+      .quantity = &kLuminance,
       .formula = "L(theta) = L0 cos^k theta; power 2 pi A L0 / (k + 2), A = 4 pi R^2",
       .sampling = "directions uniform over the cone that it subtends",
       .source = "[Lang, sec. 4.3; Shirley et al. 1996]",

@@ -29,7 +29,7 @@ struct SpotLight {
       .label = "Spot light",
       .summary = "A point light that emits into a cone and falls off towards its edge",
       .light_class = LightClass::delta_position,
-      .quantity = &kRadiantIntensity,
+      .quantity = &kLuminousIntensity,
       .formula =
           "E = I p cos / r^2; p = t^2 (glTF), t^2 (3 - 2 t) or t^4 with t = (cos a - cos a_outer) / "
           "(cos a_inner - cos a_outer), or cos^n a within the outer cone",
@@ -38,7 +38,7 @@ struct SpotLight {
       .punctual = true,
   };
 
-  Number<float> intensity = intensity_parameter(kRadiantIntensity, "Radiant intensity on the axis");
+  Number<float> intensity = intensity_parameter(kLuminousIntensity, "Luminous intensity on the axis");
   Number<float> inner_cone{"inner-cone", "Inner cone", 0, {0, kPi / 2}, "Half angle of the cone of full intensity",
                            "rad"};
   Number<float> outer_cone{

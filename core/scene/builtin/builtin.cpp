@@ -7,9 +7,11 @@
 #include "scene/builtin/cornell.h"
 #include "scene/builtin/cornell_spheres.h"
 #include "scene/builtin/door_ajar.h"
+#include "scene/builtin/fog.h"
 #include "scene/builtin/glass_caustic.h"
 #include "scene/builtin/glossy_plates.h"
 #include "scene/builtin/many_lights.h"
+#include "scene/builtin/milk.h"
 #include "scene/builtin/spot_indirect.h"
 #include "scene/gltf/load_gltf.h"
 
@@ -18,6 +20,7 @@ namespace etendue::scene {
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
       kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
+      kFog,      kMilk,
   };
   return all;
 }

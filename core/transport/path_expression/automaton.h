@@ -17,9 +17,9 @@
 namespace etendue::transport {
 
 // Events along a path, in the order of the automaton's transitions.
-enum class Event : uint8_t { camera, light, diffuse, glossy, specular };
-inline constexpr int kEvents = 5;
-inline constexpr std::string_view kLetters = "ELDGS";
+enum class Event : uint8_t { camera, light, diffuse, glossy, specular, volume };
+inline constexpr int kEvents = 6;
+inline constexpr std::string_view kLetters = "ELDGSV";
 
 inline char letter_of(Event event) { return kLetters[static_cast<size_t>(event)]; }
 inline Event event_of(ScatterType scatter) { return static_cast<Event>(static_cast<int>(scatter) + 2); }
@@ -27,7 +27,7 @@ inline Event event_of(ScatterType scatter) { return static_cast<Event>(static_ca
 // A set of letters.
 using Letters = uint8_t;
 inline Letters letters_of(Event event) { return static_cast<Letters>(1U << static_cast<unsigned>(event)); }
-inline constexpr Letters kScattering = 0b11100;
+inline constexpr Letters kScattering = 0b111100;
 
 // A nondeterministic automaton, built from parts.
 class Pattern {

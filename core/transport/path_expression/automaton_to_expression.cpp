@@ -75,8 +75,9 @@ Term any_number(const Term& term) {
 }
 
 // A set of letters as one term.
-Term letters_term(Letters letters) {
-  if (letters == kScattering) return {"."};
+Term letters_term(Letters letters, bool volumes) {
+  const Letters any = volumes ? kScattering : kScattering & static_cast<Letters>(~letters_of(Event::volume));
+  if (letters == any) return {"."};
   Term term;
   for (size_t e = 0; e < kEvents; ++e)
     if (letters >> e & 1) term = term.empty() ? Term{{kLetters[e]}} : either(term, {{kLetters[e]}});
@@ -86,7 +87,7 @@ Term letters_term(Letters letters) {
 // A graph of states with terms as transitions. kBegin and kEnd are extra states.
 class Graph {
  public:
-  explicit Graph(const Automaton& automaton) {
+  Graph(const Automaton& automaton, bool volumes) {
     edges_[{kBegin, automaton.start()}] = {};
     for (size_t q = 1; q < automaton.size(); ++q) {
       const auto from = static_cast<Automaton::State>(q);
@@ -94,7 +95,7 @@ class Graph {
       for (size_t e = 0; e < kEvents; ++e)
         if (const auto to = automaton.next(from, static_cast<Event>(e)); to != Automaton::kDead)
           targets[to] = static_cast<Letters>(targets[to] | letters_of(static_cast<Event>(e)));
-      for (const auto& [to, letters] : targets) edges_[{from, to}] = letters_term(letters);
+      for (const auto& [to, letters] : targets) edges_[{from, to}] = letters_term(letters, volumes);
       if (automaton.accepts(from)) edges_[{from, kEnd}] = {};
       open_.push_back(from);
     }
@@ -147,6 +148,6 @@ class Graph {
 
 }  // namespace
 
-std::string expression_of(const Automaton& automaton) { return Graph(automaton).expression(); }
+std::string expression_of(const Automaton& automaton, bool volumes) { return Graph(automaton, volumes).expression(); }
 
 }  // namespace etendue::transport

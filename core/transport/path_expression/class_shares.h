@@ -90,6 +90,8 @@ class ClassShares<M, true> {
 
   // The share of f cos for a connection in direction wi, without the shares of the throughput's other states.
   Color connection_value(int path, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, const Color& f_cos) const {
+    if constexpr (M::kScattering)
+      if (bsdf.in_volume()) return f_cos * sum(path, alive(path) & final_after_volume_);
     const States diffuse = alive(path) & final_after_diffuse_, glossy = alive(path) & final_after_glossy_;
     if (diffuse == glossy) return diffuse == 0 ? Color(0) : f_cos * sum(path, diffuse);
     const Parts parts = letter_parts(bsdf, wo, wi, Event::diffuse);
@@ -137,7 +139,9 @@ class ClassShares<M, true> {
 
   // Continues the path by a BSDF sample; false if no continuation belongs to the selected classes.
   bool scatter(int path, const Bsdf<M>& bsdf, const Vec3& wo, const LobeSample<Color>& s) {
-    if (s.delta)
+    if (s.type == ScatterType::volume)
+      move(path, {Color(0), Color(0), Color(0), Color(1)});
+    else if (s.delta)
       move(path, {Color(0), Color(0), Color(1)});
     else if ((alive(path) & split_states_) == 0)
       move(path, {Color(1), Color(0), Color(0)});
@@ -149,6 +153,7 @@ class ClassShares<M, true> {
   // The shares of the letters in one scattering event; they sum to one.
   struct Parts {
     Color diffuse, glossy, specular;
+    Color volume{0};
   };
 
   // `otherwise` is the letter if both components are zero.
@@ -197,6 +202,7 @@ class ClassShares<M, true> {
       give(q, Event::diffuse, parts.diffuse);
       give(q, Event::glossy, parts.glossy);
       give(q, Event::specular, parts.specular);
+      if constexpr (M::kScattering) give(q, Event::volume, parts.volume);
     });
     for_each(reached, [&](Automaton::State q) { shares[q] = next_shares_[q]; });
     alive_[static_cast<size_t>(path)] = reached;
@@ -204,13 +210,14 @@ class ClassShares<M, true> {
 
   void find_final_states() {
     const auto lit = [&](Automaton::State q) { return automaton_->accepts(automaton_->next(q, last_)); };
-    final_ = final_after_diffuse_ = final_after_glossy_ = split_states_ = 0;
+    final_ = final_after_diffuse_ = final_after_glossy_ = final_after_volume_ = split_states_ = 0;
     for (size_t i = 1; i < states_; ++i) {
       const auto q = static_cast<Automaton::State>(i);
       const auto d = automaton_->next(q, Event::diffuse), g = automaton_->next(q, Event::glossy);
       if (lit(q)) final_ |= bit(q);
       if (lit(d)) final_after_diffuse_ |= bit(q);
       if (lit(g)) final_after_glossy_ |= bit(q);
+      if (lit(automaton_->next(q, Event::volume))) final_after_volume_ |= bit(q);
       if (d != g) split_states_ |= bit(q);
     }
   }
@@ -220,6 +227,7 @@ class ClassShares<M, true> {
   Event first_ = Event::camera, last_ = Event::light;
   States final_ = 0;                                         // the last letter is accepted from here
   States final_after_diffuse_ = 0, final_after_glossy_ = 0;  // after a D, a G
+  States final_after_volume_ = 0;                            // after a V
   States split_states_ = 0;                                  // D and G lead to different states
   // By path.
   std::array<States, SampleTable::kPaths + 1> alive_{};  // states with a share; other shares are undefined

@@ -26,8 +26,9 @@ class PathClass {
  public:
   static constexpr size_t kMostDetail = 12;
 
-  // The class of a path with these scattering events, from the camera on. `detail` is 0 to kMostDetail.
-  static PathClass of(std::span<const Event> scattering, Naming naming, size_t detail);
+  // The class of a path with these scattering events, from the camera on. `detail` is 0 to kMostDetail. Without
+  // `volumes`, names and parts leave out V: they partition the paths of a scene without scattering media.
+  static PathClass of(std::span<const Event> scattering, Naming naming, size_t detail, bool volumes = false);
 
   std::string name() const;
 
@@ -40,6 +41,7 @@ class PathClass {
   uint8_t size_ = 0;
   bool more_ = false;  // further letters follow
   Naming naming_ = Naming::words;
+  bool volumes_ = false;
   std::array<Event, kMostDetail> letters_{};
 };
 

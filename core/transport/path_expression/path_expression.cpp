@@ -12,8 +12,6 @@ std::string about_letter(char c, char before) {
   if (c == '_' && (before == 'D' || before == 'S'))
     return std::string(1, before) + "_G (division by roughness) is not available yet; use D, G, S";
   switch (c) {
-    case 'V':
-      return "V (scattering in a volume) is not available yet; use D, G, S";
     case 'C':
       return "'C' is not a letter of path expressions; the camera is E";
     case 'R':
@@ -30,6 +28,7 @@ std::string about_letter(char c, char before) {
     case 'd':
     case 'g':
     case 's':
+    case 'v':
       return std::string("'") + c +
              "' is not a letter of path expressions; letters are capital: " + static_cast<char>(c - 'a' + 'A');
     default:
@@ -37,7 +36,7 @@ std::string about_letter(char c, char before) {
   }
   const bool printable = c > ' ' && c < 127;
   return (printable ? std::string("'") + c + "'" : std::string("this character")) +
-         " is not a letter of path expressions; use E, D, G, S, L and | * + ? . ( ) [ ]";
+         " is not a letter of path expressions; use E, D, G, S, V, L and | * + ? . ( ) [ ]";
 }
 
 class Parser {
@@ -107,7 +106,7 @@ class Parser {
 
   std::nullopt_t nothing_here() {
     const char c = peek();
-    if (c == '\0' && at_ == 0) return fail(0, "it is empty; E(D|G|S)*L is every path");
+    if (c == '\0' && at_ == 0) return fail(0, "it is empty; E.*L is every path");
     if (c == '\0') return fail(at_, "something is missing at the end; give a letter or a bracket");
     if (c == '|' || previous() == '|') return fail(at_, "one side of '|' is empty; [A|B] allows nothing too");
     if (open_ == 0) return fail(at_, closing_without_opening());
@@ -178,17 +177,22 @@ Result<PathExpression> PathExpression::parse_paths(std::string_view text) {
   if (paths->empty())
     return usage_error("path expression '" + std::string(text) +
                        "': no path matches; a path begins with E, the eye, ends with L, the light, and has neither in "
-                       "between: E(D|G|S)*L is every path");
+                       "between: E.*L is every path");
   return PathExpression(text, *paths, std::move(from_light));
 }
 
 const PathExpression& PathExpression::all() {
   static const PathExpression every = [] {
-    PathExpression all = *parse("E(D|G|S)*L");
+    PathExpression all = *parse("E.*L");
     all.from_light_ = Automaton::reversal(all.automaton_);
     return all;
   }();
   return every;
+}
+
+const PathExpression& PathExpression::without_volumes() {
+  static const PathExpression surfaces = *parse_paths("E(D|G|S)*L");
+  return surfaces;
 }
 
 }  // namespace etendue::transport

@@ -4,18 +4,19 @@
 // light).
 //
 //   D  ideal diffuse     G  glossy     S  ideal specular     reflected or transmitted: the lobe that scattered
+//   V  scattered in a volume by a participating medium
 //
 // An expression stands for a set of words:
 //
 //   AB      A, then B                        A|B     A or B
 //   (A)     A as a unit                      [A]     A or nothing, as in [Lang]: E[D|G]L includes EL
 //   A*      zero or more A                   A+      one or more A      A?   A or nothing
-//   .       any scattering, (D|G|S)          spaces  are ignored
+//   .       any scattering, (D|G|S|V)        spaces  are ignored
 //
 // EL is directly visible emission, E(D|G)L direct light, EDS+L caustics, ES*[D|G]L the paths of Whitted's ray tracing,
-// E(D|G|S)*L everything. Surfaces with several lobes belong to several classes at once (class_shares.h). The letters
-// D_G and S_G of [Lang, sec. 9.5] and V (scattering in volumes) are reported as not available. The arrows of [Lang],
-// the direction of computation, belong to an integrator and not to a class.
+// E.*L everything, E(D|G|S)*L everything in a scene without scattering media. Surfaces with several lobes belong to
+// several classes at once (class_shares.h). The letters D_G and S_G of [Lang, sec. 9.5] are reported as not available.
+// The arrows of [Lang], the direction of computation, belong to an integrator and not to a class.
 #pragma once
 #include <string>
 #include <string_view>
@@ -39,8 +40,14 @@ class PathExpression {
   // if no path remains. The result can be evaluated from both ends.
   static Result<PathExpression> parse_paths(std::string_view text);
 
-  // E(D|G|S)*L
+  // E.*L
   static const PathExpression& all();
+  // E(D|G|S)*L: all paths of a scene without scattering media.
+  static const PathExpression& without_volumes();
+  // All paths of a scene.
+  static const PathExpression& all_of(bool has_scattering_media) {
+    return has_scattering_media ? all() : without_volumes();
+  }
 
   const std::string& text() const { return text_; }
   const Automaton& automaton() const { return automaton_; }
@@ -58,7 +65,8 @@ class PathExpression {
 };
 
 // An expression of the words of an automaton, which must accept at least one (state elimination [Brzozowski and
-// McCluskey 1963]). For many states it can be longer than `parse` accepts.
-std::string expression_of(const Automaton& automaton);
+// McCluskey 1963]). For many states it can be longer than `parse` accepts. Without `volumes`, the automaton contains only
+// paths of scenes without scattering media; the expression is exact among these, and '.' stands for D, G and S.
+std::string expression_of(const Automaton& automaton, bool volumes = true);
 
 }  // namespace etendue::transport

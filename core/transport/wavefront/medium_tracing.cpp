@@ -5,15 +5,17 @@
 namespace etendue::transport {
 namespace {
 
-Rgb transmittance_of(const scene::Solids& solids, const scene::MediumStack& stack, float distance) {
-  const scene::Solid* medium = solids.find(stack.top());
-  return medium ? medium->transmittance(std::max(distance, 0.0f)) : Rgb(1);
-}
+// A part of a segment in one medium: it starts at the parameter `from` of the ray and is `length` metres long.
+struct SegmentPart {
+  const scene::Solid* solid;  // null outside of all solids
+  float from, length;
+};
 
-}  // namespace
-
-void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                      scene::MediumStack stack, MediumSegment& segment) {
+// Completes a segment as complete_segment does. pass(part) is called for its parts in different media, from the start;
+// if it returns false, the segment ends there. `stack` becomes that of the end.
+template <class Pass>
+void traverse(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+              scene::MediumStack& stack, MediumSegment& segment, Pass&& pass) {
   const scene::Solids& solids = scene.solids();
   Hit& hit = segment.hit;
   const float scale = std::sqrt(length_squared(ray.direction));
@@ -40,7 +42,7 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
     const scene::MediumStack beyond = segment.interface.side(cosine > 0);
     const float passed = start + hit.t;
     if (beyond.top() != stack.top()) {
-      segment.transmittance *= transmittance_of(solids, stack, (passed - medium_start) * scale);
+      if (!pass(SegmentPart{solids.find(stack.top()), medium_start, (passed - medium_start) * scale})) return;
       medium_start = passed;
     }
     stack = beyond;
@@ -55,7 +57,69 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
   }
   if (hit) hit.t += start;
   const float rest_of_medium = hit ? (hit.t - medium_start) * scale : length - medium_start * scale;
-  segment.transmittance *= transmittance_of(solids, stack, rest_of_medium);
+  pass(SegmentPart{solids.find(stack.top()), medium_start, rest_of_medium});
+}
+
+// Where a part lies in a solid that scatters or in the atmosphere, and that medium; null if it lies in neither.
+struct ScatteringPart {
+  const HomogeneousMedium* medium = nullptr;
+  float offset = 0;  // metres from the start of the part to that of the medium
+  float length = 0;  // metres
+};
+
+ScatteringPart scattering_part(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part) {
+  if (part.solid) {
+    if (!part.solid->medium.scatters()) return {};
+    return {&part.solid->medium, 0, part.length};
+  }
+  const scene::AtmosphereMedium* atmosphere = solids.atmosphere();
+  if (!atmosphere) return {};
+  const scene::RayInterval inside = atmosphere->inside(ray, {part.from, part.from + part.length / scale});
+  if (inside.empty()) return {};
+  return {&atmosphere->medium, (inside.from - part.from) * scale, (inside.to - inside.from) * scale};
+}
+
+}  // namespace
+
+void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+                      scene::MediumStack stack, MediumSegment& segment) {
+  const scene::AtmosphereMedium* atmosphere = scene.solids().atmosphere();
+  traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
+    if (part.solid)
+      segment.transmittance *= part.solid->transmittance(std::max(part.length, 0.0f));
+    else if (atmosphere)
+      segment.transmittance *= atmosphere->transmittance(
+          ray, {part.from, part.from + part.length / std::sqrt(length_squared(ray.direction))});
+    return true;
+  });
+}
+
+void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+                    const scene::MediumStack& start, FreeFlight flight, FlightSegment& segment) {
+  const float scale = std::sqrt(length_squared(ray.direction));
+  scene::MediumStack stack = start;
+  segment.collision = {};
+  traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
+    const ScatteringPart scattering = scattering_part(scene.solids(), ray, scale, part);
+    if (!scattering.medium) {
+      if (part.solid) flight.attenuate(part.solid->transmittance(std::max(part.length, 0.0f)));
+      return true;
+    }
+    const float part_length = std::max(scattering.length, 0.0f);
+    if (!scattering.medium->scatters()) {
+      flight.attenuate(scattering.medium->transmittance(part_length));
+      return true;
+    }
+    const auto distance = flight.pass(*scattering.medium, part_length);
+    if (!distance) return true;
+    segment.collision.position = ray.origin + ray.direction * (part.from + (scattering.offset + *distance) / scale);
+    segment.collision.phase = scattering.medium->phase.get();
+    return false;
+  });
+  segment.transmittance = flight.weight();
+  if (!segment.collision.phase) return;
+  segment.hit = {};
+  segment.interface.clear(stack);
 }
 
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,

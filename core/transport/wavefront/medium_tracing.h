@@ -1,9 +1,11 @@
 // Path segments through solids: the surface at their end, and their transmittance.
 //
-// A segment skips boundaries between equal media. It therefore lies in one medium, unless stochastic opacity lets it
-// pass a boundary between different media.
+// A segment skips boundaries between equal media, and those of solids without a surface. It therefore lies in one medium,
+// unless there are such solids or stochastic opacity lets it pass a boundary between different media.
 #pragma once
+#include "medium/free_flight.h"
 #include "scene/compiled_scene.h"
+#include "transport/wavefront/volume_vertex.h"
 
 namespace etendue::transport {
 
@@ -21,6 +23,16 @@ struct MediumSegment {
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, MediumSegment& segment);
 
+// A segment that ends at a collision in a scattering medium, on a surface, or nowhere.
+struct FlightSegment : MediumSegment {
+  Collision collision;
+};
+
+// The same as complete_segment in a scene with scattering media: the segment may end at a collision before the hit,
+// which then becomes empty. `transmittance` is the factor of the throughput, FreeFlight::weight.
+void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+                    const scene::MediumStack& stack, FreeFlight flight, FlightSegment& segment);
+
 // Traces a whole segment.
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                    const scene::MediumStack& stack, MediumSegment& segment);
@@ -35,16 +47,16 @@ class TracedConnections {
  public:
   explicit TracedConnections(const scene::CompiledScene& scene) : scene_(scene) {}
 
-  // Whether the results of `occluded` are used. With stochastic opacity on boundaries of solids every connection must
-  // be traced from boundary to boundary.
-  bool use_packets() const { return !scene_.solids().any_has_alpha(); }
+  // Whether the results of `occluded` are used. With stochastic opacity on boundaries of solids, or boundaries without a
+  // surface, every connection must be traced from boundary to boundary.
+  bool use_packets() const { return !scene_.solids().segments_may_cross_media(); }
 
   Rgb transmittance(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
                     const scene::MediumStack& stack, uint64_t& rays) const {
     const scene::Solids& solids = scene_.solids();
     const scene::Solid* medium = solids.find(stack.top());
     if (use_packets()) {
-      if (!blocked) return medium ? medium->transmittance(length) : Rgb(1);
+      if (!blocked) return medium ? medium->transmittance(length) : outside_solids(ray, length);
       // A segment in a vacuum, or in a solid that overlaps no other, skips no boundary.
       if (!medium || !medium->may_overlap) return Rgb(0);
     }
@@ -52,6 +64,12 @@ class TracedConnections {
   }
 
  private:
+  Rgb outside_solids(const Ray& ray, float length) const {
+    const scene::AtmosphereMedium* atmosphere = scene_.solids().atmosphere();
+    if (!atmosphere) return Rgb(1);
+    return atmosphere->transmittance(ray, {0, length / std::sqrt(length_squared(ray.direction))});
+  }
+
   const scene::CompiledScene& scene_;
 };
 

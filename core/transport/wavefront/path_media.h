@@ -1,4 +1,6 @@
 // The media of the paths of a wavefront, stored separately from PathState. Empty in models without media.
+//
+// In models with scattering media, a segment can end at a collision instead of a surface.
 #pragma once
 #include <array>
 
@@ -31,6 +33,25 @@ class PathMedia<M, true> {
   // The solids and the ray at the start of the current segment of a path.
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
   void set_ray(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
+
+  // The same in a model with scattering media, with a uniform random number for the distance to a collision. Returns
+  // whether the segment ends on a surface or at a collision.
+  bool sample_segment(int path, int slot, uint32_t seed, float time, float random, Hit& hit, Color& throughput,
+                      uint64_t& traced) {
+    const auto p = static_cast<size_t>(path);
+    FlightSegment segment;
+    segment.hit = hit;
+    transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], FreeFlight(throughput, random),
+                              segment);
+    throughput *= segment.transmittance;
+    traced += segment.rays;
+    hit = segment.hit;
+    interfaces_[static_cast<size_t>(slot)] = segment.interface;
+    collisions_.at(slot) = segment.collision;
+    return hit || segment.collision.phase;
+  }
+  // The collision at which vertex `slot` lies; without a phase function if it lies on a surface.
+  const Collision& collision(int slot) { return collisions_.at(slot); }
 
   // Completes the segment of a path that was traced to `hit`, which may be empty, and attenuates its throughput.
   // Returns whether it ends on a surface, vertex `slot`. Adds the number of further rays to `traced`.
@@ -101,6 +122,12 @@ class PathMedia<M, true> {
   PerPath<Color> unattenuated_;  // throughput at the start of the segment
   // By vertex reached.
   PerPath<scene::MediumInterface> interfaces_;
+  struct Collisions {
+    Collision& at(int slot) { return values[static_cast<size_t>(slot)]; }
+    PerPath<Collision> values;
+  };
+  struct NoCollisions {};
+  [[no_unique_address]] std::conditional_t<M::kScattering, Collisions, NoCollisions> collisions_;
   // By connection.
   PerPath<Connection> connections_;
 };

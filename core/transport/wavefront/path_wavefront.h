@@ -311,7 +311,9 @@ class PathWavefront {
   void trace_connections();
   void resolve_connections();
   bool complete_segment(int ray, bool has_hit);
+  void draw_free_flights();
   void shade();
+  void compute_points(size_t first, size_t count);
   [[gnu::cold, gnu::noinline]] void record_hits();
   [[gnu::cold, gnu::noinline]] void record_misses();
 
@@ -373,6 +375,7 @@ void PathWavefront<M>::trace_rays() {
       scene_->intersect(packet, count, coherent_ && depth_ == 1, seeds);
   }
   rays_traced_ += static_cast<uint64_t>(travelling_);
+  if constexpr (M::kScattering) draw_free_flights();
   reached_ = visited_ = hit_count_ = miss_count_ = 0;
   for (int i = 0; i < travelling_; ++i) {
     const RayPacket& packet = travelling_packets_[static_cast<size_t>(i / RayPacket::kSize)];
@@ -403,19 +406,64 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   else
     hit = Hit();
   PathState<Color>& path_state = state(path);
+  if constexpr (M::kScattering)
+    return media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
+                                 random(vertex_dimension::kFreeFlight, ray), hit, path_state.throughput, rays_traced_);
   return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
                                  rays_traced_);
+}
+
+// Draws the numbers of the distances to collisions, by active path. They belong to the vertices that are reached.
+template <class M>
+void PathWavefront<M>::draw_free_flights() {
+  for (int i = 0; i < travelling_; ++i) {
+    const auto slot = static_cast<size_t>(i);
+    lane_seeds_[slot] = state(travellers_[slot]).seed;
+  }
+  draw({lane_seeds_.data(), static_cast<size_t>(travelling_)}, static_cast<uint32_t>(depth_),
+       dimensions(vertex_dimension::kFreeFlight, 1));
+}
+
+// Computes the points of vertices; in models with scattering media some of them lie in volumes.
+template <class M>
+void PathWavefront<M>::compute_points(size_t first, size_t count) {
+  const auto surfaces = [&](size_t begin, size_t end) {
+    if (begin < end)
+      scene_->surfaces({&wo_[first + begin], end - begin}, {&hits_[first + begin], end - begin}, &points_[begin],
+                       timed_ ? &times_[begin] : nullptr);
+  };
+  if constexpr (M::kScattering) {
+    size_t begin = 0;  // of a run of vertices on surfaces
+    for (size_t i = 0; i < count; ++i) {
+      const Collision& collision = media_.collision(visited_ + static_cast<int>(i));
+      points_[i].in_volume = false;
+      if (!collision.phase) continue;
+      surfaces(begin, i);
+      set_volume_point(collision, wo_[first + i], points_[i]);
+      begin = i + 1;
+    }
+    surfaces(begin, count);
+  } else {
+    surfaces(0, count);
+  }
 }
 
 template <class M>
 void PathWavefront<M>::shade() {
   const auto first = static_cast<size_t>(visited_), count = static_cast<size_t>(hit_count_);
   for (size_t i = 0; timed_ && i < count; ++i) times_[i] = states_[reached_by_[first + i]].time;
-  scene_->surfaces({&wo_[first], count}, {&hits_[first], count}, points_.data(), times_of_arrivals());
+  compute_points(first, count);
   for (size_t i = 0; i < count; ++i) {
     PathState<Color>& path = states_[reached_by_[first + i]];
     if constexpr (M::kMedia) media_.set_media(visited_ + static_cast<int>(i), points_[i]);
-    build_bsdf<M>(points_[i], bsdfs_[i]);
+    if constexpr (M::kScattering) {
+      if (points_[i].in_volume)
+        bsdfs_[i].set_volume(*media_.collision(visited_ + static_cast<int>(i)).phase);
+      else
+        build_bsdf<M>(points_[i], bsdfs_[i]);
+    } else {
+      build_bsdf<M>(points_[i], bsdfs_[i]);
+    }
     positions_.set(i, points_[i].position);
     pixel_seeds_[i] = path.seed;
   }

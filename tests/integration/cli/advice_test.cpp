@@ -22,6 +22,45 @@ TEST_F(CliAdvice, RanksIntegrators) {
   EXPECT_NE(text.out.find("EDD+L"), std::string::npos) << text.out;
 }
 
+TEST_F(CliAdvice, RanksForARelativeErrorWithinATime) {
+  const Outcome r =
+      run("advise cornell --size 24x24 --error 0.2 --error-measure relative --pilot 60 --time 2 --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  EXPECT_NE(r.err.find("pilots take at most about"), std::string::npos) << r.err;
+  const auto j = nlohmann::json::parse(r.out);
+  EXPECT_EQ(j["measure"], "relative");
+  ASSERT_FALSE(j["methods"].empty());
+  double pilots = 0;
+  for (const auto& method : j["methods"])
+    if (!method["pilot"].is_null()) pilots += method["pilot"]["seconds"].get<double>();
+  // A pilot ends after the round in which 60 % of its time are used.
+  EXPECT_GT(pilots, 0);
+  EXPECT_LT(pilots, 10);
+  const Outcome text = run("advise cornell --size 24x24 --error 0.2 --error-measure relative --time 1");
+  EXPECT_NE(text.out.find("time to relative error 20 %"), std::string::npos) << text.out;
+}
+
+// In a short time the check bounds the error less precisely; it does not refuse.
+// The first time that permits a comparison depends on the machine; a confirmation takes ten times as long.
+TEST_F(CliAdvice, ShortChecksGiveWeakerStatements) {
+  ASSERT_EQ(run("render cornell --size 64x64 --spp 2048 -o a.exr").code, 0);
+  nlohmann::json j;
+  std::string time;
+  for (const char* seconds : {"0.5", "1", "2", "4", "8"}) {
+    time = seconds;
+    const Outcome r = run("certify a.exr --time " + time + " --json");
+    EXPECT_NE(r.err.find("a confirmation takes about"), std::string::npos) << r.err;
+    j = nlohmann::json::parse(r.out);
+    if (j["verdict"] == "cannot tell") continue;
+    EXPECT_EQ(r.code, 0) << r.out;
+    break;
+  }
+  EXPECT_EQ(j["verdict"], "consistent") << time;
+  EXPECT_LT(j["rmse_interval"][0].get<double>(), j["stated"]["rmse_interval"][1].get<double>());
+  EXPECT_GT(j["rmse_interval"][1].get<double>(), j["stated"]["rmse_interval"][0].get<double>());
+  EXPECT_GT(j["seconds_wanted"].get<double>(), j["seconds"].get<double>());
+}
+
 TEST_F(CliAdvice, ImagesCarryAValidCertificate) {
   const Outcome r = run("render cornell --size 32x32 --spp 64 -o a.exr --json -");
   ASSERT_EQ(r.code, 0) << r.err;

@@ -51,10 +51,43 @@ TEST_F(CliBench, CurvesAreWrittenAsATable) {
   std::istringstream csv(slurp(folder_ / "b" / "curves.csv"));
   std::string line;
   std::getline(csv, line);
-  EXPECT_EQ(line, "method,repeat,seconds,spp,mse,relmse,bias");
+  EXPECT_EQ(line, "method,repeat,seconds,spp,mse,relmse,bias,displayed_mse");
   size_t rows = 0;
-  for (; std::getline(csv, line); ++rows) EXPECT_EQ(std::ranges::count(line, ','), 6) << line;
+  for (; std::getline(csv, line); ++rows) EXPECT_EQ(std::ranges::count(line, ','), 7) << line;
   EXPECT_EQ(rows, 2u * 3 * 6);  // two methods, three repeats, at 1, 2, 3, 4, 6 and 8 samples
+}
+
+TEST_F(CliBench, ChartsShowTheChosenMeasure) {
+  const std::string bench = "bench cornell --size 16x16 --methods path,path-pure --samples 8 --repeats 2 ";
+  ASSERT_EQ(run(bench + "--error-measure displayed --out b").code, 0);
+  EXPECT_NE(slurp(folder_ / "b" / "chart.svg").find(">displayed error</text>"), std::string::npos);
+  EXPECT_NE(slurp(folder_ / "b" / "report.html").find("--error-measure displayed"), std::string::npos);
+  const auto methods = summary("b")["methods"];
+  for (const auto& method : methods) {
+    EXPECT_GT(method["displayed"].get<double>(), 0);
+    EXPECT_LT(method["displayed"].get<double>(), 1);
+  }
+  expect_error(bench + "--error-measure feeling --out c", 2, "displayed");
+}
+
+// With a time budget one of the unbiased methods renders the reference. Which one depends on the speed of the machine.
+TEST_F(CliBench, TheReferenceIsRenderedByAnUnbiasedMethod) {
+  const Outcome r = run("bench glass-caustic --size 48x36 --methods path,bdpt,sppm --budget 1 --repeats 1 --out b");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const std::string reference = summary("b")["reference"]["integrator"];
+  EXPECT_TRUE(reference == "path" || reference == "bdpt") << reference;
+  ASSERT_EQ(run("bench cornell --size 16x16 --methods path,bdpt --samples 4 --repeats 1 --out c").code, 0);
+  EXPECT_EQ(summary("c")["reference"]["integrator"], "path");
+}
+
+// Light tracing alone cannot reach a pinhole camera: its black image has no error.
+TEST_F(CliBench, MethodsThatCannotRenderTheSceneHaveNoError) {
+  const Outcome r = run("bench cornell --size 16x16 --methods path,light-pure --samples 8 --repeats 2 --out b");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("light-pure: not measured"), std::string::npos) << r.err;
+  const auto methods = summary("b")["methods"];
+  EXPECT_GT(methods[0]["rmse"].get<double>(), 0);
+  for (const char* key : {"rmse", "relmse", "displayed"}) EXPECT_TRUE(methods[1][key].is_null()) << key;
 }
 
 TEST_F(CliBench, ReportIsSelfContained) {

@@ -139,6 +139,61 @@ TEST_F(Cli, CompareComputesFlipWithTheDisplaySettingsOfTheReference) {
   EXPECT_NE(run("compare a.exr plain.exr").out.find("\nflip "), std::string::npos);
 }
 
+// The error of another measure ends the rendering, and the true error agrees with it.
+TEST_F(Cli, RenderStopsAtTheErrorOfAMeasure) {
+  ASSERT_EQ(run("render cornell --size 32x32 --spp 4096 --seed 9 -o truth.exr").code, 0);
+  for (const std::string measure : {"rmse", "relative", "displayed"}) {
+    const Outcome r =
+        run("render cornell --size 32x32 --spp 4000 --error 0.04 --error-measure " + measure + " -o a.exr --json -");
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto j = nlohmann::json::parse(r.out);
+    EXPECT_EQ(j["error_measure"], measure);
+    EXPECT_LE(j["error"].get<double>(), 0.04) << measure;
+    EXPECT_GT(j["spp"].get<int>(), 2) << measure;
+    EXPECT_LT(j["spp"].get<int>(), 4000) << measure;
+    const auto truth = nlohmann::json::parse(run("compare a.exr truth.exr --json").out)[measure].get<double>();
+    EXPECT_GT(truth, 0.8 * j["error_interval"][0].get<double>()) << measure;
+    EXPECT_LT(truth, 1.2 * j["error_interval"][1].get<double>()) << measure;
+  }
+  // The measure is stored with the image.
+  const auto again = nlohmann::json::parse(run("render --like a.exr --spp 4 -o b.exr --json -").out);
+  EXPECT_EQ(again["error_measure"], "displayed");
+}
+
+TEST_F(Cli, CompareHasNoErrorForMissingImages) {
+  ASSERT_EQ(run("render cornell --integrator light-pure --size 16x16 --spp 4 -o a.exr --json a.json").code, 0);
+  ASSERT_EQ(run("render cornell --integrator light-pure --size 16x16 --spp 8 -o b.exr").code, 0);
+  const auto statistics = nlohmann::json::parse(slurp(folder_ / "a.json"));
+  EXPECT_TRUE(statistics["rmse_estimate"].is_null());
+  EXPECT_TRUE(statistics["error"].is_null());
+  EXPECT_TRUE(statistics["certificate"]["rmse"].is_null());
+  EXPECT_TRUE(statistics["certificate"]["relmse"].is_null());
+  const Outcome r = run("compare a.exr b.exr");
+  EXPECT_EQ(r.code, 1);
+  EXPECT_NE(r.out.find("rmse      n/a"), std::string::npos) << r.out;
+  EXPECT_NE(r.err.find("both images are black"), std::string::npos) << r.err;
+  EXPECT_TRUE(nlohmann::json::parse(run("compare a.exr b.exr --json").out)["rmse"].is_null());
+}
+
+TEST_F(Cli, CompareSaysThatImagesAreEqual) {
+  ASSERT_EQ(run("render cornell --size 16x16 --spp 4 -o a.exr").code, 0);
+  ASSERT_EQ(run("render cornell --size 16x16 --spp 4 --seed 1 -o b.exr").code, 0);
+  EXPECT_NE(run("compare a.exr a.exr").out.find("the images are equal\n"), std::string::npos);
+  const Outcome different = run("compare a.exr b.exr");
+  EXPECT_EQ(different.out.find("equal"), std::string::npos);
+  const size_t bias = different.out.find("\nbias      ");
+  ASSERT_NE(bias, std::string::npos) << different.out;
+  EXPECT_TRUE(different.out[bias + 11] == '+' || different.out[bias + 11] == '-') << different.out;
+}
+
+TEST_F(Cli, InspectCountsEmissiveObjects) {
+  const auto j = nlohmann::json::parse(run("inspect cornell --json").out);
+  EXPECT_EQ(j["emissive_objects"], 1);
+  EXPECT_EQ(j["lights"], 1);
+  EXPECT_EQ(j["emissive_triangles"], 2);
+  EXPECT_NE(run("inspect cornell").out.find("lights: 1 emissive object (2 triangles)"), std::string::npos);
+}
+
 TEST_F(Cli, HeatMapsShowTheRequestedMetric) {
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 -o a.exr").code, 0);
   ASSERT_EQ(run("render cornell --size 24x24 --spp 2 --seed 1 -o b.exr").code, 0);
@@ -167,7 +222,7 @@ TEST_F(Cli, UsageErrorsReturnTwo) {
   expect_error("render cornell -o a.exr --aov smell", 2, "albedo");
   expect_error("render cornell -o a.exr --paths 'E(DL'", 2, "column 2");
   expect_error("render cornell -o a.exr --paths DL", 2, "begins with E");
-  expect_error("render cornell -o a.exr --set film.paths=EVL", 2, "not available yet");
+  expect_error("render cornell -o a.exr --set film.paths=EQL", 2, "'Q' is not a letter of path expressions");
   expect_error("list furniture", 2, "integrators");
   expect_error("render cornell --frobnicate", 2, "etendue render --help");
   expect_error("render cornell --ssp 4", 2, "the nearest is '--spp'");

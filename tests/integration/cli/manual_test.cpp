@@ -11,7 +11,8 @@ class Manual : public Cli {};
 std::set<std::string> pages_in(const fs::path& folder) {
   std::set<std::string> pages;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".md") pages.insert(entry.path().lexically_relative(folder).generic_string());
+    if (entry.path().extension() == ".md" || entry.path().extension() == ".1")
+      pages.insert(entry.path().lexically_relative(folder).generic_string());
   return pages;
 }
 

@@ -1,4 +1,5 @@
 // `etendue probe`: light meters on the command line.
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "integration/cli/cli.h"
@@ -8,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(Cli, ProbeMeasuresInRadiometricAndPhotometricUnits) {
+TEST_F(Cli, ProbeMeasuresInPhotometricAndRadiometricUnits) {
   const Outcome r = run("probe cornell --size 64x64 --at 32 61 --spp 64 --efficacy maximal --json");
   ASSERT_EQ(r.code, 0) << r.err;
   const auto j = json::parse(r.out);
@@ -17,7 +18,30 @@ TEST_F(Cli, ProbeMeasuresInRadiometricAndPhotometricUnits) {
   const auto& e = j["irradiance"];
   const double y = 0.212671 * e["value"][0].get<double>() + 0.71516 * e["value"][1].get<double>() +
                    0.072169 * e["value"][2].get<double>();
-  EXPECT_NEAR(e["photometric"].get<double>(), 683 * y, 0.01 * y);
+  EXPECT_NEAR(e["photometric"].get<double>(), y, 1e-4 * y);
+  EXPECT_NEAR(683 * e["radiometric"].get<double>(), y, 1e-4 * y);
+}
+
+// An intensity of 100 in KHR_lights_punctual is 100 cd. Below it, at a distance of 2 m, the illuminance is 25 lx.
+TEST_F(Cli, ProbeReadsTheCandelasOfAFile) {
+  const char* file = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2]}],
+    "extensionsUsed": ["KHR_lights_punctual"],
+    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 100}]}},
+    "nodes": [{"mesh": 0}, {"translation": [0, 2, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}},
+              {"camera": 0, "translation": [0, 4, 0.01], "rotation": [-0.70710678, 0, 0, 0.70710678]}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.01}}],
+    "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+    "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64,AACAwAAAAAAAAIDAAACAQAAAAAAAAIDAAACAQAAAAAAAAIBAAACAwAAAAAAAAIBAAAACAAEAAAADAAIA"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 12}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-4, 0, -4], "max": [4, 0, 4]},
+                  {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}]})";
+  std::ofstream(folder_ / "lamp.gltf") << file;
+  const Outcome r = run("probe lamp.gltf --size 64x64 --spp 64 --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto j = json::parse(r.out);
+  EXPECT_NEAR(j["irradiance"]["photometric"].get<double>(), 25, 0.02);
+  EXPECT_NEAR(j["irradiance"]["radiometric"].get<double>(), 25 / 146.162, 2e-4);
 }
 
 TEST_F(Cli, ProbeReportsErrors) {

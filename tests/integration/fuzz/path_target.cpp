@@ -25,7 +25,7 @@ std::vector<Bytes> expressions() {
 }
 
 bool splice(Bytes& input, Mutator& mutator) {
-  static constexpr std::string_view kLetters = "EDGSL|*+?.()[] ";
+  static constexpr std::string_view kLetters = "EDGSVL|*+?.()[] ";
   if (input.empty()) return false;
   const auto place = [&] { return input.begin() + mutator.below(static_cast<int>(input.size())); };
   const auto letter = static_cast<std::byte>(kLetters[static_cast<size_t>(mutator.below(kLetters.size()))]);

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "base/file.h"
-#include "image/bitmap_font.h"
+#include "integration/looks/bitmap_font.h"
 
 namespace etendue::looks {
 namespace {
 
-using image::kGlyphHeight, image::kGlyphWidth;
-constexpr int kAdvance = image::kGlyphAdvance, kTextHeight = kGlyphHeight + 3;
+constexpr int kAdvance = kGlyphAdvance, kTextHeight = kGlyphHeight + 3;
 constexpr int kGap = 2;
 
 void put(Picture& on, int x, int y, const uint8_t* rgb) {
@@ -20,7 +19,7 @@ void put(Picture& on, int x, int y, const uint8_t* rgb) {
 void write_text(Picture& on, int x, int y, const std::string& text) {
   constexpr uint8_t kInk[3] = {230, 230, 230};
   for (const char c : text) {
-    const uint16_t bits = image::bitmap_glyph(c);
+    const uint16_t bits = bitmap_glyph(c);
     for (int i = 0; i < kGlyphWidth * kGlyphHeight; ++i)
       if (bits >> (kGlyphWidth * kGlyphHeight - 1 - i) & 1) put(on, x + i % kGlyphWidth, y + i / kGlyphWidth, kInk);
     x += kAdvance;

@@ -101,6 +101,9 @@ Material rich_material() {
   m.thickness = number();
   m.attenuation_color = color();
   m.attenuation_distance = number();
+  m.medium = {color() * 7.0f, color(), {make_phase_function("double-henyey-greenstein")->with("g2", -0.625)}};
+  m.boundary_only = true;
+  m.medium_priority = -3;
   m.anisotropy = number();
   m.anisotropy_rotation = -number();
   m.anisotropy_texture = use(1);
@@ -144,6 +147,17 @@ scene::Scene with_material(const Material& material) {
   scene.textures[1].nearest = true;
   scene.materials[0] = material;
   return scene;
+}
+
+TEST_F(Saving, Atmosphere) {
+  scene::Scene scene = with_material({});
+  scene.atmosphere = {{Rgb(0.1f, 0.2f, 0.3f), Rgb(0.05f), {make_phase_function("rayleigh")}}, 12.5f};
+  EXPECT_EQ(difference(scene, saved(scene)), "");
+  EXPECT_EQ(saved(scene).atmosphere, scene.atmosphere);
+  scene.atmosphere.radius = kInfinity;
+  scene.atmosphere.medium.phase.function =
+      make_phase_function("tabulated")->with("values", std::string("1 0.5 3"));
+  EXPECT_EQ(saved(scene).atmosphere, scene.atmosphere);
 }
 
 TEST_F(Saving, EveryFieldOfAMaterial) {

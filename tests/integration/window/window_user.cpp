@@ -104,8 +104,8 @@ WindowUser::json WindowUser::report() {
   return json::parse(in, nullptr, false);
 }
 
-bool WindowUser::wait_until(const std::function<bool(const json&)>& condition) {
-  return wait_for(kTimeout, [&] {
+bool WindowUser::wait_until(const std::function<bool(const json&)>& condition, double seconds) {
+  return wait_for(std::chrono::milliseconds(static_cast<int64_t>(1000 * seconds)), [&] {
     const json latest = report();
     return latest.is_object() && condition(latest);
   });
@@ -164,6 +164,15 @@ void WindowUser::click_at(int x, int y) {
 
 void WindowUser::drag(const std::string& item, int dx, int dy) {
   move_to(item);
+  drag_from_pointer(dx, dy);
+}
+
+void WindowUser::drag_at(int x, int y, int dx, int dy) {
+  xdotool("mousemove --window " + window_ + " " + std::to_string(x) + " " + std::to_string(y));
+  drag_from_pointer(dx, dy);
+}
+
+void WindowUser::drag_from_pointer(int dx, int dy) {
   xdotool("mousedown 1 sleep 0.05 mousemove_relative -- " + std::to_string(dx / 2) + " " + std::to_string(dy / 2) +
           " sleep 0.05 mousemove_relative -- " + std::to_string(dx - dx / 2) + " " + std::to_string(dy - dy / 2) +
           " sleep 0.05 mouseup 1");

@@ -25,8 +25,8 @@ class WindowUser {
 
   // The latest state report, with the placements of all items as [x, y, width, height].
   json report();
-  // Waits until a report fulfils a condition; returns false after ten seconds or if the viewer has ended.
-  bool wait_until(const std::function<bool(const json&)>& condition);
+  // Waits until a report fulfils a condition; returns false after this time or if the viewer has ended.
+  bool wait_until(const std::function<bool(const json&)>& condition, double seconds = 10);
   // Waits until the viewer has handled all events and has drawn some frames after them.
   void settle();
   bool has_item(const std::string& item);
@@ -37,6 +37,7 @@ class WindowUser {
   void click_at(int x, int y);
   void click(const std::string& item, int button = 1, int count = 1);
   void drag(const std::string& item, int dx, int dy);
+  void drag_at(int x, int y, int dx, int dy);
   void scroll(const std::string& item, int notches);
   void hold(const std::string& key, const std::function<void()>& action);
   void press(const std::string& keys);  // "ctrl+a" in the notation of xdotool
@@ -50,6 +51,7 @@ class WindowUser {
  private:
   void xdotool(const std::string& arguments);
   json placement(const std::string& item);
+  void drag_from_pointer(int dx, int dy);
 
   std::filesystem::path folder_;
   std::filesystem::path report_file_;

@@ -84,7 +84,7 @@ TEST(Advisor, LargeImagesHaveASmallPilot) {
   EXPECT_EQ(pilots.pilots[0].method.document.width, 80);
   EXPECT_EQ(pilots.pilots[0].film.height(), 60);
   EXPECT_GT(pilots.size_ratio.seconds, 3);
-  EXPECT_NEAR(pilots.size_ratio.rmse, 1, 0.5);
+  EXPECT_NEAR(pilots.size_ratio.error, 1, 0.5);
 }
 
 TEST(Advisor, PublishesProgressAndCanBeCancelled) {

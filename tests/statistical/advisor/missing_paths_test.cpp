@@ -67,14 +67,17 @@ std::vector<std::string> contradictions(const integrator::IntegratorInfo& info, 
   const advisor::DeclaredPaths found = hindered ? advisor::DeclaredPaths() : advisor::declared_paths(info);
   const Automaton& declared = points ? found.point_paths : found.paths;
   std::vector<std::string> list;
-  const Automaton rest = advisor::without(PathExpression::all().automaton(), declared);
+  const Automaton rest = advisor::without(PathExpression::without_volumes().automaton(), declared);
   if (!rest.empty())
     if (const auto energy = energy_by(info.name, d, expression_of(rest), 16); energy.found())
       list.push_back("finds some of " + expression_of(rest));
   std::vector<const advisor::ClassRow*> rows;
   for (const auto& row : table.rows)
     if (!row.energy.uncertain() &&
-        advisor::without(PathExpression::parse_paths(row.paths)->automaton(), declared).empty())
+        advisor::without(advisor::common(PathExpression::parse_paths(row.paths)->automaton(),
+                                         PathExpression::without_volumes().automaton()),
+                         declared)
+            .empty())
       rows.push_back(&row);
   // Biased integrators must only find some light; unbiased integrators must find its amount.
   const bool unbiased = info.bias == integrator::Bias::unbiased;
@@ -150,7 +153,7 @@ TEST(Declared, PointPathsAreASubsetOfThePaths) {
 TEST(Declared, ADepthLimitRemovesPaths) {
   const auto found = advisor::declared_paths(changed(cornell(8), "path.max-depth", "2").method);
   EXPECT_EQ(found.paths, PathExpression::parse_paths("E[.]L")->automaton());
-  EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G)L")->automaton());
+  EXPECT_EQ(found.point_paths, PathExpression::parse_paths("E(D|G|V)L")->automaton());
   EXPECT_EQ(advisor::bias_of(changed(cornell(8), "path.max-depth", "2").method), integrator::Bias::biased);
   EXPECT_EQ(advisor::bias_of(cornell(8).method), integrator::Bias::unbiased);
 }

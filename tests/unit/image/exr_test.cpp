@@ -180,6 +180,25 @@ TEST(Exr, MemoryIsLimitedByTheLengthOfTheFile) {
   EXPECT_NE(short_file.find("too few for the image size in its header"), std::string::npos) << short_file;
 }
 
+// The library allocates the length that an attribute states.
+TEST(Exr, LengthsOfAttributesAreChecked) {
+  const std::vector<ExrChannel> one{{"R", ExrType::float32, float_samples({1})}};
+  const FileBytes whole = exr_file(one, {0, 0, 0, 0}, {0, 0, 0, 0});
+  ASSERT_EQ(error_of(whole), "");
+  const auto with_length = [&](const FileBytes& attribute, uint32_t length) {
+    FileBytes changed = whole;
+    const size_t at = changed.find(attribute) + attribute.size();
+    for (size_t i = 0; i < 4; ++i) changed[at + i] = static_cast<char>(length >> 8 * i & 255);
+    return error_of(changed);
+  };
+  using namespace std::string_literals;
+  const std::string too_long = with_length("lineOrder\0lineOrder\0"s, 0x40000000);
+  EXPECT_NE(too_long.find("'lineOrder' of the OpenEXR file is longer than the rest"), std::string::npos) << too_long;
+  const std::string wrong = with_length("compression\0compression\0"s, 2);
+  EXPECT_NE(wrong.find("does not have the length of its type, 'compression'"), std::string::npos) << wrong;
+  EXPECT_NE(with_length("channels\0chlist\0"s, 20), "");
+}
+
 TEST(Exr, ErrorsNameTheFile) {
   const TemporaryFile file("a.exr");
   EXPECT_FALSE(read_exr(file.path()));

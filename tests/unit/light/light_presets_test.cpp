@@ -13,9 +13,9 @@ TEST(LightPresets, HaveTheStatedFluxOrIlluminance) {
       const Light light = make_light(type.description.name);
       if (!fits(preset, light)) continue;
       ++fitting;
-      const Light set = with_preset(light, preset, Efficacy::standard);
+      const Light set = with_preset(light, preset);
       const Rgb amount = preset.sun ? set.color * set.intensity() : set.flux();
-      EXPECT_NEAR(photometric(amount, Efficacy::standard), preset.amount, 1e-4 * preset.amount)
+      EXPECT_NEAR(luminance(amount), preset.amount, 1e-4 * preset.amount)
           << preset.name << " of " << type.description.name;
     }
     EXPECT_GT(fitting, 0) << preset.name;

@@ -90,7 +90,7 @@ TEST(LightTypes, UnitOfAnAreaLightFollowsItsQuantity) {
   Light light = make_light("disk");
   light.set("quantity", std::string("power"));
   const auto parameters = light.parameters();
-  EXPECT_EQ(find_parameter(parameters, "intensity")->unit, "W");
+  EXPECT_EQ(find_parameter(parameters, "intensity")->unit, "lm");
 }
 
 // ---- Flux in closed form, for intensity 3 and the colour (1, 0.5, 0.25).

@@ -6,6 +6,7 @@
 
 #include "metrics/convergence_chart.h"
 #include "metrics/log_axis.h"
+#include "metrics/text_raster.h"
 
 namespace etendue::test {
 namespace {
@@ -81,8 +82,8 @@ TEST(SvgChart, ShowsEveryMethodWithItsSlope) {
     EXPECT_EQ(count(svg, ">" + method.name + "</text>"), 1u);
     EXPECT_EQ(count(svg, "<title>" + method.name), 25u);
   }
-  EXPECT_EQ(count(svg, "slope of RMSE -0.750"), 1u);
-  EXPECT_EQ(count(svg, "slope of RMSE -0.500"), 1u);
+  EXPECT_EQ(count(svg, "slope -0.750"), 1u);
+  EXPECT_EQ(count(svg, "slope -0.500"), 1u);
   EXPECT_EQ(count(svg, "<polygon"), 2u);
   EXPECT_EQ(count(svg, ">-1/2</text>"), 1u);
   EXPECT_EQ(count(svg, ">-1</text>"), 1u);
@@ -92,11 +93,18 @@ TEST(SvgChart, ShowsEveryMethodWithItsSlope) {
 
 TEST(SvgChart, SupportsSamplesAndRelativeErrors) {
   const std::vector<MethodCurves> methods{power_law("path", 1, -0.5)};
-  const std::string svg = svg_chart(methods, {.title = "", .abscissa = Abscissa::samples, .kind = ErrorKind::relmse});
+  const std::string svg = svg_chart(methods, {.title = "", .abscissa = Abscissa::samples, .measure = film::ErrorMeasure::relative});
   EXPECT_TRUE(is_valid_svg(svg));
   EXPECT_EQ(count(svg, ">samples per pixel</text>"), 1u);
-  EXPECT_EQ(count(svg, ">relMSE</text>"), 1u);
-  EXPECT_EQ(count(svg, ">-2</text>"), 1u);
+  EXPECT_EQ(count(svg, ">relative error</text>"), 1u);
+  EXPECT_EQ(count(svg, ">-1</text>"), 1u);
+}
+
+TEST(SvgChart, StatesHowManyRepeatsAreComplete) {
+  MethodCurves method = power_law("path", 1, -0.5);
+  EXPECT_EQ(count(svg_chart(std::vector{method}, {.title = ""}), "repeats"), 0u);
+  method.repeats[1].points.resize(4);
+  EXPECT_EQ(count(svg_chart(std::vector{method}, {.title = ""}), ">path, median of 2 of 3 repeats</text>"), 1u);
 }
 
 TEST(SvgChart, NamesAreEscaped) {
@@ -126,13 +134,13 @@ TEST(SvgChart, UnusualDataGiveValidCharts) {
 
 TEST(SvgChart, EverythingIsInsideTheFrame) {
   const std::vector<MethodCurves> methods{power_law("a", 1, -0.5), power_law("b", 3, -1), power_law("c", 1e-3, 0)};
-  const Drawing drawing = convergence_chart(methods, {"t", Abscissa::seconds, ErrorKind::rmse, 900, 520, 2e-3});
+  const Drawing drawing = convergence_chart(methods, {"t", Abscissa::seconds, film::ErrorMeasure::rmse, 900, 520, 2e-3});
   const auto inside = [&](const Point& s) {
     EXPECT_TRUE(s.x >= 0 && s.y >= 0 && s.x <= drawing.width && s.y <= drawing.height) << s.x << " " << s.y;
   };
   for (const auto& shape : drawing.shapes) {
     if (const auto* dot = std::get_if<Dot>(&shape)) inside(dot->at);
-    if (const auto* text = std::get_if<Text>(&shape)) inside(text->at);
+    if (const auto* text = std::get_if<metrics::Text>(&shape)) inside(text->at);
     if (const auto* area = std::get_if<Polygon>(&shape)) std::ranges::for_each(area->points, inside);
     if (const auto* stroke = std::get_if<Polyline>(&shape)) std::ranges::for_each(stroke->points, inside);
   }
@@ -183,13 +191,46 @@ TEST(Raster, DrawsShapesWithAntialiasing) {
   EXPECT_EQ(at(15, 2, 1), 255);
 }
 
-TEST(Raster, DrawsText) {
-  Drawing drawing{20, 12, "", {}};
-  drawing.shapes.push_back(Text{{1, 11}, "I", 13, {0, 0, 0}});
+// The bounds of the pixels that are darker than half, and their number.
+struct DarkPixels {
+  int left = 1000, right = -1, top = 1000, bottom = -1, count = 0;
+};
+DarkPixels dark_pixels(const Drawing& drawing) {
   const auto bytes = rasterize(drawing);
-  int dark = 0;
-  for (const uint8_t b : bytes) dark += b < 128;
-  EXPECT_EQ(dark, 9 * 4 * 3);  // nine dots of two by two pixels, three channels
+  DarkPixels dark;
+  for (int y = 0; y < drawing.height; ++y)
+    for (int x = 0; x < drawing.width; ++x) {
+      if (bytes[static_cast<size_t>((y * drawing.width + x) * 3)] >= 128) continue;
+      dark.left = std::min(dark.left, x);
+      dark.right = std::max(dark.right, x);
+      dark.top = std::min(dark.top, y);
+      dark.bottom = std::max(dark.bottom, y);
+      ++dark.count;
+    }
+  return dark;
+}
+
+TEST(Raster, TextStandsOnItsBaseLineAndIsAnchored) {
+  const auto drawn = [](Anchor anchor) {
+    Drawing drawing{120, 40, "", {}};
+    drawing.shapes.push_back(metrics::Text{{60, 30}, "HxH", 20, {0, 0, 0}, anchor});
+    return dark_pixels(drawing);
+  };
+  const DarkPixels left = drawn(Anchor::left), middle = drawn(Anchor::middle), right = drawn(Anchor::right);
+  EXPECT_GT(left.count, 60);
+  EXPECT_EQ(left.bottom, 29);
+  EXPECT_NEAR(left.bottom - left.top + 1, 0.73 * 20, 1.5);  // the height of capitals
+  EXPECT_NEAR(left.left, 60, 3);
+  EXPECT_NEAR(right.right, 59, 3);
+  EXPECT_NEAR((middle.left + middle.right) / 2.0, 60, 1.5);
+  EXPECT_NEAR(text_width("HxH", 20), left.right - left.left + 1, 5);
+  EXPECT_GT(text_width("HxHxH", 20), 1.5 * text_width("HxH", 20));
+}
+
+TEST(Raster, TextMayContainAnyBytes) {
+  Drawing drawing{80, 40, "", {}};
+  drawing.shapes.push_back(metrics::Text{{5, 30}, "\u00c9\u03b1\xff\xc3", 20, {0, 0, 0}});
+  EXPECT_GT(dark_pixels(drawing).count, 40);
 }
 
 }  // namespace

@@ -156,17 +156,17 @@ TEST(Convergence, GridsHaveEqualRatios) {
 TEST(Convergence, PowerLawsAreInterpolatedExactly) {
   const ErrorCurve curve = power_law(3, -0.5, 5);
   for (const double t : {0.1, 0.123, 1.0, 9.99, 10.0}) {
-    EXPECT_NEAR(error_at(curve, Abscissa::seconds, ErrorKind::rmse, t).value_or(0), 3 / std::sqrt(t), 1e-9) << t;
-    EXPECT_NEAR(error_at(curve, Abscissa::samples, ErrorKind::relmse, 100 * t).value_or(0), 18 / t, 1e-7) << t;
+    EXPECT_NEAR(error_at(curve, Abscissa::seconds, film::ErrorMeasure::rmse, t).value_or(0), 3 / std::sqrt(t), 1e-9) << t;
+    EXPECT_NEAR(error_at(curve, Abscissa::samples, film::ErrorMeasure::relative, 100 * t).value_or(0), std::sqrt(18 / t), 1e-7) << t;
   }
-  EXPECT_FALSE(error_at(curve, Abscissa::seconds, ErrorKind::rmse, 0.09));
-  EXPECT_FALSE(error_at(curve, Abscissa::seconds, ErrorKind::rmse, 10.1));
+  EXPECT_FALSE(error_at(curve, Abscissa::seconds, film::ErrorMeasure::rmse, 0.09));
+  EXPECT_FALSE(error_at(curve, Abscissa::seconds, film::ErrorMeasure::rmse, 10.1));
 }
 
 TEST(Convergence, BandsAreQuantilesOfRepeats) {
   std::vector<ErrorCurve> repeats;
   for (int i = 1; i <= 11; ++i) repeats.push_back(power_law(i, -0.5));
-  const auto band = error_band(method_of(repeats), Abscissa::seconds, ErrorKind::rmse, log_grid(0.2, 5, 9));
+  const auto band = error_band(method_of(repeats), Abscissa::seconds, film::ErrorMeasure::rmse, log_grid(0.2, 5, 9));
   ASSERT_EQ(band.size(), 9u);
   for (const auto& p : band) {
     EXPECT_NEAR(p.median * std::sqrt(p.x), 6, 1e-9);
@@ -175,12 +175,35 @@ TEST(Convergence, BandsAreQuantilesOfRepeats) {
   }
 }
 
-TEST(Convergence, BandsEndWhereMostRepeatsEnd) {
-  ErrorCurve brief = power_law(1, -0.5);
+// The repeats that end early have twice the error. Their presence must not change any point of the median.
+TEST(Convergence, RepeatsThatEndEarlyDoNotBendTheMedian) {
+  ErrorCurve brief = power_law(2, -0.5);
   brief.points.resize(6);
   const auto one_of_three = method_of({power_law(1, -0.5), brief, brief});
-  const auto band = error_band(one_of_three, Abscissa::seconds, ErrorKind::rmse, log_grid(0.1, 10, 12));
-  EXPECT_EQ(band.size(), 6u);
+  EXPECT_EQ(complete_repeats(one_of_three, Abscissa::seconds).repeats.size(), 1u);
+  const auto band = error_band(one_of_three, Abscissa::seconds, film::ErrorMeasure::rmse, log_grid(0.1, 10, 12));
+  ASSERT_EQ(band.size(), 12u);
+  for (const auto& p : band) EXPECT_NEAR(p.median * std::sqrt(p.x), 1, 1e-9) << p.x;
+}
+
+// Repeats of equal time end at slightly different sample counts. The band ends where the first of them ends, and the
+// end of the curve is its last point.
+TEST(Convergence, TheTableAgreesWithTheEndOfTheCurve) {
+  std::vector<ErrorCurve> repeats{power_law(1, -0.5), power_law(2, -0.5), power_law(4, -0.5)};
+  for (size_t i = 0; i < repeats.size(); ++i) repeats[i].points.back().seconds *= 1 - 0.02 * static_cast<double>(i);
+  const auto method = method_of(repeats);
+  const auto range = abscissa_range(method, Abscissa::seconds, film::ErrorMeasure::rmse);
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->last, repeats[2].points.back().seconds, 1e-12);
+  const auto band =
+      error_band(method, Abscissa::seconds, film::ErrorMeasure::rmse, log_grid(range->first, range->last, 25));
+  ASSERT_EQ(band.size(), 25u);
+  const CurveEnd end = curve_end(method, Abscissa::seconds, film::ErrorMeasure::rmse);
+  ASSERT_TRUE(end.point);
+  EXPECT_EQ(end.repeats, 3u);
+  EXPECT_EQ(end.point->x, band.back().x);
+  EXPECT_EQ(end.point->median, band.back().median);
+  EXPECT_NEAR(end.seconds, repeats[1].points.back().seconds, 1e-12);
 }
 
 TEST(Convergence, VarianceOfTheReferenceIsSubtracted) {
@@ -200,8 +223,12 @@ TEST(Convergence, ANoisyReferenceIsFlagged) {
   // The smallest RMSE is 10^-0.5.
   const auto method = method_of({power_law(1, -0.5)});
   EXPECT_FALSE(is_reference_too_noisy(method, {}));
-  EXPECT_FALSE(is_reference_too_noisy(method, {0.1 / 101, 0}));
-  EXPECT_TRUE(is_reference_too_noisy(method, {0.1 / 99, 0}));
+  // The noise is known exactly: it must be smaller than the error.
+  EXPECT_FALSE(is_reference_too_noisy(method, {.mse = 0.099}));
+  EXPECT_TRUE(is_reference_too_noisy(method, {.mse = 0.101}));
+  // Known to a half: with q = 0.0198, sqrt(q^2 + 2 q) / 4 is 5 %.
+  EXPECT_FALSE(is_reference_too_noisy(method, {.mse = 0.1 * 0.0197, .relative_error = 0.5}));
+  EXPECT_TRUE(is_reference_too_noisy(method, {.mse = 0.1 * 0.0199, .relative_error = 0.5}));
 }
 
 TEST(Convergence, PointsWithoutErrorAreSkipped) {
@@ -209,7 +236,7 @@ TEST(Convergence, PointsWithoutErrorAreSkipped) {
   method.repeats[0].points[3].mse = 0;
   method.repeats[0].points[5].mse = NAN;
   EXPECT_NEAR(slope_of(method, Abscissa::seconds).value, -0.5, 1e-9);
-  for (const auto& p : error_band(method, Abscissa::seconds, ErrorKind::rmse, log_grid(0.1, 10, 40)))
+  for (const auto& p : error_band(method, Abscissa::seconds, film::ErrorMeasure::rmse, log_grid(0.1, 10, 40)))
     EXPECT_NEAR(p.median * std::sqrt(p.x), 1, 1e-9);
 }
 

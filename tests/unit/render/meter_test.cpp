@@ -108,7 +108,7 @@ TEST(Meter, FluxOfAreaLightsWithACosineExponent) {
 // A constant spectral radiance C over 300 to 800 nm has the luminance 683 * 107 C [Lang, table 3.2].
 TEST(Photometry, Efficacies) {
   EXPECT_NEAR(lumens_per_watt(Efficacy::equal_energy) * 500, 73081, 0.5);
-  EXPECT_NEAR(photometric(Rgb(2), Efficacy::maximal), 1366, 0.1);
+  EXPECT_NEAR(radiometric(1366, Efficacy::maximal), 2, 1e-12);
 }
 
 }  // namespace

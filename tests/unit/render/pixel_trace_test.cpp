@@ -24,7 +24,7 @@ using transport::RecordedVertex;
 constexpr Vec2i kPixels[] = {{0, 0}, {31, 15}, {32, 16}, {20, 11}, {7, 23}, {39, 3}};
 constexpr Vec2i kSize(40, 24);
 
-std::shared_ptr<const scene::CompiledScene> compiled(const Document& d) {
+std::shared_ptr<const scene::CompiledScene> compiled_scene(const Document& d) {
   return scene::compile(d.scene, d.camera, nullptr);
 }
 
@@ -46,7 +46,7 @@ PixelTrace traced(const Document& d, const std::shared_ptr<const scene::Compiled
 size_t expect_samples_of_the_film(Document d) {
   d.width = kSize.x;
   d.height = kSize.y;
-  const auto scene = compiled(d);
+  const auto scene = compiled_scene(d);
   size_t vertices = 0;
   for (const std::string& name : per_pixel_integrators()) {
     d.method.integrator = name;
@@ -88,7 +88,7 @@ TEST(PixelTrace, EqualsTheFilmWithBranchesAtThreeVertices) {
   d.width = kSize.x;
   d.height = kSize.y;
   const film::Film film = test::rendered(d, 2);
-  const auto scene = compiled(d);
+  const auto scene = compiled_scene(d);
   size_t vertices = 0;
   for (const Vec2i& pixel : kPixels) {
     const PixelTrace trace = traced(d, scene, pixel, 0);
@@ -104,7 +104,7 @@ TEST(PixelTrace, VerticesAreConsistent) {
   Document d = test::glossy_scene();
   d.width = kSize.x;
   d.height = kSize.y;
-  const auto scene = compiled(d);
+  const auto scene = compiled_scene(d);
   int continued = 0, unattenuated = 0, samples = 0, weighted = 0;
   for (const Vec2i& pixel : kPixels)
     for (uint32_t sample = 0; sample < 32; ++sample) {
@@ -143,7 +143,7 @@ TEST(PixelTrace, VerticesAreConsistent) {
 
 TEST(PixelTrace, RouletteIsRecorded) {
   Document d = test::cornell(24);
-  const auto scene = compiled(d);
+  const auto scene = compiled_scene(d);
   int survived = 0, ended = 0;
   for (uint32_t sample = 0; sample < 64; ++sample)
     for (const RecordedVertex& v : traced(d, scene, {12, 12}, sample).record.vertices)
@@ -159,7 +159,7 @@ TEST(PixelTrace, RouletteIsRecorded) {
 
 TEST(PixelTrace, OtherIntegratorsSayWhyTheyHaveNoTrace) {
   Document d = test::cornell(16);
-  const auto scene = compiled(d);
+  const auto scene = compiled_scene(d);
   for (const auto& info : integrator::integrator_infos()) {
     d.method.integrator = info.name;
     const auto trace = render::trace_pixel(d, scene, {3, 3}, 0);
@@ -172,7 +172,7 @@ TEST(PixelTrace, OtherIntegratorsSayWhyTheyHaveNoTrace) {
 
 TEST(PixelTrace, PixelsOutsideTheImageAreAnError) {
   const Document d = test::cornell(16);
-  const auto scene = compiled(d);
+  const auto scene = compiled_scene(d);
   for (const Vec2i& pixel : {Vec2i(-1, 0), Vec2i(16, 0), Vec2i(0, 16)}) {
     const auto trace = render::trace_pixel(d, scene, pixel, 0);
     ASSERT_FALSE(trace);

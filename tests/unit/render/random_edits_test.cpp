@@ -36,7 +36,7 @@ class Editor {
  private:
   // Images stay small, and limits large.
   static bool is_small(const Document& d) {
-    return d.width * d.height <= 64 * 64 && d.limits.samples == 0 && d.limits.seconds == 0 && d.limits.rmse == 0;
+    return d.width * d.height <= 64 * 64 && d.limits.samples == 0 && d.limits.seconds == 0 && d.limits.error == 0;
   }
 
   Value value_of(const ParameterInfo& info) {

@@ -45,7 +45,7 @@ TEST(TimeEstimator, IntervalIsWiderForUncertainErrors) {
 TEST(TimeEstimator, IsUnknownBeforeTheFirstError) {
   TimeEstimator forecast;
   EXPECT_FALSE(forecast.time_to(0.1, 0));
-  forecast.add(1, 0.1, {});
+  forecast.add(1, 0.1, film::MeasuredError{});
   EXPECT_FALSE(forecast.time_to(0.1, 0.1));
 }
 

@@ -18,6 +18,7 @@ class MaterialExporter {
     if (m_.unlit) out_.extend(to_, "KHR_materials_unlit");
     export_bsdf_model(out_, m_.model, to_);
     export_layering(out_, m_.layering, to_);
+    export_medium(out_, m_, to_);
     return std::move(to_);
   }
 

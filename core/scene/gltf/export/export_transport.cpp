@@ -37,13 +37,34 @@ Json current_value(const ParameterInfo& p) {
   return to_json_value<Json>(p.default_value);
 }
 
+Json medium_of(const MediumDescription& medium) {
+  Json to = Json::object();
+  if (!is_black(medium.scattering)) to["scattering"] = vector(medium.scattering);
+  if (!is_black(medium.absorption)) to["absorption"] = vector(medium.absorption);
+  if (medium.phase == PhaseFunctionRef()) return to;
+  Json parameters = Json::object();
+  for (const ParameterInfo& p : medium.phase->parameters()) parameters[p.name] = current_value(p);
+  to["phaseFunction"] = {{"name", medium.phase->info().description.name}, {"parameters", std::move(parameters)}};
+  return to;
+}
+
 }  // namespace
+
+void export_medium(OutputFile& out, const Material& material, Json& object) {
+  Json to = medium_of(material.medium);
+  if (material.boundary_only) to["boundaryOnly"] = true;
+  if (material.medium_priority != 0) to["priority"] = material.medium_priority;
+  if (!to.empty()) out.extend(object, kTransport)["medium"] = std::move(to);
+}
 
 void export_transport(OutputFile& out, const std::filesystem::path& folder) {
   Json to = Json::object();
   put(to, "time", out.scene.time, 0);
   if (out.scene.variant >= 0) to["variant"] = out.scene.variant;
   if (Json environment = environment_of(out, folder); !environment.empty()) to["environment"] = std::move(environment);
+  Json atmosphere = medium_of(out.scene.atmosphere.medium);
+  if (std::isfinite(out.scene.atmosphere.radius)) atmosphere["radius"] = number(out.scene.atmosphere.radius);
+  if (!atmosphere.empty()) to["atmosphere"] = std::move(atmosphere);
   if (!to.empty()) out.extend(out.root, kTransport) = std::move(to);
 }
 

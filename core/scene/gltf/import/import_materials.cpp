@@ -169,6 +169,8 @@ class MaterialImporter {
       to_.transmission_texture = use_in(*e, "transmissionTexture");
     }
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_volume")) volume(*e);
+    import_volume_scatter(from_.extensions, where_, to_, scene_.warnings);
+    import_medium(from_.extensions, where_, to_, scene_.warnings);
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_anisotropy")) {
       to_.anisotropy = factor_in(*e, "anisotropyStrength", 0);
       to_.anisotropy_rotation = number_or(*e, "anisotropyRotation", 0);

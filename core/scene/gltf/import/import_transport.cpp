@@ -84,14 +84,6 @@ Environment read_environment(const InputFile& input, TransportReader reader) {
   return environment;
 }
 
-Value value_of(const tinygltf::Value& value) {
-  if (value.IsBool()) return value.Get<bool>();
-  if (value.IsInt()) return int64_t{value.GetNumberAsInt()};
-  // Parameters are floats, and so are the limits of their ranges.
-  if (value.IsNumber()) return double{static_cast<float>(value.GetNumberAsDouble())};
-  return value.IsString() ? value.Get<std::string>() : std::string();
-}
-
 // Sets a light's parameter to the member of its name, where there is one.
 void read_parameter(const tinygltf::Value& extension, TransportReader& reader, const ParameterInfo& info,
                     Light& light) {
@@ -115,6 +107,14 @@ void read_parameter(const tinygltf::Value& extension, TransportReader& reader, c
 }
 
 }  // namespace
+
+Value value_of(const tinygltf::Value& value) {
+  if (value.IsBool()) return value.Get<bool>();
+  if (value.IsInt()) return int64_t{value.GetNumberAsInt()};
+  // Parameters are floats, and so are the limits of their ranges.
+  if (value.IsNumber()) return double{static_cast<float>(value.GetNumberAsDouble())};
+  return value.IsString() ? value.Get<std::string>() : std::string();
+}
 
 BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const std::string& where,
                                std::vector<std::string>& warnings) {
@@ -194,6 +194,8 @@ void import_transport(const InputFile& input, Scene& scene) {
   if (extension->Get("environment").IsObject())
     scene.environment =
         read_environment(input, TransportReader(extension->Get("environment"), where + ".environment", scene.warnings));
+  if (extension->Get("atmosphere").IsObject())
+    scene.atmosphere = import_atmosphere(extension->Get("atmosphere"), where + ".atmosphere", scene.warnings);
 }
 
 void import_camera_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Camera& camera,

@@ -29,8 +29,17 @@ void import_variants(const InputFile& input, Scene& scene);
 std::vector<int> variant_materials(const InputFile& input, const Scene& scene, const tinygltf::Primitive& primitive,
                                    int material, const std::string& where);
 
-// ETENDUE_transport of the root: time, variant and environment.
+// ETENDUE_transport of the root: time, variant, environment and atmosphere.
 void import_transport(const InputFile& input, Scene& scene);
+// KHR_materials_volume_scatter: divides the attenuation of KHR_materials_volume into scattering and absorption.
+void import_volume_scatter(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
+                           std::vector<std::string>& warnings);
+// ETENDUE_transport of a material: the medium inside it.
+void import_medium(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
+                   std::vector<std::string>& warnings);
+// ETENDUE_transport of the root: the atmosphere.
+Atmosphere import_atmosphere(const tinygltf::Value& extension, const std::string& where,
+                             std::vector<std::string>& warnings);
 // ETENDUE_transport of a material: its reflection model; null if it has none or the name is unknown.
 BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const std::string& where,
                                std::vector<std::string>& warnings);
@@ -99,6 +108,8 @@ const tinygltf::Value& member_of(const tinygltf::Value& value, const char* name)
 const tinygltf::Value* find_extension(const tinygltf::ExtensionMap& extensions, const char* name);
 float number_or(const tinygltf::Value& object, const char* member, float fallback);
 int index_or(const tinygltf::Value& object, const char* member, int fallback);
+// The value of a parameter; an empty text for other types.
+Value value_of(const tinygltf::Value& value);
 Rgb color_or(const tinygltf::Value& object, const char* member, const Rgb& fallback);
 
 }  // namespace etendue::scene::gltf

@@ -58,7 +58,7 @@ const std::unordered_map<std::string_view, Rule>& rules() {
     add({.kind = Kind::numbers, .count = 2}, {"offset"});
     add({.kind = Kind::numbers, .count = 3},
         {"translation", "color", "emissiveFactor", "specularColorFactor", "attenuationColor", "sheenColorFactor",
-         "diffuseTransmissionColorFactor"});
+         "diffuseTransmissionColorFactor", "multiscatterColor", "multiscatterColorFactor"});
     add({.kind = Kind::numbers, .count = 4}, {"baseColorFactor", "diffuseFactor"});
     add({.kind = Kind::numbers, .count = 16}, {"matrix"});
     add({.kind = Kind::number}, {"metallicFactor", "roughnessFactor", "alphaCutoff", "strength"});
@@ -68,7 +68,7 @@ const std::unordered_map<std::string_view, Rule>& rules() {
         {"emissiveStrength", "ior", "transmissionFactor", "thicknessFactor", "attenuationDistance",
          "anisotropyStrength", "anisotropyRotation", "clearcoatFactor", "clearcoatRoughnessFactor",
          "sheenRoughnessFactor", "iridescenceFactor", "iridescenceIor", "iridescenceThicknessMinimum",
-         "iridescenceThicknessMaximum", "diffuseTransmissionFactor", "glossinessFactor"});
+         "iridescenceThicknessMaximum", "diffuseTransmissionFactor", "glossinessFactor", "scatterAnisotropy"});
     return rules;
   }();
   return kRules;

@@ -117,6 +117,7 @@ bool is_supported(const std::string& extension) {
                                                 "KHR_mesh_quantization",
                                                 "KHR_materials_transmission",
                                                 "KHR_materials_volume",
+                                                "KHR_materials_volume_scatter",
                                                 "KHR_materials_specular",
                                                 "KHR_materials_anisotropy",
                                                 "KHR_materials_clearcoat",

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-namespace etendue::image {
+namespace etendue::looks {
 
 inline constexpr int kGlyphWidth = 3, kGlyphHeight = 5, kGlyphAdvance = kGlyphWidth + 1;
 
@@ -10,4 +10,4 @@ inline constexpr int kGlyphWidth = 3, kGlyphHeight = 5, kGlyphAdvance = kGlyphWi
 // letters (lower case as upper case), the digits and -_/.:=+,()%; all other characters are empty.
 uint16_t bitmap_glyph(char c);
 
-}  // namespace etendue::image
+}  // namespace etendue::looks

@@ -1,10 +1,10 @@
-#include "image/bitmap_font.h"
+#include "integration/looks/bitmap_font.h"
 
 #include <array>
 #include <cctype>
 #include <string_view>
 
-namespace etendue::image {
+namespace etendue::looks {
 namespace {
 
 // One octal digit per row of three pixels, from the top.
@@ -23,4 +23,4 @@ uint16_t bitmap_glyph(char c) {
   return index == std::string_view::npos ? 0 : kGlyphs[index];
 }
 
-}  // namespace etendue::image
+}  // namespace etendue::looks

@@ -1,0 +1,95 @@
+#include "viewer/viewport/first_view.h"
+
+#include <cmath>
+
+#include "camera/camera_ray.h"
+#include "render/automatic_exposure.h"
+#include "render/display_frame.h"
+#include "render/document.h"
+#include "render/session.h"
+#include "scene/compiled_scene.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/value_text.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr int kColumns = 24, kRows = 16;  // of rays that look for surfaces in front of the near plane
+constexpr uint32_t kExposureSamples = 4;
+
+// The distance along the optical axis to the surface in the centre of the image; 0 if there is none.
+float central_depth(const Camera& camera, const scene::CompiledScene& scene) {
+  const Ray axis{Vec3(camera.to_world[3]), camera.near_clip, -Vec3(camera.to_world[2]), camera.far_clip};
+  const Hit hit = scene.intersect(axis, 0);
+  return hit ? hit.t : 0;
+}
+
+bool hides_surfaces(Camera camera, Vec2i size, const scene::CompiledScene& scene) {
+  const float near_clip = camera.near_clip;
+  camera.near_clip = 0;
+  camera.far_clip = near_clip;
+  camera.lens_radius = 0;
+  const CameraRays rays(camera, size.x, size.y);
+  for (int row = 0; row < kRows; ++row)
+    for (int column = 0; column < kColumns; ++column) {
+      const Vec2 at((static_cast<float>(column) + 0.5f) / kColumns, (static_cast<float>(row) + 0.5f) / kRows);
+      if (scene.intersect(rays.ray(at * Vec2(size), Vec2(0.5f)), 0)) return true;
+    }
+  return false;
+}
+
+void adjust_camera(AppState& state, const scene::CompiledScene& scene) {
+  const Camera camera = camera_for_navigation(state.document(), scene);
+  if (camera == state.document().camera) return;
+  render::Document changed = state.document();
+  changed.camera = camera;
+  state.editor->amend(std::move(changed));
+}
+
+void adjust_exposure(AppState& state, const scene::CompiledScene& scene, const render::Frame& frame) {
+  const render::Document& document = state.document();
+  const auto luminances = render::surface_luminances(document, scene, *frame.pixels);
+  if (!render::exposure_is_unsuitable(luminances, document.display.exposure)) return;
+  const auto exposure = render::automatic_exposure(luminances);
+  if (!exposure) return;
+  render::Document changed = document;
+  changed.display.exposure = *exposure;
+  state.editor->amend(std::move(changed));
+  state.notices.add_message(formatted("Exposure set to %+.1f EV, so that the surfaces are neither dark nor clipped.",
+                                      static_cast<double>(*exposure)));
+}
+
+}  // namespace
+
+Camera camera_for_navigation(const render::Document& document, const scene::CompiledScene& scene) {
+  Camera camera = document.camera;
+  const bool states_focus = camera.lens_radius > 0 || camera.focus_distance != Camera{}.focus_distance;
+  if (const float depth = central_depth(camera, scene); !states_focus && depth > 0) camera.focus_distance = depth;
+  const Vec2i size(document.width, document.height);
+  if (camera.near_clip > 0 && !hides_surfaces(camera, size, scene)) camera.near_clip = 0;
+  return camera;
+}
+
+void adjust_first_view(AppState& state) {
+  FirstView& pending = state.viewport.first_view;
+  if (pending == FirstView::adjusted) return;
+  if (state.editor->undo_depth() > 0) {
+    pending = FirstView::adjusted;
+    return;
+  }
+  const auto scene = state.session->scene();
+  if (!scene || state.session->status().version < state.editor->version()) return;
+  if (pending == FirstView::camera_pending) {
+    pending = FirstView::exposure_pending;
+    adjust_camera(state, *scene);
+    return;
+  }
+  const auto& frame = state.viewport.frame;
+  const bool shows_document = frame && frame->version == state.editor->version();
+  if (!shows_document || frame->samples < kExposureSamples || frame->preview_scale > 1) return;
+  pending = FirstView::adjusted;
+  adjust_exposure(state, *scene, *frame);
+}
+
+}  // namespace etendue::viewer

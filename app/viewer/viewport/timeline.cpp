@@ -1,0 +1,103 @@
+#include "viewer/viewport/timeline.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/display_frame.h"
+#include "render/document.h"
+#include "scene/animation.h"
+#include "viewer/state/app_state.h"
+#include "viewer/state/document_info.h"
+#include "viewer/state/editor.h"
+#include "viewer/widgets/action_widgets.h"
+#include "viewer/widgets/basic_widgets.h"
+#include "viewer/widgets/value_text.h"
+
+namespace etendue::viewer {
+namespace {
+
+constexpr const char* kTimeSlider = "timeline.time";
+constexpr const char* kGesture = "timeline";
+constexpr double kMinStep = 1.0 / 30, kMaxStep = 1.0 / 12;  // seconds between images
+
+void set_time(AppState& state, float time) {
+  const auto parameter = document_parameter(state.document(), "scene.time");
+  const bool is_saved = !state.editor->has_unsaved_scene_edits();
+  state.edit(*parameter, static_cast<double>(time), kGesture);
+  if (is_saved) state.editor->mark_scene_saved(state.document().scene);
+}
+
+// Waits for the full resolution, but not longer than kMaxStep.
+bool image_is_on_screen(const AppState& state) {
+  const auto& frame = state.viewport.frame;
+  if (!frame || frame->version != state.editor->version()) return false;
+  return frame->preview_scale == 1 || state.viewport.playback.waiting >= kMaxStep;
+}
+
+}  // namespace
+
+bool is_animated(const AppState& state) {
+  return state.has_document() && scene::animation_duration(*state.document().scene) > 0;
+}
+
+void toggle_playback(AppState& state) {
+  Playback& playback = state.viewport.playback;
+  playback.is_playing = !playback.is_playing && is_animated(state);
+  playback.waiting = 0;
+  state.editor->end_gesture();
+}
+
+void advance_playback(AppState& state, float seconds) {
+  Playback& playback = state.viewport.playback;
+  if (!playback.is_playing) return;
+  if (!is_animated(state)) {
+    playback.is_playing = false;
+    return;
+  }
+  playback.waiting += static_cast<double>(seconds);
+  if (playback.waiting < kMinStep || !image_is_on_screen(state)) return;
+  const scene::Scene& scene = *state.document().scene;
+  const float next = scene.time + static_cast<float>(playback.waiting);
+  playback.waiting = 0;
+  set_time(state, std::fmod(next, scene::animation_duration(scene)));
+}
+
+void draw_timeline(AppState& state) {
+  Playback& playback = state.viewport.playback;
+  playback.bar_height = 0;
+  if (!is_animated(state)) return;
+  const Placement& region = state.viewport.region;
+  const float em = ImGui::GetFontSize();
+  const float width = std::min(region.size.x - 20, em * 34);
+  if (width < em * 12) return;
+  ImGui::SetNextWindowPos({region.corner.x + region.size.x / 2, region.corner.y + region.size.y - 10},
+                          ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::Begin("##timeline", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  action_button(state, "animation.play");
+  ImGui::SameLine();
+  const float duration = scene::animation_duration(*state.document().scene);
+  float time = state.document().scene->time;
+  const std::string text = formatted("%.2f / %.2f s", static_cast<double>(time), static_cast<double>(duration));
+  ImGui::SetNextItemWidth(-em * 7);
+  const bool moved = ImGui::SliderFloat("##time", &time, 0, duration, "");
+  state.ui.items.add(kTimeSlider);
+  if (ImGui::IsItemHovered()) tooltip(state.ui, "Time at which the animations of the file are evaluated");
+  if (moved) {
+    playback.is_playing = false;
+    set_time(state, time);
+  }
+  if (ImGui::IsItemDeactivated()) state.editor->end_gesture();
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  playback.bar_height = ImGui::GetWindowSize().y + 6;
+  ImGui::End();
+}
+
+}  // namespace etendue::viewer

@@ -1,0 +1,53 @@
+#include "medium/free_flight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace etendue {
+
+FreeFlight::FreeFlight(const Rgb& throughput, float random) {
+  const Rgb positive(std::max(throughput.r, 0.0f), std::max(throughput.g, 0.0f), std::max(throughput.b, 0.0f));
+  const float sum = positive.r + positive.g + positive.b;
+  probability_ = sum > 0 && std::isfinite(sum) ? positive / sum : Rgb(1.0f / 3);
+  float below = 0;
+  // The last channel with a positive probability takes the rest.
+  for (int c = 0; c < 3; ++c) {
+    if (!(probability_[c] > 0)) continue;
+    channel_ = c;
+    if (random < below + probability_[c]) break;
+    below += probability_[c];
+  }
+  const float stretched = std::clamp((random - below) / probability_[channel_], 0.0f, kOneMinusEpsilon);
+  remaining_ = -std::log1p(-stretched);
+}
+
+std::optional<float> FreeFlight::pass(const HomogeneousMedium& medium, float length) {
+  const Rgb depth = medium.optical_depth(length);
+  if (remaining_ >= depth[channel_]) {
+    remaining_ -= depth[channel_];
+    depth_ += depth;
+    return {};
+  }
+  const float distance = std::min(remaining_ / medium.extinction[channel_], length);
+  depth_ += medium.optical_depth(distance);
+  collision_ = &medium;
+  return distance;
+}
+
+// Exponentials are taken relative to the smallest optical depth, because all of them may underflow.
+Rgb FreeFlight::weight() const {
+  float least = kInfinity;
+  for (int c = 0; c < 3; ++c)
+    if (probability_[c] > 0) least = std::min(least, depth_[c]);
+  Rgb weight(0);
+  float density = 0;
+  for (int c = 0; c < 3; ++c) {
+    if (!(probability_[c] > 0)) continue;  // the throughput of this channel is 0
+    const float transmittance = std::exp(least - depth_[c]);
+    density += probability_[c] * transmittance * (collision_ ? collision_->extinction[c] : 1);
+    weight[c] = transmittance * (collision_ ? collision_->scattering[c] : 1);
+  }
+  return density > 0 ? weight * absorption_ / density : Rgb(0);
+}
+
+}  // namespace etendue

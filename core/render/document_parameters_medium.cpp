@@ -1,0 +1,94 @@
+#include "render/document_parameters_medium.h"
+
+#include <algorithm>
+
+#include "medium/medium_presets.h"
+
+namespace etendue::render {
+namespace {
+
+constexpr float kLargestCoefficient = 1e6f;  // 1/m
+
+// Changes the medium in a document.
+template <class F>
+void edit_medium(Document& document, const MediumOwner& owner, F&& edit) {
+  edit_scene(document, [&](scene::Scene& s) { edit(owner.medium(s)); });
+}
+
+DocumentParameter preset_choice(const MediumOwner& owner, const MediumDescription& medium) {
+  DocumentParameter parameter =
+      choice_parameter(owner.section, "medium", "Medium",
+                       "Sets the coefficients and the phase function to those of a known medium");
+  parameter.info.options = {kNoMediumPreset};
+  parameter.info.option_labels = {"Custom"};
+  for (const MediumPreset& preset : medium_presets()) {
+    parameter.info.options.push_back(preset.name);
+    parameter.info.option_labels.push_back(preset.label);
+  }
+  parameter.info.default_value = std::string(preset_of(medium));
+  parameter.assign = [owner](Document& d, const Value& v) {
+    if (const MediumPreset* preset = find_medium_preset(std::get<std::string>(v)))
+      edit_medium(d, owner, [&](MediumDescription& m) { m = preset->medium; });
+  };
+  return parameter;
+}
+
+void add_coefficient(DocumentParameters& list, const MediumOwner& owner, const char* const (&names)[3],
+                     const char* label, const Rgb& value, Rgb MediumDescription::*member, const char* doc) {
+  Vec3 shown(value.r, value.g, value.b);
+  shown = glm::min(shown, Vec3(kLargestCoefficient));
+  add_triple(list, owner.section,
+             {.names = {names[0], names[1], names[2]},
+              .label = label,
+              .value = shown,
+              .range = {0, kLargestCoefficient},
+              .doc = doc,
+              .unit = "1/m"},
+             [owner, member](Document& d, int c, float v) {
+               edit_medium(d, owner, [&](MediumDescription& m) { (m.*member)[c] = v; });
+             });
+}
+
+DocumentParameter phase_choice(const MediumOwner& owner, const MediumDescription& medium) {
+  DocumentParameter parameter = choice_parameter(owner.section, "phase-function", "Phase function",
+                                                 "Directional distribution of scattered light");
+  for (const PhaseFunctionInfo& info : phase_function_infos()) {
+    parameter.info.options.emplace_back(info.description.name);
+    parameter.info.option_labels.emplace_back(info.description.label);
+  }
+  parameter.info.default_value = std::string(medium.phase->info().description.name);
+  parameter.assign = [owner](Document& d, const Value& v) {
+    edit_medium(d, owner,
+                [&](MediumDescription& m) { m.phase.function = make_phase_function(std::get<std::string>(v)); });
+  };
+  return parameter;
+}
+
+void add_phase_function(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
+  list.push_back(phase_choice(owner, medium));
+  for (const ParameterInfo& info : medium.phase->parameters()) {
+    DocumentParameter parameter;
+    parameter.section = owner.section;
+    parameter.info = info;
+    parameter.info.name = owner.section + ".phase." + info.name;
+    parameter.assign = [owner, parameter_name = info.name](Document& d, const Value& v) {
+      edit_medium(d, owner, [&](MediumDescription& m) { m.phase.function = m.phase->with(parameter_name, v); });
+    };
+    list.push_back(std::move(parameter));
+  }
+}
+
+}  // namespace
+
+void add_medium_parameters(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
+  list.push_back(preset_choice(owner, medium));
+  add_coefficient(list, owner, {"scattering.r", "scattering.g", "scattering.b"}, "Scattering", medium.scattering,
+                  &MediumDescription::scattering,
+                  "Scattering coefficient of the medium: higher scatters light after a shorter distance");
+  add_coefficient(list, owner, {"absorption.r", "absorption.g", "absorption.b"}, "Absorption", medium.absorption,
+                  &MediumDescription::absorption,
+                  "Absorption coefficient of the medium: higher absorbs light after a shorter distance");
+  add_phase_function(list, owner, medium);
+}
+
+}  // namespace etendue::render

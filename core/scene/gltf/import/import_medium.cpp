@@ -1,0 +1,136 @@
+// Imports participating media: KHR_materials_volume_scatter and the members `medium` and `atmosphere` of
+// ETENDUE_transport.                                                          docs/ETENDUE_transport.schema.json
+//
+// Members that are out of range are ignored with a warning.
+#include <algorithm>
+#include <cmath>
+
+#include "scene/gltf/import/importers.h"
+#include "scene/gltf/transport_extension.h"
+
+namespace etendue::scene::gltf {
+namespace {
+
+constexpr float kLargestCoefficient = 1e6f;  // 1/m
+
+class MediumReader {
+ public:
+  MediumReader(const tinygltf::Value& from, std::string where, std::vector<std::string>& warnings)
+      : from_(from), where_(std::move(where)), warnings_(warnings) {}
+
+  MediumDescription run() {
+    MediumDescription medium;
+    medium.scattering = coefficient("scattering");
+    medium.absorption = coefficient("absorption");
+    if (from_.Has("phaseFunction")) medium.phase = phase_function();
+    return medium;
+  }
+
+  // The member if it lies in the range; `fallback` if it is missing or invalid.
+  float number(const char* member, float fallback, float low, float high) {
+    if (!from_.Has(member)) return fallback;
+    const auto& value = from_.Get(member);
+    const float x = value.IsNumber() ? static_cast<float>(value.GetNumberAsDouble()) : NAN;
+    if (x >= low && x <= high) return x;
+    warn(std::string(member) + ": is not a number in the allowed range; it is ignored");
+    return fallback;
+  }
+
+ private:
+  void warn(const std::string& what) { warnings_.push_back(where_ + "." + what); }
+
+  Rgb coefficient(const char* member) {
+    if (!from_.Has(member)) return Rgb(0);
+    const Rgb c = color_or(from_, member, Rgb(-1));
+    const auto valid = [](float x) { return x >= 0 && x <= kLargestCoefficient; };
+    if (valid(c.r) && valid(c.g) && valid(c.b)) return c;
+    warn(std::string(member) + ": has to be three numbers from 0 to 1e6, in 1/m; 0 is used");
+    return Rgb(0);
+  }
+
+  PhaseFunctionRef phase_function() {
+    const auto& from = from_.Get("phaseFunction");
+    const std::string name = from.IsObject() && from.Get("name").IsString() ? from.Get("name").Get<std::string>() : "";
+    PhaseFunctionRef phase{make_phase_function(name)};
+    if (!phase.function) {
+      warn("phaseFunction.name: there is no phase function '" + name.substr(0, 40) + "'; scattering is isotropic");
+      return phase;
+    }
+    const auto& parameters = from.Get("parameters");
+    if (!parameters.IsObject()) return phase;
+    for (const std::string& key : parameters.Keys()) {
+      auto changed = make_phase_function(name, {{key, value_of(parameters.Get(key))}});
+      if (changed)
+        phase.function = phase->with(key, *checked_value(*find_parameter(phase->info().parameters, key),
+                                                         value_of(parameters.Get(key))));
+      else
+        warn("phaseFunction.parameters." + key.substr(0, 40) + ": " + changed.error().message + "; it is ignored");
+    }
+    return phase;
+  }
+
+  const tinygltf::Value& from_;
+  std::string where_;
+  std::vector<std::string>& warnings_;
+};
+
+// The single-scattering albedo of a medium whose thick layer has this colour.               [Kulla and Conty 2017]
+float single_scattering_albedo(float color) {
+  const float s = 4.09712f + 4.20863f * color - std::sqrt(9.59217f + color * (41.6808f + 17.7126f * color));
+  return std::clamp(1 - s * s, 0.0f, 1.0f);
+}
+
+}  // namespace
+
+// The attenuation becomes the extinction coefficient. Colours are bounded below, so that it stays finite.
+void import_volume_scatter(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
+                           std::vector<std::string>& warnings) {
+  const auto* extension = find_extension(extensions, "KHR_materials_volume_scatter");
+  if (!extension) return;
+  const std::string place = where + ".extensions.KHR_materials_volume_scatter";
+  const char* member = extension->Has("multiscatterColor") ? "multiscatterColor" : "multiscatterColorFactor";
+  const Rgb color = color_or(*extension, member, Rgb(0));
+  MediumReader reader(*extension, place, warnings);
+  const float g = reader.number("scatterAnisotropy", 0, -1, 1);
+  if (extension->Has("multiscatterColorTexture"))
+    warnings.push_back(place + ".multiscatterColorTexture: is not supported, because the medium is homogeneous");
+  constexpr float kDarkest = 1e-4f;
+  MediumDescription medium;
+  for (int c = 0; c < 3; ++c) {
+    if (!(color[c] >= 0 && color[c] <= 1)) {
+      warnings.push_back(place + "." + member + ": has to be three numbers from 0 to 1; it is ignored");
+      return;
+    }
+    if (!std::isfinite(material.attenuation_distance)) continue;
+    const float extinction = std::min(
+        -std::log(std::max(material.attenuation_color[c], kDarkest)) / material.attenuation_distance, kLargestCoefficient);
+    medium.scattering[c] = extinction * single_scattering_albedo(color[c]);
+    medium.absorption[c] = extinction - medium.scattering[c];
+  }
+  if (is_black(medium.scattering)) return;
+  if (g != 0) medium.phase.function = make_phase_function("henyey-greenstein")->with("g", double{g});
+  material.medium = medium;
+  material.attenuation_color = Rgb(1);
+  material.attenuation_distance = kInfinity;
+}
+
+void import_medium(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
+                   std::vector<std::string>& warnings) {
+  const auto* extension = find_extension(extensions, kTransport);
+  if (!extension || !extension->Get("medium").IsObject()) return;
+  const auto& from = extension->Get("medium");
+  MediumReader reader(from, where + ".extensions." + kTransport + ".medium", warnings);
+  material.medium = reader.run();
+  material.boundary_only = from.Get("boundaryOnly").IsBool() && from.Get("boundaryOnly").Get<bool>();
+  material.medium_priority = static_cast<int>(std::lround(reader.number("priority", 0, -1000, 1000)));
+}
+
+Atmosphere import_atmosphere(const tinygltf::Value& extension, const std::string& where,
+                             std::vector<std::string>& warnings) {
+  MediumReader reader(extension, where, warnings);
+  Atmosphere atmosphere{reader.run(), kInfinity};
+  atmosphere.radius = reader.number("radius", kInfinity, 1e-6f, 1e9f);
+  return atmosphere;
+}
+
+}  // namespace etendue::scene::gltf

@@ -1,0 +1,19 @@
+// The colour of a black body of a given temperature.
+//
+// Planck's law, integrated against the colour matching functions of the CIE 1931 standard observer, converted to linear
+// Rec. 709. Colours outside of its gamut, below about 1900 K, are clipped.
+#pragma once
+#include "spectrum/rgb.h"
+
+namespace etendue {
+
+inline constexpr double kMinTemperature = 1000, kMaxTemperature = 40000;  // kelvin
+
+// The colour with a largest component of one. `kelvin` must lie in the range above.
+Rgb blackbody_color(double kelvin);
+
+// The temperature in the range above whose colour is nearest to this one, in kelvin. Brightness has no influence; black
+// gives the temperature nearest to white.
+double nearest_temperature(const Rgb& color);
+
+}  // namespace etendue

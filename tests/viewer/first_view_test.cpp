@@ -1,0 +1,99 @@
+// What the viewer adjusts when it opens a scene: focus, near plane and exposure; and the bar of animated scenes.
+#include "viewer/viewport/first_view.h"
+
+#include "render/document.h"
+#include "scene/gltf/save_gltf.h"
+#include "scene/compiled_scene.h"
+#include "scripted.h"
+
+namespace etendue {
+namespace {
+
+using viewer::camera_for_navigation;
+
+class FirstView : public Viewer {
+ protected:
+  // The Cornell box with its light multiplied by `factor`, as a file.
+  std::string cornell_with_light(float factor) {
+    render::Document d = *render::new_document("cornell");
+    auto scene = *d.scene;
+    for (auto& material : scene.materials) material.emission = material.emission * factor;
+    d.scene = std::make_shared<const scene::Scene>(std::move(scene));
+    const std::string file = path("box.glb");
+    EXPECT_TRUE(scene::save_gltf(*d.scene, file));
+    return file;
+  }
+
+  static Camera adjusted(const render::Document& document) {
+    return camera_for_navigation(document, *scene::compile(document.scene, document.camera, nullptr));
+  }
+};
+
+TEST_F(FirstView, APinholeIsFocusedOnTheSurfaceInTheCentre) {
+  render::Document d = *render::new_document("cornell");
+  d.camera.focus_distance = Camera{}.focus_distance;
+  const Camera camera = adjusted(d);
+  EXPECT_GT(camera.focus_distance, 8.0f);
+  EXPECT_LT(camera.focus_distance, 14.0f);
+  d.camera.lens_radius = 0.1f;
+  EXPECT_EQ(adjusted(d).focus_distance, d.camera.focus_distance);
+  d.camera.lens_radius = 0;
+  d.camera.focus_distance = 3;
+  EXPECT_EQ(adjusted(d).focus_distance, 3);
+}
+
+TEST_F(FirstView, ANearPlaneThatHidesSurfacesIsKept) {
+  render::Document d = *render::new_document("cornell");
+  d.camera.near_clip = 0.01f;
+  EXPECT_EQ(adjusted(d).near_clip, 0);
+  d.camera.near_clip = 9;
+  EXPECT_EQ(adjusted(d).near_clip, 9);
+}
+
+TEST_F(FirstView, TheExposureSuitsABrightScene) {
+  const json steps = json::array({{{"do", "wait"}, {"spp", 8}}, file_step("state", path("s.json"))});
+  ASSERT_EQ(run(steps, cornell_with_light(1024)), 0);
+  const json s = state("s.json");
+  EXPECT_NEAR(s["parameters"]["camera.exposure"].get<double>(), -10, 2.5);
+  EXPECT_EQ(s["undo_depth"], 0);
+  EXPECT_EQ(s["edited"], false);
+  ASSERT_EQ(run(steps, cornell_with_light(1)), 0);
+  EXPECT_EQ(state("s.json")["parameters"]["camera.exposure"], 0);
+}
+
+TEST_F(FirstView, AnEditOfTheUserEndsTheAdjustments) {
+  ASSERT_EQ(run(json::array({set("camera.exposure", 1), {{"do", "wait"}, {"spp", 8}}, {{"do", "wait"}, {"seconds", 0.5}},
+                             file_step("state", path("s.json"))}),
+                cornell_with_light(1024)),
+            0);
+  EXPECT_EQ(state("s.json")["parameters"]["camera.exposure"], 1);
+}
+
+TEST_F(FirstView, TheMessageAboutMissingLightsOpensTheLightPanel) {
+  const std::string file = cornell_with_light(0);
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, click("notice.change"), file_step("state", path("s.json"))}),
+                file),
+            0);
+  EXPECT_EQ(state("s.json")["tab"], "tab.light");
+  EXPECT_EQ(state("s.json")["parameters"]["environment.preset"], "studio");
+}
+
+TEST_F(FirstView, AnimationsPlayWithoutEditingTheScene) {
+  const char* data = std::getenv("ETENDUE_TEST_DATA");
+  if (!data) GTEST_SKIP() << "ETENDUE_TEST_DATA is not set";
+  const std::string file = std::string(data) + "/gltf/AnimatedMorphCube.glb";
+  if (!fs::exists(file)) GTEST_SKIP() << file << " is missing";
+  ASSERT_EQ(run(json::array({{{"do", "wait"}, {"spp", 1}}, key("p"), {{"do", "wait"}, {"seconds", 1.5}}, key("p"),
+                             {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("played.json")),
+                             {{"do", "wait"}, {"seconds", 0.5}}, file_step("state", path("stopped.json"))}),
+                file),
+            0);
+  const double time = state("played.json")["parameters"]["scene.time"];
+  EXPECT_GT(time, 0.05);
+  EXPECT_EQ(state("stopped.json")["parameters"]["scene.time"], time);
+  EXPECT_EQ(state("played.json")["edited"], false);
+  EXPECT_EQ(state("played.json")["undo_depth"], 1);
+}
+
+}  // namespace
+}  // namespace etendue

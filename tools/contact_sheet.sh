@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Shows scenes as the viewer displays them right after opening, without options: contact_sheet.sh OUT SCENE...
+#
+#   tools/contact_sheet.sh out/contact-sheet ../shared/data/gltf/*.glb
+#
+# Writes one screenshot per scene and OUT/index.html with all of them. $ETENDUE is the program; the default is the
+# release build. $SPP samples per pixel are taken (8).
+set -euo pipefail
+[ $# -ge 2 ] || { sed -n 2,7p "$0" >&2; exit 2; }
+program=$(realpath "${ETENDUE:-$(dirname "$0")/../build/release/app/cli/etendue}")
+out=$1
+shift
+mkdir -p "$out"
+out=$(realpath "$out")
+{
+  echo '<!doctype html><meta charset="utf-8"><title>Contact sheet</title>'
+  echo '<style>body{font-family:sans-serif;background:#222;color:#ddd}figure{display:inline-block;margin:4px}img{width:420px}</style>'
+} >"$out/index.html"
+n=0
+failed=0
+for scene in "$@"; do
+  n=$((n + 1))
+  name=$(printf %03d "$n")
+  cat >"$out/script.json" <<JSON
+[{"do": "wait", "spp": ${SPP:-8}}, {"do": "wait", "seconds": 0.3}, {"do": "screenshot", "file": "$out/$name.png"}]
+JSON
+  if ! timeout 120 "$program" view --offscreen --safe --size 1280x720 --script "$out/script.json" "$scene"; then
+    echo "$scene: failed" >&2
+    failed=$((failed + 1))
+  fi
+  echo "<figure><img src=\"$name.png\"><figcaption>$(basename "$scene")</figcaption></figure>" >>"$out/index.html"
+done
+rm -f "$out/script.json"
+echo "$out/index.html: $n scenes, $failed failed"
+[ "$failed" = 0 ]
