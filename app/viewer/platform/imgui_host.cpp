@@ -88,6 +88,9 @@ void ImguiHost::begin_frame(const Input& input, float seconds) {
   ImGuiIO& io = ImGui::GetIO();
   const Vec2i size = platform_.size();
   io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+  // Scripts count frames, so a slow frame must not turn a double click of theirs into two clicks.
+  constexpr float kMaxScriptFrame = 0.05f;
+  if (!platform_.has_display()) seconds = std::min(seconds, kMaxScriptFrame);
   io.DeltaTime = std::max(seconds, 1e-4f);
   // Each press and release takes a frame of its own, so slow frames stretch a double click.
   constexpr float kFramesOfDoubleClick = 3;
