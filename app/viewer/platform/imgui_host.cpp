@@ -88,14 +88,15 @@ void ImguiHost::begin_frame(const Input& input, float seconds) {
   ImGuiIO& io = ImGui::GetIO();
   const Vec2i size = platform_.size();
   io.DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
-  // Scripts count frames, so a slow frame must not turn a double click of theirs into two clicks.
-  constexpr float kMaxScriptFrame = 0.05f;
-  if (!platform_.has_display()) seconds = std::min(seconds, kMaxScriptFrame);
-  io.DeltaTime = std::max(seconds, 1e-4f);
-  // Each press and release takes a frame of its own, so slow frames stretch a double click.
+  // Each press and release takes a frame of its own, so slow frames stretch a double click. Scripts count frames: their
+  // clock advances little in a slow frame, and the time of a double click is constant.
   constexpr float kFramesOfDoubleClick = 3;
   constexpr float kMaxFrame = 0.2f;
-  io.MouseDoubleClickTime = kDoubleClickTime + kFramesOfDoubleClick * std::min(seconds, kMaxFrame);
+  constexpr float kMaxScriptFrame = 0.05f;
+  const bool is_scripted = !platform_.has_display();
+  const float stretch = is_scripted ? 0 : kFramesOfDoubleClick * std::min(seconds, kMaxFrame);
+  io.MouseDoubleClickTime = kDoubleClickTime + stretch;
+  io.DeltaTime = std::max(is_scripted ? std::min(seconds, kMaxScriptFrame) : seconds, 1e-4f);
   io.MousePos = input.mouse.x < -1e5f ? ImVec2(-FLT_MAX, -FLT_MAX) : ImVec2(input.mouse.x, input.mouse.y);
   for (size_t b = 0; b < input.buttons.size(); ++b) io.MouseDown[b] = input.buttons[b];
   io.MouseWheel = input.wheel;

@@ -58,6 +58,15 @@ class SetStep final : public Step {
   FrameDelay reaction_{1};
 };
 
+// Whether a press at this position would be the second click of a double click. Steps wait until it is not.
+bool completes_double_click(Button button, Vec2 position) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto b = static_cast<size_t>(button);
+  const Vec2 movement = position - Vec2(io.MouseClickedPos[b].x, io.MouseClickedPos[b].y);
+  return ImGui::GetTime() - io.MouseClickedTime[b] <= static_cast<double>(io.MouseDoubleClickTime) &&
+         glm::length(movement) <= io.MouseDoubleClickMaxDist;
+}
+
 // Moves the pointer, presses a button, moves in steps, and releases the button. A click if both positions are equal.
 class DragStep final : public Step {
  public:
@@ -71,7 +80,10 @@ class DragStep final : public Step {
     const bool is_click = from_ == to_;
     const int release = is_click ? kFirstMove : kFirstMove + kMoves + 1;
     if (frame_ == 0) events.push({.type = Event::Type::move, .position = from_});
-    if (frame_ == kPress) events.push({.type = Event::Type::button, .button = button_, .down = true});
+    if (frame_ == kPress) {
+      if (completes_double_click(button_, from_)) return {};
+      events.push({.type = Event::Type::button, .button = button_, .down = true});
+    }
     if (frame_ >= kFirstMove && frame_ < kFirstMove + kMoves && !is_click) {
       const float share = static_cast<float>(frame_ - kFirstMove + 1) / kMoves;
       events.push({.type = Event::Type::move, .position = glm::mix(from_, to_, share)});
@@ -164,17 +176,21 @@ class DoubleClickStep final : public Step {
         return ++search_frame_ <= kSearchFrames ? StepStatus{} : impossible(kNotOnScreen);
       }
       state.ui.items.scroll_to("");
-      events.push({.type = Event::Type::move, .position = centre_of(*placement)});
+      position_ = centre_of(*placement);
+      events.push({.type = Event::Type::move, .position = position_});
     }
-    for (const int press : {2, 4}) {
+    if (frame_ == kFirstPress && completes_double_click(Button::left, position_)) return {};
+    for (const int press : {kFirstPress, kFirstPress + 2}) {
       if (frame_ == press) events.push({.type = Event::Type::button, .button = Button::left, .down = true});
       if (frame_ == press + 1) events.push({.type = Event::Type::button, .button = Button::left, .down = false});
     }
-    return {.done = frame_++ > 7};
+    return {.done = frame_++ > kFirstPress + 5};
   }
 
  private:
+  static constexpr int kFirstPress = 2;
   std::string item_;
+  Vec2 position_{0};
   int frame_ = 0;
   int search_frame_ = 0;
 };
