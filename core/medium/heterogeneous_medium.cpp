@@ -43,12 +43,13 @@ float largest_extinction(const HeterogeneousMedium& medium, const Rgb& estimate)
 }
 
 // Visits collisions along a ray whose density is rate(cell), in 1/m, by visit(parameter, cell). The rate may change at a
-// collision.
-template <class Rate, class Visit>
+// collision. enter(cell, length) is called for every coarse cell and its length in metres.
+template <class Enter, class Rate, class Visit>
 void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, float metres, RandomStream& random,
-                        Rate&& rate, Visit&& visit) {
+                        Enter&& enter, Rate&& rate, Visit&& visit) {
   float remaining = random.next_exponential();
   medium.grid->for_each_cell(ray, [&](float from, float to, const DensityGrid::Cell& cell) {
+    enter(cell, (to - from) * metres);
     for (;;) {
       const float per_parameter = rate(cell) * metres, depth = per_parameter * (to - from);
       if (!(remaining < depth)) {
@@ -64,14 +65,14 @@ void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, f
 
 // Ratio tracking                                                                              [Novak et al. 2014]
 //
-// Collisions are those of the majorant in the remaining channel of the largest extinction. Each multiplies the estimate by the
+// Collisions are those of the majorant in the channel of the largest extinction. Each multiplies the estimate by the
 // fraction of null collisions, in each channel.
 Rgb ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random, Rgb* emitted) {
   const GridRay ray = medium.in_grid(span);
   Rgb estimate(1);
   float largest = largest_extinction(medium, estimate);
   for_each_collision(
-      medium, ray, HeterogeneousMedium::metres(span), random,
+      medium, ray, HeterogeneousMedium::metres(span), random, [](const DensityGrid::Cell&, float) {},
       [&](const DensityGrid::Cell& cell) { return cell.highest * largest; },
       [&](float at, const DensityGrid::Cell& cell) {
         const Vec3 p = ray.at(at);
@@ -90,16 +91,14 @@ Rgb ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, Rando
 // the difference between the highest and the lowest density.
 Rgb residual_ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
   const GridRay ray = medium.in_grid(span);
-  const float metres = HeterogeneousMedium::metres(span);
   Rgb estimate(1);
   float largest = largest_extinction(medium, estimate);
   double control = 0;  // integral of the lowest densities
-  medium.grid->for_each_cell(ray, [&](float from, float to, const DensityGrid::Cell& cell) {
-    control += static_cast<double>(cell.lowest) * static_cast<double>((to - from) * metres);
-    return true;
-  });
   for_each_collision(
-      medium, ray, metres, random,
+      medium, ray, HeterogeneousMedium::metres(span), random,
+      [&](const DensityGrid::Cell& cell, float length) {
+        control += static_cast<double>(cell.lowest) * static_cast<double>(length);
+      },
       [&](const DensityGrid::Cell& cell) { return (cell.highest - cell.lowest) * largest; },
       [&](float at, const DensityGrid::Cell& cell) {
         const float residual = std::clamp(medium.grid->density(ray.at(at)), cell.lowest, cell.highest) - cell.lowest;
