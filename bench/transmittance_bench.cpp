@@ -63,8 +63,7 @@ int main(int argc, char** argv) {
         const double error = m.deviation * std::sqrt(m.seconds);
         if (i == 0) of_delta = error;
         std::printf("%-12s %8.1f  %-24s %10.5f %12.0f %14.3f\n", name, static_cast<double>(extinction),
-                    Options<TransmittanceEstimator>::kOptions[i].label, m.deviation, 1e9 * m.seconds,
-                    error / of_delta);
+                    Options<TransmittanceEstimator>::kOptions[i].label, m.deviation, 1e9 * m.seconds, error / of_delta);
       }
     }
 }

@@ -51,7 +51,8 @@ void DensityGrid::find_cells() {
   cells_per_unit_ = voxels_ / static_cast<float>(step);
   const auto index = [](const GridSize& counts, int x, int y, int z) {
     return static_cast<size_t>(x) +
-           static_cast<size_t>(counts[0]) * (static_cast<size_t>(y) + static_cast<size_t>(counts[1]) * static_cast<size_t>(z));
+           static_cast<size_t>(counts[0]) *
+               (static_cast<size_t>(y) + static_cast<size_t>(counts[1]) * static_cast<size_t>(z));
   };
   cells_.reserve(static_cast<size_t>(cell_counts_[0]) * static_cast<size_t>(cell_counts_[1]) *
                  static_cast<size_t>(cell_counts_[2]));

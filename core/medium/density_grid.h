@@ -15,9 +15,9 @@ using GridSize = std::array<int, 3>;
 
 // Values at the nodes of a grid; x varies fastest.
 struct GridValues {
-  GridSize nodes{2, 2, 2};          // at least 2 along each axis
-  std::vector<float> density;       // finite and not negative
-  std::vector<float> temperature;   // relative to the highest one, in [0, 1]; empty if the density takes its place
+  GridSize nodes{2, 2, 2};         // at least 2 along each axis
+  std::vector<float> density;      // finite and not negative
+  std::vector<float> temperature;  // relative to the highest one, in [0, 1]; empty if the density takes its place
 };
 
 // The part of a ray between two parameters, in the coordinates of the unit cube.
@@ -52,9 +52,8 @@ class DensityGrid {
   // Calls visit(from, to, cell) for the coarse cells along a clipped ray, from its start, until it returns false.
   template <class Visit>
   void for_each_cell(const GridRay& ray, Visit&& visit) const {
-    traverse(ray, cells_per_unit_, cell_counts_, [&](float from, float to, size_t cell) {
-      return visit(from, to, cells_[cell]);
-    });
+    traverse(ray, cells_per_unit_, cell_counts_,
+             [&](float from, float to, size_t cell) { return visit(from, to, cells_[cell]); });
   }
 
   // The integral of the density over the parameter of a clipped ray. Exact up to rounding: along a ray, the density in a
@@ -96,11 +95,13 @@ void DensityGrid::traverse(const GridRay& ray, const Vec3& cells_per_unit, const
     crossing[axis] = next_crossing(axis);
   }
   for (float from = ray.from; from < ray.to;) {
-    const int axis = crossing[0] < crossing[1] ? (crossing[0] < crossing[2] ? 0 : 2) : (crossing[1] < crossing[2] ? 1 : 2);
+    const int axis =
+        crossing[0] < crossing[1] ? (crossing[0] < crossing[2] ? 0 : 2) : (crossing[1] < crossing[2] ? 1 : 2);
     const float to = std::clamp(crossing[axis], from, ray.to);
-    const size_t index = static_cast<size_t>(cell[0]) +
-                         static_cast<size_t>(counts[0]) * (static_cast<size_t>(cell[1]) +
-                                                           static_cast<size_t>(counts[1]) * static_cast<size_t>(cell[2]));
+    const size_t index =
+        static_cast<size_t>(cell[0]) +
+        static_cast<size_t>(counts[0]) *
+            (static_cast<size_t>(cell[1]) + static_cast<size_t>(counts[1]) * static_cast<size_t>(cell[2]));
     if (to > from && !visit(from, to, index)) return;
     if (!(crossing[axis] < ray.to)) return;
     from = to;

@@ -138,8 +138,8 @@ HeterogeneousMedium::HeterogeneousMedium(const MediumDescription& m, const Rgb& 
 }
 
 GridRay HeterogeneousMedium::in_grid(const RaySpan& span) const {
-  return DensityGrid::clipped({Vec3(world_to_grid * Vec4(span.origin, 1)), Vec3(world_to_grid * Vec4(span.direction, 0)),
-                               span.from, span.to});
+  return DensityGrid::clipped(
+      {Vec3(world_to_grid * Vec4(span.origin, 1)), Vec3(world_to_grid * Vec4(span.direction, 0)), span.from, span.to});
 }
 
 Rgb HeterogeneousMedium::emitted(const Vec3& p, float density) const {
@@ -154,10 +154,14 @@ Rgb HeterogeneousMedium::emitted(const Vec3& p, float density) const {
 Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, TransmittanceEstimator estimator,
                             RandomStream& random) {
   switch (estimator) {
-    case TransmittanceEstimator::delta: return delta_tracking(medium, span, random);
-    case TransmittanceEstimator::ratio: return ratio_tracking(medium, span, random, nullptr);
-    case TransmittanceEstimator::residual_ratio: return residual_ratio_tracking(medium, span, random);
-    case TransmittanceEstimator::regular: return regular_tracking(medium, span);
+    case TransmittanceEstimator::delta:
+      return delta_tracking(medium, span, random);
+    case TransmittanceEstimator::ratio:
+      return ratio_tracking(medium, span, random, nullptr);
+    case TransmittanceEstimator::residual_ratio:
+      return residual_ratio_tracking(medium, span, random);
+    case TransmittanceEstimator::regular:
+      return regular_tracking(medium, span);
   }
   return Rgb(1);
 }

@@ -23,10 +23,10 @@ struct HeterogeneousMedium {
   Rgb emission{0};        // at density 1 and the highest temperature: radiance per metre
   // Of the hottest part, kelvin; 0: the colour and brightness of emission do not depend on the temperature.
   float temperature = 0;
-  TransmittanceEstimator estimator = TransmittanceEstimator::ratio;
+  TransmittanceEstimator estimator = TransmittanceEstimator::residual_ratio;
   std::shared_ptr<const PhaseFunction> phase;
   std::shared_ptr<const DensityGrid> grid;
-  Mat4 world_to_grid{1};  // to the unit cube of the grid
+  Mat4 world_to_grid{1};            // to the unit cube of the grid
   std::vector<Rgb> emission_table;  // emission by relative temperature, from 0 to 1
 
   // `additional` is further absorption at density 1, 1/m.

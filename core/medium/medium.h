@@ -30,7 +30,7 @@ struct MediumDescription {
   // Of the hottest part, kelvin; it gives `emission` the colour of a black body. 0: no dependence on the temperature.
   float temperature = 0;
   DensityRef density = {};  // factor on all coefficients; null in homogeneous media
-  TransmittanceEstimator estimator = TransmittanceEstimator::ratio;
+  TransmittanceEstimator estimator = TransmittanceEstimator::residual_ratio;
 
   bool scatters() const { return !is_black(scattering); }
   bool emits() const { return !is_black(emission) && !is_black(absorption); }

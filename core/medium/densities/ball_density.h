@@ -23,9 +23,8 @@ struct BallDensity {
 
   Result<GridValues> values() const {
     const int nodes = resolution + 1;
-    return sampled_density({nodes, nodes, nodes}, [&](const Vec3& p) {
-      return std::pow(std::max(1 - glm::dot(p, p), 0.0f), exponent.value);
-    });
+    return sampled_density({nodes, nodes, nodes},
+                           [&](const Vec3& p) { return std::pow(std::max(1 - glm::dot(p, p), 0.0f), exponent.value); });
   }
 };
 

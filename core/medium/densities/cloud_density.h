@@ -17,8 +17,8 @@ struct CloudDensity {
       .source = "[Perlin 2002]",
   };
 
-  Number<float> frequency{"frequency", "Frequency", 2.2f, {0.1f, 50}, "Higher makes smaller billows"};
-  Number<float> amplitude{"amplitude", "Amplitude", 0.8f, {0, 4}, "Higher displaces the surface further"};
+  Number<float> frequency{"frequency", "Frequency", 1.9f, {0.1f, 50}, "Higher makes smaller billows"};
+  Number<float> amplitude{"amplitude", "Amplitude", 0.7f, {0, 4}, "Higher displaces the surface further"};
   Number<int> octaves{"octaves", "Octaves", 5, {1, 8}, "Higher adds finer detail"};
   Number<float> sharpness{"sharpness", "Sharpness", 5, {0.1f, 100}, "Higher makes the edge of the cloud sharper"};
   Number<int> seed{"seed", "Seed", 1, {0, 1000000}, "Selects one of many clouds"};
@@ -30,8 +30,8 @@ struct CloudDensity {
   Result<GridValues> values() const {
     const int nodes = resolution + 1;
     return sampled_density({nodes, nodes, nodes}, [&](const Vec3& p) {
-      constexpr float kHalfSize = 0.62f;  // of the ellipsoid, so that billows stay inside the box
-      constexpr float kBase = -0.45f;     // height of the flat base
+      constexpr float kHalfSize = 0.7f;  // of the ellipsoid, so that billows stay inside the box
+      constexpr float kBase = -0.45f;    // height of the flat base
       const float r = std::sqrt(glm::dot(p, p)) / kHalfSize;
       const float noise = fractal_noise(p * frequency.value, octaves, static_cast<uint32_t>(seed.value));
       const float inside = std::min(1 - r + amplitude * noise, 6 * (p.y - kBase + 0.15f * noise));

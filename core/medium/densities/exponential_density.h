@@ -12,7 +12,8 @@ struct ExponentialDensity {
       .label = "Exponential in height",
       .summary = "Falls exponentially with height above a base, as haze above the ground.",
       .formula = "density = exp(-max(h - base, 0) / scale-height), h = (y + 1) / 2",
-      .limitations = "Heights are fractions of the height of the bounding box. The density is linear between 257 nodes.",
+      .limitations =
+          "Heights are fractions of the height of the bounding box. The density is linear between 257 nodes.",
   };
 
   Number<float> base{

@@ -16,8 +16,9 @@ struct FileDensity {
       .label = "Grid file",
       .summary = "The density, and optionally the temperature, from a NanoVDB file.",
       .formula = "density = scale times the values of the grid, trilinear between voxels",
-      .limitations = "Grids of 32-bit floats without compression, up to 256 million voxels in their bounding box. "
-                     "Voxels that are negative or not finite count as 0.",
+      .limitations =
+          "Grids of 32-bit floats without compression, up to 256 million voxels in their bounding box. "
+          "Voxels that are negative or not finite count as 0.",
       .source = "[Museth 2021]",
   };
 

@@ -12,7 +12,8 @@ struct FlameDensity {
       .name = "flame",
       .label = "Flame",
       .summary = "A column of hot gas that narrows upwards, disturbed by fractal noise; hottest inside and below.",
-      .formula = "density = clamp(4 s, 0, 1), temperature = clamp(1.6 s, 0, 1) (1 - 0.45 h); s: 1 at the axis, 0 outside",
+      .formula =
+          "density = clamp(4 s, 0, 1), temperature = clamp(1.6 s, 0, 1) (1 - 0.45 h); s: 1 at the axis, 0 outside",
       .limitations = "A picture of a fire, not a simulation of combustion. Linear between the nodes of the grid.",
       .source = "[Perlin 2002]",
   };

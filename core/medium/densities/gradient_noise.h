@@ -10,8 +10,8 @@ inline float gradient_noise(const Vec3& p, uint32_t seed) {
   const Vec3 base = glm::floor(p), f = p - base, fade = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
   const auto corner = [&](int dx, int dy, int dz) {
     const auto coordinate = [](float x, int d) { return static_cast<uint32_t>(static_cast<int32_t>(x) + d); };
-    const uint32_t h = hash_combine(
-        hash_combine(hash_combine(seed, coordinate(base.x, dx)), coordinate(base.y, dy)), coordinate(base.z, dz));
+    const uint32_t h = hash_combine(hash_combine(hash_combine(seed, coordinate(base.x, dx)), coordinate(base.y, dy)),
+                                    coordinate(base.z, dz));
     // One of the twelve directions to the edges of a cube, four of them twice.
     const Vec3 d = f - Vec3(dx, dy, dz);
     const uint32_t edge = h & 15;
@@ -20,7 +20,8 @@ inline float gradient_noise(const Vec3& p, uint32_t seed) {
   };
   const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };
   const auto face = [&](int dz) {
-    return mix(mix(corner(0, 0, dz), corner(1, 0, dz), fade.x), mix(corner(0, 1, dz), corner(1, 1, dz), fade.x), fade.y);
+    return mix(mix(corner(0, 0, dz), corner(1, 0, dz), fade.x), mix(corner(0, 1, dz), corner(1, 1, dz), fade.x),
+               fade.y);
   };
   return mix(face(0), face(1), fade.z);
 }

@@ -23,8 +23,7 @@ struct LinearDensity {
   // Two nodes along an axis suffice for a linear function; more of them give the majorants of more cells.
   Result<GridValues> values() const {
     constexpr int kNodes = 33;
-    return sampled_density({2, kNodes, 2},
-                           [&](const Vec3& p) { return bottom + (top - bottom) * (0.5f * (p.y + 1)); });
+    return sampled_density({2, kNodes, 2}, [&](const Vec3& p) { return bottom + (top - bottom) * (0.5f * (p.y + 1)); });
   }
 };
 

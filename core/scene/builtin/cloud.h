@@ -8,19 +8,20 @@ namespace etendue::scene {
 inline Scene cloud_over_plain() {
   Scene scene;
   scene.name = "Cloud";
-  add(scene, "plain", rectangle({-60, 0, 60}, {120, 0, 0}, {0, 0, -120}), add_diffuse(scene, "plain", {0.2f, 0.26f, 0.12f}));
+  add(scene, "plain", rectangle({-60, 0, 60}, {120, 0, 0}, {0, 0, -120}),
+      add_diffuse(scene, "plain", {0.2f, 0.26f, 0.12f}));
   Material vapour;
   vapour.boundary_only = true;
-  vapour.medium.scattering = Rgb(9);
+  vapour.medium.scattering = Rgb(10);
   vapour.medium.phase.function = make_phase_function("henyey-greenstein")->with("g", 0.6);
   vapour.medium.density.field = make_density("cloud");
-  add_box(scene, "cloud", add_material(scene, "cloud", vapour), {-3, 2.2f, -2.2f}, {3, 5.8f, 2.2f});
+  add_box(scene, "cloud", add_material(scene, "cloud", vapour), {-3.4f, 1.6f, -2.6f}, {3.4f, 5.6f, 2.6f});
   Light sun = make_light("directional", {{"intensity", 4.0}});
   sun.color = {1, 0.93f, 0.82f};
-  add(scene, "sun", sun, look_at({4, 5, 1.5f}, Vec3(0), {0, 1, 0}, 1).to_world);
+  add(scene, "sun", sun, look_at({4, 5, 2.5f}, Vec3(0), {0, 1, 0}, 1).to_world);
   scene.environment.tint = {0.22f, 0.38f, 0.68f};
 
-  Camera camera = look_at({0.5f, 1.2f, 9.5f}, {0, 3.3f, 0}, {0, 1, 0}, 0.6f);
+  Camera camera = look_at({0.5f, 1.2f, 11}, {0, 3, 0}, {0, 1, 0}, 0.52f);
   camera.aspect = 1.5f;
   add(scene, camera);
   return scene;

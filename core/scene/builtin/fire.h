@@ -8,7 +8,8 @@ namespace etendue::scene {
 inline Scene fire_in_corner() {
   Scene scene;
   scene.name = "Fire";
-  const int stone = add_diffuse(scene, "stone", {0.45f, 0.42f, 0.4f}), brick = add_diffuse(scene, "brick", {0.5f, 0.25f, 0.17f});
+  const int stone = add_diffuse(scene, "stone", {0.45f, 0.42f, 0.4f}),
+            brick = add_diffuse(scene, "brick", {0.5f, 0.25f, 0.17f});
   add(scene, "floor", rectangle({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}), stone);
   add(scene, "wall", rectangle({-2, 0, -0.9f}, {4, 0, 0}, {0, 3, 0}), brick);
   const int coal = add_diffuse(scene, "coal", Rgb(0.04f));

@@ -142,7 +142,7 @@ std::optional<float> pass_part(const scene::Solids& solids, const Ray& ray, floa
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, MediumSegment& segment) {
   const float scale = std::sqrt(length_squared(ray.direction));
-  RandomStream random = stream_of(ray, seed);
+  RandomStream random = scene.solids().any_heterogeneous() ? stream_of(ray, seed) : RandomStream(seed);
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
     segment.transmittance *= transmittance_of(scene.solids(), ray, scale, part, random);
     return true;

@@ -85,7 +85,8 @@ TEST(Heterogeneous, AbsorptionFollowsBeersLaw) {
   for (const Slab& s : {Slab{"linear", 1}, Slab{"exponential", 2 * 0.2 * (1 - std::exp(-5))}}) {
     const Document d = from_above(plate_below(with_density(medium(Rgb(0), absorption), s.name)));
     Rgb expected;
-    for (int c = 0; c < 3; ++c) expected[c] = static_cast<float>(10 * std::exp(-static_cast<double>(absorption[c]) * s.depth));
+    for (int c = 0; c < 3; ++c)
+      expected[c] = static_cast<float>(10 * std::exp(-static_cast<double>(absorption[c]) * s.depth));
     for (const char* name : kIntegrators) expect_radiance(with_integrator(d, name), 256, expected, 0.01, s.name);
   }
 }
@@ -150,7 +151,8 @@ TEST(Heterogeneous, AtmosphereInAWhiteFurnace) {
   scene.environment.tint = Rgb(1);
   for (const float distance : {5.0f, 1.0f})
     for (const char* name : kIntegrators)
-      expect_radiance(with_integrator(narrow(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0}), name), 64, Rgb(1), 0.02, name);
+      expect_radiance(with_integrator(narrow(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0}), name), 64, Rgb(1), 0.02,
+                      name);
 }
 
 Document scene_with(const MediumDescription& m) {
@@ -244,7 +246,8 @@ TEST(ExtremeHeterogeneousMedia, AreFinite) {
       add(scene, scene::box(Vec3(1)), medium_boundary(m));
       scene.environment.tint = Rgb(1);
       Document d = test::document(std::move(scene), look_at({0.5f, 1, 3}, Vec3(0), {0, 1, 0}, 0.8f), 8, 8);
-      const film::Film film = test::rendered(with(with_integrator(d, name), (std::string(name) + ".max-depth").c_str(), "64"), 4);
+      const film::Film film =
+          test::rendered(with(with_integrator(d, name), (std::string(name) + ".max-depth").c_str(), "64"), 4);
       EXPECT_EQ(film.invalid_samples().total(), 0U) << name;
       EXPECT_TRUE(std::isfinite(test::mean_of(film).value)) << name;
     }
@@ -256,8 +259,8 @@ std::string refusal(const Document& d, const std::string& integrator) {
 }
 
 TEST(Refusal, OfIntegratorsWithoutHeterogeneousMedia) {
-  for (const MediumDescription& m :
-       {with_density(medium(Rgb(1)), "ball"), with_density(medium(Rgb(0), Rgb(1)), "ball"), emitting(medium(Rgb(0), Rgb(1)), Rgb(1))})
+  for (const MediumDescription& m : {with_density(medium(Rgb(1)), "ball"), with_density(medium(Rgb(0), Rgb(1)), "ball"),
+                                     emitting(medium(Rgb(0), Rgb(1)), Rgb(1))})
     for (const auto& info : integrator::integrator_infos()) {
       const std::string reason = refusal(scene_with(m), info.name);
       EXPECT_EQ(reason.empty(), info.heterogeneous_media) << info.name << ": " << reason;
@@ -270,7 +273,8 @@ TEST(Refusal, OfMediaThatCannotBeRendered) {
   scene.environment.tint = Rgb(1);
   scene.atmosphere.medium = with_density(medium(Rgb(1)), "exponential");
   EXPECT_NE(refusal(test::view_from_above(scene), "path").find("set atmosphere.radius"), std::string::npos);
-  EXPECT_NE(refusal(scene_with(with_density(medium(Rgb(1)), "file")), "path").find("parameter 'file'"), std::string::npos);
+  EXPECT_NE(refusal(scene_with(with_density(medium(Rgb(1)), "file")), "path").find("parameter 'file'"),
+            std::string::npos);
 }
 
 std::string media_decision(const MediumDescription& m) {

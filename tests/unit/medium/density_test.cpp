@@ -15,8 +15,8 @@ DensityGrid grid_of(const GridSize& nodes, F&& density) {
   for (int z = 0; z < nodes[2]; ++z)
     for (int y = 0; y < nodes[1]; ++y)
       for (int x = 0; x < nodes[0]; ++x)
-        values.density.push_back(static_cast<float>(
-            density(Vec3(x, y, z) / Vec3(nodes[0] - 1, nodes[1] - 1, nodes[2] - 1))));
+        values.density.push_back(
+            static_cast<float>(density(Vec3(x, y, z) / Vec3(nodes[0] - 1, nodes[1] - 1, nodes[2] - 1))));
   return DensityGrid(std::move(values));
 }
 

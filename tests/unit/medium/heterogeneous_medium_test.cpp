@@ -76,8 +76,8 @@ TEST(Transmittance, EqualsClosedForms) {
         }
         for (int c = 0; c < 3; ++c)
           expect_mean(channels[c], std::exp(-static_cast<double>(extinction[c]) * s.integral), 0.008,
-                      std::string(s.name) + ", estimator " + std::to_string(static_cast<int>(estimator)) + ", channel " +
-                          std::to_string(c));
+                      std::string(s.name) + ", estimator " + std::to_string(static_cast<int>(estimator)) +
+                          ", channel " + std::to_string(c));
       }
     }
 }
@@ -204,8 +204,8 @@ TEST(Emission, OfASlabEqualsItsClosedForm) {
       for (int c = 0; c < 3; ++c) channels[c].add(static_cast<double>(emitted[c]));
     }
     for (int c = 0; c < 3; ++c)
-      expect_mean(channels[c], static_cast<double>(m.emission[c]) *
-                                   -std::expm1(-static_cast<double>(m.absorption[c]) * s.integral),
+      expect_mean(channels[c],
+                  static_cast<double>(m.emission[c]) * -std::expm1(-static_cast<double>(m.absorption[c]) * s.integral),
                   0.02, std::string(s.name) + ", channel " + std::to_string(c));
   }
 }

@@ -23,7 +23,9 @@ class Nanovdb : public ::testing::Test {
   }
 };
 
-float plane(int x, int y, int z) { return 0.5f * static_cast<float>(x) + static_cast<float>(y) + 2 * static_cast<float>(z); }
+float plane(int x, int y, int z) {
+  return 0.5f * static_cast<float>(x) + static_cast<float>(y) + 2 * static_cast<float>(z);
+}
 
 std::string error_of(std::vector<std::byte> bytes) {
   const auto read = parse_nanovdb(bytes, "smoke.nvdb");
@@ -44,9 +46,10 @@ TEST_F(Nanovdb, ValuesOfVoxels) {
 }
 
 TEST_F(Nanovdb, GridsAreChosenByName) {
-  const auto bytes = nanovdb_bytes({{"heat", {4, 4, 4}, [](int, int, int) { return 7.0f; }},
-                                    {"temperature", {4, 4, 4}, [](int x, int, int) { return 500.0f * static_cast<float>(x); }},
-                                    {"density", {4, 4, 4}, [](int, int, int) { return 2.0f; }}});
+  const auto bytes =
+      nanovdb_bytes({{"heat", {4, 4, 4}, [](int, int, int) { return 7.0f; }},
+                     {"temperature", {4, 4, 4}, [](int x, int, int) { return 500.0f * static_cast<float>(x); }},
+                     {"density", {4, 4, 4}, [](int, int, int) { return 2.0f; }}});
   const auto values = parse_nanovdb(bytes, "smoke.nvdb");
   ASSERT_TRUE(values) << values.error().message;
   EXPECT_EQ(values->density.front(), 2);
@@ -61,7 +64,8 @@ TEST_F(Nanovdb, InvalidVoxelsBecomeZero) {
                                      }}});
   const auto values = parse_nanovdb(bytes, "smoke.nvdb");
   ASSERT_TRUE(values) << values.error().message;
-  for (size_t i = 0; i < values->density.size(); ++i) EXPECT_EQ(values->density[i], i % 4 >= 2 && i / 4 % 4 > 0 ? 1 : 0);
+  for (size_t i = 0; i < values->density.size(); ++i)
+    EXPECT_EQ(values->density[i], i % 4 >= 2 && i / 4 % 4 > 0 ? 1 : 0);
 }
 
 TEST_F(Nanovdb, TruncatedFiles) {
@@ -89,7 +93,8 @@ TEST_F(Nanovdb, DamagedFiles) {
 // The bounding box in the root node claims an astronomical number of voxels.
 TEST_F(Nanovdb, HugeGridsAreRefused) {
   auto bytes = nanovdb_bytes({{"density", {9, 12, 5}, plane}});
-  const int32_t from[] = {1, 1, 1, 9, 12, 5}, to[] = {-2000000000, -2000000000, -2000000000, 2000000000, 2000000000, 2000000000};
+  const int32_t from[] = {1, 1, 1, 9, 12, 5},
+                to[] = {-2000000000, -2000000000, -2000000000, 2000000000, 2000000000, 2000000000};
   int found = 0;
   for (size_t at = 0; at + sizeof(from) <= bytes.size(); at += 4)
     if (std::memcmp(&bytes[at], from, sizeof(from)) == 0) std::memcpy(&bytes[at], to, sizeof(to)), ++found;
@@ -106,7 +111,8 @@ TEST_F(Nanovdb, OtherFilesAreRefused) {
 TEST_F(Nanovdb, AsADensity) {
   const std::string path = ::testing::TempDir() + "density_of_test.nvdb";
   const auto bytes = nanovdb_bytes({{"density", {9, 12, 5}, plane}});
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   const auto density = make_density("file", {{"file", path}, {"scale", 0.5}});
   ASSERT_TRUE(density) << density.error().message;
   const auto& grid = (*density)->grid();
