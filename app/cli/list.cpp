@@ -144,6 +144,19 @@ json phase_functions_json() {
   return list;
 }
 
+json densities_json() {
+  json list = json::array();
+  for (const DensityInfo& info : density_infos()) {
+    const DensityDescription& density = info.description;
+    json j = entry_json(density.name, density.label, density.summary, info.parameters);
+    j["formula"] = density.formula;
+    j["limitations"] = density.limitations;
+    j["source"] = density.source;
+    list.push_back(j);
+  }
+  return list;
+}
+
 json scenes_json() {
   json list = json::array();
   for (const scene::Builtin& b : scene::builtins()) list.push_back(entry_json(b.name, b.label, b.doc, {}));
@@ -159,6 +172,7 @@ struct Registry {
 constexpr Registry kRegistries[] = {
     {"integrators", integrators_json}, {"samplers", samplers_json}, {"materials", materials_json},
     {"lights", lights_json},           {"media", media_json},       {"phase-functions", phase_functions_json},
+    {"densities", densities_json},
     {"scenes", scenes_json},
     {"widgets", widgets_json}};
 

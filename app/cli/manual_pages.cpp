@@ -201,6 +201,18 @@ ManualPage phase_page(const SourceFiles& sources, const PhaseFunctionInfo& info)
               source_line(sources, phase.file)};
 }
 
+ManualPage density_page(const SourceFiles& sources, const DensityInfo& info) {
+  const DensityDescription& density = info.description;
+  PropertyTable properties;
+  properties.add("Name", code(density.name));
+  properties.add("Limitations", density.limitations);
+  properties.add("References", markdown_prose(density.source, kReferences));
+  return {std::string("densities/") + density.name + ".md",
+          title(density.label, density.summary) + properties.text() + "## Model\n\n" + code_block(density.formula) +
+              sources.head_comment(density.file).markdown + parameter_table(info.parameters) +
+              source_line(sources, density.file)};
+}
+
 // ---- Lights, cameras, scenes
 
 ManualPage light_page(const SourceFiles& sources, const LightTypeInfo& info) {
@@ -312,6 +324,7 @@ struct Chapter {
 };
 constexpr Chapter kChapters[] = {{"integrators", "Integrators"},   {"samplers", "Samplers"},
                                  {"surfaces", "Surfaces"},         {"phase-functions", "Phase functions"},
+                                 {"densities", "Densities of media"},
                                  {"lights", "Lights"},             {"environments", "Environments"},
                                  {"cameras", "Cameras"},           {"scenes", "Built-in scenes"},
                                  {"stress", "Stability cases"}};
@@ -349,6 +362,7 @@ std::vector<ManualPage> manual_pages(const SourceFiles& sources) {
   pages.push_back(gltf_surface_page(sources));
   for (const auto& info : bsdf_model_infos()) pages.push_back(surface_page(sources, info));
   for (const auto& info : phase_function_infos()) pages.push_back(phase_page(sources, info));
+  for (const auto& info : density_infos()) pages.push_back(density_page(sources, info));
   for (const auto& info : light_type_infos()) pages.push_back(light_page(sources, info));
   for (const auto& environment : builtin_environments()) pages.push_back(environment_page(sources, environment));
   std::ranges::move(camera_pages(sources), std::back_inserter(pages));

@@ -30,12 +30,47 @@ std::optional<float> FreeFlight::pass(const HomogeneousMedium& medium, float len
   }
   const float distance = std::min(remaining_ / medium.extinction[channel_], length);
   depth_ += medium.optical_depth(distance);
-  collision_ = &medium;
+  extinction_ = medium.extinction;
+  scattering_ = medium.scattering;
   return distance;
 }
 
+std::optional<float> FreeFlight::pass(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
+  const GridRay ray = medium.in_grid(span);
+  const float metres = HeterogeneousMedium::metres(span), chosen = medium.extinction[channel_];
+  std::optional<float> collision;
+  medium.grid->for_each_cell(ray, [&](float from, float to, const DensityGrid::Cell& cell) {
+    const float per_parameter = cell.highest * metres;
+    for (;;) {
+      const float depth = chosen * per_parameter * (to - from);
+      if (!(remaining_ < depth)) {
+        remaining_ -= depth;
+        depth_ += medium.extinction * (per_parameter * (to - from));
+        return true;
+      }
+      const float step = remaining_ / (chosen * per_parameter);
+      depth_ += medium.extinction * (per_parameter * step);
+      from += step;
+      const Vec3 p = ray.at(from);
+      const float density = medium.grid->density(p);
+      if (medium.emits()) emitted_ += weight(medium.extinction * cell.highest, medium.emitted(p, density));
+      if (random.next() * cell.highest < density) {
+        extinction_ = medium.extinction;
+        scattering_ = medium.scattering;
+        collision = from;
+        return false;
+      }
+      depth_ -= medium.log_extinction - Rgb(medium.log_extinction[channel_]);
+      remaining_ = random.next_exponential();
+    }
+  });
+  return collision;
+}
+
+Rgb FreeFlight::weight() const { return weight(extinction_, scattering_); }
+
 // Exponentials are taken relative to the smallest optical depth, because all of them may underflow.
-Rgb FreeFlight::weight() const {
+Rgb FreeFlight::weight(const Rgb& collision_density, const Rgb& value) const {
   float least = kInfinity;
   for (int c = 0; c < 3; ++c)
     if (probability_[c] > 0) least = std::min(least, depth_[c]);
@@ -44,8 +79,8 @@ Rgb FreeFlight::weight() const {
   for (int c = 0; c < 3; ++c) {
     if (!(probability_[c] > 0)) continue;  // the throughput of this channel is 0
     const float transmittance = std::exp(least - depth_[c]);
-    density += probability_[c] * transmittance * (collision_ ? collision_->extinction[c] : 1);
-    weight[c] = transmittance * (collision_ ? collision_->scattering[c] : 1);
+    density += probability_[c] * transmittance * collision_density[c];
+    weight[c] = transmittance * value[c];
   }
   return density > 0 ? weight * absorption_ / density : Rgb(0);
 }

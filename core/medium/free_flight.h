@@ -1,4 +1,4 @@
-// Sampling of the distance to the next collision through homogeneous media whose extinction depends on the colour.
+// Sampling of the distance to the next collision through media whose extinction depends on the colour.
 //
 // One random number selects a colour channel c with probability P_c, in proportion to the throughput of the path, and
 // the optical depth in that channel at which the collision happens. The densities of all channels are combined by the
@@ -7,11 +7,21 @@
 //   collision at t      density  sum_c P_c sigma_t,c exp(-tau_c(t))      weight  sigma_s exp(-tau(t)) / density
 //   no collision        probability  sum_c P_c exp(-tau_c(d))            weight  exp(-tau(d)) / probability
 //
-// Media that do not scatter attenuate without collisions, so that a segment through them has no variance.
+// Homogeneous media that do not scatter attenuate without collisions, so that a segment through them has no variance.
+//
+// Heterogeneous media are passed by delta tracking [Woodcock et al. 1965] with the majorant of each coarse cell. The
+// density of a sequence of n null collisions and a collision in channel c is, for a majorant m and a density r,
+//
+//   prod over null collisions (m - r_i) sigma_t,c   times   r sigma_t,c exp(-sigma_t,c int m)
+//
+// with the extinction coefficient sigma_t,c at density 1. The same combination of channels by the balance heuristic
+// applies [Miller et al. 2019]; the factors (m - r_i) cancel, and log(sigma_t,c) is subtracted from the optical depth of
+// channel c at every null collision. A collision in a grid of constant density is therefore that of the homogeneous
+// medium.
 #pragma once
 #include <optional>
 
-#include "medium/medium.h"
+#include "medium/heterogeneous_medium.h"
 
 namespace etendue {
 
@@ -23,19 +33,32 @@ class FreeFlight {
   // Passes through `length` metres, possibly infinite, of a medium. Returns the distance to a collision inside it, in
   // metres; the flight ends there.
   std::optional<float> pass(const HomogeneousMedium& medium, float length);
+  // The same through a heterogeneous medium; returns the parameter of the ray. `random` is read after the first collision
+  // with the majorant.
+  std::optional<float> pass(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random);
   // Passes through a medium that does not scatter.
   void attenuate(const Rgb& transmittance) { absorption_ *= transmittance; }
 
   // The factor of the throughput: after `pass` has returned a collision, or at the end of the flight.
   Rgb weight() const;
 
+  // Adds radiance that reaches the current end of the flight, before a collision.
+  void add_emission(const Rgb& radiance) { emitted_ += weight() * radiance; }
+  // The emitted radiance that reaches the start of the flight, estimated at each collision with a majorant. Its factor
+  // is the throughput at the start.
+  const Rgb& emitted() const { return emitted_; }
+
  private:
+  Rgb weight(const Rgb& collision_density, const Rgb& value) const;
+
   Rgb probability_{0};  // of the channels
   int channel_ = 0;
   float remaining_ = 0;  // optical depth to the collision, in the chosen channel
   Rgb depth_{0};         // optical depth so far
   Rgb absorption_{1};    // transmittance of media without scattering
-  const HomogeneousMedium* collision_ = nullptr;
+  Rgb emitted_{0};
+  // At the collision: extinction and scattering coefficients of the medium, 1/m; 1 without a collision.
+  Rgb extinction_{1}, scattering_{1};
 };
 
 }  // namespace etendue

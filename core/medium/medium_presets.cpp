@@ -76,7 +76,9 @@ const MediumPreset* find_medium_preset(std::string_view name) {
 
 std::string_view preset_of(const MediumDescription& medium) {
   for (const MediumPreset& preset : medium_presets())
-    if (preset.medium == medium) return preset.name;
+    if (preset.medium.scattering == medium.scattering && preset.medium.absorption == medium.absorption &&
+        preset.medium.phase == medium.phase)
+      return preset.name;
   return kNoMediumPreset;
 }
 

@@ -48,7 +48,11 @@ Result<DocumentParameter> find_document_parameter(const Document& document, std:
 bool is_lit(const scene::Scene& s) {
   constexpr float kStrongestGlow = 1;
   return !s.environment.black() || std::ranges::any_of(s.nodes, [](const auto& n) { return n.light >= 0; }) ||
-         std::ranges::any_of(s.materials, [](const auto& m) { return max_component(m.emission) > kStrongestGlow; });
+         std::ranges::any_of(s.materials,
+                             [](const auto& m) {
+                               return max_component(m.emission) > kStrongestGlow || (m.is_solid() && m.medium.emits());
+                             }) ||
+         s.atmosphere.medium.emits();
 }
 
 }  // namespace

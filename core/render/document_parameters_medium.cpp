@@ -28,7 +28,11 @@ DocumentParameter preset_choice(const MediumOwner& owner, const MediumDescriptio
   parameter.info.default_value = std::string(preset_of(medium));
   parameter.assign = [owner](Document& d, const Value& v) {
     if (const MediumPreset* preset = find_medium_preset(std::get<std::string>(v)))
-      edit_medium(d, owner, [&](MediumDescription& m) { m = preset->medium; });
+      edit_medium(d, owner, [&](MediumDescription& m) {
+        m.scattering = preset->medium.scattering;
+        m.absorption = preset->medium.absorption;
+        m.phase = preset->medium.phase;
+      });
   };
   return parameter;
 }
@@ -78,6 +82,75 @@ void add_phase_function(DocumentParameters& list, const MediumOwner& owner, cons
   }
 }
 
+// The choices and parameters of a density; "homogeneous" stands for none.
+constexpr const char* kHomogeneous = "homogeneous";
+
+DocumentParameter density_choice(const MediumOwner& owner, const MediumDescription& medium) {
+  DocumentParameter parameter = choice_parameter(owner.section, "density", "Density",
+                                                 "Factor on all coefficients that varies inside the bounding box");
+  parameter.info.options = {kHomogeneous};
+  parameter.info.option_labels = {"Homogeneous"};
+  for (const DensityInfo& info : density_infos()) {
+    parameter.info.options.emplace_back(info.description.name);
+    parameter.info.option_labels.emplace_back(info.description.label);
+  }
+  parameter.info.default_value = std::string(medium.density ? medium.density->info().description.name : kHomogeneous);
+  parameter.assign = [owner](Document& d, const Value& v) {
+    edit_medium(d, owner, [&](MediumDescription& m) { m.density.field = make_density(std::get<std::string>(v)); });
+  };
+  return parameter;
+}
+
+void add_density(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
+  list.push_back(density_choice(owner, medium));
+  if (!medium.density) return;
+  for (const ParameterInfo& info : medium.density->parameters()) {
+    DocumentParameter parameter;
+    parameter.section = owner.section;
+    parameter.info = info;
+    parameter.info.name = owner.section + ".density." + info.name;
+    parameter.assign = [owner, parameter_name = info.name](Document& d, const Value& v) {
+      edit_medium(d, owner, [&](MediumDescription& m) {
+        if (m.density) m.density.field = m.density->with(parameter_name, v);
+      });
+    };
+    list.push_back(std::move(parameter));
+  }
+  list.push_back(make_parameter(
+      owner.section,
+      Choice<TransmittanceEstimator>{"medium-transmittance", "Transmittance", medium.estimator,
+                                     "Estimator for shadow rays. Delta: noisy. Ratio and residual ratio: less noise for "
+                                     "more work. Regular: exact, visits all voxels"},
+      [owner](Document& d, TransmittanceEstimator v) {
+        edit_medium(d, owner, [&](MediumDescription& m) { m.estimator = v; });
+      }));
+}
+
+void add_medium_emission(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
+  add_triple(list, owner.section,
+             {.names = {"medium-emission.r", "medium-emission.g", "medium-emission.b"},
+              .label = "Medium emission",
+              .value = Vec3(medium.emission.r, medium.emission.g, medium.emission.b),
+              .range = {0, 1e6f},
+              .doc = "Luminance of the medium where it is opaque; it emits in proportion to its absorption",
+              .unit = "cd/m\u00b2"},
+             [owner](Document& d, int c, float v) {
+               edit_medium(d, owner, [&](MediumDescription& m) { m.emission[c] = v; });
+             });
+  list.push_back(make_parameter(owner.section,
+                                Number<float>{"medium-temperature",
+                                              "Medium temperature",
+                                              medium.temperature,
+                                              {0, 40000},
+                                              "Gives the emission the colour of a black body; where the density has a "
+                                              "temperature, this is the highest one. 0: the colour of the emission",
+                                              "K"},
+                                [owner](Document& d, float v) {
+                                  edit_medium(d, owner, [&](MediumDescription& m) { m.temperature = v; });
+                                }));
+  if (!medium.emits()) list.back().inactive_reason = "The medium emits no light: set its emission and its absorption";
+}
+
 }  // namespace
 
 void add_medium_parameters(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium) {
@@ -89,6 +162,8 @@ void add_medium_parameters(DocumentParameters& list, const MediumOwner& owner, c
                   &MediumDescription::absorption,
                   "Absorption coefficient of the medium: higher absorbs light after a shorter distance");
   add_phase_function(list, owner, medium);
+  add_medium_emission(list, owner, medium);
+  add_density(list, owner, medium);
 }
 
 }  // namespace etendue::render

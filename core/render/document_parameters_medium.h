@@ -12,7 +12,7 @@ struct MediumOwner {
   std::function<MediumDescription&(scene::Scene&)> medium;
 };
 
-// Preset, coefficients, and the phase function with its parameters.
+// Preset, coefficients, the phase function and the density with their parameters, and emission.
 void add_medium_parameters(DocumentParameters& list, const MediumOwner& owner, const MediumDescription& medium);
 
 }  // namespace etendue::render

@@ -15,20 +15,30 @@ class BlackImage final : public integrator::RenderState {
   }
 };
 
-std::string integrators_with_scattering_media() {
+std::string integrators_with(bool integrator::IntegratorInfo::*media) {
   std::string names;
   for (const auto& info : integrator::integrator_infos())
-    if (info.scattering_media) names += (names.empty() ? "" : ", ") + info.name;
+    if (info.*media) names += (names.empty() ? "" : ", ") + info.name;
   return names;
 }
 
 // Why the integrator cannot render the scene; empty if it can.
-std::string refusal_of(const std::string& integrator, const transport::Model& model) {
-  if (!model.scattering || integrator::find_integrator(integrator)->scattering_media) return {};
-  for (const transport::Decision& decision : model.decisions)
-    if (decision.flag == "media")
-      return "it does not support scattering media (" + decision.reason +
-             "), so the image will be black: use an integrator that does (" + integrators_with_scattering_media() + ")";
+std::string refusal_of(const std::string& integrator, const transport::Model& model,
+                       const scene::CompiledScene& scene) {
+  if (const std::string& error = scene.solids().medium_error(); !error.empty())
+    return error + "; the image will be black";
+  const auto unsupported = [&](const char* what, bool integrator::IntegratorInfo::*media) -> std::string {
+    for (const transport::Decision& decision : model.decisions)
+      if (decision.flag == "media")
+        return std::string("it does not support ") + what + " (" + decision.reason +
+               "), so the image will be black: use an integrator that does (" + integrators_with(media) + ")";
+    return {};
+  };
+  const integrator::IntegratorInfo& info = *integrator::find_integrator(integrator);
+  if (model.heterogeneous && !info.heterogeneous_media)
+    return unsupported("heterogeneous or emitting media", &integrator::IntegratorInfo::heterogeneous_media);
+  if (model.scattering && !info.scattering_media)
+    return unsupported("scattering media", &integrator::IntegratorInfo::scattering_media);
   return {};
 }
 
@@ -49,7 +59,7 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
       sampler_(sampler_of(document)),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),
-      refusal_(refusal_of(document.method.integrator, model_)),
+      refusal_(refusal_of(document.method.integrator, model_, *scene_)),
       accumulation_(integrator::find_integrator(document.method.integrator)->accumulation),
       camera_(document.camera, width, height, scene_->camera_motion()),
       filter_(document.filter),

@@ -1,7 +1,7 @@
 // The atmosphere of a scene in the form that rendering reads.
 #pragma once
 #include "geometry/ray.h"
-#include "medium/medium.h"
+#include "medium/heterogeneous_medium.h"
 
 namespace etendue::scene {
 
@@ -13,12 +13,14 @@ struct RayInterval {
 
 struct AtmosphereMedium {
   HomogeneousMedium medium;
+  std::shared_ptr<const HeterogeneousMedium> heterogeneous = nullptr;  // takes the place of `medium` if not null
+  std::string error = {};  // why the density cannot be rendered; empty if it can
   Vec3 centre{0};
   float radius = kInfinity;  // metres
 
   // The part of an interval of the ray that lies inside the sphere.
   RayInterval inside(const Ray& ray, const RayInterval& interval) const;
-  // The transmittance of this interval of the ray. Its direction may have any length.
+  // The transmittance of this interval of the ray if the medium is homogeneous. Its direction may have any length.
   Rgb transmittance(const Ray& ray, const RayInterval& interval) const;
 };
 

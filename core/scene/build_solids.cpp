@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "scene/density_placement.h"
 #include "scene/facet.h"
 
 namespace etendue::scene {
@@ -32,7 +33,7 @@ Rgb absorption_of_attenuation(const Material& m) {
   return absorption;
 }
 
-HomogeneousMedium medium_inside(const Material& m) {
+HomogeneousMedium homogeneous_medium_inside(const Material& m) {
   HomogeneousMedium medium(m.medium);
   medium.extinction += absorption_of_attenuation(m);
   return medium;
@@ -121,7 +122,7 @@ void count_boundary(std::vector<BoundaryCount>& counts, uint32_t solid, const Hi
 }  // namespace
 
 Rgb Solid::transmittance_of_medium(float distance) const {
-  if (medium.scatters()) return medium.transmittance(distance);
+  if (!is_black(medium.extinction)) return medium.transmittance(distance);
   HomogeneousMedium absorbing;
   absorbing.extinction = absorption;
   const Rgb own = absorbing.transmittance(distance);
@@ -129,9 +130,11 @@ Rgb Solid::transmittance_of_medium(float distance) const {
 }
 
 Solids::Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
-               std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere)
+               std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere,
+               const std::vector<Mat4>& world)
     : accel_(std::move(accel)), atmosphere_(std::move(atmosphere)), scatters_(atmosphere_ != nullptr) {
   assign_priorities(instances, materials);
+  set_media(instances, materials, world);
 }
 
 void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials) {
@@ -153,7 +156,7 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     inside.attenuation_color = material.description.attenuation_color;
     inside.attenuation_distance = material.description.attenuation_distance;
     inside.absorption = material.description.medium.absorption;
-    if (material.description.medium.scatters()) inside.medium = medium_inside(material.description);
+    if (material.description.medium.is_volume()) inside.medium = homogeneous_medium_inside(material.description);
     inside.has_surface = !material.description.boundary_only || material.is_emissive;
     inside.priority = material.description.medium_priority;
     // The primitives of a node are adjacent.
@@ -189,11 +192,33 @@ void Solids::assign_priorities(std::vector<InstanceData>& instances, const std::
     solids_.push_back(all[i]);
     any_has_alpha_ = any_has_alpha_ || all[i].has_alpha;
     any_without_surface_ = any_without_surface_ || !all[i].has_surface;
-    scatters_ = scatters_ || all[i].medium.scatters();
     if (all[i].may_overlap) may_overlap_ = true, offset_ = std::max(offset_, all[i].offset);
   }
   for (InstanceData& instance : instances)
     if (instance.solid != kNoSolid) instance.solid = numbers[instance.solid];
+}
+
+void Solids::set_media(const std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+                       const std::vector<Mat4>& world) {
+  for (uint32_t i = 0; i < solids_.size(); ++i) {
+    Solid& solid = solids_[i];
+    const Material& material = materials[solid.material].description;
+    if (material.medium.is_heterogeneous() && solid.node < world.size()) {
+      const auto placed = place_density(material.medium, absorption_of_attenuation(material),
+                                        density_box(instances, i, world[solid.node]), solid.is_moving);
+      if (placed)
+        solid.heterogeneous = *placed;
+      else if (medium_error_.empty())
+        medium_error_ = "material '" + material.name + "': " + placed.error().message;
+    }
+    scatters_ = scatters_ || solid.is_volume();
+    any_heterogeneous_ = any_heterogeneous_ || material.medium.is_heterogeneous();
+    any_medium_emits_ = any_medium_emits_ || solid.medium.emits();
+  }
+  if (!atmosphere_) return;
+  any_heterogeneous_ = any_heterogeneous_ || atmosphere_->heterogeneous;
+  any_medium_emits_ = any_medium_emits_ || atmosphere_->medium.emits();
+  if (!atmosphere_->error.empty()) medium_error_ = "atmosphere: " + atmosphere_->error;
 }
 
 // Sweeps along the x axis.

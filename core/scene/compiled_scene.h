@@ -140,7 +140,7 @@ class CompiledScene final : public OpacityTest {
   const LightTable& lights() const { return *lights_; }
   // Empty if paths need no medium state.
   const Solids& solids() const { return *solids_; }
-  // Whether light can be scattered between surfaces.
+  // See Solids::scatters.
   bool scatters() const { return solids_->scatters(); }
   // See Solids::find_interface.
   bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& interface) const {

@@ -4,6 +4,7 @@
 
 #include "light/placed_light.h"
 #include "scene/compiled_scene.h"
+#include "scene/density_placement.h"
 #include "scene/facet.h"
 #include "scene/light_shapes.h"
 #include "scene/pose.h"
@@ -282,10 +283,27 @@ class Compiler {
   std::shared_ptr<const AtmosphereMedium> atmosphere() const {
     const Atmosphere& from = scene_->atmosphere;
     if (from.medium.is_clear()) return nullptr;
-    AtmosphereMedium made{HomogeneousMedium(from.medium), Vec3(0), from.radius};
+    AtmosphereMedium made;
+    made.medium = HomogeneousMedium(from.medium);
+    made.radius = from.radius;
     const Bounds& bounds = result_->bounds_;
     if (bounds.min.x <= bounds.max.x) made.centre = 0.5f * (bounds.min + bounds.max);
+    if (from.medium.is_heterogeneous()) place_density_in(made);
     return std::make_shared<const AtmosphereMedium>(std::move(made));
+  }
+
+  // The density fills the cube around the sphere of the atmosphere.
+  void place_density_in(AtmosphereMedium& atmosphere) const {
+    if (!std::isfinite(atmosphere.radius)) {
+      atmosphere.error = "its density varies, which needs a bounded medium: set atmosphere.radius";
+      return;
+    }
+    const Bounds cube{atmosphere.centre - Vec3(atmosphere.radius), atmosphere.centre + Vec3(atmosphere.radius)};
+    auto placed = place_density(scene_->atmosphere.medium, Rgb(0), density_box(cube), false);
+    if (placed)
+      atmosphere.heterogeneous = *placed;
+    else
+      atmosphere.error = placed.error().message;
   }
 
   void solids() {
@@ -301,7 +319,8 @@ class Compiler {
       return;
     }
     auto instances = std::make_shared<std::vector<InstanceData>>(*result_->instances_);
-    result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_, atmosphere);
+    result_->solids_ = std::make_shared<Solids>(*instances, *result_->materials_, result_->accel_, atmosphere,
+                                                world_matrices(*scene_));
     result_->instances_ = std::move(instances);
   }
 

@@ -130,7 +130,8 @@ struct Scene {
   std::vector<std::string> warnings;     // what was repaired or ignored, one line each
 };
 
-// Whether the atmosphere or a material of the scene scatters light between surfaces.
+// Whether the atmosphere or a material of the scene scatters or emits light between surfaces, or has a density that
+// varies.
 bool has_scattering_media(const Scene& scene);
 
 // All cameras of the scene with their positions in the world at the scene's time.

@@ -36,7 +36,9 @@ struct Solid {
   float attenuation_distance = kInfinity;  // metres
   bool absorbs = false;
   Rgb absorption{0};         // in addition to the attenuation colour, 1/m
-  HomogeneousMedium medium;  // if it scatters: with the absorption of both
+  HomogeneousMedium medium;  // if it scatters or emits: with the absorption of both
+  // The medium if its density varies, in place of the members above; else null.
+  std::shared_ptr<const HeterogeneousMedium> heterogeneous = nullptr;
   bool has_surface = true;   // false: light passes the boundary without scattering
   int priority = 0;          // Material::medium_priority
   bool may_overlap = false;  // its bounds intersect or touch those of another solid
@@ -48,10 +50,13 @@ struct Solid {
   Bounds bounds;          // in world space, over the shutter interval
   float offset = 0;       // bound of the rounding error of points on its boundary, metres
 
-  // Beer's law: the transmittance of a segment of this length in metres.                       [KHR_materials_volume]
+  // Whether light is scattered or emitted inside, or the density varies.
+  bool is_volume() const { return heterogeneous || medium.scatters() || medium.emits(); }
+
+  // Beer's law: the transmittance of a segment of this length in metres in a homogeneous medium.                       [KHR_materials_volume]
   Rgb transmittance(float distance) const {
     if (!absorbs) return Rgb(1);
-    if (medium.scatters() || !is_black(absorption)) return transmittance_of_medium(distance);
+    if (!is_black(medium.extinction) || !is_black(absorption)) return transmittance_of_medium(distance);
     return attenuation(distance);
   }
 
@@ -69,9 +74,10 @@ class Solids {
  public:
   Solids() = default;
   // Sets InstanceData::solid of every instance. `accel` is the acceleration structure of the instances. `atmosphere` may
-  // be null.
+  // be null. `world` has the matrices of all nodes, for media whose density varies.
   Solids(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
-         std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere = nullptr);
+         std::shared_ptr<const Accel> accel, std::shared_ptr<const AtmosphereMedium> atmosphere = nullptr,
+         const std::vector<Mat4>& world = {});
 
   bool empty() const { return solids_.empty(); }
   size_t size() const { return solids_.size(); }
@@ -87,8 +93,14 @@ class Solids {
   bool segments_may_cross_media() const { return any_has_alpha_ || any_without_surface_; }
   // The medium around all solids, or null for a vacuum.
   const AtmosphereMedium* atmosphere() const { return atmosphere_.get(); }
-  // Whether light can be scattered between surfaces.
+  // Whether light can be scattered or emitted between surfaces, or the density of a medium varies.
   bool scatters() const { return scatters_; }
+  // Whether the density of a medium varies.
+  bool any_heterogeneous() const { return any_heterogeneous_; }
+  // Whether a medium emits light.
+  bool any_medium_emits() const { return any_medium_emits_; }
+  // Why a medium cannot be rendered, with a remedy; empty if all can.
+  const std::string& medium_error() const { return medium_error_; }
 
   // The solids that contain a point, except for one of them. Counts the boundaries along two rays in fixed directions.
   // They can disagree if a ray hits an edge or a mesh is open; a third ray decides then.
@@ -104,6 +116,9 @@ class Solids {
  private:
   void assign_priorities(std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials);
   void find_overlaps();
+  // Sets `heterogeneous` of solids and the properties of all media together.
+  void set_media(const std::vector<InstanceData>& instances, const std::vector<SurfaceMaterial>& materials,
+                 const std::vector<Mat4>& world);
   void add_coincident(const std::vector<InstanceData>& instances, float time, Hit& hit,
                       MediumInterface& interface) const;
 
@@ -113,7 +128,8 @@ class Solids {
   bool may_overlap_ = false;
   bool any_has_alpha_ = false;
   bool any_without_surface_ = false;
-  bool scatters_ = false;
+  bool scatters_ = false, any_heterogeneous_ = false, any_medium_emits_ = false;
+  std::string medium_error_;
   float offset_ = 0;  // the largest offset of solids that may overlap
 };
 

@@ -50,6 +50,13 @@ Decision decide_surfaces(const CompiledScene& scene, bool forced) {
 // A clear solid that touches no other one refracts against a vacuum, from either side.
 std::string reason_for_media(const CompiledScene& scene) {
   const scene::Solids& solids = scene.solids();
+  for (uint32_t i = 0; i < solids.size(); ++i)
+    if (solids[i].heterogeneous)
+      return "the density of the medium in " + named(scene.materials()[solids[i].material]) + " varies";
+  if (solids.atmosphere() && solids.atmosphere()->heterogeneous) return "the density of the atmosphere varies";
+  for (uint32_t i = 0; i < solids.size(); ++i)
+    if (solids[i].medium.emits()) return "the medium in " + named(scene.materials()[solids[i].material]) + " emits light";
+  if (solids.atmosphere() && solids.atmosphere()->medium.emits()) return "the atmosphere emits light";
   if (solids.atmosphere()) return "the scene has an atmosphere";
   for (uint32_t i = 0; i < solids.size(); ++i)
     if (solids[i].medium.scatters()) return named(scene.materials()[solids[i].material]) + " scatters inside";
@@ -63,10 +70,12 @@ std::string reason_for_media(const CompiledScene& scene) {
   return "no solid absorbs or touches another one";
 }
 
-// Media between surfaces: none, those of solids, or scattering media.
+// Media between surfaces: none, those of solids, scattering or emitting media, or media whose density varies.
 Decision decide_media(const CompiledScene& scene, bool forced) {
   Decision d = decide("media", !scene.solids().empty(), "vacuum", "solids", reason_for_media(scene), forced);
   if (scene.scatters()) d.value = d.needed = "homogeneous scattering";
+  if (scene.solids().any_medium_emits()) d.value = d.needed = "homogeneous emitting";
+  if (scene.solids().any_heterogeneous()) d.value = d.needed = "heterogeneous";
   return d;
 }
 
@@ -132,6 +141,7 @@ Model model_for(const CompiledScene& scene, std::span<const std::string> forced,
         std::make_shared<const PathExpression>(filtered ? *PathExpression::parse_paths(paths) : PathExpression::all());
   model.media = out[2].value != "vacuum";
   model.scattering = scene.scatters();
+  model.heterogeneous = scene.solids().any_heterogeneous() || scene.solids().any_medium_emits();
   model.diffuse = out[1].value == "diffuse" && !model.media;
   model.wide = out[1].value == "any";
   return model;

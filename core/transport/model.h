@@ -28,7 +28,8 @@ struct Model {
   bool diffuse = false;                         // every surface is Lambertian
   bool wide = false;                            // some surface has rarely used lobes
   bool media = false;                           // paths store the solids that contain them
-  bool scattering = false;                      // light is scattered between surfaces; implies `media`
+  bool scattering = false;                      // light is scattered or emitted between surfaces; implies `media`
+  bool heterogeneous = false;                   // the density of a medium varies, or it emits; implies `scattering`
   bool moving = false;                          // something moves while the shutter is open: paths have times
   bool classes = false;                         // only some path classes count
   std::shared_ptr<const PathExpression> paths;  // the selected paths, if `classes`

@@ -55,6 +55,9 @@ bool is_same_image(const render::Document& a, const render::Document& b) {
          a.limits == b.limits && a.display == b.display;
 }
 
+// Whether a parameter of the scene only selects how the image is estimated.
+bool is_estimator_of_scene(std::string_view name) { return name.ends_with(".medium-transmittance"); }
+
 Error method_error(const std::string& method, const std::string& why) {
   return usage_error("--methods: '" + method + "': " + why);
 }
@@ -98,12 +101,14 @@ std::string MethodSpec::label() const {
 Result<MethodSpec> parse_method(const std::string& text, const render::Document& base) {
   const auto assignments = assignments_of(text);
   if (!assignments) return assignments.error();
-  MethodSpec method{text, base, {}};
+  MethodSpec method{text, base};
+  render::Document image = base;
   for (const auto& [name, value] : *assignments) {
     auto changed = render::with_text(method.document, name, value);
     if (!changed) return method_error(text, changed.error().message);
     method.document = std::move(*changed);
-    if (!is_same_image(method.document, base))
+    if (is_estimator_of_scene(name)) image.scene = method.document.scene;
+    if (!is_same_image(method.document, image))
       return method_error(text, "'" + name + "' changes the image, not the method; set it for all methods with --set");
   }
   const render::MethodSettings& settings = method.document.method;

@@ -17,6 +17,7 @@
 #include "stress/cases/grazing_light.h"
 #include "stress/cases/grille_as_fine_as_pixels.h"
 #include "stress/cases/hall_of_mirrors.h"
+#include "stress/cases/heterogeneous_furnace.h"
 #include "stress/cases/index_of_one.h"
 #include "stress/cases/infinite_emission.h"
 #include "stress/cases/integrating_sphere.h"
@@ -153,6 +154,7 @@ const std::vector<Case>& cases() {
       kClosedRoomOfAlbedoOne,
       kOpticalDepth,
       kScatteringFurnace,
+      kHeterogeneousFurnace,
       kPhotonsInAnEstimate,
       kPhotonsTooFew,
       kLightOfAMicrometre,

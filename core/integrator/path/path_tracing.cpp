@@ -38,6 +38,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .accumulation = Accumulation::per_pixel,
         .shortcut = '4',
         .scattering_media = kScatteringMedia,
+        .heterogeneous_media = true,
     };
   }
 

@@ -36,6 +36,7 @@ class PurePathTracing final : public CameraPathIntegrator<PurePathTracing> {
         .accumulation = Accumulation::per_pixel,
         .shortcut = '3',
         .scattering_media = kScatteringMedia,
+        .heterogeneous_media = true,
     };
   }
 

@@ -4,9 +4,11 @@
 #include <filesystem>
 
 #include "scene/builtin/caustic_pool.h"
+#include "scene/builtin/cloud.h"
 #include "scene/builtin/cornell.h"
 #include "scene/builtin/cornell_spheres.h"
 #include "scene/builtin/door_ajar.h"
+#include "scene/builtin/fire.h"
 #include "scene/builtin/fog.h"
 #include "scene/builtin/glass_caustic.h"
 #include "scene/builtin/glossy_plates.h"
@@ -20,7 +22,7 @@ namespace etendue::scene {
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
       kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
-      kFog,      kMilk,
+      kFog,      kMilk,           kCloud,        kFire,
   };
   return all;
 }

@@ -51,6 +51,7 @@ class Saver {
  private:
   void make_json() {
     out_.root["asset"] = {{"version", "2.0"}, {"generator", "Étendue"}};
+    out_.folder = path_.parent_path();
     gltf::export_textures(out_);
     gltf::export_materials(out_);
     gltf::export_meshes(out_);
@@ -58,7 +59,7 @@ class Saver {
     gltf::export_nodes(out_);
     gltf::export_skins(out_);
     gltf::export_animations(out_);
-    gltf::export_transport(out_, path_.parent_path());
+    gltf::export_transport(out_, out_.folder);
     if (!out_.extensions.empty()) out_.root["extensionsUsed"] = out_.extensions;
   }
 

@@ -60,36 +60,91 @@ void traverse(const scene::CompiledScene& scene, const Ray& ray, float length, u
   pass(SegmentPart{solids.find(stack.top()), medium_start, rest_of_medium});
 }
 
-// Where a part lies in a solid that scatters or in the atmosphere, and that medium; null if it lies in neither.
-struct ScatteringPart {
-  const HomogeneousMedium* medium = nullptr;
+// The medium of a part: at most one of the two is set. Both are null in a vacuum and in media that only absorb.
+struct MediumPart {
+  const HomogeneousMedium* homogeneous = nullptr;
+  const HeterogeneousMedium* heterogeneous = nullptr;
   float offset = 0;  // metres from the start of the part to that of the medium
   float length = 0;  // metres
 };
 
-ScatteringPart scattering_part(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part) {
+MediumPart medium_part(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part) {
+  const float length = std::max(part.length, 0.0f);
   if (part.solid) {
-    if (!part.solid->medium.scatters()) return {};
-    return {&part.solid->medium, 0, part.length};
+    if (part.solid->heterogeneous) return {nullptr, part.solid->heterogeneous.get(), 0, length};
+    if (part.solid->is_volume()) return {&part.solid->medium, nullptr, 0, length};
+    return {};
   }
   const scene::AtmosphereMedium* atmosphere = solids.atmosphere();
   if (!atmosphere) return {};
-  const scene::RayInterval inside = atmosphere->inside(ray, {part.from, part.from + part.length / scale});
+  const scene::RayInterval inside = atmosphere->inside(ray, {part.from, part.from + length / scale});
   if (inside.empty()) return {};
-  return {&atmosphere->medium, (inside.from - part.from) * scale, (inside.to - inside.from) * scale};
+  const float offset = (inside.from - part.from) * scale, inside_length = (inside.to - inside.from) * scale;
+  if (atmosphere->heterogeneous) return {nullptr, atmosphere->heterogeneous.get(), offset, inside_length};
+  return {&atmosphere->medium, nullptr, offset, inside_length};
+}
+
+RaySpan span_of(const Ray& ray, float scale, const SegmentPart& part, const MediumPart& medium) {
+  const float from = part.from + medium.offset / scale;
+  return {ray.origin, ray.direction, from, from + medium.length / scale};
+}
+
+// The numbers for tracking along a segment. Segments of one path that start in different directions have different
+// numbers.
+RandomStream stream_of(const Ray& ray, uint32_t seed) {
+  const uint32_t x = hash_combine(seed, std::bit_cast<uint32_t>(ray.direction.x));
+  return RandomStream(hash_combine(hash_combine(x, std::bit_cast<uint32_t>(ray.direction.y)),
+                                   std::bit_cast<uint32_t>(ray.direction.z)));
+}
+
+Rgb transmittance_of(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part,
+                     RandomStream& random) {
+  const MediumPart medium = medium_part(solids, ray, scale, part);
+  if (medium.heterogeneous)
+    return estimated_transmittance(*medium.heterogeneous, span_of(ray, scale, part, medium), random);
+  if (medium.homogeneous) return medium.homogeneous->transmittance(medium.length);
+  return part.solid ? part.solid->transmittance(std::max(part.length, 0.0f)) : Rgb(1);
+}
+
+// Passes through a part; returns the metres from its start to a collision inside it.
+std::optional<float> pass_part(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part,
+                               RandomStream& random, FreeFlight& flight, const PhaseFunction*& phase) {
+  const MediumPart medium = medium_part(solids, ray, scale, part);
+  if (const HeterogeneousMedium* m = medium.heterogeneous) {
+    const RaySpan span = span_of(ray, scale, part, medium);
+    if (!m->scatters()) {
+      Rgb emitted(0);
+      const Rgb transmittance = transmittance_and_emission(*m, span, random, emitted);
+      flight.add_emission(emitted);
+      flight.attenuate(transmittance);
+      return {};
+    }
+    phase = m->phase.get();
+    const auto at = flight.pass(*m, span, random);
+    return at ? std::optional((*at - part.from) * scale) : std::nullopt;
+  }
+  if (const HomogeneousMedium* m = medium.homogeneous) {
+    if (m->emits()) flight.add_emission(m->emitted(medium.length));
+    if (!m->scatters()) {
+      flight.attenuate(m->transmittance(medium.length));
+      return {};
+    }
+    phase = m->phase.get();
+    const auto distance = flight.pass(*m, medium.length);
+    return distance ? std::optional(medium.offset + *distance) : std::nullopt;
+  }
+  if (part.solid) flight.attenuate(part.solid->transmittance(std::max(part.length, 0.0f)));
+  return {};
 }
 
 }  // namespace
 
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, MediumSegment& segment) {
-  const scene::AtmosphereMedium* atmosphere = scene.solids().atmosphere();
+  const float scale = std::sqrt(length_squared(ray.direction));
+  RandomStream random = scene.solids().any_heterogeneous() ? stream_of(ray, seed) : RandomStream(seed);
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
-    if (part.solid)
-      segment.transmittance *= part.solid->transmittance(std::max(part.length, 0.0f));
-    else if (atmosphere)
-      segment.transmittance *= atmosphere->transmittance(
-          ray, {part.from, part.from + part.length / std::sqrt(length_squared(ray.direction))});
+    segment.transmittance *= transmittance_of(scene.solids(), ray, scale, part, random);
     return true;
   });
 }
@@ -98,28 +153,28 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
                     const scene::MediumStack& start, FreeFlight flight, FlightSegment& segment) {
   const float scale = std::sqrt(length_squared(ray.direction));
   scene::MediumStack stack = start;
+  RandomStream random = stream_of(ray, seed);
   segment.collision = {};
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
-    const ScatteringPart scattering = scattering_part(scene.solids(), ray, scale, part);
-    if (!scattering.medium) {
-      if (part.solid) flight.attenuate(part.solid->transmittance(std::max(part.length, 0.0f)));
-      return true;
-    }
-    const float part_length = std::max(scattering.length, 0.0f);
-    if (!scattering.medium->scatters()) {
-      flight.attenuate(scattering.medium->transmittance(part_length));
-      return true;
-    }
-    const auto distance = flight.pass(*scattering.medium, part_length);
+    const PhaseFunction* phase = nullptr;
+    const auto distance = pass_part(scene.solids(), ray, scale, part, random, flight, phase);
     if (!distance) return true;
-    segment.collision.position = ray.origin + ray.direction * (part.from + (scattering.offset + *distance) / scale);
-    segment.collision.phase = scattering.medium->phase.get();
+    segment.collision.position = ray.origin + ray.direction * (part.from + *distance / scale);
+    segment.collision.phase = phase;
     return false;
   });
   segment.transmittance = flight.weight();
+  segment.emitted = flight.emitted();
   if (!segment.collision.phase) return;
   segment.hit = {};
   segment.interface.clear(stack);
+}
+
+Rgb transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
+                                     const scene::Solid* solid) {
+  RandomStream random = stream_of(ray, seed);
+  return transmittance_of(scene.solids(), ray, std::sqrt(length_squared(ray.direction)), {solid, ray.tnear, length},
+                          random);
 }
 
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,

@@ -26,12 +26,17 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
 // A segment that ends at a collision in a scattering medium, on a surface, or nowhere.
 struct FlightSegment : MediumSegment {
   Collision collision;
+  Rgb emitted{0};  // radiance that media emit towards the start
 };
 
 // The same as complete_segment in a scene with scattering media: the segment may end at a collision before the hit,
 // which then becomes empty. `transmittance` is the factor of the throughput, FreeFlight::weight.
 void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                     const scene::MediumStack& stack, FreeFlight flight, FlightSegment& segment);
+
+// The transmittance of a segment that passes no boundary, inside a solid or, if it is null, outside of all solids.
+Rgb transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
+                                     const scene::Solid* solid);
 
 // Traces a whole segment.
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
@@ -56,6 +61,8 @@ class TracedConnections {
     const scene::Solids& solids = scene_.solids();
     const scene::Solid* medium = solids.find(stack.top());
     if (use_packets()) {
+      if (!blocked && solids.any_heterogeneous()) [[unlikely]]
+        return transmittance_without_boundaries(scene_, ray, length, seed, medium);
       if (!blocked) return medium ? medium->transmittance(length) : outside_solids(ray, length);
       // A segment in a vacuum, or in a solid that overlaps no other, skips no boundary.
       if (!medium || !medium->may_overlap) return Rgb(0);

@@ -34,16 +34,18 @@ class PathMedia<M, true> {
   MediumStack& stack(int path) { return stacks_[static_cast<size_t>(path)]; }
   void set_ray(int path, const Ray& ray) { rays_[static_cast<size_t>(path)] = ray; }
 
-  // The same in a model with scattering media, with a uniform random number for the distance to a collision. Returns
-  // whether the segment ends on a surface or at a collision.
+  // The same in a model with scattering media, with a uniform random number for the distance to a collision. `emitted` is
+  // the radiance of media on the segment, without the throughput. Returns whether the segment ends on a surface or at a
+  // collision.
   bool sample_segment(int path, int slot, uint32_t seed, float time, float random, Hit& hit, Color& throughput,
-                      uint64_t& traced) {
+                      Color& emitted, uint64_t& traced) {
     const auto p = static_cast<size_t>(path);
     FlightSegment segment;
     segment.hit = hit;
     transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], FreeFlight(throughput, random),
                               segment);
     throughput *= segment.transmittance;
+    emitted = segment.emitted;
     traced += segment.rays;
     hit = segment.hit;
     interfaces_[static_cast<size_t>(slot)] = segment.interface;

@@ -312,6 +312,7 @@ class PathWavefront {
   void resolve_connections();
   bool complete_segment(int ray, bool has_hit);
   void draw_free_flights();
+  void add_medium_emission(int path, Color throughput, const Color& emitted);
   void shade();
   void compute_points(size_t first, size_t count);
   [[gnu::cold, gnu::noinline]] void record_hits();
@@ -406,11 +407,28 @@ bool PathWavefront<M>::complete_segment(int ray, bool has_hit) {
   else
     hit = Hit();
   PathState<Color>& path_state = state(path);
-  if constexpr (M::kScattering)
-    return media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
-                                 random(vertex_dimension::kFreeFlight, ray), hit, path_state.throughput, rays_traced_);
+  if constexpr (M::kScattering) {
+    const Color before = path_state.throughput;
+    Color emitted(0);
+    const bool has_vertex =
+        media_.sample_segment(path, reached_, segment_seed(path), path_state.time,
+                              random(vertex_dimension::kFreeFlight, ray), hit, path_state.throughput, emitted,
+                              rays_traced_);
+    if (!is_black(emitted)) add_medium_emission(path, before, emitted);
+    return has_vertex;
+  }
   return media_.complete_segment(path, reached_, segment_seed(path), path_state.time, hit, path_state.throughput,
                                  rays_traced_);
+}
+
+// Adds radiance that media emit on the segment traced last; `throughput` is that of its start.
+template <class M>
+void PathWavefront<M>::add_medium_emission(int path, Color throughput, const Color& emitted) {
+  if constexpr (M::kClasses) throughput *= shares_.end_share(path);
+  const Color contribution = throughput * emitted;
+  state(path).radiance += contribution;
+  if (recorder_) [[unlikely]]
+    recorder_->add_emission(path, {emitted, 1, contribution});
 }
 
 // Draws the numbers of the distances to collisions, by active path. They belong to the vertices that are reached.

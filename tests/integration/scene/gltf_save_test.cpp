@@ -154,6 +154,11 @@ TEST_F(Saving, Atmosphere) {
   scene.atmosphere = {{Rgb(0.1f, 0.2f, 0.3f), Rgb(0.05f), {make_phase_function("rayleigh")}}, 12.5f};
   EXPECT_EQ(difference(scene, saved(scene)), "");
   EXPECT_EQ(saved(scene).atmosphere, scene.atmosphere);
+  scene.atmosphere.medium.emission = {1, 2, 0.5f};
+  scene.atmosphere.medium.temperature = 1800;
+  scene.atmosphere.medium.density.field = *make_density("exponential", {{"scale-height", 0.125}});
+  scene.atmosphere.medium.estimator = TransmittanceEstimator::delta;
+  EXPECT_EQ(saved(scene).atmosphere, scene.atmosphere);
   scene.atmosphere.radius = kInfinity;
   scene.atmosphere.medium.phase.function =
       make_phase_function("tabulated")->with("values", std::string("1 0.5 3"));

@@ -42,6 +42,36 @@ TEST(MediaParameters, OfMaterials) {
   EXPECT_EQ(m.medium_priority, 3);
 }
 
+TEST(MediaParameters, DensityAndEmission) {
+  const auto d = edited(cornell_box(), {{"atmosphere.absorption.g", "0.5"},
+                                        {"atmosphere.medium-emission.r", "3"},
+                                        {"atmosphere.medium-emission.g", "2"},
+                                        {"atmosphere.medium-temperature", "2500"},
+                                        {"atmosphere.radius", "9"},
+                                        {"atmosphere.density", "cloud"},
+                                        {"atmosphere.density.seed", "12"},
+                                        {"atmosphere.medium-transmittance", "regular"}});
+  const MediumDescription& m = d.scene->atmosphere.medium;
+  EXPECT_EQ(m.emission, Rgb(3, 2, 0));
+  EXPECT_EQ(m.temperature, 2500);
+  EXPECT_EQ(m.density, DensityRef{*make_density("cloud", {{"seed", int64_t{12}}})});
+  EXPECT_EQ(m.estimator, TransmittanceEstimator::regular);
+  EXPECT_TRUE(m.emits() && m.is_heterogeneous());
+  const auto again = render::document_from_state(render::state_json(d, 1), "test");
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->scene->atmosphere, d.scene->atmosphere);
+  EXPECT_FALSE(edited(d, {{"atmosphere.density", "homogeneous"}}).scene->atmosphere.medium.density);
+  for (const auto& [name, value] :
+       {std::pair("atmosphere.density", "steam"), std::pair("atmosphere.density.seed", "-1"),
+        std::pair("atmosphere.medium-emission.r", "-1"), std::pair("atmosphere.medium-temperature", "nan")})
+    EXPECT_FALSE(render::with_text(d, name, value)) << name << '=' << value;
+  const auto file = edited(d, {{"atmosphere.density", "file"}});
+  const auto missing = render::with_text(file, "atmosphere.density.file", "/nonexistent/smoke.nvdb");
+  ASSERT_FALSE(missing);
+  EXPECT_NE(missing.error().message.find("/nonexistent/smoke.nvdb: cannot be read"), std::string::npos)
+      << missing.error().message;
+}
+
 TEST(MediaParameters, InvalidValuesAreErrors) {
   const auto d = cornell_box();
   for (const auto& [name, value] : {std::pair("atmosphere.scattering.r", "-1"), std::pair("atmosphere.absorption.g", "nan"),

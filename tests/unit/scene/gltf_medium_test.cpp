@@ -58,6 +58,23 @@ TEST_F(Media, OwnExtension) {
   EXPECT_TRUE(has_scattering_media(scene));
 }
 
+TEST_F(Media, DensityAndEmission) {
+  Gltf gltf = with({{"ETENDUE_transport",
+                     {{"medium",
+                       {{"absorption", {1, 2, 3}},
+                        {"emission", {4, 5, 6}},
+                        {"temperature", 2000},
+                        {"density", {{"name", "flame"}, {"parameters", {{"turbulence", 0.25}, {"seed", 5}}}}},
+                        {"transmittance", "regular"}}}}}});
+  const auto scene = opened(gltf);
+  EXPECT_EQ(all(scene.warnings), "");
+  const MediumDescription& m = scene.materials[0].medium;
+  EXPECT_EQ(m.emission, Rgb(4, 5, 6));
+  EXPECT_EQ(m.temperature, 2000);
+  EXPECT_EQ(m.density, DensityRef{*make_density("flame", {{"turbulence", 0.25}, {"seed", int64_t{5}}})});
+  EXPECT_EQ(m.estimator, TransmittanceEstimator::regular);
+}
+
 // Each defect is reported with its place and replaced by a value that renders.
 TEST_F(Media, InvalidValuesAreReportedAndIgnored) {
   struct Defect {
@@ -70,6 +87,13 @@ TEST_F(Media, InvalidValuesAreReportedAndIgnored) {
         Defect{{{"absorption", "dark"}}, "medium.absorption"},
         Defect{{{"absorption", {0, 1e9, 0}}}, "medium.absorption"},
         Defect{{{"priority", 1e9}}, "medium.priority"},
+        Defect{{{"emission", {1, -1, 1}}}, "medium.emission"},
+        Defect{{{"temperature", "hot"}}, "medium.temperature"},
+        Defect{{{"transmittance", "magic"}}, "medium.transmittance"},
+        Defect{{{"density", "thick"}}, "medium.density.name"},
+        Defect{{{"density", {{"name", "steam"}}}}, "there is no density 'steam'"},
+        Defect{{{"density", {{"name", "cloud"}, {"parameters", {{"octaves", 99}}}}}}, "density.parameters.octaves"},
+        Defect{{{"density", {{"name", "file"}, {"parameters", {{"file", "no.nvdb"}}}}}}, "no.nvdb: cannot be read"},
         Defect{{{"phaseFunction", {{"name", "magic"}}}}, "there is no phase function 'magic'"},
         Defect{{{"phaseFunction", {{"name", "henyey-greenstein"}, {"parameters", {{"g", 1.5}}}}}}, "parameters.g"},
         Defect{{{"phaseFunction", {{"name", "henyey-greenstein"}, {"parameters", {{"h", 0.5}}}}}}, "parameters.h"},

@@ -37,8 +37,27 @@ Json current_value(const ParameterInfo& p) {
   return to_json_value<Json>(p.default_value);
 }
 
-Json medium_of(const MediumDescription& medium) {
+Json density_of(const DensityRef& density, const std::filesystem::path& folder) {
+  Json parameters = Json::object();
+  for (const ParameterInfo& p : density->parameters()) {
+    parameters[p.name] = current_value(p);
+    if (const auto* path = std::get_if<std::string>(&p.default_value); path && p.name == "file" && !path->empty())
+      parameters[p.name] = uri_of(*path, folder);
+  }
+  return {{"name", density->info().description.name}, {"parameters", std::move(parameters)}};
+}
+
+void export_volume(const MediumDescription& medium, const std::filesystem::path& folder, Json& to) {
+  if (!is_black(medium.emission)) to["emission"] = vector(medium.emission);
+  put(to, "temperature", medium.temperature, 0);
+  if (medium.density) to["density"] = density_of(medium.density, folder);
+  if (medium.estimator != MediumDescription().estimator)
+    to["transmittance"] = Options<TransmittanceEstimator>::kOptions[static_cast<size_t>(medium.estimator)].name;
+}
+
+Json medium_of(const MediumDescription& medium, const std::filesystem::path& folder) {
   Json to = Json::object();
+  export_volume(medium, folder, to);
   if (!is_black(medium.scattering)) to["scattering"] = vector(medium.scattering);
   if (!is_black(medium.absorption)) to["absorption"] = vector(medium.absorption);
   if (medium.phase == PhaseFunctionRef()) return to;
@@ -51,7 +70,7 @@ Json medium_of(const MediumDescription& medium) {
 }  // namespace
 
 void export_medium(OutputFile& out, const Material& material, Json& object) {
-  Json to = medium_of(material.medium);
+  Json to = medium_of(material.medium, out.folder);
   if (material.boundary_only) to["boundaryOnly"] = true;
   if (material.medium_priority != 0) to["priority"] = material.medium_priority;
   if (!to.empty()) out.extend(object, kTransport)["medium"] = std::move(to);
@@ -62,7 +81,7 @@ void export_transport(OutputFile& out, const std::filesystem::path& folder) {
   put(to, "time", out.scene.time, 0);
   if (out.scene.variant >= 0) to["variant"] = out.scene.variant;
   if (Json environment = environment_of(out, folder); !environment.empty()) to["environment"] = std::move(environment);
-  Json atmosphere = medium_of(out.scene.atmosphere.medium);
+  Json atmosphere = medium_of(out.scene.atmosphere.medium, folder);
   if (std::isfinite(out.scene.atmosphere.radius)) atmosphere["radius"] = number(out.scene.atmosphere.radius);
   if (!atmosphere.empty()) to["atmosphere"] = std::move(atmosphere);
   if (!to.empty()) out.extend(out.root, kTransport) = std::move(to);

@@ -26,6 +26,7 @@ struct OutputFile {
   std::vector<std::byte> binary;               // the only buffer
   std::vector<std::vector<std::byte>> images;  // PNG files, in the order of the images of `root`
   std::set<std::string> extensions;            // used ones
+  std::filesystem::path folder;  // of the file, base of relative URIs
   std::vector<std::string> warnings;
   std::vector<int> mesh_indices;  // for each mesh of the scene its index in the file; -1 for an empty mesh
 

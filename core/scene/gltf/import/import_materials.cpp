@@ -38,8 +38,8 @@ std::string shortest(float x) {
 
 class MaterialImporter {
  public:
-  MaterialImporter(const tinygltf::Material& from, Scene& scene, std::string where)
-      : from_(from), scene_(scene), where_(std::move(where)) {}
+  MaterialImporter(const InputFile& input, const tinygltf::Material& from, Scene& scene, std::string where)
+      : input_(input), from_(from), scene_(scene), where_(std::move(where)) {}
 
   Material run() {
     to_.name = from_.name;
@@ -170,7 +170,7 @@ class MaterialImporter {
     }
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_volume")) volume(*e);
     import_volume_scatter(from_.extensions, where_, to_, scene_.warnings);
-    import_medium(from_.extensions, where_, to_, scene_.warnings);
+    import_medium(input_, from_.extensions, where_, to_, scene_.warnings);
     if (const auto* e = find_extension(from_.extensions, "KHR_materials_anisotropy")) {
       to_.anisotropy = factor_in(*e, "anisotropyStrength", 0);
       to_.anisotropy_rotation = number_or(*e, "anisotropyRotation", 0);
@@ -263,6 +263,7 @@ class MaterialImporter {
     to_.specular_texture = {};
   }
 
+  const InputFile& input_;
   const tinygltf::Material& from_;
   Scene& scene_;
   std::string where_;
@@ -302,7 +303,7 @@ Rgb color_or(const tinygltf::Value& object, const char* member, const Rgb& fallb
 void import_materials(const InputFile& input, Scene& scene) {
   for (size_t t = 0; t < input.model.textures.size(); ++t) scene.textures.push_back(import_texture(input, t));
   for (size_t m = 0; m < input.model.materials.size(); ++m)
-    scene.materials.push_back(MaterialImporter(input.model.materials[m], scene, at("materials", m)).run());
+    scene.materials.push_back(MaterialImporter(input, input.model.materials[m], scene, at("materials", m)).run());
   Material default_material;
   default_material.name = "default";
   scene.materials.push_back(default_material);

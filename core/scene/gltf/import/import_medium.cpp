@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scene/gltf/import/importers.h"
+#include "scene/gltf/import/uri.h"
 #include "scene/gltf/transport_extension.h"
 
 namespace etendue::scene::gltf {
@@ -13,10 +14,52 @@ namespace {
 
 constexpr float kLargestCoefficient = 1e6f;  // 1/m
 
+// A density of this name with these parameters; those that are invalid are reported. Paths are relative to `folder`.
+template <class Warn>
+DensityRef read_density(const tinygltf::Value& from, const std::filesystem::path& folder, Warn&& warn) {
+  const std::string name = from.IsObject() && from.Get("name").IsString() ? from.Get("name").Get<std::string>() : "";
+  DensityRef density{make_density(name)};
+  if (!density) {
+    warn("density.name: there is no density '" + name.substr(0, 40) + "'; the medium is homogeneous");
+    return density;
+  }
+  const auto& parameters = from.Get("parameters");
+  if (!parameters.IsObject()) return density;
+  for (const std::string& key : parameters.Keys()) {
+    Value value = value_of(parameters.Get(key));
+    if (std::string* text = std::get_if<std::string>(&value); text && key == "file" && !text->empty()) {
+      const auto file = file_of_uri(folder, *text);
+      if (file) *text = file->lexically_normal().string();
+    }
+    const auto changed = make_density(name, {{key, value}});
+    if (changed)
+      density.field = density->with(key, *checked_value(*find_parameter(density->info().parameters, key), value));
+    else
+      warn("density.parameters." + key.substr(0, 40) + ": " + changed.error().message + "; it is ignored");
+  }
+  return density;
+}
+
 class MediumReader {
  public:
   MediumReader(const tinygltf::Value& from, std::string where, std::vector<std::string>& warnings)
       : from_(from), where_(std::move(where)), warnings_(warnings) {}
+
+  // Emission and density; `folder` is the base of relative paths.
+  void read_volume(const std::filesystem::path& folder, MediumDescription& medium) {
+    medium.emission = coefficient("emission");
+    medium.temperature = number("temperature", 0, 0, 40000);
+    if (from_.Has("density"))
+      medium.density = read_density(from_.Get("density"), folder, [&](const std::string& what) { warn(what); });
+    if (!from_.Has("transmittance")) return;
+    const auto& name = from_.Get("transmittance");
+    for (size_t i = 0; i < Options<TransmittanceEstimator>::kOptions.size(); ++i)
+      if (name.IsString() && name.Get<std::string>() == Options<TransmittanceEstimator>::kOptions[i].name) {
+        medium.estimator = static_cast<TransmittanceEstimator>(i);
+        return;
+      }
+    warn("transmittance: has to be delta, ratio, residual-ratio or regular; it is ignored");
+  }
 
   MediumDescription run() {
     MediumDescription medium;
@@ -44,7 +87,7 @@ class MediumReader {
     const Rgb c = color_or(from_, member, Rgb(-1));
     const auto valid = [](float x) { return x >= 0 && x <= kLargestCoefficient; };
     if (valid(c.r) && valid(c.g) && valid(c.b)) return c;
-    warn(std::string(member) + ": has to be three numbers from 0 to 1e6, in 1/m; 0 is used");
+    warn(std::string(member) + ": has to be three numbers from 0 to 1e6; 0 is used");
     return Rgb(0);
   }
 
@@ -114,21 +157,23 @@ void import_volume_scatter(const tinygltf::ExtensionMap& extensions, const std::
   material.attenuation_distance = kInfinity;
 }
 
-void import_medium(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
-                   std::vector<std::string>& warnings) {
+void import_medium(const InputFile& input, const tinygltf::ExtensionMap& extensions, const std::string& where,
+                   Material& material, std::vector<std::string>& warnings) {
   const auto* extension = find_extension(extensions, kTransport);
   if (!extension || !extension->Get("medium").IsObject()) return;
   const auto& from = extension->Get("medium");
   MediumReader reader(from, where + ".extensions." + kTransport + ".medium", warnings);
   material.medium = reader.run();
+  reader.read_volume(input.folder, material.medium);
   material.boundary_only = from.Get("boundaryOnly").IsBool() && from.Get("boundaryOnly").Get<bool>();
   material.medium_priority = static_cast<int>(std::lround(reader.number("priority", 0, -1000, 1000)));
 }
 
-Atmosphere import_atmosphere(const tinygltf::Value& extension, const std::string& where,
+Atmosphere import_atmosphere(const InputFile& input, const tinygltf::Value& extension, const std::string& where,
                              std::vector<std::string>& warnings) {
   MediumReader reader(extension, where, warnings);
   Atmosphere atmosphere{reader.run(), kInfinity};
+  reader.read_volume(input.folder, atmosphere.medium);
   atmosphere.radius = reader.number("radius", kInfinity, 1e-6f, 1e9f);
   return atmosphere;
 }

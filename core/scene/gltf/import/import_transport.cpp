@@ -195,7 +195,7 @@ void import_transport(const InputFile& input, Scene& scene) {
     scene.environment =
         read_environment(input, TransportReader(extension->Get("environment"), where + ".environment", scene.warnings));
   if (extension->Get("atmosphere").IsObject())
-    scene.atmosphere = import_atmosphere(extension->Get("atmosphere"), where + ".atmosphere", scene.warnings);
+    scene.atmosphere = import_atmosphere(input, extension->Get("atmosphere"), where + ".atmosphere", scene.warnings);
 }
 
 void import_camera_extension(const tinygltf::ExtensionMap& extensions, const std::string& where, Camera& camera,

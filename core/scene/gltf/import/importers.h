@@ -35,10 +35,10 @@ void import_transport(const InputFile& input, Scene& scene);
 void import_volume_scatter(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
                            std::vector<std::string>& warnings);
 // ETENDUE_transport of a material: the medium inside it.
-void import_medium(const tinygltf::ExtensionMap& extensions, const std::string& where, Material& material,
-                   std::vector<std::string>& warnings);
+void import_medium(const InputFile& input, const tinygltf::ExtensionMap& extensions, const std::string& where,
+                   Material& material, std::vector<std::string>& warnings);
 // ETENDUE_transport of the root: the atmosphere.
-Atmosphere import_atmosphere(const tinygltf::Value& extension, const std::string& where,
+Atmosphere import_atmosphere(const InputFile& input, const tinygltf::Value& extension, const std::string& where,
                              std::vector<std::string>& warnings);
 // ETENDUE_transport of a material: its reflection model; null if it has none or the name is unknown.
 BsdfModelRef import_bsdf_model(const tinygltf::ExtensionMap& extensions, const std::string& where,

@@ -1,0 +1,58 @@
+// Participating media whose density depends on the position.                                  [Lang, sec. 4.1.2]
+//
+// All coefficients are the product of the density, a number without a unit, and coefficients that hold at density 1.
+#pragma once
+#include <memory>
+
+#include "medium/density_field.h"
+#include "medium/medium.h"
+#include "medium/random_stream.h"
+
+namespace etendue {
+
+// A part of a ray from one parameter to another; the direction may have any length.
+struct RaySpan {
+  Vec3 origin{0}, direction{0};
+  float from = 0, to = 0;
+};
+
+struct HeterogeneousMedium {
+  Rgb scattering{0};      // at density 1, 1/m
+  Rgb extinction{0};      // at density 1, 1/m
+  Rgb log_extinction{0};  // logarithm of `extinction`; -infinity for 0
+  Rgb emission{0};        // at density 1 and the highest temperature: radiance per metre
+  // Of the hottest part, kelvin; 0: the colour and brightness of emission do not depend on the temperature.
+  float temperature = 0;
+  TransmittanceEstimator estimator = TransmittanceEstimator::residual_ratio;
+  std::shared_ptr<const PhaseFunction> phase;
+  std::shared_ptr<const DensityGrid> grid;
+  Mat4 world_to_grid{1};            // to the unit cube of the grid
+  std::vector<Rgb> emission_table;  // emission by relative temperature, from 0 to 1
+
+  // `additional` is further absorption at density 1, 1/m.
+  HeterogeneousMedium(const MediumDescription& m, const Rgb& additional, std::shared_ptr<const DensityGrid> density,
+                      const Mat4& to_grid);
+
+  bool scatters() const { return !is_black(scattering); }
+  bool emits() const { return !is_black(emission); }
+
+  // The part of a ray inside the grid. Parameters are those of the ray; `metres` is the length of one unit of them.
+  GridRay in_grid(const RaySpan& span) const;
+  static float metres(const RaySpan& span) { return std::sqrt(glm::dot(span.direction, span.direction)); }
+
+  // Emitted radiance per metre at a point of the unit cube with this density.
+  Rgb emitted(const Vec3& p, float density) const;
+};
+
+// An estimate of the transmittance of a span without bias, by the estimator of the medium.   [Lang, eq. 4.59]
+Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random);
+
+// The same by a given estimator.
+Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, TransmittanceEstimator estimator,
+                            RandomStream& random);
+
+// Ratio tracking that also estimates the emitted radiance that reaches the start of the span.
+Rgb transmittance_and_emission(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random,
+                               Rgb& emitted);
+
+}  // namespace etendue
