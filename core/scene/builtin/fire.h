@@ -21,7 +21,7 @@ inline Scene fire_in_corner() {
   gas.boundary_only = true;
   gas.medium.absorption = Rgb(5);
   gas.medium.scattering = Rgb(0.5f);
-  gas.medium.emission = Rgb(9);
+  gas.medium.emission = Rgb(14);
   gas.medium.temperature = 1900;
   gas.medium.density.field = make_density("flame");
   add_box(scene, "flame", add_material(scene, "flame", gas), {-0.5f, 0.11f, -0.5f}, {0.5f, 1.65f, 0.5f});

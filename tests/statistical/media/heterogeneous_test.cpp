@@ -125,22 +125,20 @@ TEST(Heterogeneous, IsothermalMediumInASkyOfItsRadiance) {
 }
 
 TEST(Heterogeneous, WhiteFurnace) {
-  for (const char* density : {"linear", "exponential", "ball", "cloud", "flame"})
-    for (const MediumDescription& m : {medium(Rgb(5)), medium({6, 1, 0.3f}, Rgb(0), 0.7f)}) {
-      scene::Scene scene;
-      const MediumDescription inside = with_density(m, density);
-      add(scene, scene::box(Vec3(1)), medium_boundary(inside));
-      add(scene, test::sphere(0.5f, 16, false), test::turbid_liquid(1.5f, inside), moved_to({2, 0, 0}));
-      scene.environment.tint = Rgb(1);
-      for (const char* name : kIntegrators) {
-        expect_radiance(with_integrator(narrow(scene, {0.1f, 0.2f, 3}, {0.1f, 0.1f, 0}), name), 64, Rgb(1), 0.02,
-                        std::string(density) + ' ' + name);
-        expect_radiance(with_integrator(narrow(scene, {0.1f, 0.2f, 0.1f}, {0.1f, 0.1f, -1}), name), 64, Rgb(1), 0.02,
-                        std::string(density) + " from inside " + name);
-        expect_radiance(with_integrator(narrow(scene, {2.1f, 0.2f, 3}, {2.1f, 0.1f, 0}), name), 64, Rgb(1), 0.02,
-                        std::string(density) + " in glass " + name);
-      }
-    }
+  for (const char* density : {"exponential", "ball", "cloud"}) {
+    const MediumDescription m = with_density(medium({6, 1, 0.3f}, Rgb(0), 0.7f), density);
+    scene::Scene scene;
+    add(scene, scene::box(Vec3(1)), medium_boundary(m));
+    add(scene, test::sphere(0.5f, 16, false), test::turbid_liquid(1.5f, m), moved_to({2, 0, 0}));
+    scene.environment.tint = Rgb(1);
+    const std::pair<const char*, Document> views[] = {
+        {"from outside", narrow(scene, {0.1f, 0.2f, 3}, {0.1f, 0.1f, 0})},
+        {"from inside", narrow(scene, {0.1f, 0.2f, 0.1f}, {0.1f, 0.1f, -1})},
+        {"in glass", narrow(scene, {2.1f, 0.2f, 3}, {2.1f, 0.1f, 0})}};
+    for (const auto& [view, d] : views)
+      for (const char* name : kIntegrators)
+        expect_radiance(with_integrator(d, name), 32, Rgb(1), 0.02, std::string(density) + ' ' + view + ' ' + name);
+  }
 }
 
 TEST(Heterogeneous, AtmosphereInAWhiteFurnace) {

@@ -134,12 +134,12 @@ Flights flights(const HeterogeneousMedium& medium, const Rgb& throughput, int co
 
 // The integral over the height of sigma_s density(y) exp(-sigma_t depth(y)) y^power.
 double collided(double scattering, double extinction, double bottom, double top, int power) {
-  constexpr int kSteps = 20000;
+  constexpr int kSlices = 20000;
   double sum = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double y = (i + 0.5) / kSteps, density = bottom + (top - bottom) * y,
+  for (int i = 0; i < kSlices; ++i) {
+    const double y = (i + 0.5) / kSlices, density = bottom + (top - bottom) * y,
                  depth = bottom * y + 0.5 * (top - bottom) * y * y;
-    sum += scattering * density * std::exp(-extinction * depth) * std::pow(y, power) / kSteps;
+    sum += scattering * density * std::exp(-extinction * depth) * std::pow(y, power) / kSlices;
   }
   return sum;
 }
