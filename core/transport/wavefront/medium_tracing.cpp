@@ -84,12 +84,17 @@ ScatteringPart scattering_part(const scene::Solids& solids, const Ray& ray, floa
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, MediumSegment& segment) {
   const scene::AtmosphereMedium* atmosphere = scene.solids().atmosphere();
+  const auto pass = [&](const Rgb& transmittance, bool scatters) {
+    segment.transmittance *= transmittance;
+    if (scatters) segment.scattering_transmittance *= transmittance;
+  };
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
     if (part.solid)
-      segment.transmittance *= part.solid->transmittance(std::max(part.length, 0.0f));
+      pass(part.solid->transmittance(std::max(part.length, 0.0f)), part.solid->medium.scatters());
     else if (atmosphere)
-      segment.transmittance *= atmosphere->transmittance(
-          ray, {part.from, part.from + part.length / std::sqrt(length_squared(ray.direction))});
+      pass(atmosphere->transmittance(
+               ray, {part.from, part.from + part.length / std::sqrt(length_squared(ray.direction))}),
+           atmosphere->medium.scatters());
     return true;
   });
 }
@@ -99,16 +104,27 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
   const float scale = std::sqrt(length_squared(ray.direction));
   scene::MediumStack stack = start;
   segment.collision = {};
+  segment.first.medium = nullptr;
+  Rgb transmittance(1);  // of the media before the first scattering medium
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
     const ScatteringPart scattering = scattering_part(scene.solids(), ray, scale, part);
     if (!scattering.medium) {
-      if (part.solid) flight.attenuate(part.solid->transmittance(std::max(part.length, 0.0f)));
+      if (!part.solid) return true;
+      const Rgb passed = part.solid->transmittance(std::max(part.length, 0.0f));
+      transmittance *= passed;
+      flight.attenuate(passed);
       return true;
     }
     const float part_length = std::max(scattering.length, 0.0f);
     if (!scattering.medium->scatters()) {
-      flight.attenuate(scattering.medium->transmittance(part_length));
+      const Rgb passed = scattering.medium->transmittance(part_length);
+      transmittance *= passed;
+      flight.attenuate(passed);
       return true;
+    }
+    if (!segment.first.medium) {
+      const float from = part.from * scale + scattering.offset;
+      segment.first = {scattering.medium, from, from + part_length, transmittance, stack};
     }
     const auto distance = flight.pass(*scattering.medium, part_length);
     if (!distance) return true;
@@ -117,6 +133,7 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
     return false;
   });
   segment.transmittance = flight.weight();
+  segment.survival = flight.survival();
   if (!segment.collision.phase) return;
   segment.hit = {};
   segment.interface.clear(stack);
@@ -128,12 +145,13 @@ void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float leng
   complete_segment(scene, ray, length, seed, time, stack, segment);
 }
 
-Rgb connection_transmittance(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                             const scene::MediumStack& stack, uint64_t& rays) {
+Passage connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+                           const scene::MediumStack& stack, uint64_t& rays) {
   MediumSegment segment;
   trace_segment(scene, ray, length, seed, time, stack, segment);
   rays += 1 + segment.rays;
-  return segment.hit ? Rgb(0) : segment.transmittance;
+  if (segment.hit) return {Rgb(0), 0};
+  return {segment.transmittance, average(segment.scattering_transmittance)};
 }
 
 }  // namespace etendue::transport

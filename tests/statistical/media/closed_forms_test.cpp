@@ -24,6 +24,8 @@ using test::with;
 using test::with_integrator;
 
 constexpr const char* kIntegrators[] = {"path", "path-pure"};
+// Those that sample the paths of a uniform sky with little noise.
+constexpr const char* kFurnaceIntegrators[] = {"path", "path-pure", "distribution", "bdpt"};
 
 Mat4 at(const Vec3& p) {
   Mat4 m(1);
@@ -144,6 +146,8 @@ TEST(SingleScattering, EqualsTheAirlightIntegral) {
       const std::string what = "g = " + std::to_string(g);
       expect_colors(with(d, "path.max-depth", "2"), 256, expected, 0.01, what + ", by depth");
       expect_colors(with(d, "film.paths", "EVL"), 256, expected, 0.01, what + ", by class");
+      for (const char* name : {"distribution", "bdpt"})
+        expect_colors(with(with_integrator(d, name), "film.paths", "EVL"), 256, expected, 0.01, what + ", " + name);
     }
 }
 
@@ -174,7 +178,7 @@ TEST(WhiteFurnace, ScatteringWithoutAbsorptionIsInvisible) {
       add(scene, test::sphere(1, 24, false), ball);
       scene.environment.tint = Rgb(1);
       for (const float distance : {3.0f, 0.3f})
-        for (const char* name : kIntegrators) {
+        for (const char* name : kFurnaceIntegrators) {
           const Document d = narrow_view(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0});
           const float eta = distance < 1 && !ball.boundary_only ? ball.ior : 1;
           expect_colors(with_integrator(d, name), 64, Rgb(eta * eta), 0.02,
@@ -190,7 +194,7 @@ TEST(WhiteFurnace, Atmosphere) {
   scene.atmosphere.radius = 2;
   scene.environment.tint = Rgb(1);
   for (const float distance : {5.0f, 1.0f})
-    for (const char* name : kIntegrators)
+    for (const char* name : kFurnaceIntegrators)
       expect_colors(with_integrator(narrow_view(scene, {0.1f, 0.2f, distance}, {0.1f, 0.2f, 0}), name), 64, Rgb(1), 0.02,
                     name);
 }
