@@ -358,8 +358,9 @@ class Compiler {
       moving[i] = {instance.mesh, instance.motion};
     }
     result_->instances_ = std::move(instances);
-    result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
-                                                    bounds_with_atmosphere(), std::move(moving), std::move(round_lights));
+    result_->lights_ =
+        std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
+                                     bounds_with_atmosphere(), std::move(moving), std::move(round_lights));
     result_->report_.lights_built = true;
   }
 

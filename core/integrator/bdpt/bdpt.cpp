@@ -107,8 +107,8 @@ class BdptState final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_scattering_model(
-        *context_.model, [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
  private:

@@ -36,8 +36,7 @@ void connect_light_to_camera(const RenderContext& context, const typename LightS
     const auto weight = weight_of(view->importance, e.direction, kInfinity);
     const float value = view->importance / e.density.first * transport::known_factor(weight);
     return splatter.connect(start.path, view->ray, e.time, seed, medium_at_camera<M>(context, view->ray, e.time),
-                            kInfinity, view->raster,
-                            start.emitted * value, weight);
+                            kInfinity, view->raster, start.emitted * value, weight);
   }
   const auto view = context.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;

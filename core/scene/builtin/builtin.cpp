@@ -20,8 +20,8 @@ namespace etendue::scene {
 
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
-      kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
-      kFog,      kMilk,           kGodRays,
+      kCornell,  kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect,
+      kDoorAjar, kManyLights,     kFog,          kMilk,         kGodRays,
   };
   return all;
 }

@@ -39,10 +39,12 @@ struct ConnectionWeight {
   float others = 0;  // the sum of powers, or the maximum, of the ratios of densities if `survival` is 1
   MisHeuristic heuristic = MisHeuristic::power;
 
-  // Without the factor.
+  // Without the factor. `others` may be infinite.
   float at(float survival) const {
-    if (heuristic == MisHeuristic::maximum) return others * survival < 1 ? 1.0f : 0.0f;
-    return 1 / (1 + others * (heuristic == MisHeuristic::power ? survival * survival : survival));
+    if (!(survival > 0)) return 0;
+    const float sum = others * survival;
+    if (heuristic == MisHeuristic::maximum) return sum < 1 ? 1.0f : 0.0f;
+    return 1 / (1 + (heuristic == MisHeuristic::power ? sum * survival : sum));
   }
   friend ConnectionWeight operator/(ConnectionWeight w, float by) {
     w.factor /= by;

@@ -33,7 +33,9 @@ class Connections {
     return add(ray, time, seed, medium, length, ConnectionWeight());
   }
   // A segment in models without media.
-  Contribution& add(const Ray& ray, float time, uint32_t seed, Vacuum, float, float = 1) { return add(ray, time, seed); }
+  Contribution& add(const Ray& ray, float time, uint32_t seed, Vacuum, float, float = 1) {
+    return add(ray, time, seed);
+  }
 
   // Traces all segments, calls `deliver(contribution, transmittance)` for those that are not occluded, and removes
   // them. Returns the number of rays traced.

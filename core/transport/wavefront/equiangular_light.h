@@ -93,8 +93,7 @@ class EquiangularLight {
     const Vec3 point = segment.origin + segment.direction * distance;
     const LightSample light = lights_.sample_placed(choice->light, point, state.time);
     if (light.pdf == 0) return;
-    const float other_pdf = flight_density(path, part, distance) *
-                            lights_.probability(choice->light, point, strategy_);
+    const float other_pdf = flight_density(path, part, distance) * lights_.probability(choice->light, point, strategy_);
     const float weight = mis_weight_over_pdf(heuristic_, pdf * choice->probability, other_pdf);
     const float phase = part.medium->phase->eval(-segment.direction, light.wi);
     const Color throughput = paths_.media().unattenuated(path) * part.transmittance *
@@ -104,18 +103,18 @@ class EquiangularLight {
     if (is_black(contribution)) return;
     paths_.connect_from(path, point, part.stack, light.wi, light.distance) = contribution;
     if (paths_.recorder()) [[unlikely]]
-      record(path, light, weight, phase, contribution);
+      record(path, light, weight * pdf * choice->probability, phase, contribution);
   }
 
   // The light sample is recorded at the vertex at the end of the segment.
-  [[gnu::cold, gnu::noinline]] void record(int path, const LightSample& light, float weight, float phase,
+  [[gnu::cold, gnu::noinline]] void record(int path, const LightSample& light, float mis_weight, float phase,
                                            const Color& contribution) {
     paths_.recorder()->add_light(path,
                                  {.sample = light,
                                   .radiance = light.radiance,
                                   .f_cos = Color(phase),
                                   .bsdf_pdf = phase,
-                                  .mis_weight = weight,
+                                  .mis_weight = mis_weight,
                                   .unoccluded = contribution},
                                  paths_.last_connection());
   }

@@ -92,8 +92,8 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
     if (part.solid)
       pass(part.solid->transmittance(std::max(part.length, 0.0f)), part.solid->medium.scatters());
     else if (atmosphere)
-      pass(atmosphere->transmittance(
-               ray, {part.from, part.from + part.length / std::sqrt(length_squared(ray.direction))}),
+      pass(atmosphere->transmittance(ray,
+                                     {part.from, part.from + part.length / std::sqrt(length_squared(ray.direction))}),
            atmosphere->medium.scatters());
     return true;
   });

@@ -61,7 +61,7 @@ void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float leng
 // What passes a connection to a point at a distance of `length` metres; black if a surface blocks it. The direction of
 // the ray may have any length. Adds the number of rays traced to `rays`.
 Passage connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                             const scene::MediumStack& stack, uint64_t& rays);
+                           const scene::MediumStack& stack, uint64_t& rays);
 
 // What passes connections that CompiledScene::occluded has tested.
 class TracedConnections {

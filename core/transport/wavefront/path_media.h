@@ -125,8 +125,7 @@ class PathMedia<M, true> {
   // The transmittance of a connection times its MIS weight.
   Color transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
-    const Passage passage =
-        TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced);
+    const Passage passage = TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced);
     if constexpr (M::kScattering) return passage.transmittance * c.weight.at(passage.survival);
     return passage.transmittance;
   }

@@ -11,8 +11,8 @@
 
 #include "base/hash.h"
 #include "sampling/sampler.h"
-#include "transport/path_expression/class_shares.h"
 #include "transport/mis/mis.h"
+#include "transport/path_expression/class_shares.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/path_media.h"
 #include "transport/wavefront/path_recorder.h"

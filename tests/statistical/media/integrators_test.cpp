@@ -35,10 +35,9 @@ struct Form {
 };
 
 constexpr Form kPath{"path", "", "", 1}, kWithoutEquiangular{"path", "equiangular", "false", 1},
-    kDistribution{"distribution", "branches-2", "2", 0.5}, kLight{"light", "", "", 4},
-    kBdpt{"bdpt", "", "", 0.5}, kBalance{"bdpt", "heuristic", "balance", 0.5},
-    kMaximum{"bdpt", "heuristic", "maximum", 0.5}, kEndsOnly{"bdpt", "reuse", "false", 4},
-    kPssmlt{"pssmlt", "", "", 0.5};
+    kDistribution{"distribution", "branches-2", "2", 0.5}, kLight{"light", "", "", 4}, kBdpt{"bdpt", "", "", 0.5},
+    kBalance{"bdpt", "heuristic", "balance", 0.5}, kMaximum{"bdpt", "heuristic", "maximum", 0.5},
+    kEndsOnly{"bdpt", "reuse", "false", 4}, kPssmlt{"pssmlt", "", "", 1};
 
 void expect_pairs_agree(const Document& place, const std::string& paths, uint32_t samples,
                         const std::vector<Form>& forms) {
@@ -84,14 +83,14 @@ TEST(MediaPairwise, SpotLightInFog) {
   expect_pairs_agree(test::spot_light_in_fog(), kSeenByLightPaths, 64,
                      {kPath, kWithoutEquiangular, kDistribution, kLight, kBdpt, kPssmlt});
 }
+// Connections of light paths to a camera in fog have no bounded variance: collisions may be arbitrarily close to it.
 TEST(MediaPairwise, CameraInChromaticFog) {
-  expect_pairs_agree(test::camera_in_fog(), kSeenByLightPaths, 48, {kPath, kLight, kBdpt, kBalance, kMaximum, kPssmlt});
+  expect_pairs_agree(test::camera_in_fog(), kSeenByLightPaths, 48, {kPath, kBdpt, kBalance, kMaximum, kPssmlt});
 }
 
 // A lens that light paths hit, in fog.
 TEST(MediaPairwise, WideLensInFog) {
-  const Document d =
-      with(with(test::foggy_cornell_box(), "camera.lens-radius", "1.5"), "camera.focus-distance", "8");
+  const Document d = with(with(test::foggy_cornell_box(), "camera.lens-radius", "1.5"), "camera.focus-distance", "8");
   expect_pairs_agree(d, kSeenByLightPaths, 48, {kPath, kLight, {"light-pure", "", "", 8}, kBdpt, kMaximum});
 }
 
@@ -101,8 +100,7 @@ TEST(MediaTechniques, ReplaceEachOther) {
   const auto all = test::replicated(with(d, "film.paths", "E[(D|G|V).*]L"), 24, 1000);
   for (const char* techniques : {"0,*", "1,*", "*,1"})
     test::expect_agreement(
-        all,
-        test::replicated(with(with(d, "film.paths", "E[(D|G|V).*]L"), "bdpt.without", techniques), 24, 2000),
+        all, test::replicated(with(with(d, "film.paths", "E[(D|G|V).*]L"), "bdpt.without", techniques), 24, 2000),
         techniques, 3);
 }
 
@@ -161,8 +159,7 @@ TEST(MediaExtremes, AreFinite) {
     add(scene, test::sphere(1, 16, false), test::medium_boundary(m));
     add(scene, test::quad(3), test::diffuse(Rgb(0.5f)), Mat4(1));
     scene.environment.tint = Rgb(1);
-    const Document d =
-        test::document(std::move(scene), look_at({0, 1, 3}, Vec3(0), {0, 1, 0}, 0.8f), 16, 16);
+    const Document d = test::document(std::move(scene), look_at({0, 1, 3}, Vec3(0), {0, 1, 0}, 0.8f), 16, 16);
     for (const auto& info : integrator::integrator_infos()) {
       if (!info.scattering_media) continue;
       const film::Film film = test::rendered(with_integrator(with(d, "camera.lens-radius", "0.2"), info.name), 8);
@@ -174,17 +171,17 @@ TEST(MediaExtremes, AreFinite) {
 
 // ---- Equiangular sampling.
 
-// Noise of the light that is scattered once beside a point light: equiangular sampling has at most a tenth of the
-// variance of distances by transmittance.
+// Light that is scattered once, beside a point light just outside of the image: equiangular sampling has at most a tenth
+// of the variance of distances by transmittance.
 TEST(Equiangular, ReducesTheNoiseAroundAPointLight) {
   scene::Scene scene;
   scene.atmosphere.medium = test::medium(Rgb(0.05f));
-  scene::add_point_light(scene, {0, 0, -4}, 10);
+  scene::add_point_light(scene, {0, 2, -4}, 10);
   Mat4 behind(1);
   behind[3] = Vec4(0, 0, 50, 1);
   add(scene, test::quad(0.1f), test::diffuse(Rgb(0)), behind);
-  const Document d =
-      with(test::document(std::move(scene), look_at(Vec3(0), {0, 0, -1}, {0, 1, 0}, 0.8f), 16, 16), "film.paths", "EVL");
+  const Document d = with(test::document(std::move(scene), look_at(Vec3(0), {0, 0, -1}, {0, 1, 0}, 0.8f), 16, 16),
+                          "film.paths", "EVL");
   const auto plain = test::replicated(with(d, "path.equiangular", "false"), 64, 1000);
   const auto equiangular = test::replicated(d, 16, 2000);
   test::expect_agreement(plain, equiangular, "equiangular");

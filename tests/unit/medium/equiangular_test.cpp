@@ -61,7 +61,7 @@ TEST(Equiangular, InsideCone) {
       const Vec3 x = origin + direction * t - apex;
       const float margin = glm::dot(x, axis) - cosine * glm::length(x);
       if (std::abs(margin) < 1e-3f) continue;
-      EXPECT_EQ(t > lit.from && t < lit.to, margin > 0);
+      EXPECT_EQ(t > lit.from && t<lit.to, margin> 0);
       inside += margin > 0;
     }
   }

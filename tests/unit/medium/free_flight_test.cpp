@@ -95,10 +95,9 @@ TEST(FreeFlight, SeveralMediaInSequence) {
     for (int c = 0; c < 3; ++c) passed[c] += static_cast<double>(flight.weight()[c]) / kSteps;
   }
   for (int c = 0; c < 3; ++c)
-    EXPECT_NEAR(passed[c],
-                0.5 * std::exp(-static_cast<double>(a.extinction[c]) * 0.4 -
-                               static_cast<double>(b.extinction[c]) * 0.7),
-                2e-4);
+    EXPECT_NEAR(
+        passed[c],
+        0.5 * std::exp(-static_cast<double>(a.extinction[c]) * 0.4 - static_cast<double>(b.extinction[c]) * 0.7), 2e-4);
 }
 
 TEST(FreeFlight, ExtremeOpticalDepthsAreFinite) {
