@@ -38,7 +38,7 @@ inline Scene god_rays() {
 inline constexpr Builtin kGodRays{
     .name = "god-rays",
     .label = "God rays",
-    .doc = "A spot light shines through a blind into fog: light that is scattered once, close to the light",
+    .doc = "A spot light behind a blind in fog: light that is scattered once, close to the light",
     .make = god_rays,
 };
 
