@@ -5,6 +5,9 @@
 
 namespace etendue {
 
+// In a medium with the same albedo in all channels, the throughput of a channel is proportional to the density of the path
+// in that channel. The product of the densities of all flights is then the mean over the channels of the densities of the
+// whole path, as in hero wavelength sampling with multiple importance sampling [Wilkie et al. 2014].
 FreeFlight::FreeFlight(const Rgb& throughput, float random) {
   const Rgb positive(std::max(throughput.r, 0.0f), std::max(throughput.g, 0.0f), std::max(throughput.b, 0.0f));
   const float sum = positive.r + positive.g + positive.b;
@@ -19,6 +22,12 @@ FreeFlight::FreeFlight(const Rgb& throughput, float random) {
   }
   const float stretched = std::clamp((random - below) / probability_[channel_], 0.0f, kOneMinusEpsilon);
   remaining_ = -std::log1p(-stretched);
+}
+
+FreeFlight FreeFlight::without_collision(const Rgb& throughput) {
+  FreeFlight flight(throughput, 0);
+  flight.remaining_ = kInfinity;
+  return flight;
 }
 
 std::optional<float> FreeFlight::pass(const HomogeneousMedium& medium, float length) {
@@ -83,6 +92,17 @@ Rgb FreeFlight::weight(const Rgb& collision_density, const Rgb& value) const {
     weight[c] = transmittance * value[c];
   }
   return density > 0 ? weight * absorption_ / density : Rgb(0);
+}
+
+float FreeFlight::survival() const {
+  return (std::exp(-depth_.r) + std::exp(-depth_.g) + std::exp(-depth_.b)) * (1.0f / 3);
+}
+
+float FreeFlight::collision_density(const HomogeneousMedium& medium, float distance) const {
+  const Rgb transmittance = medium.transmittance(distance);
+  float density = 0;
+  for (int c = 0; c < 3; ++c) density += probability_[c] * medium.extinction[c] * transmittance[c];
+  return density;
 }
 
 }  // namespace etendue

@@ -29,6 +29,9 @@ class FreeFlight {
  public:
   // `throughput` is that of the path at the start; `random` is uniform in [0, 1).
   FreeFlight(const Rgb& throughput, float random);
+  // A flight from the same start that passes all media: for points on a segment that is known to have no collision
+  // before them.
+  static FreeFlight without_collision(const Rgb& throughput);
 
   // Passes through `length` metres, possibly infinite, of a medium. Returns the distance to a collision inside it, in
   // metres; the flight ends there.
@@ -41,6 +44,11 @@ class FreeFlight {
 
   // The factor of the throughput: after `pass` has returned a collision, or at the end of the flight.
   Rgb weight() const;
+  // The probability of no collision so far, as the mean over the colour channels. Unlike the probability of this flight,
+  // it is a function of the segment alone, the same in both directions. MIS weights of bidirectional techniques use it.
+  float survival() const;
+  // The density per metre of a collision after `distance` metres, if the flight starts in this medium.
+  float collision_density(const HomogeneousMedium& medium, float distance) const;
 
   // Adds radiance that reaches the current end of the flight, before a collision.
   void add_emission(const Rgb& radiance) { emitted_ += weight() * radiance; }

@@ -142,6 +142,10 @@ class CompiledScene final : public OpacityTest {
   const Solids& solids() const { return *solids_; }
   // See Solids::scatters.
   bool scatters() const { return solids_->scatters(); }
+  // Whether the atmosphere has no end, so that no light from infinity arrives.
+  bool atmosphere_is_unbounded() const {
+    return solids_->atmosphere() && !std::isfinite(solids_->atmosphere()->radius);
+  }
   // See Solids::find_interface.
   bool find_interface(const MediumStack& stack, float time, Hit& hit, MediumInterface& interface) const {
     return solids_->find_interface(*instances_, stack, time, hit, interface);

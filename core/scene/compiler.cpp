@@ -339,6 +339,7 @@ class Compiler {
     if (!previous_ || result_->report_.top_level_built) return false;
     const Scene& old = previous_->description();
     if (!(scene_->lights == old.lights) || !(scene_->environment == old.environment)) return false;
+    if (!(scene_->atmosphere == old.atmosphere)) return false;
     if (!result_->report_.materials_built) return true;
     if (scene_->materials.size() != old.materials.size()) return false;
     for (size_t i = 0; i < scene_->materials.size(); ++i) {
@@ -376,9 +377,21 @@ class Compiler {
       moving[i] = {instance.mesh, instance.motion};
     }
     result_->instances_ = std::move(instances);
-    result_->lights_ = std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
-                                                    result_->bounds_, std::move(moving), std::move(round_lights));
+    result_->lights_ =
+        std::make_shared<LightTable>(std::move(triangles), placed_lights(), scene_->environment,
+                                     bounds_with_atmosphere(), std::move(moving), std::move(round_lights));
     result_->report_.lights_built = true;
+  }
+
+  // The bounds of the scene or, if the sphere of the atmosphere is larger, those of a cube that it circumscribes. Light
+  // from infinity has to enter through this sphere.
+  Bounds bounds_with_atmosphere() const {
+    const Bounds& bounds = result_->bounds_;
+    const Atmosphere& atmosphere = scene_->atmosphere;
+    if (atmosphere.medium.is_clear() || !std::isfinite(atmosphere.radius) || bounds.empty()) return bounds;
+    if (atmosphere.radius <= bounds.radius()) return bounds;
+    const Vec3 half(atmosphere.radius / std::sqrt(3.0f));
+    return {bounds.center() - half, bounds.center() + half};
   }
 
   static AreaLightTriangle emissive(const InstanceData& instance, const SurfaceMaterial& material, uint32_t i,

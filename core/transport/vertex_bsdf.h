@@ -24,6 +24,8 @@ class Bsdf<M> {
   // `phase` must outlive the vertex.
   void set_volume(const PhaseFunction& phase) { phase_ = &phase; }
   bool in_volume() const { return phase_ != nullptr; }
+  // To be called after copying a vertex together with its point.
+  void rebind(const Frame& shading, const Vec3& geometric_normal) { surface_.rebind(shading, geometric_normal); }
 
   bool has_non_delta_lobe() const { return in_volume() || surface_.has_non_delta_lobe(); }
   bool has_component(ScatterType type) const {
@@ -36,6 +38,9 @@ class Bsdf<M> {
     return type == ScatterType::volume ? Color(phase_->eval(wo, wi)) : Color(0);
   }
 
+  float pdf(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
+    return in_volume() ? phase_->eval(wo, wi) : surface_.pdf(wo, wi, mode);
+  }
   Value evaluate(const Vec3& wo, const Vec3& wi, TransportMode mode = TransportMode::radiance) const {
     if (!in_volume()) return surface_.evaluate(wo, wi, mode);
     const float p = phase_->eval(wo, wi);

@@ -12,7 +12,7 @@
 //
 //    L  ~  sum over (s, t)  w_s,t f(x_s,t) / p_s,t(x_s,t),    w_s,t = p_s,t^beta / sum over i of p_i,k+1-i^beta
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L, E(D|G).*L and E.*(D|G)(D|G).*L
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L, E(D|G|V).*L and E.*(D|G|V)(D|G|V).*L
 //   Bias          none; Russian roulette on the throughput
 //   Cost          rays grow with the square of the path length; two subpaths and one image besides the film
 //   Limitations   Caustics seen in mirrors or through glass are found only if a subpath happens to hit the light or the
@@ -37,8 +37,8 @@ class Bdpt final : public IntegratorBase<Bdpt> {
             "Subpaths from the camera and from the lights, with every vertex of the one connected to every vertex of "
             "the other",
         .group = Group::bidirectional,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V)L|E(D|G|V).*L|E.*(D|G|V)(D|G|V).*L",
         .bias = Bias::unbiased,
         .cost = "rays grow with the square of the path length; two subpaths and one image besides the film",
         .limitations =
@@ -47,6 +47,7 @@ class Bdpt final : public IntegratorBase<Bdpt> {
         .accumulation = Accumulation::with_splats,
         .shortcut = '6',
         .techniques = {"without", "only", "weighted"},
+        .scattering_media = true,
     };
   }
 
@@ -106,8 +107,8 @@ class BdptState final : public RenderState {
 
   std::optional<uint64_t> sample(const PixelBlock& block, std::span<Rgb> radiance,
                                  const TaskContext& task_context) override {
-    return transport::with_model(*context_.model,
-                                 [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
+    return transport::with_scattering_model(*context_.model,
+                                            [&]<class M>(M) { return sample_with<M>(block, radiance, task_context); });
   }
 
  private:

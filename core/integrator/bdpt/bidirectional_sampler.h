@@ -81,8 +81,8 @@ class BidirectionalSampler {
   // Traces the launched subpaths.
   void trace_light_subpaths(Splatter& splatter) {
     subpaths_.clear_light_vertices();
-    const auto lens_weight = [&](int path, const CameraRays::LensHit& hit) {
-      return subpaths_.lens_hit_weight(path, hit);
+    const auto lens_weight = [&](int path, const CameraRays::LensHit& hit, float survival) {
+      return subpaths_.lens_hit_weight(path, hit, survival);
     };
     while (subpaths_.light.trace()) {
       if (context_->camera->can_be_hit())
@@ -171,16 +171,17 @@ class BidirectionalSampler {
     const auto at_y = y.bsdf.evaluate(y.wo, -wi, TransportMode::importance);
     if (is_black(at_y.f_cos)) return;
     const float to_area = sqr(over_distance);
-    const float w = subpaths_.connection_weight(i, y, wi, at_z.pdf * std::abs(glm::dot(y.point.ng, wi)) * to_area,
-                                                at_y.pdf * std::abs(glm::dot(z.ng, wi)) * to_area);
+    const auto weight = subpaths_.connection_weight(i, y, wi, at_z.pdf * subpaths_.cosine(y.point, wi) * to_area,
+                                                    at_y.pdf * subpaths_.cosine(z, wi) * to_area);
+    const float w = transport::known_factor(weight);
     if (w == 0) return;
     auto& state = subpaths_.camera.state(path);
     Color value = state.throughput * at_z.f_cos * at_y.f_cos * y.flux * (w * to_area);
     if constexpr (M::kClasses) value *= class_share(i, y, wi);
     if (is_black(value)) return;
     const uint32_t seed = subpaths_.camera.opacity_seed(path) + static_cast<uint32_t>(64 * s + t);
-    Connection& connection =
-        connections_.add(ray_to(z, wi, distance), state.time, seed, subpaths_.camera.medium_beyond(i, wi), distance);
+    Connection& connection = connections_.add(ray_to(z, wi, distance), state.time, seed,
+                                              subpaths_.camera.medium_beyond(i, wi), distance, weight);
     connection.path = static_cast<uint16_t>(path);
     connection.value = value;
     if (connections_.full()) trace_connections();

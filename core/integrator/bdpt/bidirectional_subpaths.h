@@ -39,6 +39,9 @@ class BidirectionalSubpaths {
   static constexpr int kWidth = 16, kHeight = 16;
   static constexpr size_t kPaths = size_t{kWidth} * kHeight;
 
+  // The MIS weight of a connection. In scattering media it depends on the connected segment.
+  using Weight = std::conditional_t<M::kScattering, transport::ConnectionWeight, float>;
+
   PathWavefront light, camera;
 
   // `techniques` are the only techniques of each path; empty: all. `pixels` is the area of the image in pixels.
@@ -152,10 +155,17 @@ class BidirectionalSubpaths {
   // The last stored vertex of a light subpath, or null.
   const Vertex* last_light_vertex(int path) const { return last_light_vertex_[static_cast<size_t>(path)]; }
 
+  // |cos| between a direction and the normal of a point; 1 in volumes.
+  static float cosine(const scene::SurfacePoint& point, const Vec3& direction) {
+    if constexpr (M::kScattering)
+      if (point.in_volume) return 1;
+    return std::abs(glm::dot(point.ng, direction));
+  }
+
   // ---- MIS weights of the techniques, divided by the probability of a sampled technique.
 
   // The MIS weight of the directly visible light: (1, 1).
-  float light_view_weight(const Start& start, float pixels, const Vec3& wi, float distance) const {
+  Weight light_view_weight(const Start& start, float pixels, const Vec3& wi, float distance) const {
     const EmissionDensity& emission = start.emission.density;
     const float hit_ratio = is_enabled(0, 2) ? light_rule().ratio(pixels / pixels_ / emission.first) : 0;
     float lens_ratio = 0;
@@ -165,36 +175,35 @@ class BidirectionalSubpaths {
           emission.infinite ? emission.second * cosine : emission_direction_density(start, wi) * cosine / sqr(distance);
       lens_ratio = camera_rule().ratio(lens_ratio * area);
     }
-    return weight(start.path, 1, 1, hit_ratio, lens_ratio);
+    return weight_of_connection(start.path, 1, 1, hit_ratio, lens_ratio);
   }
 
-  // The subpath hit the lens: t = 0.
-  float lens_hit_weight(int path, const CameraRays::LensHit& hit) {
+  // The subpath hit the lens: t = 0. `survival` is the probability that a flight reaches it.
+  float lens_hit_weight(int path, const CameraRays::LensHit& hit, float survival) {
     const int s = light.length() + 1;
     if (options_->too_long(light.length()) || !contributes(path, s, 0)) return 0;
     MisChain chain = light_chains_[static_cast<size_t>(path)];
-    const MisVertex on_lens = chain.add_vertex(light_rule(), sqr(hit.distance), hit.cosine);
+    const MisVertex on_lens = chain.add_vertex(light_rule(), sqr(hit.distance), hit.cosine, survival);
     const float sum = light_sum(on_lens, s - 1, last_light_vertex_[static_cast<size_t>(path)],
                                 1 / context_->camera->lens_area(), hit.density / pixels_, 0);
     return weight(path, s, 0, sum, 0);
   }
 
   // The vertex is connected to the camera: t = 1.
-  float camera_connection_weight(int i, const CameraRays::View& view) {
+  Weight camera_connection_weight(int i, const CameraRays::View& view) {
     const int s = light.length() + 1, path = light.path_at(i);
     const scene::SurfacePoint& point = light.point(i);
     const Bsdf<M>& bsdf = light.bsdf(i);
     const Vec3& wo = light.wo(i);
-    const float cosine = std::abs(glm::dot(point.ng, view.wi));
     const float lights =
         light_sum(light_vertices_[static_cast<size_t>(i)], s - 1, last_light_vertex_[static_cast<size_t>(path)],
-                  view.importance * cosine / pixels_, bsdf.pdf(view.wi, wo), 1);
+                  view.importance * cosine(point, view.wi) / pixels_, bsdf.pdf(view.wi, wo), 1);
     float lens = 0;
     if (context_->camera->can_be_hit() && is_enabled(s + 1, 0)) {
       const float distance = view.distance, c = context_->camera->cosine(-view.wi, light.state_at(i).time);
       lens = camera_rule().ratio(bsdf.pdf(wo, view.wi) * c / sqr(distance) * context_->camera->lens_area());
     }
-    return weight(path, s, 1, lights, lens);
+    return weight_of_connection(path, s, 1, lights, lens);
   }
 
   // The camera subpath hit a light: s = 0.
@@ -220,34 +229,35 @@ class BidirectionalSubpaths {
     if (camera.length() == 1) {
       // A direct view of the environment: (1, 1) is the only other technique.
       const float pixels = context_->camera->pixels_per_area(direction, 1, camera.missed_path(i).time) / pixels_;
+      const float density = pixels * camera.survival(path);
       const bool seen = context_->camera->sees_environment() && is_enabled(1, 1);
-      return weight(path, 0, t, 0, seen && pixels > 0 ? camera_rule().ratio(d.first / pixels) : 0.0f);
+      return weight(path, 0, t, 0, seen && density > 0 ? camera_rule().ratio(d.first / density) : 0.0f);
     }
-    const MisVertex at_infinity = chain.add_vertex_at_infinity(camera_rule());
+    const MisVertex at_infinity = chain.add_vertex_at_infinity(camera_rule(), camera.survival(path));
     return weight(path, 0, t, 0, camera_sum(path, at_infinity, t - 1, d.first, d.second, 0));
   }
 
   // A light sample: s = 1. The weight is divided by the density of the sample.
-  float light_sample_weight(int i, const LightSample& sample, float pdf) {
+  Weight light_sample_weight(int i, const LightSample& sample, float pdf) {
     const int t = camera.length() + 1, path = camera.path_at(i);
     const scene::SurfacePoint& point = camera.point(i);
-    const float cosine = std::abs(glm::dot(point.ng, sample.wi));
+    const float cos_point = cosine(point, sample.wi);
     const EmissionDensity d = context_->scene->lights().emission_density(sample, camera.state_at(i).time);
     const float hits = sample.delta || !is_enabled(0, t + 1) ? 0.0f : light_rule().ratio(pdf / sample.pdf);
-    const float reverse_pdf = d.second * (d.infinite ? cosine : cosine / sqr(sample.distance));
+    const float reverse_pdf = d.second * (d.infinite ? cos_point : cos_point / sqr(sample.distance));
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, reverse_pdf,
                                      camera.bsdf(i).pdf(sample.wi, camera.wo(i)), 1);
-    return weight(path, 1, t, hits, cameras) / sample.pdf;
+    return weight_of_connection(path, 1, t, hits, cameras) / sample.pdf;
   }
 
   // The connection of light vertex y and the current camera hit i. The densities are those of y as sampled from i and of
   // i as sampled from y, per area; `wi` is the direction from i to y.
-  float connection_weight(int i, const Vertex& y, const Vec3& wi, float density_at_y, float density_at_z) const {
+  Weight connection_weight(int i, const Vertex& y, const Vec3& wi, float density_at_y, float density_at_z) const {
     const int s = y.length + 1, t = camera.length() + 1, path = camera.path_at(i);
     const float lights = light_sum(y.mis, s - 1, &y, density_at_y, y.bsdf.pdf(-wi, y.wo), t);
     const float cameras = camera_sum(path, camera_vertices_[static_cast<size_t>(i)], t - 1, density_at_z,
                                      camera.bsdf(i).pdf(wi, camera.wo(i)), s);
-    return weight(path, s, t, lights, cameras);
+    return weight_of_connection(path, s, t, lights, cameras);
   }
 
  private:
@@ -295,14 +305,13 @@ class BidirectionalSubpaths {
       const scene::SurfacePoint& point = paths.point(i);
       const Vec3 edge = point.position - paths.state_at(i).from;
       vertices[static_cast<size_t>(i)] = chains[static_cast<size_t>(paths.path_at(i))].add_vertex(
-          rule, length_squared(edge), std::abs(glm::dot(point.ng, paths.wo(i))));
+          rule, length_squared(edge), cosine(point, paths.wo(i)), paths.survival(paths.path_at(i)));
     }
   }
 
   static void scatter(PathWavefront& paths, PerPath<MisChain>& chains, const PerHit& vertices, const MisRule& rule,
                       int i, const LobeSample<Color>& s) {
-    const Vec3& ng = paths.point(i).ng;
-    const float cos_o = std::abs(glm::dot(ng, paths.wo(i))), cos_i = std::abs(glm::dot(ng, s.wi));
+    const float cos_o = cosine(paths.point(i), paths.wo(i)), cos_i = cosine(paths.point(i), s.wi);
     MisChain& chain = chains[static_cast<size_t>(paths.path_at(i))];
     chain.scatter(rule, vertices[static_cast<size_t>(i)], s.delta ? cos_o : paths.bsdf(i).pdf(s.wi, paths.wo(i)),
                   s.delta);
@@ -346,6 +355,17 @@ class BidirectionalSubpaths {
     const float inverse_probability = options_->reuse ? 1 : inverse_probability_[static_cast<size_t>(path)];
     return options_->apply_mis ? inverse_probability * MisRule::weight(options_->heuristic, light_side, camera_side)
                                : inverse_probability;
+  }
+
+  // The weight of a technique with a connection, for which the sums of both sides hold if no flight collides on it.
+  Weight weight_of_connection(int path, int s, int t, float light_side, float camera_side) const {
+    if constexpr (M::kScattering) {
+      const bool maximum = options_->heuristic == transport::MisHeuristic::maximum;
+      const float others = maximum ? std::max(light_side, camera_side) : light_side + camera_side;
+      return {weight(path, s, t, 0, 0), options_->apply_mis ? others : 0, options_->heuristic};
+    } else {
+      return weight(path, s, t, light_side, camera_side);
+    }
   }
 
   const RenderContext* context_ = nullptr;

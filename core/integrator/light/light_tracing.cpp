@@ -7,7 +7,7 @@
 // averaged over as many light paths as the image has pixels. Hits of the lens are not counted, since connections find
 // the same paths.
 //
-//   Paths         E[(D|G).*]L; point lights: E(D|G).*L
+//   Paths         E[(D|G|V).*]L; point lights: E(D|G|V).*L
 //   Bias          none for these paths
 //   Cost          two rays per vertex, one image besides the film
 //   Limitations   Surfaces viewed in mirrors or through glass are black.
@@ -26,8 +26,8 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
         .label = "Light tracing",
         .summary = "Random paths from the lights with every vertex connected to the camera",
         .group = Group::shooting,
-        .paths = "E[(D|G).*]L",
-        .point_paths = "E(D|G).*L",
+        .paths = "E[(D|G|V).*]L",
+        .point_paths = "E(D|G|V).*L",
         .bias = Bias::unbiased,
         .cost = "2 rays per vertex; one image besides the film",
         .limitations =
@@ -35,6 +35,7 @@ class LightTracing final : public LightPathIntegrator<LightTracing> {
             "paths.",
         .accumulation = Accumulation::splats_only,
         .shortcut = '5',
+        .scattering_media = true,
     };
   }
 

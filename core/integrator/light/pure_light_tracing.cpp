@@ -8,7 +8,7 @@
 // All pixels share the same paths. The adjoint BSDF is used: power does not change with the index of refraction as
 // radiance does.
 //
-//   Paths         E(D|G|S)*L; point lights: E.*L
+//   Paths         E(D|G|S|V)*L; point lights: E.*L
 //   Bias          none
 //   Cost          one ray per vertex, one image besides the film
 //   Limitations   Noise grows with the inverse of the lens area. Pinhole and orthographic cameras receive no light.
@@ -26,13 +26,14 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
         .label = "Pure light tracing",
         .summary = "Random paths from the lights that count when they hit the lens",
         .group = Group::shooting,
-        .paths = "E(D|G|S)*L",
+        .paths = "E(D|G|S|V)*L",
         .point_paths = "E.*L",
         .bias = Bias::unbiased,
         .cost = "1 ray per vertex; one image besides the film",
         .limitations =
             "Noise grows with the inverse of the lens area. Pinhole and orthographic cameras receive no light.",
         .accumulation = Accumulation::splats_only,
+        .scattering_media = true,
     };
   }
 
@@ -58,7 +59,7 @@ class PureLightTracing final : public LightPathIntegrator<PureLightTracing> {
   void estimate(const RenderContext& context, LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
                 Splatter& splatter) const {
     using namespace transport;
-    const auto unweighted = [](int, const auto&) { return 1.0f; };
+    const auto unweighted = [](auto&&...) { return 1.0f; };
     while (paths.trace()) {
       add_lens_hits_of_misses(context, subpaths, paths, splatter, unweighted);
       while (paths.next_hits()) {

@@ -284,7 +284,7 @@ class PathSpace {
                           : i == 0 && path.light.infinite ? medium_at_camera<M>(*context_, ray, path.time)
                                                           : medium_at(path[i], path[i].direction);
     const Color transmittance =
-        transport::connection_transmittance(*scene_, ray, length, seed, path.time, medium, rays_);
+        transport::connection_passage(*scene_, ray, length, seed, path.time, medium, rays_).transmittance;
     if (is_black(transmittance)) return false;
     if (!scene_->solids().segments_may_cross_media()) return true;
     path[i].media.transmittance = transmittance;

@@ -8,7 +8,7 @@
 // sampling. Without them [Lang, Example 6.44], branches count the light that they hit. With one branch at every vertex
 // the samples are identical to those of `path` and `path-pure`.
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L with shadow rays, none without
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L with shadow rays, none without
 //   Bias          none
 //   Cost          the number of rays is the product of the branch counts, twice with shadow rays; a stack of branches
 //   Limitations   The number of rays grows exponentially with the depth of branching, and the deepest contribute least.
@@ -21,19 +21,22 @@ namespace etendue::integrator {
 
 class DistributionRayTracing final : public CameraPathIntegrator<DistributionRayTracing> {
  public:
+  static constexpr bool kScatteringMedia = true;
+
   static IntegratorInfo info() {
     return {
         .name = "distribution",
         .label = "Distribution ray tracing",
         .summary = "Branching rays from the camera with direct light at every vertex",
         .group = Group::gathering,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G)L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V)L",
         .bias = Bias::unbiased,
         .cost = "per depth, the product of the branch counts up to it, twice with shadow rays; a stack of branches",
         .limitations =
             "The number of rays grows exponentially with the depth of branching, and the deepest contribute least. "
             "Caustics of small lights are noisy, as in path tracing. Point lights behind glass are never found.",
+        .scattering_media = kScatteringMedia,
     };
   }
 

@@ -29,7 +29,7 @@ class PrimarySampleTarget {
       const auto opacity_key = static_cast<uint32_t>(mix_bits(roots[i] + 0xa0761d6478bd642fULL) >> 32);
       seeds_[i] = (opacity_key & ~PrimarySampleProposals::kLaneMask) | static_cast<uint32_t>(i);
     }
-    const auto rays = transport::with_model(*context.model, [&]<class M>(M) {
+    const auto rays = transport::with_scattering_model(*context.model, [&]<class M>(M) {
       return evaluate_with<M>(context, form, options, distribution, lanes, task_context);
     });
     if (!rays) return {};

@@ -17,7 +17,7 @@
 //
 // Decisions of stochastic opacity and the length are made in large steps and are constant in between.
 //
-//   Paths         E(D|G|S)*L; point lights: E.*(D|G)L, E(D|G).*L and E.*(D|G)(D|G).*L
+//   Paths         E(D|G|S|V)*L; point lights: E.*(D|G|V)L, E(D|G|V).*L and E.*(D|G|V)(D|G|V).*L
 //   Bias          consistent
 //   Cost          one sample of its form per mutation; random numbers and splats of every chain
 //   Limitations   Inefficient for simple scenes, because successive samples are correlated. Noise appears as blotches.
@@ -44,8 +44,8 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
         .label = "Primary sample space MLT",
         .summary = "Markov chains in the space of the random numbers of paths; the sampler has no effect",
         .group = Group::markov_chain,
-        .paths = "E(D|G|S)*L",
-        .point_paths = "E.*(D|G)L|E(D|G).*L|E.*(D|G)(D|G).*L",
+        .paths = "E(D|G|S|V)*L",
+        .point_paths = "E.*(D|G|V)L|E(D|G|V).*L|E.*(D|G|V)(D|G|V).*L",
         .bias = Bias::consistent,
         .cost = "1 sample of its form per mutation; random numbers and splats of every chain",
         .limitations =
@@ -53,6 +53,7 @@ class Pssmlt final : public IntegratorBase<Pssmlt> {
             "resemble structure. The brightness comes from independent samples: too dark until they have found rare, "
             "bright paths.",
         .accumulation = Accumulation::splats_only,
+        .scattering_media = true,
     };
   }
 

@@ -6,7 +6,7 @@
 //    flux f*(x) |cos| V d(raster) / d(area across the ray)
 //
 // averaged over as many light paths as the image has pixels. Every function takes a function that returns a weight, for
-// integrators that find the same paths by other techniques as well.
+// integrators that find the same paths by other techniques as well. Weights of connections may be ConnectionWeights.
 #pragma once
 #include "integrator/shared/light_subpaths.h"
 #include "integrator/shared/splatter.h"
@@ -33,9 +33,10 @@ void connect_light_to_camera(const RenderContext& context, const typename LightS
     if (!context.scene->lights().environment().visible()) return;
     const auto view = context.camera->view_direction(-e.direction, lens, e.time);
     if (!view || !splatter.reaches(view->raster)) return;
-    const float value = view->importance / e.density.first * weight_of(view->importance, e.direction, kInfinity);
-    return splatter.connect(start.path, view->ray, e.time, seed, transport::MediumState<M>(), kInfinity, view->raster,
-                            start.emitted * value);
+    const auto weight = weight_of(view->importance, e.direction, kInfinity);
+    const float value = view->importance / e.density.first * transport::known_factor(weight);
+    return splatter.connect(start.path, view->ray, e.time, seed, medium_at_camera<M>(context, view->ray, e.time),
+                            kInfinity, view->raster, start.emitted * value, weight);
   }
   const auto view = context.camera->view(e.position, lens, e.time);
   if (!view || !splatter.reaches(view->raster)) return;
@@ -45,9 +46,10 @@ void connect_light_to_camera(const RenderContext& context, const typename LightS
   const float cosine = point.material->description.double_sided ? std::abs(facing) : facing;
   if (!(cosine > 0)) return;
   const float density = cosine * view->importance, beam = point.beam(view->wi);
+  const auto weight = weight_of(density, view->wi, view->distance);
   splatter.connect(start.path, ray_to(point, view->wi, view->distance), e.time, seed, start.medium_beyond(view->wi),
                    view->distance, view->raster,
-                   start.emitted * (beam * density / e.density.first * weight_of(density, view->wi, view->distance)));
+                   start.emitted * (beam * density / e.density.first * transport::known_factor(weight)), weight);
 }
 
 // Connects the selected current vertices to the camera; weight_of(hit, view).
@@ -70,16 +72,18 @@ void connect_to_camera(const RenderContext& context, const LightSubpaths<M>& sub
     auto f_cos = bsdf.evaluate(paths.wo(i), view->wi, TransportMode::importance).f_cos;
     if constexpr (M::kClasses) f_cos = paths.shares().connection_value(path, bsdf, paths.wo(i), view->wi, f_cos);
     if (is_black(f_cos)) continue;
-    const float weight = weight_of(i, *view);
-    if (weight == 0) continue;
+    const auto weight = weight_of(i, *view);
+    const float factor = transport::known_factor(weight);
+    if (factor == 0) continue;
     const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
     splatter.connect(path, ray_to(point, view->wi, view->distance), state.time, seed, paths.medium_beyond(i, view->wi),
                      view->distance, view->raster,
-                     state.throughput * f_cos * (subpaths.flux(path) * view->importance * weight));
+                     state.throughput * f_cos * (subpaths.flux(path) * view->importance * factor), weight);
   }
 }
 
-// Adds the contribution of a segment that hits the lens; weight_of(path, lens_hit).
+// Adds the contribution of a segment that hits the lens; weight_of(path, lens_hit, survival), where `survival` is the
+// probability that a free flight reaches the lens.
 template <class M, class Weight>
 void add_lens_hit(const RenderContext& context, const LightSubpaths<M>& subpaths, transport::PathWavefront<M>& paths,
                   int path, const Vec3& direction, float length, Splatter& splatter, Weight&& weight_of) {
@@ -89,11 +93,12 @@ void add_lens_hit(const RenderContext& context, const LightSubpaths<M>& subpaths
   ray.direction = direction;
   const auto hit = context.camera->intersect_lens(ray, length, state.time);
   if (!hit || !splatter.reaches(hit->raster)) return;
-  const auto throughput = paths.throughput_after(path, hit->distance);
-  auto contribution = transport::terminal_throughput(paths, throughput, path) * (subpaths.flux(path) * hit->importance);
+  const auto at_lens = paths.point_on_segment(path, hit->distance);
+  auto contribution =
+      transport::terminal_throughput(paths, at_lens.throughput, path) * (subpaths.flux(path) * hit->importance);
   if (paths.length() == 1) contribution *= paths.scene().lights().range_window(subpaths.light(path), hit->distance);
   const uint32_t seed = paths.opacity_seed(path) + static_cast<uint32_t>(paths.length());
-  splatter.add(path, hit->raster, seed, contribution * weight_of(path, *hit));
+  splatter.add(path, hit->raster, seed, contribution * weight_of(path, *hit, at_lens.survival));
 }
 
 // Lens hits of all traced segments: of those that left the scene, and of those that end at the current vertices. To be

@@ -32,8 +32,8 @@ class LightPathIntegrator : public IntegratorBase<Derived> {
     }
 
     std::optional<uint64_t> run(uint32_t sample, size_t, int task, const TaskContext& task_context) override {
-      return transport::with_model(*context_.model,
-                                   [&]<class M>(M) { return run_with<M>(sample, task, task_context); });
+      return transport::with_scattering_model(*context_.model,
+                                              [&]<class M>(M) { return run_with<M>(sample, task, task_context); });
     }
 
    private:

@@ -137,6 +137,8 @@ class LightSubpaths {
     Start& start = starts_[static_cast<size_t>(k)];
     const Emission& e = start.emission;
     start.emitted = e.weight > 0 ? Color(scene.emitted(e, start.point)) : Color(0);
+    if constexpr (M::kScattering)
+      if (e.density.infinite && scene.atmosphere_is_unbounded()) start.emitted = Color(0);
     Ray& ray = rays_[static_cast<size_t>(k)];
     ray = Ray();
     ray.origin = e.position;

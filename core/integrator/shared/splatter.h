@@ -32,11 +32,11 @@ class Splatter {
   }
 
   // Adds a contribution unless the ray is occluded at that time. The medium at its start attenuates it over `length`
-  // metres.
-  template <class Medium>
+  // metres. `value` contains the factor of the weight (ConnectionWeight) or all of it.
+  template <class Medium, class Weight>
   void connect(int path, const Ray& ray, float time, uint32_t seed, const Medium& medium, float length, Vec2 raster,
-               const Rgb& value) {
-    Contribution& contribution = connections_.add(ray, time, seed, medium, length);
+               const Rgb& value, const Weight& weight) {
+    Contribution& contribution = connections_.add(ray, time, seed, medium, length, weight);
     contribution.raster = raster;
     contribution.seed = seed;
     contribution.path = static_cast<uint16_t>(path);

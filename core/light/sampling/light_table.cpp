@@ -44,6 +44,7 @@ LightTable::LightTable(std::vector<AreaLightTriangle> triangles, std::vector<Pla
     light.power = p.visit([&](const auto& emitter) { return emitter.power(scene_.radius); });
     light.source = ++source;
     light.is_infinite = p.is_infinite();
+    has_point_lights_ = has_point_lights_ || !light.is_infinite;
     if (light.power > 0) light.bounds = bounds_of(p);
   }
   if (!environment_.black()) {
@@ -136,6 +137,28 @@ bool LightTable::sample_other(const Vec3& from, Vec2 u, float time, LightSample&
   sample.kind = LightKind::placed;
   const LightPlace place = placed->at(time);
   return placed->visit([&](const auto& emitter) { return emitter.sample(place, from, u, sample); });
+}
+
+std::optional<LightTable::PointLight> LightTable::point_light(uint32_t light, float time) const {
+  const PlacedLight* placed = placed_at(light);
+  if (!placed) return {};
+  return placed->visit([&](const auto& emitter) -> std::optional<PointLight> {
+    if constexpr (std::decay_t<decltype(emitter)>::kIsInfinite) {
+      return {};
+    } else {
+      const LightPlace place = placed->at(time);
+      const LightBounds bounds = emitter.bounds(place);
+      const float angle = std::min(bounds.normals + bounds.emission, kPi);
+      return PointLight{light, selector_.probability_by_power(light), place.position, bounds.axis, std::cos(angle)};
+    }
+  });
+}
+
+LightSample LightTable::sample_placed(uint32_t light, const Vec3& from, float time) const {
+  LightSample sample;
+  sample.light = light;
+  if (!sample_other(from, Vec2(0), time, sample)) sample.pdf = 0;
+  return sample;
 }
 
 bool LightTable::sample_environment(Vec2 u, LightSample& sample) const {

@@ -8,6 +8,7 @@
 // the middle of the shutter interval, or by the tree with bounds over the whole interval.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "light/sampling/area_light_primitives.h"
@@ -56,6 +57,24 @@ class LightTable {
   float probability(uint32_t light, const Vec3& from, LightStrategy strategy) const {
     return selector_.probability(light, from, strategy);
   }
+
+  // Whether there are lights at points (point lights, spot lights).
+  bool has_point_lights() const { return has_point_lights_; }
+  // A light at a point. It emits in directions whose cosine to the axis is at least `cone_cosine`.
+  struct PointLight {
+    uint32_t light;
+    float probability;  // of its choice by power among all lights
+    Vec3 position, axis;
+    float cone_cosine;
+  };
+  // Nothing if the light is of another kind.
+  std::optional<PointLight> point_light(uint32_t light, float time) const;
+  // Chosen by power among all lights; nothing if the choice falls on a light of another kind.
+  std::optional<PointLight> choose_point_light(float u, float time) const {
+    return empty() ? std::nullopt : point_light(selector_.choose_by_power(u).index, time);
+  }
+  // The sample of a light without extent. Its pdf is 1, or 0 if the light does not reach the receiver.
+  LightSample sample_placed(uint32_t light, const Vec3& from, float time) const;
 
   // A ray that leaves a light, chosen by power. `e` must be newly constructed; its weight stays 0 if there is no ray.
   void sample_emission(const EmissionRandom& random, Emission& e) const;
@@ -110,6 +129,7 @@ class LightTable {
   EnvironmentMap environment_;
   SceneSphere scene_;
   LightSelector selector_;
+  bool has_point_lights_ = false;
 };
 
 }  // namespace etendue

@@ -12,6 +12,7 @@
 #include "scene/builtin/fog.h"
 #include "scene/builtin/glass_caustic.h"
 #include "scene/builtin/glossy_plates.h"
+#include "scene/builtin/god_rays.h"
 #include "scene/builtin/many_lights.h"
 #include "scene/builtin/milk.h"
 #include "scene/builtin/spot_indirect.h"
@@ -22,7 +23,7 @@ namespace etendue::scene {
 const std::vector<Builtin>& builtins() {
   static const std::vector<Builtin> all{
       kCornell, kCornellSpheres, kGlossyPlates, kGlassCaustic, kCausticPool, kSpotIndirect, kDoorAjar, kManyLights,
-      kFog,      kMilk,           kCloud,        kFire,
+      kFog,     kMilk,           kGodRays,      kCloud,        kFire,
   };
   return all;
 }

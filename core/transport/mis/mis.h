@@ -32,6 +32,30 @@ inline float mis_weight(MisHeuristic heuristic, float pdf, float other_pdf) {
   return std::min(pdf, kLargestDensity) * mis_weight_over_pdf(heuristic, pdf, other_pdf);
 }
 
+// The MIS weight of a connection through scattering media. All other techniques sample its segment by a free flight, so
+// their densities contain the probability `survival` that the flight passes it, which is known after tracing.
+struct ConnectionWeight {
+  float factor = 0;  // of the weight
+  float others = 0;  // the sum of powers, or the maximum, of the ratios of densities if `survival` is 1
+  MisHeuristic heuristic = MisHeuristic::power;
+
+  // Without the factor. `others` may be infinite.
+  float at(float survival) const {
+    if (!(survival > 0)) return 0;
+    const float sum = others * survival;
+    if (heuristic == MisHeuristic::maximum) return sum < 1 ? 1.0f : 0.0f;
+    return 1 / (1 + (heuristic == MisHeuristic::power ? sum * survival : sum));
+  }
+  friend ConnectionWeight operator/(ConnectionWeight w, float by) {
+    w.factor /= by;
+    return w;
+  }
+};
+
+// The factor that is known before a connection is traced; other techniques have weights that do not depend on it.
+inline float known_factor(float weight) { return weight; }
+inline float known_factor(const ConnectionWeight& weight) { return weight.factor; }
+
 }  // namespace etendue::transport
 
 template <>

@@ -19,6 +19,11 @@
 // A specular vertex has the density |cos| for its direction (one per projected solid angle, equal in both directions),
 // which stands for the delta that all techniques have in common. The first vertex of an infinite light is a direction:
 // its densities are per solid angle, those of the second vertex per area perpendicular to it.
+//
+// A vertex in a scattering medium has a cosine of 1. Its density per volume contains the extinction coefficient there,
+// in whichever direction it is sampled. The coefficient cancels from all ratios and is left out; the probabilities that
+// free flights pass the segments between the vertices remain. They are means over the colour channels: any function of
+// the path gives valid weights, and in media without colour these are the densities.
 #pragma once
 #include "transport/mis/mis.h"
 
@@ -116,15 +121,18 @@ class MisChain {
     cosine_ = cosine;
   }
 
-  // Adds the next vertex; `cosine` is between the direction and the normal there.
-  MisVertex add_vertex(const MisRule& rule, float distance_squared, float cosine) {
+  // Adds the next vertex; `cosine` is between the direction and the normal there. `survival` is the probability that a
+  // free flight passes the segment without a collision.
+  MisVertex add_vertex(const MisRule& rule, float distance_squared, float cosine, float survival = 1) {
     const float per_area = infinite_ ? cosine : cosine / distance_squared;
     const float reverse_per_area = infinite_ ? 1 : cosine_ / distance_squared;
-    return advance(rule, pdf_ * per_area, reverse_per_area);
+    return advance(rule, pdf_ * per_area * survival, reverse_per_area * survival);
   }
   // Adds a vertex at infinity. Its densities are per solid angle, reverse densities per area perpendicular to the
   // direction.
-  MisVertex add_vertex_at_infinity(const MisRule& rule) { return advance(rule, pdf_, cosine_); }
+  MisVertex add_vertex_at_infinity(const MisRule& rule, float survival = 1) {
+    return advance(rule, pdf_ * survival, cosine_ * survival);
+  }
 
   // Continues from the vertex. `reverse_pdf` is the density of the direction to the previous vertex, per solid angle.
   void scatter(const MisRule& rule, const MisVertex& vertex, float reverse_pdf, bool delta) {

@@ -98,6 +98,9 @@ class ClassShares<M, true> {
     return f_cos * (parts.diffuse * sum(path, diffuse) + parts.glossy * sum(path, glossy));
   }
 
+  // The share of a connection from a point in a volume.
+  Color volume_connection_share(int path) const { return sum(path, alive(path) & final_after_volume_); }
+
   // The share of a connection by one letter, diffuse or glossy.
   Color connection_share(int path, Event letter) const {
     return sum(path, alive(path) & (letter == Event::diffuse ? final_after_diffuse_ : final_after_glossy_));
@@ -128,8 +131,14 @@ class ClassShares<M, true> {
     for_each(alive(path), [&](Automaton::State q) { out[q] = row(path)[q]; });
   }
   void after_connection(const Row& shares, const Bsdf<M>& bsdf, const Vec3& wo, const Vec3& wi, Row& out) const {
-    const Parts parts = letter_parts(bsdf, wo, wi, Event::diffuse);
     out.assign(states_, Color(0));
+    if constexpr (M::kScattering)
+      if (bsdf.in_volume()) {
+        for (size_t i = 0; i < states_; ++i)
+          out[automaton_->next(static_cast<Automaton::State>(i), Event::volume)] += shares[i];
+        return;
+      }
+    const Parts parts = letter_parts(bsdf, wo, wi, Event::diffuse);
     for (size_t i = 0; i < states_; ++i) {
       const auto q = static_cast<Automaton::State>(i);
       out[automaton_->next(q, Event::diffuse)] += shares[q] * parts.diffuse;

@@ -44,7 +44,7 @@ class BranchingPaths {
     const DimensionSet numbers = roulette ? dimensions(vertex_dimension::kRoulette, 1) : 0;
     const auto survives = [&](PathState<Color>& path, int hit) {
       const float random = roulette ? paths_->random(vertex_dimension::kRoulette, hit) : 0;
-      return !roulette || survives_roulette(*paths_, paths_->path_at(hit), path, random);
+      return !roulette || survives_roulette(*paths_, hit, path, random);
     };
     for (int stream = 0; stream < count; ++stream) {
       paths_->select_rng_stream(static_cast<uint32_t>(stream));

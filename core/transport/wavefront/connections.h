@@ -1,7 +1,7 @@
 // Segments between given points, and their contributions, which count unless the segment is occluded.
 //
 // Segments are collected in packets and traced together. Contributions of unoccluded ones are delivered in the order in
-// which they were added, with the transmittance of the segment.
+// which they were added, with the transmittance of the segment times its MIS weight in scattering media.
 #pragma once
 #include <array>
 #include <vector>
@@ -21,13 +21,21 @@ class Connections {
   // Adds a segment that starts in these solids and ends at a distance of `length` metres, at `time`, from 0 (shutter
   // opens) to 1 (shutter closes); the seed drives stochastic opacity. The caller fills the returned contribution in
   // place, because copying parts that were just written stalls on store forwarding.
-  Contribution& add(const Ray& ray, float time, uint32_t seed, const scene::MediumStack& medium, float length) {
+  // In models with scattering media, `weight` is the MIS weight, of which the factor is part of the contribution.
+  Contribution& add(const Ray& ray, float time, uint32_t seed, const scene::MediumStack& medium, float length,
+                    const ConnectionWeight& weight) {
     if (segments_.empty()) segments_.resize(kCapacity);
-    segments_[static_cast<size_t>(size_)] = {ray, time, length, medium};
+    segments_[static_cast<size_t>(size_)] = {ray, time, length, medium, weight};
     return add(ray, time, seed);
   }
+  Contribution& add(const Ray& ray, float time, uint32_t seed, const scene::MediumStack& medium, float length,
+                    float = 1) {
+    return add(ray, time, seed, medium, length, ConnectionWeight());
+  }
   // A segment in models without media.
-  Contribution& add(const Ray& ray, float time, uint32_t seed, Vacuum, float) { return add(ray, time, seed); }
+  Contribution& add(const Ray& ray, float time, uint32_t seed, Vacuum, float, float = 1) {
+    return add(ray, time, seed);
+  }
 
   // Traces all segments, calls `deliver(contribution, transmittance)` for those that are not occluded, and removes
   // them. Returns the number of rays traced.
@@ -47,8 +55,9 @@ class Connections {
         continue;
       }
       const Segment& s = segments_[slot];
-      const Rgb transmittance = media.transmittance(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays);
-      if (!is_black(transmittance)) deliver(contributions_[slot], transmittance);
+      const Passage passage = media.passage(blocked, s.ray, s.length, seeds_[slot], s.time, s.medium, rays);
+      const Rgb weighted = passage.transmittance * s.weight.at(passage.survival);
+      if (!is_black(weighted)) deliver(contributions_[slot], weighted);
     }
     size_ = 0;
     return rays;
@@ -60,6 +69,7 @@ class Connections {
     float time = 0;
     float length = 0;  // metres
     scene::MediumStack medium;
+    ConnectionWeight weight;
   };
 
   Contribution& add(const Ray& ray, float time, uint32_t seed) {

@@ -97,9 +97,8 @@ RandomStream stream_of(const Ray& ray, uint32_t seed) {
                                    std::bit_cast<uint32_t>(ray.direction.z)));
 }
 
-Rgb transmittance_of(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part,
+Rgb transmittance_of(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
                      RandomStream& random) {
-  const MediumPart medium = medium_part(solids, ray, scale, part);
   if (medium.heterogeneous)
     return estimated_transmittance(*medium.heterogeneous, span_of(ray, scale, part, medium), random);
   if (medium.homogeneous) return medium.homogeneous->transmittance(medium.length);
@@ -107,9 +106,8 @@ Rgb transmittance_of(const scene::Solids& solids, const Ray& ray, float scale, c
 }
 
 // Passes through a part; returns the metres from its start to a collision inside it.
-std::optional<float> pass_part(const scene::Solids& solids, const Ray& ray, float scale, const SegmentPart& part,
+std::optional<float> pass_part(const MediumPart& medium, const Ray& ray, float scale, const SegmentPart& part,
                                RandomStream& random, FreeFlight& flight, const PhaseFunction*& phase) {
-  const MediumPart medium = medium_part(solids, ray, scale, part);
   if (const HeterogeneousMedium* m = medium.heterogeneous) {
     const RaySpan span = span_of(ray, scale, part, medium);
     if (!m->scatters()) {
@@ -137,6 +135,28 @@ std::optional<float> pass_part(const scene::Solids& solids, const Ray& ray, floa
   return {};
 }
 
+// The media on a segment before the first homogeneous medium that scatters.
+struct MediaBeforeInterval {
+  Rgb transmittance{1};
+  bool is_exact = true;  // false: a heterogeneous medium was passed, whose transmittance is only estimated
+
+  // Sets the interval if it starts in this part, which lies in these solids.
+  void find_interval(const SegmentPart& part, const MediumPart& medium, float scale, const scene::MediumStack& stack,
+                     ScatteringInterval& first) {
+    is_exact &= !medium.heterogeneous;
+    if (first.medium || !is_exact) return;
+    const HomogeneousMedium* m = medium.homogeneous;
+    if (m && m->scatters()) {
+      const float from = part.from * scale + medium.offset;
+      first = {m, from, from + medium.length, transmittance, stack};
+    } else if (m) {
+      transmittance *= m->transmittance(medium.length);
+    } else if (part.solid) {
+      transmittance *= part.solid->transmittance(std::max(part.length, 0.0f));
+    }
+  }
+};
+
 }  // namespace
 
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
@@ -144,7 +164,10 @@ void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float l
   const float scale = std::sqrt(length_squared(ray.direction));
   RandomStream random = scene.solids().any_heterogeneous() ? stream_of(ray, seed) : RandomStream(seed);
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
-    segment.transmittance *= transmittance_of(scene.solids(), ray, scale, part, random);
+    const MediumPart medium = medium_part(scene.solids(), ray, scale, part);
+    const Rgb transmittance = transmittance_of(medium, ray, scale, part, random);
+    segment.transmittance *= transmittance;
+    if (medium.homogeneous && medium.homogeneous->scatters()) segment.scattering_transmittance *= transmittance;
     return true;
   });
 }
@@ -155,9 +178,13 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
   scene::MediumStack stack = start;
   RandomStream random = stream_of(ray, seed);
   segment.collision = {};
+  segment.first.medium = nullptr;
+  MediaBeforeInterval before;
   traverse(scene, ray, length, seed, time, stack, segment, [&](const SegmentPart& part) {
+    const MediumPart medium = medium_part(scene.solids(), ray, scale, part);
+    before.find_interval(part, medium, scale, stack, segment.first);
     const PhaseFunction* phase = nullptr;
-    const auto distance = pass_part(scene.solids(), ray, scale, part, random, flight, phase);
+    const auto distance = pass_part(medium, ray, scale, part, random, flight, phase);
     if (!distance) return true;
     segment.collision.position = ray.origin + ray.direction * (part.from + *distance / scale);
     segment.collision.phase = phase;
@@ -165,6 +192,7 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
   });
   segment.transmittance = flight.weight();
   segment.emitted = flight.emitted();
+  segment.survival = flight.survival();
   if (!segment.collision.phase) return;
   segment.hit = {};
   segment.interface.clear(stack);
@@ -173,8 +201,9 @@ void sample_segment(const scene::CompiledScene& scene, const Ray& ray, float len
 Rgb transmittance_without_boundaries(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed,
                                      const scene::Solid* solid) {
   RandomStream random = stream_of(ray, seed);
-  return transmittance_of(scene.solids(), ray, std::sqrt(length_squared(ray.direction)), {solid, ray.tnear, length},
-                          random);
+  const float scale = std::sqrt(length_squared(ray.direction));
+  const SegmentPart part{solid, ray.tnear, length};
+  return transmittance_of(medium_part(scene.solids(), ray, scale, part), ray, scale, part, random);
 }
 
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
@@ -183,12 +212,13 @@ void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float leng
   complete_segment(scene, ray, length, seed, time, stack, segment);
 }
 
-Rgb connection_transmittance(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                             const scene::MediumStack& stack, uint64_t& rays) {
+Passage connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+                           const scene::MediumStack& stack, uint64_t& rays) {
   MediumSegment segment;
   trace_segment(scene, ray, length, seed, time, stack, segment);
   rays += 1 + segment.rays;
-  return segment.hit ? Rgb(0) : segment.transmittance;
+  if (segment.hit) return {Rgb(0), 0};
+  return {segment.transmittance, average(segment.scattering_transmittance)};
 }
 
 }  // namespace etendue::transport

@@ -14,7 +14,16 @@ struct MediumSegment {
   Hit hit;                           // its distance is measured from the start of the ray
   scene::MediumInterface interface;  // at the hit
   Rgb transmittance{1};
+  // The part of `transmittance` that is due to scattering media.
+  Rgb scattering_transmittance{1};
   uint64_t rays = 0;  // traced beyond the first hit
+};
+
+// What passes a segment.
+struct Passage {
+  Rgb transmittance{1};
+  // The probability that a flight has no collision on it (FreeFlight::survival).
+  float survival = 1;
 };
 
 // Completes a segment that starts in the solids of `stack`. `segment.hit` is the result of
@@ -23,10 +32,22 @@ struct MediumSegment {
 void complete_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                       scene::MediumStack stack, MediumSegment& segment);
 
+// The first part of a segment that lies in a scattering medium, up to the next boundary or surface.
+struct ScatteringInterval {
+  const HomogeneousMedium* medium = nullptr;  // null: there is none
+  float from = 0, to = 0;                     // metres from the start of the ray
+  Rgb transmittance{1};                       // of the media before it
+  scene::MediumStack stack;                   // the solids that contain it
+
+  bool contains(float distance) const { return medium && distance > from && distance < to; }
+};
+
 // A segment that ends at a collision in a scattering medium, on a surface, or nowhere.
 struct FlightSegment : MediumSegment {
   Collision collision;
   Rgb emitted{0};  // radiance that media emit towards the start
+  float survival = 1;  // FreeFlight::survival, up to the end
+  ScatteringInterval first;
 };
 
 // The same as complete_segment in a scene with scattering media: the segment may end at a collision before the hit,
@@ -42,12 +63,12 @@ Rgb transmittance_without_boundaries(const scene::CompiledScene& scene, const Ra
 void trace_segment(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
                    const scene::MediumStack& stack, MediumSegment& segment);
 
-// The transmittance of a connection to a point at a distance of `length` metres; black if a surface blocks it. The
-// direction of the ray may have any length. Adds the number of rays traced to `rays`.
-Rgb connection_transmittance(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
-                             const scene::MediumStack& stack, uint64_t& rays);
+// What passes a connection to a point at a distance of `length` metres; black if a surface blocks it. The direction of
+// the ray may have any length. Adds the number of rays traced to `rays`.
+Passage connection_passage(const scene::CompiledScene& scene, const Ray& ray, float length, uint32_t seed, float time,
+                           const scene::MediumStack& stack, uint64_t& rays);
 
-// The transmittance of connections that CompiledScene::occluded has tested.
+// What passes connections that CompiledScene::occluded has tested.
 class TracedConnections {
  public:
   explicit TracedConnections(const scene::CompiledScene& scene) : scene_(scene) {}
@@ -56,25 +77,32 @@ class TracedConnections {
   // surface, every connection must be traced from boundary to boundary.
   bool use_packets() const { return !scene_.solids().segments_may_cross_media(); }
 
-  Rgb transmittance(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
-                    const scene::MediumStack& stack, uint64_t& rays) const {
+  Passage passage(bool blocked, const Ray& ray, float length, uint32_t seed, float time,
+                  const scene::MediumStack& stack, uint64_t& rays) const {
     const scene::Solids& solids = scene_.solids();
     const scene::Solid* medium = solids.find(stack.top());
     if (use_packets()) {
       if (!blocked && solids.any_heterogeneous()) [[unlikely]]
-        return transmittance_without_boundaries(scene_, ray, length, seed, medium);
-      if (!blocked) return medium ? medium->transmittance(length) : outside_solids(ray, length);
+        return {transmittance_without_boundaries(scene_, ray, length, seed, medium), 1};
+      if (!blocked) return medium ? inside(*medium, length) : outside_solids(ray, length);
       // A segment in a vacuum, or in a solid that overlaps no other, skips no boundary.
-      if (!medium || !medium->may_overlap) return Rgb(0);
+      if (!medium || !medium->may_overlap) return {Rgb(0), 0};
     }
-    return connection_transmittance(scene_, ray, length, seed, time, stack, rays);
+    return connection_passage(scene_, ray, length, seed, time, stack, rays);
   }
 
  private:
-  Rgb outside_solids(const Ray& ray, float length) const {
+  static Passage through(const Rgb& transmittance, bool scatters) {
+    return {transmittance, scatters ? average(transmittance) : 1};
+  }
+  static Passage inside(const scene::Solid& solid, float length) {
+    return through(solid.transmittance(length), solid.medium.scatters());
+  }
+  Passage outside_solids(const Ray& ray, float length) const {
     const scene::AtmosphereMedium* atmosphere = scene_.solids().atmosphere();
-    if (!atmosphere) return Rgb(1);
-    return atmosphere->transmittance(ray, {0, length / std::sqrt(length_squared(ray.direction))});
+    if (!atmosphere) return {};
+    return through(atmosphere->transmittance(ray, {0, length / std::sqrt(length_squared(ray.direction))}),
+                   atmosphere->medium.scatters());
   }
 
   const scene::CompiledScene& scene_;

@@ -61,6 +61,9 @@ template <class M>
 // With a throughput factor r and a survival probability q per vertex, the variance is finite only if r^2 < q. Paths
 // whose throughput has grown above one therefore survive with a higher probability.
 inline constexpr float kMaxSurvival = 0.95f, kMaxSurvivalAboveOne = 0.995f;
+// In scattering media with an end: a path through milk has hundreds of vertices at which it loses 0.2 %. With the bounds
+// above, r^2 > q, and the few longest paths would carry most of the light.
+inline constexpr float kMaxSurvivalInMedia = 0.9995f;
 
 // The MIS weight of emission that BSDF sampling has hit.
 template <class Color>
@@ -150,7 +153,7 @@ struct EveryHit {
 };
 
 // Adds direct light from one light sample per selected hit, times weigh(hit, light sample, BSDF value), which is a
-// weight divided by the density of the sample.
+// weight divided by the density of the sample: a number, or a ConnectionWeight.
 template <class M, class Weigh, class Selected = EveryHit>
 void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSample> samples, Shadows shadows,
                                 Weigh&& weigh, const Selected& selected = {}) {
@@ -165,11 +168,13 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
     if constexpr (M::kClasses)
       scattered.f_cos = paths.shares().connection_value(paths.path_at(i), bsdf, paths.wo(i), light.wi, scattered.f_cos);
     if (is_black(scattered.f_cos)) continue;
-    const float weight = weigh(i, light, scattered);
+    const auto connection_weight = weigh(i, light, scattered);
+    const float weight = known_factor(connection_weight);
     if (weight == 0) continue;
     auto& path = paths.state_at(i);
     const bool can_be_shadowed = shadows == Shadows::cast && light.distance > 0;
     auto& contribution = can_be_shadowed ? paths.connect(i, light.wi, light.distance) : path.radiance;
+    if (can_be_shadowed) paths.set_connection_weight(connection_weight);
     const auto unoccluded = path.throughput * scattered.f_cos * scene.radiance_of(light) * weight;
     contribution += unoccluded;
     if (recording) [[unlikely]]
@@ -177,13 +182,19 @@ void add_light_samples_weighted(PathWavefront<M>& paths, std::span<const LightSa
   }
 }
 
-// `branches` is the number of BSDF samples of the vertex, each of which can find the same light.
-template <class M>
+// The weights of samples of delta lights, which are found by no other technique.
+struct OnlyTechnique {
+  constexpr float operator()(int, const LightSample&) const { return 1; }
+};
+
+// `branches` is the number of BSDF samples of the vertex, each of which can find the same light. delta_weight(hit,
+// sample) is the MIS weight of a sample of a delta light.
+template <class M, class DeltaWeight = OnlyTechnique>
 void add_light_samples(PathWavefront<M>& paths, std::span<const LightSample> samples, Combination combination,
-                       Shadows shadows, float branches) {
-  add_light_samples_weighted(paths, samples, shadows, [&](int, const LightSample& light, const auto& scattered) {
+                       Shadows shadows, float branches, const DeltaWeight& delta_weight = {}) {
+  add_light_samples_weighted(paths, samples, shadows, [&](int i, const LightSample& light, const auto& scattered) {
     return combination && !light.delta ? mis_weight_over_pdf(*combination, light.pdf, branches * scattered.pdf)
-                                       : 1 / light.pdf;
+                                       : delta_weight(i, light) / light.pdf;
   });
 }
 
@@ -195,39 +206,48 @@ void add_direct_light_weighted(PathWavefront<M>& paths, Shadows shadows, Weigh&&
 }
 
 // The same with one sample on every light: no variance if all lights are points. [Lang, eq. 8.14-8.19, corrected]
-template <class M>
+template <class M, class DeltaWeight = OnlyTechnique>
 void add_light_of_all_sources(PathWavefront<M>& paths, Combination combination, Shadows shadows = Shadows::cast,
-                              float branches = 1) {
+                              float branches = 1, const DeltaWeight& delta_weight = {}) {
   for (size_t source = 0; source < paths.scene().lights().source_count(); ++source) {
     paths.reserve_connections();
-    add_light_samples(paths, paths.sample_source(source), combination, shadows, branches);
+    add_light_samples(paths, paths.sample_source(source), combination, shadows, branches, delta_weight);
   }
   paths.select_rng_stream(0);
 }
 
-template <class M>
+template <class M, class DeltaWeight = OnlyTechnique>
 void add_direct_light(PathWavefront<M>& paths, LightStrategy strategy, Combination combination,
-                      Shadows shadows = Shadows::cast, float branches = 1) {
+                      Shadows shadows = Shadows::cast, float branches = 1, const DeltaWeight& delta_weight = {}) {
   if (paths.scene().lights().empty()) return;
   if (strategy == LightStrategy::every)
-    add_light_of_all_sources(paths, combination, shadows, branches);
+    add_light_of_all_sources(paths, combination, shadows, branches, delta_weight);
   else
-    add_light_samples(paths, paths.sample_lights(strategy), combination, shadows, branches);
+    add_light_samples(paths, paths.sample_lights(strategy), combination, shadows, branches, delta_weight);
 }
 
 // Russian roulette: a path survives with the probability of its throughput's largest component (corrected for the
 // change of radiance by refraction), and its throughput is divided by that probability. [Lang, eq. 9.10]
 template <class Color>
-float survival_probability(const PathState<Color>& path) {
+float survival_probability(const PathState<Color>& path, bool in_medium) {
   const float weight = max_component(path.throughput) * path.eta_scale;
+  if (in_medium) return std::min(weight, kMaxSurvivalInMedia);
   return std::min(weight, weight > 1 ? kMaxSurvivalAboveOne : kMaxSurvival);
 }
-// `number` is the path's number in the wavefront, under which the result is recorded.
+// Whether a current hit lies in a scattering medium that paths can leave.
 template <class M>
-bool survives_roulette(PathWavefront<M>& paths, int number, PathState<typename M::Color>& path, float random) {
-  const float survival = survival_probability(path);
+bool is_in_bounded_medium(const PathWavefront<M>& paths, int hit) {
+  if constexpr (M::kScattering)
+    return paths.point(hit).in_volume && !paths.scene().atmosphere_is_unbounded();
+  else
+    return false;
+}
+// The path continues from a current hit; the result is recorded under the number of the hit's path.
+template <class M>
+bool survives_roulette(PathWavefront<M>& paths, int hit, PathState<typename M::Color>& path, float random) {
+  const float survival = survival_probability(path, is_in_bounded_medium(paths, hit));
   if (paths.recorder()) [[unlikely]]
-    record_roulette(paths, number, survival, random);
+    record_roulette(paths, paths.path_at(hit), survival, random);
   if (!(random < survival)) return false;
   path.throughput /= survival;
   return true;
@@ -277,7 +297,7 @@ void sample_bsdf_where(PathWavefront<M>& paths, int roulette_start, TransportMod
     auto& path = paths.state_at(i);
     path.throughput *= s.weight;
     if (mode == TransportMode::radiance) path.eta_scale *= sqr(s.eta);
-    if (roulette && !survives_roulette(paths, paths.path_at(i), path, paths.random(vertex_dimension::kRoulette, i))) {
+    if (roulette && !survives_roulette(paths, i, path, paths.random(vertex_dimension::kRoulette, i))) {
       if (recording) [[unlikely]]
         record_end(paths, i, PathEnd::roulette);
       continue;

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "sampling/sampler.h"
+#include "transport/mis/mis.h"
 #include "transport/model_types.h"
 #include "transport/wavefront/medium_tracing.h"
 
@@ -42,10 +43,13 @@ class PathMedia<M, true> {
     const auto p = static_cast<size_t>(path);
     FlightSegment segment;
     segment.hit = hit;
+    unattenuated_[p] = throughput;
     transport::sample_segment(*scene_, rays_[p], rays_[p].tfar, seed, time, stacks_[p], FreeFlight(throughput, random),
                               segment);
     throughput *= segment.transmittance;
     emitted = segment.emitted;
+    flights_.survival[p] = segment.survival;
+    flights_.first[p] = segment.first;
     traced += segment.rays;
     hit = segment.hit;
     interfaces_[static_cast<size_t>(slot)] = segment.interface;
@@ -54,6 +58,13 @@ class PathMedia<M, true> {
   }
   // The collision at which vertex `slot` lies; without a phase function if it lies on a surface.
   const Collision& collision(int slot) { return collisions_.at(slot); }
+
+  // Of the segment of a path that `sample_segment` completed: the probability that a flight passes it
+  // (FreeFlight::survival), its first part in a scattering medium, its ray, and the throughput at its start.
+  float survival(int path) const { return flights_.survival[static_cast<size_t>(path)]; }
+  const ScatteringInterval& first_interval(int path) const { return flights_.first[static_cast<size_t>(path)]; }
+  const Ray& ray(int path) const { return rays_[static_cast<size_t>(path)]; }
+  const Color& unattenuated(int path) const { return unattenuated_[static_cast<size_t>(path)]; }
 
   // Completes the segment of a path that was traced to `hit`, which may be empty, and attenuates its throughput.
   // Returns whether it ends on a surface, vertex `slot`. Adds the number of further rays to `traced`.
@@ -87,14 +98,21 @@ class PathMedia<M, true> {
     return interfaces_[static_cast<size_t>(slot)].side(glm::dot(point.ng, direction) >= 0);
   }
 
-  // The throughput on the current segment at a distance from its start, metres.
-  Color throughput_after(int path, float distance, uint32_t seed, float time) const {
+  // The factor of the throughput on the current segment up to a distance from its start, in metres, that is at most the
+  // distance of its end, and the probability that a flight passes this part.
+  Passage passage_to(int path, float distance, uint32_t seed, float time) const {
     const auto p = static_cast<size_t>(path);
     Ray ray = rays_[p];
     ray.tfar = distance;
+    if constexpr (M::kScattering) {
+      FlightSegment segment;
+      segment.hit = scene_->intersect_solids(ray, seed, time);
+      transport::sample_segment(*scene_, ray, distance, seed, time, stacks_[p],
+                                FreeFlight::without_collision(unattenuated_[p]), segment);
+      return {segment.transmittance, segment.survival};
+    }
     uint64_t rays = 0;
-    return unattenuated_[p] *
-           TracedConnections(*scene_).transmittance(false, ray, distance, seed, time, stacks_[p], rays);
+    return TracedConnections(*scene_).passage(false, ray, distance, seed, time, stacks_[p], rays);
   }
 
   // Stores a connection; `length` is the distance of its end, metres.
@@ -102,17 +120,25 @@ class PathMedia<M, true> {
     connections_[slot].ray = ray;
     connections_[slot].length = length;
     connections_[slot].stack = stack;
+    if constexpr (M::kScattering) connections_[slot].weight = {};
   }
+  // Sets the MIS weight of a connection, without its factor.
+  void set_weight(size_t slot, const ConnectionWeight& weight) { connections_[slot].weight = weight; }
+  // The transmittance of a connection times its MIS weight.
   Color transmittance(size_t slot, bool blocked, uint32_t seed, float time, uint64_t& traced) const {
     const Connection& c = connections_[slot];
-    return TracedConnections(*scene_).transmittance(blocked, c.ray, c.length, seed, time, c.stack, traced);
+    const Passage passage = TracedConnections(*scene_).passage(blocked, c.ray, c.length, seed, time, c.stack, traced);
+    if constexpr (M::kScattering) return passage.transmittance * c.weight.at(passage.survival);
+    return passage.transmittance;
   }
 
  private:
+  struct NoWeight {};
   struct Connection {
     Ray ray;
     float length;
     MediumStack stack;
+    [[no_unique_address]] std::conditional_t<M::kScattering, ConnectionWeight, NoWeight> weight;
   };
   template <class T>
   using PerPath = std::array<T, SampleTable::kPaths>;
@@ -130,6 +156,13 @@ class PathMedia<M, true> {
   };
   struct NoCollisions {};
   [[no_unique_address]] std::conditional_t<M::kScattering, Collisions, NoCollisions> collisions_;
+  // By path, in models with scattering media.
+  struct Flights {
+    PerPath<float> survival;
+    PerPath<ScatteringInterval> first;
+  };
+  struct NoFlights {};
+  [[no_unique_address]] std::conditional_t<M::kScattering, Flights, NoFlights> flights_;
   // By connection.
   PerPath<Connection> connections_;
 };

@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "sampling/sampler.h"
+#include "transport/mis/mis.h"
 #include "transport/path_expression/class_shares.h"
 #include "transport/surface_bsdf.h"
 #include "transport/wavefront/path_media.h"
@@ -49,8 +50,9 @@ class PathWavefront {
  public:
   using Color = typename M::Color;
   static constexpr int kCapacity = SampleTable::kPaths, kHitsAtATime = 64;
-  // Random number streams below this number belong to branches of paths, those beyond to lights.
-  static constexpr uint32_t kMostBranches = 256;
+  // Random number streams below this number belong to branches of paths, those beyond to lights, the last one to points
+  // on segments in media.
+  static constexpr uint32_t kMostBranches = 256, kSegmentStream = 0x3fffff;
 
   // Removes all paths; `sample` is the index within the pixels' sequences. All paths are cancelled when `keep_going`
   // returns false. `timed`: paths have times.
@@ -161,10 +163,7 @@ class PathWavefront {
     drawn_ = 0;
     for (int i = 0; i < hit_count_; ++i) {
       const uint32_t seed = state_at(i).seed;
-      // Streams at different vertices of a path are different.
-      constexpr uint32_t kLengths = 1024;
-      pixel_seeds_[static_cast<size_t>(i)] =
-          stream == 0 ? seed : hash_combine(seed, stream * kLengths + static_cast<uint32_t>(depth_) % kLengths);
+      pixel_seeds_[static_cast<size_t>(i)] = stream == 0 ? seed : stream_seed(seed, stream);
     }
   }
   uint32_t seed(int hit) const { return pixel_seeds_[static_cast<size_t>(hit)]; }
@@ -230,14 +229,31 @@ class PathWavefront {
     else
       return {};
   }
-  // The throughput on the segment traced last, at a distance from its start, metres.
-  Color throughput_after(int path, float distance) const {
+  // A point on the segment traced last: the throughput there, and the probability that a flight gets there without a
+  // collision.
+  struct PointOnSegment {
+    Color throughput;
+    float survival;
+  };
+  // The point at a distance from the start of the segment, metres.
+  PointOnSegment point_on_segment(int path, float distance) const {
     const auto p = static_cast<size_t>(path);
-    if constexpr (M::kMedia)
-      return media_.throughput_after(path, distance, segment_seed(path), states_[p].time);
-    else
-      return states_[p].throughput;
+    if constexpr (M::kMedia) {
+      const Passage passage = media_.passage_to(path, distance, segment_seed(path), states_[p].time);
+      return {media_.unattenuated(path) * passage.transmittance, passage.survival};
+    } else {
+      return {states_[p].throughput, 1};
+    }
   }
+  // The probability that a flight passes the segment traced last without a collision (FreeFlight::survival).
+  float survival(int path) const {
+    if constexpr (M::kScattering)
+      return media_.survival(path);
+    else
+      return 1;
+  }
+  // The segments traced last, in models with scattering media.
+  const PathMedia<M>& media() const { return media_; }
 
   // A contribution, initially zero, that is added to the path's radiance unless the segment from the hit to `distance`
   // along `direction` is occluded. Shadow rays are traced by the next `trace`.
@@ -250,11 +266,38 @@ class PathWavefront {
     connected_[slot] = static_cast<uint16_t>(path_at(hit));
     return contributions_[slot] = Color(0);
   }
+  // The same for a segment from a point in a scattering medium, in these solids.
+  Color& connect_from(int path, const Vec3& origin, const scene::MediumStack& medium, const Vec3& direction,
+                      float distance)
+    requires(M::kScattering)
+  {
+    const auto slot = static_cast<size_t>(connections_++);
+    Ray ray;
+    scene::SurfacePoint start;
+    start.position = origin;
+    start.spawn_segment(direction, distance, ray);
+    connecting_[slot / RayPacket::kSize].set(static_cast<int>(slot % RayPacket::kSize), ray);
+    media_.connect(slot, ray, distance, medium);
+    connected_[slot] = static_cast<uint16_t>(path);
+    return contributions_[slot] = Color(0);
+  }
+  // Sets the MIS weight of the last connection, without its factor.
+  void set_connection_weight(const ConnectionWeight& weight) {
+    media_.set_weight(static_cast<size_t>(last_connection()), weight);
+  }
+  static void set_connection_weight(float) {}
   // The number of the last connection.
   int last_connection() const { return connections_ - 1; }
   // Traces the pending shadow rays now if there is no room for one more per current hit.
-  void reserve_connections() {
-    if (connections_ + hit_count_ > kCapacity) resolve_connections();
+  void reserve_connections(int count) {
+    if (connections_ + count > kCapacity) resolve_connections();
+  }
+  void reserve_connections() { reserve_connections(hit_count_); }
+  // Random numbers of the paths that left the scene, from a stream of their own: random(dimension, miss).
+  void draw_of_misses(uint32_t stream, DimensionSet wanted) {
+    for (int i = 0; i < miss_count_; ++i)
+      lane_seeds_[static_cast<size_t>(i)] = stream_seed(missed_path(i).seed, stream);
+    draw({lane_seeds_.data(), static_cast<size_t>(miss_count_)}, static_cast<uint32_t>(depth_), wanted);
   }
 
  private:
@@ -296,6 +339,11 @@ class PathWavefront {
       const auto lane = static_cast<size_t>(i);
       lane_seeds_[lane] = segment_seed(paths[lane]) + salt;
     }
+  }
+  // Streams at different vertices of a path are different.
+  uint32_t stream_seed(uint32_t seed, uint32_t stream) const {
+    constexpr uint32_t kLengths = 1024;
+    return hash_combine(seed, stream * kLengths + static_cast<uint32_t>(depth_) % kLengths);
   }
   uint32_t segment_seed(int path) const { return opacity_seed(path) + static_cast<uint32_t>(depth_); }
 

@@ -49,6 +49,31 @@ TEST(FreeFlight, EstimatesTransmittanceAndCollisionsOfEachChannel) {
   }
 }
 
+// The density of collisions is that of the samples, and the survival does not depend on the throughput.
+TEST(FreeFlight, Densities) {
+  const HomogeneousMedium m = medium({0.2f, 1, 3}, {0.5f, 0.1f, 0});
+  const Rgb throughput(1, 0.2f, 0.05f);
+  const float length = 0.8f;
+  int collisions = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    FreeFlight flight(throughput, (static_cast<float>(i) + 0.5f) / kSteps);
+    if (flight.pass(m, length)) ++collisions;
+  }
+  double integral = 0;
+  for (int i = 0; i < 1000; ++i)
+    integral += static_cast<double>(FreeFlight(throughput, 0).collision_density(m, (i + 0.5f) * length / 1000)) *
+                static_cast<double>(length) / 1000;
+  EXPECT_NEAR(static_cast<double>(collisions) / kSteps, integral, 1e-4);
+
+  FreeFlight flight = FreeFlight::without_collision(throughput);
+  EXPECT_FALSE(flight.pass(m, length));
+  EXPECT_FLOAT_EQ(flight.survival(), average(m.transmittance(length)));
+  FreeFlight collided(Rgb(0, 0, 1), 0.5f);
+  const auto distance = collided.pass(m, length);
+  ASSERT_TRUE(distance);
+  EXPECT_FLOAT_EQ(collided.survival(), average(m.transmittance(*distance)));
+}
+
 // The balance heuristic bounds the weights: no channel is amplified by more than the inverse of its probability.
 TEST(FreeFlight, WeightsAreBounded) {
   const HomogeneousMedium m = medium({0.01f, 1, 50}, Rgb(0));
@@ -70,10 +95,9 @@ TEST(FreeFlight, SeveralMediaInSequence) {
     for (int c = 0; c < 3; ++c) passed[c] += static_cast<double>(flight.weight()[c]) / kSteps;
   }
   for (int c = 0; c < 3; ++c)
-    EXPECT_NEAR(passed[c],
-                0.5 * std::exp(-static_cast<double>(a.extinction[c]) * 0.4 -
-                               static_cast<double>(b.extinction[c]) * 0.7),
-                2e-4);
+    EXPECT_NEAR(
+        passed[c],
+        0.5 * std::exp(-static_cast<double>(a.extinction[c]) * 0.4 - static_cast<double>(b.extinction[c]) * 0.7), 2e-4);
 }
 
 TEST(FreeFlight, ExtremeOpticalDepthsAreFinite) {
