@@ -6,8 +6,8 @@
 #include <optional>
 #include <thread>
 
-#include "base/user_folders.h"
 #include "base/number_text.h"
+#include "base/user_folders.h"
 #include "bench/benchmark.h"
 #include "bench/reference_method.h"
 #include "bench/report.h"
@@ -166,7 +166,9 @@ Command bench_command() {
           {scene_option(a->scene.scene),
            {.names = "--methods",
             .target = &a->methods,
-            .doc = "Methods separated by commas, INTEGRATOR[:NAME=VALUE]..., e.g. path:sampler=sobol,path-pure",
+            .doc =
+                "Methods separated by commas, INTEGRATOR[:NAME=VALUE]..., e.g. path:sampler=sobol,path-pure; another "
+                "renderer is external:\"COMMAND {spp} {seed} {out}\"",
             .required = true},
            {.names = "--budget",
             .target = &a->budget,

@@ -1,5 +1,8 @@
 #include "bench/benchmark.h"
 
+#include <cmath>
+
+#include "bench/external_renderer.h"
 #include "bench/measurement_schedule.h"
 #include "film/film_image.h"
 #include "render/incompatibility.h"
@@ -14,8 +17,8 @@ class Runner {
       : session_(session), plan_(plan), reference_(reference), progress_(progress) {
     for (const auto& method : plan.methods) {
       MethodResult& result = outcome_.methods.emplace_back();
-      result.curves.name = method.name;
-      result.incompatibility = incompatibility_of(method);
+      result.curves.name = method.label();
+      if (!method.is_external()) result.incompatibility = incompatibility_of(method);
     }
   }
 
@@ -38,6 +41,47 @@ class Runner {
 
   // One repeat of one method. Returns false if it was interrupted; its results are then discarded.
   bool run_repeat(size_t method, int repeat) {
+    return plan_.methods[method].is_external() ? run_external(method, repeat) : run_integrator(method, repeat);
+  }
+
+  bool run_external(size_t method, int repeat) {
+    const MethodSpec& spec = plan_.methods[method];
+    MethodResult& result = outcome_.methods[method];
+    metrics::ErrorCurve curve{repeat, {}};
+    std::vector<ExternalRun> runs;
+    std::vector<float> image;
+    while (const uint32_t samples = next_external_samples(runs, plan_.seconds, plan_.samples)) {
+      render::Status status;
+      if (!runs.empty()) status.seconds = runs.back().seconds - time_of(runs).startup;
+      status.samples = runs.empty() ? 0 : runs.back().samples;
+      auto rendered =
+          render_externally(spec.command, spec.document.width, spec.document.height, samples,
+                            repeat_seed(plan_.seed, method, repeat), [&] { return report(method, repeat, status); });
+      if (!rendered && rendered.error().fault == Fault::interrupted) return false;
+      if (!rendered) return fail(result, rendered.error().message);
+      runs.push_back({samples, rendered->seconds});
+      image = std::move(rendered->rgb);
+      curve.points.push_back(measure_error(image, reference_, rendered->seconds, samples));
+    }
+    const ExternalTime time = time_of(runs);
+    for (metrics::ErrorPoint& point : curve.points) point.seconds = time.per_sample * point.spp;
+    result.startup_seconds.push_back(time.startup);
+    render::Status status;
+    status.rays_per_second = NAN;
+    finish(result, std::move(curve), std::move(image), status);
+    return true;
+  }
+
+  // Gives up on another renderer.
+  static bool fail(MethodResult& result, const std::string& message) {
+    const std::string name = result.curves.name;
+    result = {};
+    result.curves.name = name;
+    result.incompatibility = message;
+    return true;
+  }
+
+  bool run_integrator(size_t method, int repeat) {
     render::Document d = plan_.methods[method].document;
     d.seed = repeat_seed(plan_.seed, method, repeat);
     metrics::ErrorCurve curve{repeat, {}};
@@ -81,7 +125,7 @@ class Runner {
     if (plan_.samples > 0) current = std::max(current, static_cast<double>(s.samples) / plan_.samples);
     return progress_(
         (finished + std::min(current, 1.0)) / runs,
-        plan_.methods[method].name + ", repeat " + std::to_string(repeat + 1) + " of " + std::to_string(plan_.repeats));
+        plan_.methods[method].label() + ", repeat " + std::to_string(repeat + 1) + " of " + std::to_string(plan_.repeats));
   }
 
   render::Session& session_;

@@ -21,10 +21,11 @@ struct Plan {
 };
 
 struct MethodResult {
-  std::string incompatibility;    // why the method cannot render the scene; it then has no curves and no image
-  metrics::MethodCurves curves;  // as measured, including the noise of the reference
-  std::vector<double> rays_per_second;
-  std::vector<float> image;  // of the last repeat, linear
+  std::string incompatibility;          // why the method cannot render the scene; it then has no curves and no image
+  metrics::MethodCurves curves;         // as measured, including the noise of the reference
+  std::vector<double> rays_per_second;  // one per repeat; NaN for other renderers
+  std::vector<double> startup_seconds;  // of other renderers, one per repeat; not contained in the curves
+  std::vector<float> image;             // of the last repeat, linear
   // The average image of the repeats and the mean of their MSE; together they separate bias from variance.
   std::vector<double> mean_image;
   double mean_mse = 0;
@@ -37,6 +38,8 @@ struct Outcome {
 };
 
 // Measures errors at 1, 2, 3, 4, 6, 8, 12 ... samples per pixel and at the end of each repeat; only rendering is timed.
+// Other renderers start again for each measurement, at 1, 2, 4, 8 ... samples; a repeat therefore takes about twice its
+// budget. A renderer that fails is reported as incompatible.
 // If `progress` returns false, the outcome holds the complete repeats.
 Outcome run(render::Session& session, const Plan& plan, const Reference& reference, const Progress& progress);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
+#include "bench/external_renderer.h"
 #include "render/incompatibility.h"
 
 namespace etendue::bench {
@@ -17,11 +19,27 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return list;
 }
 
+constexpr std::string_view kExternal = "external:";
+
+// The parts between commas that are not inside double quotes.
+std::vector<std::string> split_outside_quotes(const std::string& text) {
+  std::vector<std::string> list(1);
+  bool is_quoted = false;
+  for (const char c : text) {
+    is_quoted ^= c == '"';
+    if (c == ',' && !is_quoted)
+      list.emplace_back();
+    else
+      list.back() += c;
+  }
+  return list;
+}
+
 // Splits a list at its commas. Method names begin with a letter; a piece that does not continues the value in front of
 // its comma, as in bdpt:without=1,*.
 std::vector<std::string> split_methods(const std::string& list) {
   std::vector<std::string> methods;
-  for (const std::string& piece : split(list, ',')) {
+  for (const std::string& piece : split_outside_quotes(list)) {
     const bool begins_method = piece.empty() || std::isalpha(static_cast<unsigned char>(piece[0])) != 0;
     if (begins_method || methods.empty())
       methods.push_back(piece);
@@ -65,7 +83,20 @@ Result<std::vector<Assignment>> assignments_of(const std::string& method) {
   return list;
 }
 
+Result<MethodSpec> parse_external(const std::string& text, const render::Document& base) {
+  std::string command = text.substr(kExternal.size());
+  if (command.size() >= 2 && command.front() == '"' && command.back() == '"')
+    command = command.substr(1, command.size() - 2);
+  if (auto ok = check_external_command(command); !ok) return method_error(text, ok.error().message);
+  return MethodSpec{text, base, command};
+}
+
 }  // namespace
+
+std::string MethodSpec::label() const {
+  if (!is_external()) return name;
+  return std::filesystem::path(command.substr(0, command.find(' '))).stem().string();
+}
 
 Result<MethodSpec> parse_method(const std::string& text, const render::Document& base) {
   const auto assignments = assignments_of(text);
@@ -92,7 +123,7 @@ Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const ren
   std::vector<MethodSpec> methods;
   for (const auto& text : split_methods(list)) {
     if (text.empty()) continue;
-    auto method = parse_method(text, base);
+    auto method = text.starts_with(kExternal) ? parse_external(text, base) : parse_method(text, base);
     if (!method) return method.error();
     if (std::ranges::any_of(methods, [&](const MethodSpec& m) { return m.name == text; }))
       return method_error(text, "the method is given twice");

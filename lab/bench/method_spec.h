@@ -1,4 +1,5 @@
-// Methods as users write them: integrator[:name=value]..., with the sampler as one of the values.
+// Methods as users write them: integrator[:name=value]..., with the sampler as one of the values, or
+// external:"COMMAND" for another renderer (external_renderer.h).
 #pragma once
 #include <string>
 #include <vector>
@@ -7,16 +8,22 @@
 
 namespace etendue::bench {
 
-// An integrator with its settings, applied to a document.
+// An integrator with its settings, applied to a document, or another renderer.
 struct MethodSpec {
   std::string name;  // as the user wrote it
   render::Document document;
+  std::string command = {};  // of another renderer; empty for an integrator
+
+  bool is_external() const { return !command.empty(); }
+  // For charts and tables: the name, or the program of another renderer.
+  std::string label() const;
 };
 
 // Parses one method, as "path:sampler=sobol", and applies it to the base document.
 Result<MethodSpec> parse_method(const std::string& text, const render::Document& base);
 
-// Parses a list, as "path:sampler=sobol,path-pure:max-depth=3". Usage errors: an unknown name, a value out of range, a
+// Parses a list, as "path:sampler=sobol,path-pure:max-depth=3". Commas inside double quotes do not separate methods. Only
+// lists may contain other renderers, because sessions and other files must not name programs to run. Usage errors: an unknown name, a value out of range, a
 // setting that changes the image itself (size, camera, scene, seed), a method given twice, and an empty list.
 Result<std::vector<MethodSpec>> parse_methods(const std::string& list, const render::Document& base);
 

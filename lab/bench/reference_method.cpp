@@ -66,7 +66,8 @@ std::string reference_integrator(render::Session& session, const render::Documen
   std::vector<std::string> names{kDefault};
   for (const MethodSpec& method : methods) {
     const std::string& name = method.document.method.integrator;
-    if (is_candidate(method, base) && std::ranges::find(names, name) == names.end()) names.push_back(name);
+    if (!method.is_external() && is_candidate(method, base) && std::ranges::find(names, name) == names.end())
+      names.push_back(name);
   }
   if (names.size() == 1) return kDefault;
   std::vector<ReferencePilot> pilots;

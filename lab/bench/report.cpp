@@ -48,6 +48,7 @@ json method_json(const MethodSummary& s) {
           {"flip", number(s.flip)},
           {"spp", number(s.spp)},
           {"seconds", number(s.seconds)},
+          {"startup_seconds", s.startup_seconds ? number(*s.startup_seconds) : json()},
           {"khat", s.khat ? number(*s.khat) : json()},
           {"rays_per_second", number(s.rays_per_second)},
           {"reference_too_noisy", s.reference_too_noisy}};

@@ -77,14 +77,15 @@ std::string speed_table(const Summaries& all) {
   for (size_t i = 0; i < all.size(); ++i) {
     const MethodSummary& s = all[i];
     if (s.spp <= 0) {
-      rows.push_back({name_of(all, i), kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone});
+      rows.push_back({name_of(all, i), kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone});
       continue;
     }
-    rows.push_back({name_of(all, i), cell(s.spp), cell(s.seconds), cell(s.rays_per_second * 1e-6), cell(s.rmse),
-                    cell(s.relmse), cell(s.displayed), cell(s.flip), estimate_text(s.efficiency),
-                    i == 0 ? "1" : estimate_text(ratio(s.efficiency, all[0].efficiency))});
+    rows.push_back({name_of(all, i), cell(s.spp), cell(s.seconds), s.startup_seconds ? cell(*s.startup_seconds) : kNone,
+                    cell(s.rays_per_second * 1e-6), cell(s.rmse), cell(s.relmse), cell(s.displayed), cell(s.flip),
+                    estimate_text(s.efficiency), i == 0 ? "1" : estimate_text(ratio(s.efficiency, all[0].efficiency))});
   }
-  return table({"method", "spp", "seconds", "Mrays/s", "RMSE", "relMSE", "displayed error", "FLIP", "efficiency", "relative efficiency"},
+  return table({"method", "spp", "seconds", "start-up", "Mrays/s", "RMSE", "relMSE", "displayed error", "FLIP",
+                "efficiency", "relative efficiency"},
                rows);
 }
 
@@ -111,7 +112,8 @@ std::string tables(const Report& r) {
          "<p class=\"note\">Medians over the repeats, at their end; &plusmn; is one standard error over the repeats. "
          "The error of the reference has been subtracted. Efficiency is 1 / (MSE &middot; seconds); relative "
          "efficiency "
-         "is the ratio to the first method.</p>\n"
+         "is the ratio to the first method. Seconds are rendering time; the start-up of other renderers is "
+         "stated separately.</p>\n"
          "<h2>Convergence, bias and variance</h2>\n" +
          error_table(all) +
          "<p class=\"note\">Slopes are those of log RMSE: &minus;1/2 for Monte Carlo, steeper for quasi-Monte Carlo, "
@@ -133,9 +135,9 @@ std::string plan_text(const Report& r) {
 }
 
 std::string reference_text(const Report& r) {
-  std::string text = r.reference.samples > 0 ? r.reference.integrator + ", " +
-                                                   std::to_string(r.reference.samples) + " samples per pixel"
-                                             : "<code>" + escape_markup(r.reference.file) + "</code>";
+  std::string text = r.reference.samples > 0
+                         ? r.reference.integrator + ", " + std::to_string(r.reference.samples) + " samples per pixel"
+                         : "<code>" + escape_markup(r.reference.file) + "</code>";
   if (r.reference.reduction > 1)
     text += ", each pixel the mean of " + std::to_string(r.reference.reduction) + " &times; " +
             std::to_string(r.reference.reduction);
@@ -163,12 +165,12 @@ std::string warnings(const Report& r) {
   if (!r.reference.noise) warn("The error of the reference is unknown: small errors may be those of the reference.");
   const double required = required_reference_seconds(r.outcome, r.reference);
   if (reference_too_noisy(r.outcome, r.reference))
-    warn(
-        "The reference is too noisy: errors below " + short_number(metrics::smallest_certain_rmse(*r.reference.noise)) +
-        " are uncertain by more than 5 %, although its own error has been subtracted." +
-        (required > 0
-             ? " A reference of " + std::to_string(std::lround(required) + 1) + " s rendering time would suffice."
-             : std::string()));
+    warn("The reference is too noisy: errors below " +
+         short_number(metrics::smallest_certain_rmse(*r.reference.noise)) +
+         " are uncertain by more than 5 %, although its own error has been subtracted." +
+         (required > 0
+              ? " A reference of " + std::to_string(std::lround(required) + 1) + " s rendering time would suffice."
+              : std::string()));
   return html;
 }
 

@@ -2,20 +2,11 @@
 
 #include <set>
 
+#include "bench/shell_command.h"
 #include "metrics/log_axis.h"
 
 namespace etendue::bench {
 namespace {
-
-std::string shell_quoted(const std::string& text) {
-  const bool is_plain = !text.empty() && text.find_first_not_of(
-                                             "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                             "0123456789_-+=:,./@%") == std::string::npos;
-  if (is_plain) return text;
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
 
 std::string option(const char* name, const std::string& value) {
   return std::string(" ") + name + " " + shell_quoted(value);
@@ -23,8 +14,8 @@ std::string option(const char* name, const std::string& value) {
 
 // Options for the settings that differ from those of the scene file. Size, seed and limits have separate options.
 std::string changed_settings(const render::Document& d) {
-  static const std::set<std::string> kSeparateOptions{"film.width",     "film.height",    "render.seed",
-                                                      "render.samples", "render.seconds", "render.error",
+  static const std::set<std::string> kSeparateOptions{"film.width",          "film.height",    "render.seed",
+                                                      "render.samples",      "render.seconds", "render.error",
                                                       "render.error-measure"};
   if (!d.origin) return "";
   std::string text;

@@ -59,6 +59,7 @@ MethodSummary summary_of(const MethodResult& result, const Reference& reference,
   s.spp = median_at_end(corrected, [](const ErrorPoint& p) { return p.spp; });
   s.seconds = median_at_end(corrected, [](const ErrorPoint& p) { return p.seconds; });
   s.rays_per_second = metrics::quantile(result.rays_per_second, 0.5);
+  if (!result.startup_seconds.empty()) s.startup_seconds = metrics::quantile(result.startup_seconds, 0.5);
   s.flip = flip_of(result, reference, display);
   if (result.reliability) {
     s.khat = result.reliability->tail.khat;

@@ -17,6 +17,7 @@ struct MethodSummary {
   std::optional<metrics::BiasVariance> bias_variance;  // with at least two repeats
   double rmse = 0, relmse = 0;                         // medians over the repeats
   double spp = 0, seconds = 0, rays_per_second = 0;    // medians over the repeats
+  std::optional<double> startup_seconds;               // of another renderer, median
   double displayed = 0;                                // root mean square error of displayed values, median
   double flip = 0;                                     // mean FLIP of the last repeat with the document's display
   std::optional<double> khat;        // Pareto tail index of the samples (film/tail.h); nothing if there is no tail

@@ -57,6 +57,38 @@ TEST_F(CliBench, CurvesAreWrittenAsATable) {
   EXPECT_EQ(rows, 2u * 3 * 6);  // two methods, three repeats, at 1, 2, 3, 4, 6 and 8 samples
 }
 
+// The program itself is the other renderer, with a seed of its own.
+TEST_F(CliBench, OtherRenderersAreMeasured) {
+  const std::string renderer = " render cornell --size {width}x{height} --spp {spp} --seed 7 -o {out}";
+  const Outcome r = run("bench cornell --size 16x16 --samples 16 --repeats 1 --out b --methods 'path,external:\"" +
+                        std::string(ETENDUE_BINARY) + renderer + " # {seed}\"'");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const auto method = summary("b")["methods"][1];
+  EXPECT_EQ(method["name"], "etendue");
+  EXPECT_EQ(method["spp"], 16);
+  EXPECT_GE(method["startup_seconds"].get<double>(), 0);
+  EXPECT_TRUE(method["rays_per_second"].is_null());
+  EXPECT_TRUE(summary("b")["methods"][0]["startup_seconds"].is_null());
+
+  ASSERT_EQ(run("render cornell --size 16x16 --spp 16 --seed 7 -o same.exr").code, 0);
+  const auto compared = nlohmann::json::parse(run("compare same.exr b/reference.exr --json").out);
+  std::istringstream csv(slurp(folder_ / "b" / "curves.csv"));
+  std::string line, last;
+  while (std::getline(csv, line)) last = line;
+  double mse = 0;
+  ASSERT_EQ(std::sscanf(last.c_str(), "etendue,0,%*f,16,%lf", &mse), 1) << last;
+  EXPECT_NEAR(mse, compared["mse"].get<double>(), 1e-6 * mse);
+}
+
+TEST_F(CliBench, FailureOfAnotherRendererIsReported) {
+  const Outcome r =
+      run("bench cornell --size 16x16 --samples 4 --repeats 1 --out b "
+          "--methods 'path,external:\"echo no scene >&2; exit 3 # {spp} {seed} {out}\"'");
+  EXPECT_EQ(r.code, 0);
+  EXPECT_NE(r.err.find("not measured: the program ended with exit code 3: no scene"), std::string::npos) << r.err;
+  EXPECT_EQ(summary("b")["methods"].size(), 2u);
+}
+
 TEST_F(CliBench, ChartsShowTheChosenMeasure) {
   const std::string bench = "bench cornell --size 16x16 --methods path,path-pure --samples 8 --repeats 2 ";
   ASSERT_EQ(run(bench + "--error-measure displayed --out b").code, 0);
