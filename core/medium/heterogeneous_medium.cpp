@@ -1,6 +1,5 @@
 #include "medium/heterogeneous_medium.h"
 
-#include "medium/free_flight.h"
 #include "spectrum/blackbody.h"
 
 namespace etendue {
@@ -20,105 +19,6 @@ std::vector<Rgb> emission_by_temperature(const Rgb& emission, float highest) {
                     luminance(brightest));
   }
   return table;
-}
-
-Rgb exponential(const Rgb& depth) { return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)}; }
-
-// Russian roulette for channels whose estimate has become small: they keep their mean. One number for all channels, so
-// that grey stays grey.
-void terminate_small_channels(Rgb& estimate, RandomStream& random) {
-  constexpr float kSmall = 0.1f;
-  if (std::min({estimate.r, estimate.g, estimate.b}) >= kSmall) return;
-  const float number = random.next() * kSmall;
-  for (int c = 0; c < 3; ++c)
-    if (estimate[c] < kSmall) estimate[c] = number < estimate[c] ? kSmall : 0;
-}
-
-// The largest extinction of the channels that contribute to an estimate. Collisions beyond its majorant have no effect.
-float largest_extinction(const HeterogeneousMedium& medium, const Rgb& estimate) {
-  float largest = 0;
-  for (int c = 0; c < 3; ++c)
-    if (estimate[c] > 0) largest = std::max(largest, medium.extinction[c]);
-  return largest;
-}
-
-// Visits collisions along a ray whose density is rate(cell), in 1/m, by visit(parameter, cell). The rate may change at a
-// collision. enter(cell, length) is called for every coarse cell and its length in metres.
-template <class Enter, class Rate, class Visit>
-void for_each_collision(const HeterogeneousMedium& medium, const GridRay& ray, float metres, RandomStream& random,
-                        Enter&& enter, Rate&& rate, Visit&& visit) {
-  float remaining = random.next_exponential();
-  medium.grid->for_each_cell(ray, [&](float from, float to, const DensityGrid::Cell& cell) {
-    enter(cell, (to - from) * metres);
-    for (;;) {
-      const float per_parameter = rate(cell) * metres, depth = per_parameter * (to - from);
-      if (!(remaining < depth)) {
-        remaining -= depth;
-        return true;
-      }
-      from += remaining / per_parameter;
-      visit(from, cell);
-      remaining = random.next_exponential();
-    }
-  });
-}
-
-// Ratio tracking                                                                              [Novak et al. 2014]
-//
-// Collisions are those of the majorant in the channel of the largest extinction. Each multiplies the estimate by the
-// fraction of null collisions, in each channel.
-Rgb ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random, Rgb* emitted) {
-  const GridRay ray = medium.in_grid(span);
-  Rgb estimate(1);
-  float largest = largest_extinction(medium, estimate);
-  for_each_collision(
-      medium, ray, HeterogeneousMedium::metres(span), random, [](const DensityGrid::Cell&, float) {},
-      [&](const DensityGrid::Cell& cell) { return cell.highest * largest; },
-      [&](float at, const DensityGrid::Cell& cell) {
-        const Vec3 p = ray.at(at);
-        const float density = std::min(medium.grid->density(p), cell.highest), rate = cell.highest * largest;
-        if (emitted) *emitted += estimate * medium.emitted(p, density) / rate;
-        estimate *= Rgb(1) - medium.extinction * (density / rate);
-        terminate_small_channels(estimate, random);
-        largest = largest_extinction(medium, estimate);
-      });
-  return estimate;
-}
-
-// Residual ratio tracking                                                                     [Novak et al. 2014]
-//
-// The lowest density of each coarse cell attenuates in closed form. Ratio tracking estimates the rest, whose majorant is
-// the difference between the highest and the lowest density.
-Rgb residual_ratio_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
-  const GridRay ray = medium.in_grid(span);
-  Rgb estimate(1);
-  float largest = largest_extinction(medium, estimate);
-  double control = 0;  // integral of the lowest densities
-  for_each_collision(
-      medium, ray, HeterogeneousMedium::metres(span), random,
-      [&](const DensityGrid::Cell& cell, float length) {
-        control += static_cast<double>(cell.lowest) * static_cast<double>(length);
-      },
-      [&](const DensityGrid::Cell& cell) { return (cell.highest - cell.lowest) * largest; },
-      [&](float at, const DensityGrid::Cell& cell) {
-        const float residual = std::clamp(medium.grid->density(ray.at(at)), cell.lowest, cell.highest) - cell.lowest;
-        estimate *= Rgb(1) - medium.extinction * (residual / ((cell.highest - cell.lowest) * largest));
-        terminate_small_channels(estimate, random);
-        largest = largest_extinction(medium, estimate);
-      });
-  return estimate * exponential(medium.extinction * static_cast<float>(control));
-}
-
-// 1 if a free flight passes the span, else 0; in several colours weighted by the balance heuristic.
-Rgb delta_tracking(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
-  FreeFlight flight(Rgb(1), random.next());
-  return flight.pass(medium, span, random) ? Rgb(0) : flight.weight();
-}
-
-// The optical depth voxel by voxel, in closed form.                                          [Amanatides and Woo 1987]
-Rgb regular_tracking(const HeterogeneousMedium& medium, const RaySpan& span) {
-  const auto depth = static_cast<float>(medium.grid->integral(medium.in_grid(span)));
-  return exponential(medium.extinction * (depth * HeterogeneousMedium::metres(span)));
 }
 
 }  // namespace
@@ -149,30 +49,6 @@ Rgb HeterogeneousMedium::emitted(const Vec3& p, float density) const {
   const size_t i = std::min(static_cast<size_t>(at), kTemperatures - 2);
   const float t = at - static_cast<float>(i);
   return (emission_table[i] * (1 - t) + emission_table[i + 1] * t) * density;
-}
-
-Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, TransmittanceEstimator estimator,
-                            RandomStream& random) {
-  switch (estimator) {
-    case TransmittanceEstimator::delta:
-      return delta_tracking(medium, span, random);
-    case TransmittanceEstimator::ratio:
-      return ratio_tracking(medium, span, random, nullptr);
-    case TransmittanceEstimator::residual_ratio:
-      return residual_ratio_tracking(medium, span, random);
-    case TransmittanceEstimator::regular:
-      return regular_tracking(medium, span);
-  }
-  return Rgb(1);
-}
-
-Rgb estimated_transmittance(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random) {
-  return estimated_transmittance(medium, span, medium.estimator, random);
-}
-
-Rgb transmittance_and_emission(const HeterogeneousMedium& medium, const RaySpan& span, RandomStream& random,
-                               Rgb& emitted) {
-  return ratio_tracking(medium, span, random, &emitted);
 }
 
 }  // namespace etendue
