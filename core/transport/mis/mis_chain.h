@@ -49,7 +49,11 @@ class MisRule {
   }
   // The power of a ratio, or of the factor that represents the whole ratio in ties.
   float ratio(float r) const { return power(r * tie_break_); }
-  float combine(float a, float b) const { return heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b; }
+  float combine(float a, float b) const {
+    return std::min(heuristic_ == MisHeuristic::maximum ? std::max(a, b) : a + b, kMaxSum);
+  }
+  // The product of a sum and a ratio.
+  static float product(float sum, float ratio) { return std::min(sum * ratio, kMaxSum); }
   // `light` and `camera` are the sums S of both sides.
   static float weight(MisHeuristic heuristic, float light, float camera) {
     if (heuristic == MisHeuristic::maximum) return std::max(light, camera) < 1 ? 1.0f : 0.0f;
@@ -59,6 +63,8 @@ class MisRule {
  private:
   // The squares of larger ratios overflow.
   static constexpr float kMaxRatio = 1e15f;
+  // Sums stay finite, since they may be multiplied by 0.
+  static constexpr float kMaxSum = 1e30f;
 
   MisHeuristic heuristic_;
   float tie_break_;
@@ -124,8 +130,10 @@ class MisChain {
   // Adds the next vertex; `cosine` is between the direction and the normal there. `survival` is the probability that a
   // free flight passes the segment without a collision.
   MisVertex add_vertex(const MisRule& rule, float distance_squared, float cosine, float survival = 1) {
-    const float per_area = infinite_ ? cosine : cosine / distance_squared;
-    const float reverse_per_area = infinite_ ? 1 : cosine_ / distance_squared;
+    // In very dense media, two collisions may have the same position.
+    const float squared = std::max(distance_squared, 1e-30f);
+    const float per_area = infinite_ ? cosine : cosine / squared;
+    const float reverse_per_area = infinite_ ? 1 : cosine_ / squared;
     return advance(rule, pdf_ * per_area * survival, reverse_per_area * survival);
   }
   // Adds a vertex at infinity. Its densities are per solid angle, reverse densities per area perpendicular to the
@@ -148,7 +156,7 @@ class MisChain {
     const float reverse_ratio = reverse_per_area / pdf_forward_;
     pdf_forward_ = pdf;
     return {pdf,
-            partial_sum_ * rule.ratio(reverse_ratio),
+            MisRule::product(partial_sum_, rule.ratio(reverse_ratio)),
             connectible_,
             reverse_ratio,
             previous_ratio_,

@@ -37,7 +37,7 @@ struct Form {
 constexpr Form kPath{"path", "", "", 1}, kWithoutEquiangular{"path", "equiangular", "false", 1},
     kDistribution{"distribution", "branches-2", "2", 0.5}, kLight{"light", "", "", 4}, kBdpt{"bdpt", "", "", 0.5},
     kBalance{"bdpt", "heuristic", "balance", 0.5}, kMaximum{"bdpt", "heuristic", "maximum", 0.5},
-    kEndsOnly{"bdpt", "reuse", "false", 4}, kPssmlt{"pssmlt", "", "", 1};
+    kEndsOnly{"bdpt", "reuse", "false", 4}, kPssmlt{"pssmlt", "", "", 2};
 
 void expect_pairs_agree(const Document& place, const std::string& paths, uint32_t samples,
                         const std::vector<Form>& forms) {
