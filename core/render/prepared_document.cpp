@@ -22,8 +22,20 @@ std::string integrators_with_scattering_media() {
   return names;
 }
 
+std::string integrators_with_subsurface() {
+  std::string names;
+  for (const auto& info : integrator::integrator_infos())
+    if (info.subsurface) names += (names.empty() ? "" : ", ") + info.name;
+  return names;
+}
+
 // Why the integrator cannot render the scene; empty if it can.
-std::string refusal_of(const std::string& integrator, const transport::Model& model) {
+std::string refusal_of(const std::string& integrator, const scene::CompiledScene& scene,
+                       const transport::Model& model) {
+  if (scene.has_subsurface() && !integrator::find_integrator(integrator)->subsurface)
+    return "it does not support subsurface diffusion, which a material uses, so the image will be black: use an "
+           "integrator that does (" +
+           integrators_with_subsurface() + "), or a medium inside the material";
   if (!model.scattering || integrator::find_integrator(integrator)->scattering_media) return {};
   for (const transport::Decision& decision : model.decisions)
     if (decision.flag == "media")
@@ -49,7 +61,7 @@ PreparedDocument::PreparedDocument(const Document& document, std::shared_ptr<con
       sampler_(sampler_of(document)),
       integrator_(integrator::make_integrator(document.method.integrator,
                                               document.method.settings_of(document.method.integrator))),
-      refusal_(refusal_of(document.method.integrator, model_)),
+      refusal_(refusal_of(document.method.integrator, *scene_, model_)),
       accumulation_(integrator::find_integrator(document.method.integrator)->accumulation),
       camera_(document.camera, width, height, scene_->camera_motion()),
       filter_(document.filter),

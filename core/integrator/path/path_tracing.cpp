@@ -15,6 +15,7 @@
 //                 Point lights behind glass are never found.
 #include "integrator/registration.h"
 #include "integrator/shared/camera_path_integrator.h"
+#include "transport/wavefront/subsurface_scattering.h"
 
 namespace etendue::integrator {
 
@@ -38,6 +39,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
         .accumulation = Accumulation::per_pixel,
         .shortcut = '4',
         .scattering_media = kScatteringMedia,
+        .subsurface = true,
     };
   }
 
@@ -60,6 +62,7 @@ class PathTracing final : public CameraPathIntegrator<PathTracing> {
       while (paths.next_hits()) {
         add_emission(paths, heuristic, lights);
         if (at_max_depth(paths.length())) continue;
+        scatter_below_surface(paths);
         add_direct_light(paths, lights, heuristic);
         sample_bsdf(paths, roulette_start);
       }
