@@ -18,7 +18,10 @@ struct AdviseArguments {
   std::string measure = "rmse";
   int threads = 0;
   bool json = false;
+  bool all = false;
 };
+
+constexpr size_t kListed = 5;  // methods in a short list
 
 int run_advise(const AdviseArguments& a) {
   const auto document = open_document(a.scene);
@@ -40,9 +43,11 @@ int run_advise(const AdviseArguments& a) {
   };
   const auto ranking = advisor::advise(session, *document, request, show_progress, {}, print_plan);
   progress.finish();
+  const size_t listed = a.all ? ranking.methods.size() : kListed;
   const std::string text =
-      a.json ? advisor::ranking_json(ranking, document->scene_name) + "\n" : advisor::ranking_text(ranking);
+      a.json ? advisor::ranking_json(ranking, document->scene_name) + "\n" : advisor::ranking_text(ranking, listed);
   std::fputs(text.c_str(), stdout);
+  if (!a.json && listed < ranking.methods.size()) std::fputs("--all lists every method with its reason\n", stdout);
   return ranking.interrupted ? static_cast<int>(Fault::interrupted) : 0;
 }
 
@@ -60,6 +65,7 @@ Command advise_command() {
                        .bounds = kPositive},
                       error_measure_option(a->measure, "Measure of --error: rmse, relative or displayed (rmse)"),
                       json_flag(a->json),
+                      {.names = "--all", .target = &a->all, .doc = "List all methods instead of the five best"},
                       {.names = "--pilot",
                        .target = &a->question.pilot_seconds,
                        .doc = "Approximate duration of the pilot rendering of each method, in seconds",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "advisor/report_numbers.h"
 
@@ -89,6 +90,13 @@ std::string time_text(const Advice& advice) {
          seconds_text(advice.time->interval.high) + ")";
 }
 
+void print_omitted(std::string& text, std::span<const Advice> omitted) {
+  if (omitted.empty()) return;
+  const auto slower = std::ranges::count_if(omitted, [](const Advice& advice) { return advice.time.has_value(); });
+  print(text, "%td slower methods and %td that do not reach this error are not listed\n", slower,
+        std::ssize(omitted) - slower);
+}
+
 }  // namespace
 
 std::string ranking_json(const Ranking& ranking, const std::string& scene) {
@@ -103,17 +111,19 @@ std::string ranking_json(const Ranking& ranking, const std::string& scene) {
       .dump(2);
 }
 
-std::string ranking_text(const Ranking& ranking) {
+std::string ranking_text(const Ranking& ranking, size_t count) {
   std::string text;
   print_table(text, ranking.table);
   for (const auto& sentence : ranking.beyond_methods) text += sentence + '\n';
+  const std::span listed = std::span(ranking.methods).first(std::min(count, ranking.methods.size()));
   size_t widest = 0;
-  for (const auto& advice : ranking.methods) widest = std::max(widest, advice.method.name.size());
+  for (const auto& advice : listed) widest = std::max(widest, advice.method.name.size());
   const auto column = static_cast<int>(widest);
   print(text, "\n%-*s  %-30s  %s\n", column, "method", time_heading(ranking).c_str(), "reason");
-  for (const auto& advice : ranking.methods)
+  for (const auto& advice : listed)
     print(text, "%-*s  %-30s  %s\n", column, advice.method.name.c_str(), time_text(advice).c_str(),
           advice.reason.c_str());
+  print_omitted(text, std::span(ranking.methods).subspan(listed.size()));
   return text;
 }
 

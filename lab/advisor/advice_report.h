@@ -1,5 +1,6 @@
 // Path class table and ranking as JSON and as text.
 #pragma once
+#include <limits>
 #include <string>
 
 #include "advisor/advisor.h"
@@ -9,6 +10,7 @@ namespace etendue::advisor {
 // {"scene","target","table":{...},"methods":[...],"beyond_all_methods":[...]}; unknown values are null.
 std::string ranking_json(const Ranking& ranking, const std::string& scene);
 
-std::string ranking_text(const Ranking& ranking);
+// The path classes and a line per method. Lists the first `count` methods and the numbers of those that follow.
+std::string ranking_text(const Ranking& ranking, size_t count = std::numeric_limits<size_t>::max());
 
 }  // namespace etendue::advisor

@@ -287,7 +287,7 @@ class ConvergencePanel final : public Panel {
     ImGui::TableNextColumn();
     const auto index = task_.index_in_result(spec);
     color_swatch(index.value_or(row));
-    ImGui::TextUnformatted(method_label(spec).c_str());
+    ImGui::TextUnformatted(shortened(method_label(spec), ImGui::GetContentRegionAvail().x).c_str());
     if (ImGui::IsItemHovered()) tooltip(ui, method_label(spec) + "\n" + spec);
     if (index)
       value_cells(ui, *task_.result(), task_.result()->methods[*index], parameters.axis, parameters.error);

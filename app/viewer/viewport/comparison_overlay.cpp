@@ -10,6 +10,7 @@
 #include "viewer/state/app_state.h"
 #include "viewer/viewport/comparison.h"
 #include "viewer/viewport/comparison_view.h"
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/scale_bar.h"
 #include "viewer/widgets/value_text.h"
 
@@ -48,7 +49,7 @@ std::string difference_title(const Comparison& c) {
   return std::string(c.left_letter()) + " \u2212 " + c.right_letter();
 }
 
-// The titles are placed at both sides of the divider, and clipped there.
+// The titles are placed at both sides of the divider, and shortened to the width of their side.
 void draw_side_titles(const AppState& state, ImDrawList* draw) {
   const Comparison& c = *state.viewport.comparison;
   const Placement& image = state.viewport.image;
@@ -58,12 +59,14 @@ void draw_side_titles(const AppState& state, ImDrawList* draw) {
   const float gap = em * 0.5f;
   const float right_end = image.corner.x + image.size.x;
   const float bottom = image.corner.y + image.size.y;
-  const std::string left = left_title(c);
+  const float margins = 2 * gap + label_size("").x;
+  const std::string left = shortened(left_title(c), x - image.corner.x - margins);
+  const std::string right = shortened(right_title(c), right_end - x - margins);
   draw->PushClipRect({image.corner.x, image.corner.y}, {x - 2, bottom}, true);
   draw_label(draw, {std::max(image.corner.x + gap, x - gap - label_size(left).x), y}, left);
   draw->PopClipRect();
   draw->PushClipRect({x + 2, image.corner.y}, {right_end, bottom}, true);
-  draw_label(draw, {x + gap, y}, right_title(c));
+  draw_label(draw, {x + gap, y}, right);
   draw->PopClipRect();
 }
 

@@ -63,6 +63,16 @@ void note(const UiContext& ui, const std::string& text) { wrapped_text(text, ui.
 
 void warning(const UiContext& ui, const std::string& text) { wrapped_text(text, ui.theme.warning); }
 
+std::string shortened(std::string text, float max_width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= max_width) return text;
+  const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // of UTF-8
+  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > max_width) {
+    while (text.size() > 1 && is_continuation(text.back())) text.pop_back();
+    text.pop_back();
+  }
+  return text + "...";
+}
+
 void labelled_value(const UiContext& ui, const char* label, const std::string& value, const char* tooltip_text) {
   ImGui::TextDisabled("%s", label);
   bool hovered = ImGui::IsItemHovered();

@@ -16,6 +16,9 @@ void tooltip(const UiContext& ui, const std::string& text);
 void note(const UiContext& ui, const std::string& text);
 void warning(const UiContext& ui, const std::string& text);
 
+// The text, or its beginning and "..." if it is wider than this.
+std::string shortened(std::string text, float max_width);
+
 // A line with a label on the left and a value in monospace.
 void labelled_value(const UiContext& ui, const char* label, const std::string& value, const char* tooltip_text = "");
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "viewer/widgets/basic_widgets.h"
 #include "viewer/widgets/value_text.h"
 
 namespace etendue::viewer {
@@ -75,17 +76,6 @@ WidgetEdit angle_widget(const ParameterInfo& info) {
   if (edit.value)
     if (auto* value = std::get_if<double>(&*edit.value)) *value /= kDegrees;
   return edit;
-}
-
-// Cuts off a text that is wider than this and appends dots.
-std::string shortened(std::string text, float max_width) {
-  if (ImGui::CalcTextSize(text.c_str()).x <= max_width) return text;
-  const auto is_continuation = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; };  // of UTF-8
-  while (!text.empty() && ImGui::CalcTextSize((text + "...").c_str()).x > max_width) {
-    while (text.size() > 1 && is_continuation(text.back())) text.pop_back();
-    text.pop_back();
-  }
-  return text + "...";
 }
 
 // The value of a widget before the last press of the button on it. The first click of a double click moves a slider; the

@@ -80,6 +80,16 @@ float density_times_sine(float weight, const Piecewise2D& patches, const image::
   return total > 0 ? weight / (total * 2 * kPi * kPi) : 0;
 }
 
+// Whether all texels have the same radiance above 0. A constant then replaces the map and its look-ups.
+bool is_uniform(const image::Image& map) {
+  const Rgb first = pixel(map, 0, 0);
+  if (is_black(first)) return false;
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      if (!(pixel(map, x, y) == first)) return false;
+  return true;
+}
+
 }  // namespace
 
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment), mean_(environment.tint) {
@@ -93,6 +103,12 @@ void EnvironmentMap::prepare_map() {
     return;
   }
   const image::Image& map = *environment_.map;
+  if (is_uniform(map)) {
+    environment_.tint *= pixel(map, 0, 0);
+    mean_ = environment_.tint;
+    environment_.map = nullptr;
+    return;
+  }
   double sum[3] = {0, 0, 0};
   double solid_angle = 0;
   weights_.reserve(static_cast<size_t>(map.width) * static_cast<size_t>(map.height));

@@ -39,9 +39,9 @@ inline constexpr Case kCausticBehindGlass{
     .name = "caustic-behind-glass",
     .kind = Kind::missing_paths,
     .theory =
-        "No path sampling technique connects a point light with a pinhole through a specular, a "
-        "diffuse and another specular event, so this part is black except with photon maps, while the "
-        "directly visible caustic appears",
+        "No path sampling technique connects a point light with a pinhole through a specular, a diffuse "
+        "and another specular event. This part is black except with photon maps; the directly visible "
+        "caustic appears",
     .run = caustic_behind_glass};
 
 }  // namespace etendue::stress

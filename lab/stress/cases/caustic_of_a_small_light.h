@@ -31,9 +31,9 @@ inline constexpr Case kCausticOfASmallLight{
     .name = "caustic-of-a-small-light",
     .kind = Kind::heavy_tails,
     .theory =
-        "Light sampling through glass is blocked, so a few BSDF samples carry the whole caustic and "
-        "the error estimate must be reported as unreliable, while light tracing and photons find the "
-        "caustic easily",
+        "Light sampling through glass is blocked, so a few BSDF samples carry the whole caustic. The "
+        "error estimate must be reported as unreliable. Light tracing and photon maps find the caustic "
+        "easily",
     .run = caustic_of_a_small_light};
 
 }  // namespace etendue::stress

@@ -21,9 +21,8 @@ inline constexpr Case kClosedRoomOfAlbedoOne{
     .name = "closed-room-of-albedo-one",
     .kind = Kind::parameters,
     .theory =
-        "Every bounce adds as much radiance as the previous one, so a limit of d segments yields d "
-        "times the emission, and paths without a limit end because Russian roulette never survives "
-        "with certainty",
+        "Every bounce adds as much radiance as the previous one, so a limit of d segments yields d times "
+        "the emission. Paths without a limit end because Russian roulette never survives with certainty",
     .run = closed_room_of_albedo_one};
 
 }  // namespace etendue::stress

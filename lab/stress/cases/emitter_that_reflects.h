@@ -24,8 +24,8 @@ inline constexpr Case kEmitterThatReflects{
     .name = "emitter-that-reflects",
     .kind = Kind::bias,
     .theory =
-        "Paths that end at the first emitter they hit miss the light it reflects, which would be a "
-        "tenth of the radiance here and is zero only for black emitters",
+        "Paths that end at the first emitter they hit miss the light that it reflects. This light is a "
+        "tenth of the radiance here, and zero only for black emitters",
     .run = emitter_that_reflects};
 
 }  // namespace etendue::stress

@@ -26,9 +26,8 @@ inline constexpr Case kGrazingAlbedo{
     .name = "grazing-albedo",
     .kind = Kind::broken_physics,
     .theory =
-        "The dielectric of glTF scales its base by 1 - F(wo.h), more than the specular layer "
-        "transmits at grazing angles, so a white one has an albedo above one there, which must be "
-        "visible",
+        "The dielectric of glTF scales its base by 1 - F(wo.h). At grazing angles the specular layer "
+        "transmits less than that, so a white surface has an albedo above one, which must be visible",
     .run = grazing_albedo};
 
 }  // namespace etendue::stress

@@ -21,8 +21,8 @@ inline constexpr Case kLateDimensions{
     .kind = Kind::correlation,
     .theory =
         "Low-discrepancy points cover the first pairs of dimensions evenly, but later pairs only with "
-        "many samples: those of Halton lie on lines below the prime base, and pairs of Sobol' "
-        "matrices with a large t leave half of the square empty",
+        "many samples. Halton points lie on lines below the prime base. Pairs of Sobol' matrices with a "
+        "large t leave half of the square empty",
     .run = late_dimensions};
 
 }  // namespace etendue::stress

@@ -38,8 +38,8 @@ inline constexpr Case kLightInASphere{
     .name = "light-in-a-sphere",
     .kind = Kind::heavy_tails,
     .theory =
-        "If only BSDF sampling finds the light, the relative deviation of a path grows as 1 / "
-        "sqrt(area of the light); with light sampling the contribution is nearly constant in a sphere",
+        "If only BSDF sampling finds the light, the relative deviation of a path grows as 1 / sqrt(area "
+        "of the light). With light sampling the contribution is nearly constant in a sphere",
     .run = light_in_a_sphere};
 
 }  // namespace etendue::stress

@@ -63,9 +63,9 @@ inline constexpr Case kLightThatTouchesAWall{
     .name = "light-that-touches-a-wall",
     .kind = Kind::heavy_tails,
     .theory =
-        "Area sampling of a light that touches a surface has infinite variance near the edge; solid angle "
-        "sampling and combined sampling are bounded, except for strips too narrow to be sampled by solid angle, "
-        "whose tail index is 1",
+        "Area sampling of a light that touches a surface has infinite variance near the edge. Solid angle "
+        "sampling and combined sampling are bounded. Exceptions are strips too narrow to be sampled by "
+        "solid angle, whose tail index is 1",
     .run = light_that_touches_a_wall};
 
 }  // namespace etendue::stress

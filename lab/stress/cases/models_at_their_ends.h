@@ -46,9 +46,9 @@ inline constexpr Case kModelsAtTheirEnds{
     .name = "models-at-their-ends",
     .kind = Kind::parameters,
     .theory =
-        "For exponents of 0 and 100000, facets without slope and with the largest, and indices of "
-        "one, f is finite and not negative, also for light straight back, straight through and along "
-        "the surface",
+        "f is finite and not negative for exponents of 0 and 100000, facets without slope and with the "
+        "largest, and indices of one. This includes light straight back, straight through and along the "
+        "surface",
     .run = models_at_their_ends};
 
 }  // namespace etendue::stress

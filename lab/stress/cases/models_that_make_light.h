@@ -46,9 +46,9 @@ inline constexpr Case kModelsThatMakeLight{
     .name = "models-that-make-light",
     .kind = Kind::broken_physics,
     .theory =
-        "Phong and Blinn-Phong divide by one cosine, Ward by the root of two, and Cook-Torrance "
-        "without masking by both, so their albedo exceeds one at grazing angles; modified Phong and "
-        "masked microfacets stay below one",
+        "Phong and Blinn-Phong divide by one cosine, Ward by the root of two, and Cook-Torrance without "
+        "masking by both. Their albedo exceeds one at grazing angles. Modified Phong and masked "
+        "microfacets stay below one",
     .run = models_that_make_light};
 
 }  // namespace etendue::stress

@@ -28,9 +28,9 @@ inline constexpr Case kPhotonsAtAnEdge{
     .name = "photons-at-an-edge",
     .kind = Kind::bias,
     .theory =
-        "A photon lookup divides by its full disc: at an edge half of it lies beside the surface and "
-        "half of the radiance is missing, at a corner three quarters; final gathering does not look "
-        "up photons there",
+        "A photon lookup divides by the area of its full disc. At an edge half of the disc lies beside "
+        "the surface and half of the radiance is missing; at a corner three quarters. Final gathering "
+        "does not look up photons there",
     .run = photons_at_an_edge};
 
 }  // namespace etendue::stress

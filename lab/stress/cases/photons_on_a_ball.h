@@ -27,7 +27,7 @@ inline constexpr Case kPhotonsOnABall{
     .kind = Kind::bias,
     .theory =
         "A sphere has as much area within a chord length as a plane, but part of its light comes from "
-        "below the tangent plane, and larger lookup discs miss light in proportion to 1 / radius^2",
+        "below the tangent plane. Larger lookup discs miss light in proportion to 1 / radius^2",
     .run = photons_on_a_ball};
 
 }  // namespace etendue::stress

@@ -28,9 +28,8 @@ inline constexpr Case kRouletteBelowTheSquare{
     .name = "roulette-below-the-square",
     .kind = Kind::heavy_tails,
     .theory =
-        "A path heavier than one survives with a probability of at most q = 0.995; if the throughput "
-        "is scaled by r per bounce and q < r^2, the variance is infinite and khat is -ln(r / q) / "
-        "ln(q)",
+        "A path of a weight above one survives with a probability of at most q = 0.995. If the throughput "
+        "is scaled by r per bounce and q < r^2, the variance is infinite and khat is -ln(r / q) / ln(q)",
     .run = roulette_below_the_square};
 
 }  // namespace etendue::stress

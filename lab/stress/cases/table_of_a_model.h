@@ -42,9 +42,8 @@ inline constexpr Case kTableOfAModel{
     .name = "table-of-a-model",
     .kind = Kind::broken_physics,
     .theory =
-        "Interpolation of a coarse table blurs a narrow lobe and truncated harmonics ring, so the "
-        "albedo is wrong by an amount that decreases with resolution, while signs and reciprocity are "
-        "exact",
+        "Interpolation of a coarse table blurs a narrow lobe, and truncated harmonics ring. The albedo is "
+        "wrong by an amount that decreases with resolution; signs and reciprocity are exact",
     .run = table_of_a_model};
 
 }  // namespace etendue::stress

@@ -38,8 +38,8 @@ inline constexpr Case kViewOfASmallPart{
     .name = "view-of-a-small-part",
     .kind = Kind::heavy_tails,
     .theory =
-        "Of the light paths only a fraction (area in view) / (pi h^2) contributes to the image, so "
-        "the relative variance is the inverse of it, while paths from the camera hardly deviate",
+        "Only a fraction (area in view) / (pi h^2) of the light paths contributes to the image, and the "
+        "relative variance is its inverse. Paths from the camera hardly deviate",
     .run = view_of_a_small_part};
 
 }  // namespace etendue::stress

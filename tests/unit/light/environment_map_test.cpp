@@ -146,6 +146,22 @@ TEST(EnvironmentMap, DensityIsIndependentOfScale) {
   }
 }
 
+TEST(EnvironmentMap, UniformMapEqualsAConstant) {
+  Environment e = environment(16, 8, [](int, int) { return Rgb(0.5f, 1, 2); });
+  e.tint = Rgb(2, 3, 4);
+  const EnvironmentMap map(e);
+  e.map = nullptr;
+  e.tint = Rgb(1, 3, 8);
+  const EnvironmentMap constant(e);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 direction = map.sample(spread(i)).direction;
+    EXPECT_EQ(direction, constant.sample(spread(i)).direction);
+    EXPECT_EQ(map.radiance(direction), constant.radiance(direction));
+    EXPECT_EQ(map.pdf_solid_angle(direction), constant.pdf_solid_angle(direction));
+  }
+  EXPECT_EQ(map.mean_radiance(), constant.mean_radiance());
+}
+
 TEST(EnvironmentMap, BlackMapHasNoDensity) {
   const EnvironmentMap map(environment(4, 2, [](int, int) { return Rgb(0); }));
   EXPECT_EQ(map.pdf_solid_angle(direction_at(0.3f, 0.4f)), 0);
