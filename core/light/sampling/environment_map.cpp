@@ -94,7 +94,7 @@ bool is_uniform(const image::Image& map) {
 
 EnvironmentMap::EnvironmentMap(const Environment& environment) : environment_(environment), mean_(environment.tint) {
   prepare_map();
-  prepare_sun();
+  prepare_sun(environment.tint);
 }
 
 void EnvironmentMap::prepare_map() {
@@ -136,12 +136,15 @@ void EnvironmentMap::prepare_map() {
   density_ = Piecewise2D(means, map.width, map.height + 1);
 }
 
-void EnvironmentMap::prepare_sun() {
+// `tint` is that of the user; the one of a uniform map includes its radiance.
+void EnvironmentMap::prepare_sun(const Rgb& tint) {
   if (!environment_.sun || is_black(environment_.sun->radiance)) return;
   const Vec3& d = environment_.sun->direction;
   const float c = std::cos(environment_.rotation), s = std::sin(environment_.rotation);
-  sun_.emplace(*environment_.sun, Vec3(d.x * c - d.z * s, d.y, d.x * s + d.z * c));
-  const Rgb mean = environment_.tint * sun_->mean_radiance() * (sun_->solid_angle() / (4 * kPi));
+  SunDisk disk = *environment_.sun;
+  disk.radiance *= tint;
+  sun_.emplace(disk, Vec3(d.x * c - d.z * s, d.y, d.x * s + d.z * c));
+  const Rgb mean = sun_->mean_radiance() * (sun_->solid_angle() / (4 * kPi));
   mean_ += mean;
   constexpr float kLeast = 0.1f;
   const float share = luminance(mean_) > 0 ? luminance(mean) / luminance(mean_) : 0;
@@ -192,7 +195,7 @@ float EnvironmentMap::map_pdf(const Vec3& direction) const {
 
 Rgb EnvironmentMap::radiance(const Vec3& direction) const {
   const Rgb radiance = map_radiance(direction);
-  return sun_ ? radiance + environment_.tint * sun_->radiance(direction) : radiance;
+  return sun_ ? radiance + sun_->radiance(direction) : radiance;
 }
 
 EnvironmentMap::Sample EnvironmentMap::sample(Vec2 u) const {

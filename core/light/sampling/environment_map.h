@@ -38,7 +38,7 @@ class EnvironmentMap {
  private:
   Vec2 uv_of(const Vec3& direction) const;
   void prepare_map();
-  void prepare_sun();
+  void prepare_sun(const Rgb& tint);
   Rgb map_radiance(const Vec3& direction) const;
   Sample sample_map(Vec2 u) const;
   float map_pdf(const Vec3& direction) const;
