@@ -26,10 +26,12 @@ constexpr int kWidth = 240, kHeight = 180, kStressSize = 96;
 
 class ImageWriter {
  public:
-  ImageWriter(std::filesystem::path folder, int threads) : folder_(std::move(folder)), threads_(threads) {}
+  ImageWriter(std::filesystem::path folder, int threads, bool only_missing)
+      : folder_(std::move(folder)), threads_(threads), only_missing_(only_missing) {}
 
   Result<void> render(const std::string& kind, const std::string& name, render::Document document,
                       uint32_t samples) const {
+    if (only_missing_ && has(kind, name)) return {};
     document.width = kWidth;
     document.height = kHeight;
     const film::Film film = render::rendered(document, samples, threads_);
@@ -59,6 +61,7 @@ class ImageWriter {
 
   std::filesystem::path folder_;
   int threads_;
+  bool only_missing_;
 };
 
 // A sphere on a floor, and the camera that looks at it.
@@ -199,10 +202,10 @@ Result<void> write_stress_case(const ImageWriter& out, const stress::Case& c) {
 
 }  // namespace
 
-Result<void> write_manual_images(const std::filesystem::path& folder, int threads) {
+Result<void> write_manual_images(const std::filesystem::path& folder, int threads, bool only_missing) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  const ImageWriter out(folder, threads);
+  const ImageWriter out(folder, threads, only_missing);
   for (const auto write :
        {write_integrators, write_samplers, write_surfaces, write_lights, write_environments, write_scenes_and_cameras})
     if (auto ok = write(out); !ok) return ok;

@@ -1,6 +1,8 @@
 // Subsurface diffusion against closed forms.
 #include <gtest/gtest.h>
 
+#include "render/incompatibility.h"
+#include "scene/compiled_scene.h"
 #include "support/integrator_scenes.h"
 
 namespace etendue {
