@@ -103,7 +103,9 @@ render::Document light_stage(const LightTypeInfo& type) {
                            : light_class == LightClass::area            ? 14
                                                                         : 0.8;
   Light light = make_light(type.description.name, {{"intensity", intensity}});
-  if (light.info().description.name == std::string_view("photometric")) light.set("profile", std::string("batwing"));
+  const std::string_view name = type.description.name;
+  if (name == "photometric") light.set("profile", std::string("batwing"));
+  if (name == "cylinder") light.set("intensity", 50.0);  // its surface is small
   return stage(scene::diffuse(Rgb(0.7f)), lit_by(light, {2, 3.6f, 2}));
 }
 
