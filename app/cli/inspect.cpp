@@ -6,7 +6,7 @@
 #include "bsdf_analysis/plausibility.h"
 #include "command.h"
 #include "json.h"
-#include "render/default_light.h"
+#include "render/scene_warnings.h"
 #include "scene/compiled_scene.h"
 #include "scene/light_counts.h"
 #include "scene_options.h"

@@ -18,7 +18,7 @@ namespace {
 struct ProbeArguments {
   SceneArguments scene;
   std::string efficacy = "equal-energy";
-  std::vector<float> at, rectangle;
+  std::vector<float> at, sensor;
   uint32_t samples = 1024;
   int threads = 0;
   bool json = false;
@@ -97,8 +97,8 @@ int run_probe(const ProbeArguments& a) {
   const auto scene = scene::compile(document->scene, document->camera, nullptr);
   const auto point = render::meter_point_at(*document, *scene, raster);
   if (!point) return fail(usage_error("--at: there is no surface at this point; give a point on an object"));
-  if (!a.rectangle.empty() && !(a.rectangle[0] > 0 && a.rectangle[1] > 0))
-    return fail(usage_error("--rectangle: both sizes have to be positive"));
+  if (!a.sensor.empty() && !(a.sensor[0] > 0))
+    return fail(usage_error("--sensor: the size has to be positive, in metres"));
   const std::atomic<bool>& interrupted = watch_interrupts();
   render::MeterReadings readings;
   render::measure_light(*document, scene, *point, a.samples, a.threads, [&](const render::MeterReadings& m) {
@@ -106,9 +106,8 @@ int run_probe(const ProbeArguments& a) {
     return !interrupted;
   });
   std::optional<render::MeterReading> received;
-  if (!a.rectangle.empty() && !interrupted)
-    received = render::measure_received_flux(*document, *scene, *point, {a.rectangle[0], a.rectangle[1]}, a.samples,
-                                             a.threads);
+  if (!a.sensor.empty() && !interrupted)
+    received = render::measure_received_flux(*document, *scene, *point, a.sensor[0], a.samples, a.threads);
   if (a.json) {
     json j = readings_json(readings, *efficacy);
     if (received) j["received_flux"] = reading_json(*received, *efficacy);
@@ -136,10 +135,10 @@ Command probe_command() {
                        .target = &a->at,
                        .doc = "X Y: point in the image, in pixels from the upper left corner; default: the centre",
                        .count = 2},
-                      {.names = "--rectangle",
-                       .target = &a->rectangle,
-                       .doc = "W H: also the flux that a rectangle of this size at the point receives, in metres",
-                       .count = 2},
+                      {.names = "--sensor",
+                       .target = &a->sensor,
+                       .doc = "Also the flux that a square of this size in metres receives at the point",
+                       .count = 1},
                       {.names = "--size",
                        .target = &a->scene.size,
                        .doc = "Size of the image to which --at refers, WIDTHxHEIGHT"},

@@ -4,7 +4,7 @@
 
 #include "image/plugin.h"
 #include "image/texture_memory.h"
-#include "render/default_light.h"
+#include "render/scene_warnings.h"
 #include "scene/builtin/builtin.h"
 
 namespace etendue::cli {

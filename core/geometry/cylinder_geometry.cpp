@@ -3,7 +3,7 @@
 #include <limits>
 #include <optional>
 
-#include "geometry/accel.h"
+#include "geometry/ray.h"
 
 namespace etendue {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 #include <embree3/rtcore.h>
 
-namespace etendue {
+#include "geometry/accel_instance.h"
 
-struct AccelInstance;
+namespace etendue {
 
 // A geometry with the lateral surface of the instance's cylinder as its only primitive. The instance must outlive it.
 // The surface coordinates of hits are those of AnalyticShape::uv_of, which the caller computes.

@@ -11,23 +11,15 @@
 //   type B    vertical angle about the x axis from -z towards +y; horizontal angle out of the yz plane, towards +x
 //   type A    horizontal angle about the y axis from -z towards +x; vertical angle out of the xz plane, towards +y
 #pragma once
-#include <array>
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
+#include <cstdint>
 #include <vector>
 
-#include "base/parameter.h"
 #include "base/vec.h"
 
 namespace etendue {
 
 class PhotometryProfile {
  public:
-  // Input errors name the file, the line and what would be right. `name` stands for the file.
-  static Result<PhotometryProfile> parse(std::string_view text, const std::string& name);
-  static Result<PhotometryProfile> read(const std::filesystem::path& path);
   // A profile by a function of the vertical and the horizontal angle of type C, in radians, at steps of one degree up to
   // 180, and of 10 degrees around.
   static PhotometryProfile sampled(float (*intensity)(float vertical, float horizontal));
@@ -58,13 +50,5 @@ class PhotometryProfile {
   std::vector<float> polar_, azimuths_, values_;
   float largest_ = 0, flux_ = 0, solid_angle_ = 4 * kPi;
 };
-
-// Names of profiles that the program computes; the first one is the same in all directions.
-extern const std::array<Option, 4> kPhotometryProfiles;
-
-// A profile by such a name or by the path of a file. Files are read once. A source that `accepts_photometry` rejects is
-// the first profile.
-std::shared_ptr<const PhotometryProfile> photometry_profile(const std::string& source);
-Result<void> accepts_photometry(std::string_view source);
 
 }  // namespace etendue

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/file.h"
+
 namespace etendue {
 namespace {
 
@@ -92,7 +94,7 @@ Result<void> PhotometryReader::skip_header() {
 }
 
 Result<void> PhotometryReader::skip_tilt() {
-  if (auto geometry = number("the lamp-to-luminaire geometry"); !geometry) return geometry.error();
+  if (auto geometry = number("the geometry of the tilt"); !geometry) return geometry.error();
   const auto pairs = count("the number of tilt angles", kMaxAngles);
   if (!pairs) return pairs.error();
   for (int i = 0; i < 2 * *pairs; ++i)
@@ -103,7 +105,7 @@ Result<void> PhotometryReader::skip_tilt() {
 Result<PhotometryProfile> PhotometryReader::read() {
   if (auto ok = skip_header(); !ok) return ok.error();
   double multiplier = 1;
-  for (const char* what : {"the number of lamps", "the lumens per lamp", "the candela multiplier"}) {
+  for (const char* what : {"the number of light sources", "the lumens per source", "the candela multiplier"}) {
     const auto value = number(what);
     if (!value) return value.error();
     multiplier = *value;
@@ -118,7 +120,7 @@ Result<PhotometryProfile> PhotometryReader::read() {
     if (auto value = number(what); !value) return value.error();
   const auto ballast = number("the ballast factor");
   if (!ballast) return ballast.error();
-  for (const char* what : {"the ballast-lamp factor", "the input watts"})
+  for (const char* what : {"the second ballast factor", "the input watts"})
     if (auto value = number(what); !value) return value.error();
   const double scale = multiplier * *ballast;
   if (!(scale > 0)) return error("the candela multiplier and the ballast factor have to be positive");
@@ -222,6 +224,16 @@ PhotometryReader::Grid PhotometryReader::grid_of_type_a(const std::vector<float>
     for (size_t v = vertical.size(); v-- > 0;) grid.values.push_back(values[row * vertical.size() + v]);
   }
   return grid;
+}
+
+Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name) {
+  return PhotometryReader(text, name).read();
+}
+
+Result<PhotometryProfile> read_photometry(const std::filesystem::path& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return parse_photometry({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, path.string());
 }
 
 }  // namespace etendue

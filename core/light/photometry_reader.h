@@ -1,8 +1,17 @@
 // Reads photometric files of IES LM-63.                                                              [IES LM-63-2002]
 #pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
 #include "light/photometry_profile.h"
 
 namespace etendue {
+
+// Input errors name the file, the line and what would be right. `name` stands for the file.
+Result<PhotometryProfile> parse_photometry(std::string_view text, const std::string& name);
+Result<PhotometryProfile> read_photometry(const std::filesystem::path& path);
 
 class PhotometryReader {
  public:

@@ -155,7 +155,7 @@ std::vector<LightIntensity> intensities_towards(const scene::CompiledScene& scen
 }
 
 // A sensor in front of the surface, seen by an orthographic camera that it fills.
-Document flux_measurement(const Document& document, const MeterPoint& point, Vec2 size, float offset, float albedo) {
+Document flux_measurement(const Document& document, const MeterPoint& point, float size, float offset, float albedo) {
   auto scene = std::make_shared<scene::Scene>(*document.scene);
   Material sensor = scene::diffuse(Rgb(albedo));
   sensor.name = "light meter";
@@ -163,12 +163,10 @@ Document flux_measurement(const Document& document, const MeterPoint& point, Vec
   const Vec3 right = normalize_or(glm::cross(Vec3(0, 1, 0), point.normal), Vec3(1, 0, 0));
   const Vec3 up = glm::cross(point.normal, right);
   const Vec3 centre = point.position + offset * point.normal;
-  scene::add(*scene, scene::rectangle(centre - 0.5f * (size.x * right + size.y * up), size.x * right, size.y * up),
-             sensor);
+  scene::add(*scene, scene::rectangle(centre - 0.5f * size * (right + up), size * right, size * up), sensor);
   Camera camera = look_at(centre + 0.5f * offset * point.normal, centre, up, 1);
   camera.projection = Projection::orthographic;
-  camera.ymag = 0.5f * size.y;
-  camera.aspect = size.x / size.y;
+  camera.ymag = 0.5f * size;
   return measurement(document, std::move(scene), camera);
 }
 
@@ -190,11 +188,11 @@ std::optional<MeterPoint> meter_point_at(const Document& document, const scene::
 }
 
 MeterReading measure_received_flux(const Document& document, const scene::CompiledScene& scene, const MeterPoint& point,
-                                   Vec2 size, uint32_t samples, int threads) {
+                                   float size, uint32_t samples, int threads) {
   constexpr float kAlbedo = 0.01f;
   const float distance_from_origin = std::max(glm::length(point.position), glm::length(point.eye));
   const float offset = std::max(kCardRadius * scene.bounds().radius(), 1e-5f * distance_from_origin);
-  const float factor = kPi / kAlbedo * size.x * size.y;
+  const float factor = kPi / kAlbedo * sqr(size);
   Meter meter(flux_measurement(document, point, size, offset, kAlbedo), factor, nullptr, threads);
   return meter.read(samples);
 }

@@ -53,11 +53,11 @@ struct MeterReadings {
 
 inline constexpr size_t kMeterLights = 8;
 
-// The luminous flux in lm that a rectangle at the point receives on the side of the camera. The rectangle has its width
-// along the horizontal, or along x if it lies flat; it is an opaque sensor of albedo 1 %, so that it casts a shadow but
+// The luminous flux in lm that a square sensor at the point receives on the side of the camera; `size` in metres. Two of
+// its sides are horizontal, or along x if it lies flat. It is opaque with an albedo of 1 %, so that it casts a shadow but
 // hardly reflects.
 MeterReading measure_received_flux(const Document& document, const scene::CompiledScene& scene, const MeterPoint& point,
-                                   Vec2 size, uint32_t samples, int threads);
+                                   float size, uint32_t samples, int threads);
 
 // Measures with a growing number of samples and calls `publish` after each step, until the number reaches `samples` or
 // `publish` returns false.

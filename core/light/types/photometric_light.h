@@ -7,7 +7,7 @@
 #pragma once
 #include <memory>
 
-#include "light/photometry_profile.h"
+#include "light/photometry_source.h"
 #include "light/types/punctual_emitter.h"
 
 namespace etendue {

@@ -1,12 +1,12 @@
 // Photometric files. What is read is evaluated and sampled.
 #include "integration/fuzz/target.h"
-#include "light/photometry_profile.h"
+#include "light/photometry_reader.h"
 
 namespace etendue::fuzz {
 namespace {
 
 void read(Input input) {
-  const auto profile = PhotometryProfile::parse(text_of(input), "input");
+  const auto profile = parse_photometry(text_of(input), "input");
   if (!profile) return;
   require(profile->flux() >= 0 && profile->flux() < kInfinity, "a flux is negative or not a number");
   require(profile->direction_pdf() > 0 && profile->direction_pdf() < kInfinity, "a density is not positive");

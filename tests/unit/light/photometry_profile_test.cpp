@@ -1,5 +1,5 @@
 // Photometric files of IES LM-63, and the intensity that they describe.
-#include "light/photometry_profile.h"
+#include "light/photometry_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <random>
 
 #include "base/warp.h"
+#include "light/photometry_source.h"
 
 namespace etendue {
 namespace {
@@ -44,13 +45,13 @@ std::string file(const std::vector<double>& vertical, const std::vector<double>&
 }
 
 PhotometryProfile parsed(const std::string& text) {
-  auto profile = PhotometryProfile::parse(text, "lamp.ies");
+  auto profile = parse_photometry(text, "lamp.ies");
   EXPECT_TRUE(profile) << (profile ? "" : profile.error().message);
   return std::move(*profile);
 }
 
 std::string error_of(const std::string& text) {
-  const auto profile = PhotometryProfile::parse(text, "lamp.ies");
+  const auto profile = parse_photometry(text, "lamp.ies");
   return profile ? "" : profile.error().message;
 }
 
@@ -94,7 +95,7 @@ TEST(PhotometryProfile, AnglesOfTheTypes) {
     EXPECT_NEAR(of(p, {1, 0, -1}), 90'135, 1) << type;
     EXPECT_NEAR(of(p, {0, 1, -1}), 135'090, 1) << type;
   }
-  // Both angles at once tell the types apart.
+  // The types differ where both angles are large.
   const Vec3 d = glm::normalize(Vec3(1, 1, -1));
   const double out = std::asin(static_cast<double>(d.x)) * 180 / kPiD;
   const auto b = parsed(file(steps(-90, 90, 1), steps(-90, 90, 1), linear, {.type = 2}));
@@ -175,7 +176,7 @@ TEST(PhotometryProfile, ErrorsNameTheLineAndWhatIsRight) {
   EXPECT_NE(error_of(whole.substr(0, whole.size() - 12)).find("the file ends before a candela value"),
             std::string::npos);
   EXPECT_NE(error_of("TILT=NONE\n1 1 1 1000 1000 1 1 1 1 1 1 1 1").find("the file ends"), std::string::npos);
-  EXPECT_FALSE(PhotometryProfile::read("no-such-file.ies"));
+  EXPECT_FALSE(read_photometry("no-such-file.ies"));
   EXPECT_FALSE(accepts_photometry("no-such-file.ies"));
   EXPECT_TRUE(accepts_photometry("street"));
 }
