@@ -45,13 +45,13 @@ std::string file(const std::vector<double>& vertical, const std::vector<double>&
 }
 
 PhotometryProfile parsed(const std::string& text) {
-  auto profile = parse_photometry(text, "lamp.ies");
+  auto profile = parse_photometry(text, "light.ies");
   EXPECT_TRUE(profile) << (profile ? "" : profile.error().message);
   return std::move(*profile);
 }
 
 std::string error_of(const std::string& text) {
-  const auto profile = parse_photometry(text, "lamp.ies");
+  const auto profile = parse_photometry(text, "light.ies");
   return profile ? "" : profile.error().message;
 }
 
@@ -160,12 +160,12 @@ TEST(PhotometryProfile, SkipsKeywordsAndTiltData) {
 TEST(PhotometryProfile, ErrorsNameTheLineAndWhatIsRight) {
   const auto one = [](double, double) { return 10.0; };
   EXPECT_EQ(error_of("hello"),
-            "lamp.ies: has no line that starts with TILT=; a photometric file of IES LM-63 is expected");
-  EXPECT_EQ(error_of("TILT=NONE\n1 1000 x"), "lamp.ies: line 2: 'x' is not a number; expected the candela multiplier");
+            "light.ies: has no line that starts with TILT=; a photometric file of IES LM-63 is expected");
+  EXPECT_EQ(error_of("TILT=NONE\n1 1000 x"), "light.ies: line 2: 'x' is not a number; expected the candela multiplier");
   EXPECT_EQ(error_of("TILT=NONE\n1 1000 1 2.5"),
-            "lamp.ies: line 2: the number of vertical angles has to be a whole number from 1 to 1000");
+            "light.ies: line 2: the number of vertical angles has to be a whole number from 1 to 1000");
   EXPECT_EQ(error_of("TILT=NONE\n1 1000 1 2 1 4"),
-            "lamp.ies: line 2: the photometric type (1 is C, 2 is B, 3 is A) has to be a whole number from 1 to 3");
+            "light.ies: line 2: the photometric type (1 is C, 2 is B, 3 is A) has to be a whole number from 1 to 3");
   EXPECT_NE(error_of(file({0, 0}, {0}, one)).find("larger than the one before it"), std::string::npos);
   EXPECT_NE(error_of(file({0, 90}, {0, 45}, one)).find("they go from 0 to 45"), std::string::npos);
   EXPECT_NE(error_of(file({0, 90}, {0}, [](double, double) { return -1.0; })).find("between 0 and 1e9"),
